@@ -1,0 +1,26 @@
+// Visibility in its canonical form: runs of arc length, and the way between runs and atlas samples.
+#pragma once
+
+#include "base/types.h"
+#include "project/clipped_paths.h"
+
+namespace fovea {
+
+/// Visible runs, sorted by piece, then by start. start < end, in pixels of the piece's own arc_px.
+struct Runs {
+    Array<Index> piece;
+    Array<double> start_px, end_px;
+};
+
+/// Runs where the sampled visibility (atlas order, in [0,1]) is at least `threshold`; ends are interpolated between
+/// the two samples on either side.
+Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold = 0.5f);
+
+/// Share of each atlas sample that runs cover, in [0,1]; padding repeats the end of its piece.
+Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
+
+/// Joins runs of a piece whose gap is shorter than `gap_px`, then drops runs shorter than `spur_px` that neither
+/// begin nor end their piece.
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, double spur_px);
+
+}  // namespace fovea

@@ -1,0 +1,35 @@
+// A camera and the image it makes.
+#pragma once
+
+#include "base/types.h"
+
+namespace fovea {
+
+/// Camera and image. View space: eye at the origin, looking along -z, x right, y up. Clip space as in OpenGL.
+/// Pixels: origin at the lower left corner of the drawn region, y up, pixel centres at .5.
+struct View {
+    dmat4 world_to_view{1.0};
+    /// Crop for a render border, lens shift and pixel aspect are already in it.
+    dmat4 view_to_clip{1.0};
+    int width = 0;
+    int height = 0;
+    bool orthographic = false;
+    /// Clip distances in view space, positive.
+    double near_clip = 0.1;
+    double far_clip = 1000.0;
+    /// Image pixels per reference pixel (height of the full frame / 1080).
+    double reference_scale = 1.0;
+};
+
+/// Pixel position of a view-space point; meaningless where `clip_w` <= 0.
+inline dvec2 to_pixels(const View& view, const dvec4& clip) {
+    return {(clip.x / clip.w * 0.5 + 0.5) * view.width, (clip.y / clip.w * 0.5 + 0.5) * view.height};
+}
+
+/// Depth as every stage compares it: screen-linear, reversed (larger is nearer), 1 at the near plane. Perspective:
+/// near / distance, 0 at infinity. Orthographic: 0 at the far plane. Keeps float precision at every distance.
+inline double screen_depth(const View& view, double z_view) {
+    return view.orthographic ? (view.far_clip + z_view) / (view.far_clip - view.near_clip) : view.near_clip / -z_view;
+}
+
+}  // namespace fovea

@@ -1,0 +1,37 @@
+// What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
+#pragma once
+
+#include "base/types.h"
+
+namespace fovea {
+
+/// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves
+/// and comes back gives several), a polyline of points; segment i runs from point i to point i + 1 of a piece.
+/// The last point of every piece starts no segment: its sample_count is 0.
+struct ClippedPaths {
+    /// Pieces: points pieces.begin(q) .. pieces.end(q).
+    Rows pieces;
+    /// Per piece: index of the path it comes from.
+    Array<Index> path;
+    /// Per piece: 1 where a whole closed path lies inside the frame (first and last point coincide).
+    Array<std::uint8_t> closed;
+    /// Per point: pixels (screen), reversed screen-linear depth (base/view.h), view space.
+    Array<vec2> px;
+    Array<float> depth;
+    Array<vec3> position_view;
+    /// Per point: arc length in pixels along the whole path, 0 at the path's middle, independent of clipping.
+    Array<double> arc_px;
+    /// Per point: where on the path it is: point index in Paths, and the fraction towards the next one.
+    Array<Index> source;
+    Array<float> source_t;
+    /// Per segment (indexed by its first point): the two facets at its mesh edge, numbered over the whole scene;
+    /// `none` where there are fewer. Visibility ignores them.
+    Array<Index> facet0, facet1;
+    /// Per segment: its samples are sample_start .. sample_start + sample_count of the atlas; sample j lies at the
+    /// screen fraction (j + 0.5) / sample_count of the segment.
+    Array<Index> sample_start, sample_count;
+    /// Samples in the atlas, padding at the ends of pieces included. Padding repeats the value of the piece's end.
+    Index samples = 0;
+};
+
+}  // namespace fovea

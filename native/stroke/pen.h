@@ -1,0 +1,29 @@
+// A pen: how a stroke looks.
+#pragma once
+
+#include "base/types.h"
+
+namespace fovea {
+
+enum class Cap : std::uint8_t { butt, round };
+
+/// Grey image of ink in [0,1], rows across the stroke (first row = left side of the way), columns along it, repeated.
+struct PenTexture {
+    int width = 0, height = 0;
+    Array<float> ink;
+};
+
+/// Lengths in pixels of the image (the caller multiplies reference pixels by View::reference_scale).
+struct Pen {
+    vec3 color{0.0f};
+    float opacity = 1.0f;
+    float width_px = 2.0f;
+    /// Pixels of arc length that one repetition of the texture covers.
+    float texture_length_px = 256.0f;
+    Cap cap = Cap::round;
+    float taper_px = 0.0f;
+    /// Index into the frame's textures; `none`: solid.
+    Index texture = none;
+};
+
+}  // namespace fovea
