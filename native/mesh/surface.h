@@ -1,0 +1,121 @@
+// A surface: Blender's polygons with their own edge table, triangles for rays, and facets for facing.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/cache.h"
+#include "base/types.h"
+
+namespace fovea {
+
+using Triangle = glm::uvec3;
+using Edge = glm::uvec2;
+
+/// A mesh as Blender holds it, borrowed. Optional arrays may be empty.
+struct MeshArrays {
+    In<vec3> positions;          ///< per vertex, object space
+    In<glm::ivec2> edge_verts;   ///< per edge
+    In<int> corner_verts;        ///< per corner
+    In<int> corner_edges;        ///< per corner: the edge to the polygon's next corner
+    In<int> polygon_offsets;     ///< polygons + 1: corners of polygon f
+    In<glm::ivec3> ngon_triangles;  ///< vertices; triangulation of polygons with more than 4 corners, by polygon
+    In<int> ngon_polygon;        ///< per ngon triangle: its polygon, ascending
+    In<int> material;            ///< optional, per polygon
+    In<std::uint8_t> occluding;  ///< optional, per polygon: 0 where the material lets lines behind it show
+    In<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
+};
+
+/// Marks of an edge.
+enum Mark : std::uint8_t { mark_sharp = 1, mark_seam = 2, mark_edge = 4 };
+
+/// What was skipped or looked wrong when a surface was built; counts of elements.
+struct SurfaceReport {
+    Index non_finite_vertices = 0;  ///< NaN or infinite positions
+    Index degenerate_polygons = 0;  ///< fewer than 3 distinct corners, no area, or a broken vertex
+    Index duplicate_polygons = 0;   ///< the same vertices as an earlier polygon
+    Index loose_edges = 0;          ///< edges without a polygon: they bound no surface and draw no line
+    Index non_manifold_edges = 0;   ///< more than two polygons; kept, all of them
+    Index inconsistent_edges = 0;   ///< neighbours that disagree about which side is out; kept
+};
+
+/// One incident facet of an edge, and whether the facet's boundary runs along the edge from its first to its second
+/// vertex (`forward`). Of a consistently oriented pair one is forward and the other is not.
+struct EdgeSide {
+    Index packed;
+    EdgeSide() = default;
+    EdgeSide(Index facet, bool forward) : packed(facet << 1 | Index(forward)) {}
+    Index facet() const { return packed >> 1; }
+    bool forward() const { return packed & 1; }
+};
+
+/// A facet is the largest piece known to be flat: a whole polygon when it is planar (to 0.1 degrees), else each of its
+/// triangles. Facing, contours and creases are asked of facets, so a diagonal of a flat polygon is never a candidate,
+/// and a diagonal of a bent one can be a contour.
+class Surface {
+   public:
+    /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
+    Surface(std::string name, const MeshArrays& mesh);
+
+    /// Moves the vertices; topology stays. Everything derived from positions is dropped.
+    void set_positions(In<vec3> positions);
+
+    const std::string& name() const { return name_; }
+    const SurfaceReport& report() const { return report_; }
+
+    // Topology, as given. Polygons that were skipped keep their number and have no facets.
+    Array<Edge> edges;                 ///< mesh edges, then the diagonals of bent polygons
+    Index mesh_edges = 0;              ///< how many of `edges` are the mesh's own
+    Array<std::uint8_t> edge_marks;    ///< per mesh edge: Mark bits
+    Array<int> polygon_material;       ///< per polygon
+
+    // Geometry.
+    Array<vec3> positions;             ///< object space; one spare entry at the end (Embree reads 16 bytes)
+    Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
+    Array<Triangle> triangles;         ///< vertices; occluding ones first
+    Array<Index> triangle_facet;
+    Index occluding_triangles = 0;     ///< how many of `triangles` hide what lies behind
+    Array<vec4> facet_plane;           ///< unit normal n and offset d: n.x = d; outward by winding
+    Array<Index> facet_polygon;
+    Rows edge_rows;                    ///< per entry of `edges`: its sides
+    Array<EdgeSide> edge_sides;
+    vec3 center{0.0f};                 ///< of the bounding box
+    float radius = 0.0f;               ///< of the sphere around it that holds all vertices
+
+    Index polygon_count() const { return polygons_.count(); }
+    Index facet_count() const { return static_cast<Index>(facet_plane.size()); }
+
+    /// What later stages derive from this surface (BVH, static lines, chains).
+    Cache& cache() const { return *cache_; }
+    /// Changes whenever the positions do.
+    std::uint64_t version() const { return version_; }
+
+   private:
+    void take_topology(const MeshArrays& mesh);
+    void build_edge_corners();
+    void build_geometry();
+    void find_degenerate(Array<std::uint8_t>& skip);
+    void find_duplicates(Array<std::uint8_t>& skip);
+    void triangulate(const Array<std::uint8_t>& skip);
+    void build_facets(const Array<std::uint8_t>& skip);
+    void build_edge_sides(const Array<std::uint8_t>& skip);
+    void bound();
+
+    std::string name_;
+    Rows polygons_;                    // corners of polygons
+    Array<Index> corner_verts_, corner_edges_;
+    Rows edge_corners_rows_;           // corners that run along each mesh edge
+    Array<Index> edge_corners_;
+    Array<Triangle> ngon_triangles_;
+    Rows ngon_rows_;                   // per polygon: its rows of ngon_triangles_
+    Array<std::uint8_t> polygon_occludes_;
+    Array<Index> corner_facet_;        // facet that the side starting at each corner bounds
+    Array<Index> triangle_polygon_;    // while building: triangles in polygon order
+    Rows polygon_triangles_;
+    Index indexed_ngons_ = 0;
+    SurfaceReport report_;
+    std::unique_ptr<Cache> cache_ = std::make_unique<Cache>();
+    std::uint64_t version_ = 0;
+};
+
+}  // namespace fovea
