@@ -110,9 +110,8 @@ class Surface {
     Rows ngon_rows_;                   // per polygon: its rows of ngon_triangles_
     Array<std::uint8_t> polygon_occludes_;
     Array<Index> corner_facet_;        // facet that the side starting at each corner bounds
-    Array<Index> triangle_polygon_;    // while building: triangles in polygon order
+
     Rows polygon_triangles_;
-    Index indexed_ngons_ = 0;
     SurfaceReport report_;
     std::unique_ptr<Cache> cache_ = std::make_unique<Cache>();
     std::uint64_t version_ = 0;

@@ -1,0 +1,209 @@
+#include "atlas/depth.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/check.h"
+
+namespace fovea {
+namespace {
+
+constexpr int band_rows = 16;
+constexpr std::size_t chunk_triangles = std::size_t(1) << 18;
+constexpr std::size_t block_triangles = 2048;
+
+/// A triangle on the screen, in texels. Corners are in a fixed order per edge when tested, so that two triangles that
+/// share an edge leave no texel between them.
+struct ScreenTriangle {
+    std::array<dvec2, 3> corner;
+    dvec3 plane;  // depth = plane . (x, y, 1)
+    Index facet;
+    int x0, x1, y0, y1;  // texels whose centres the bounding box holds, x1 and y1 excluded
+};
+
+struct Target {
+    int width, height;
+    dmat4 view_to_depth_clip;
+};
+
+/// Twice the signed area of (a, b, p). Computed the same way for (b, a), with the other sign.
+double edge_function(dvec2 a, dvec2 b, dvec2 p) {
+    const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
+    if (swapped) std::swap(a, b);
+    const double area = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    return swapped ? -area : area;
+}
+
+/// First texel whose centre is not below `edge`, clamped to [0, size].
+int first_texel(double edge, int size) {
+    return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
+}
+
+/// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
+/// of the near plane; `plane`: depth over the texels.
+void append_screen_triangle(const std::array<dvec3, 3>& clip, const dvec3& plane, Index facet, const Target& target,
+                            std::vector<ScreenTriangle>& out) {
+    ScreenTriangle t;
+    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
+    const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
+    const auto [ay, by, cy] = std::array{t.corner[0].y, t.corner[1].y, t.corner[2].y};
+    t.x0 = first_texel(std::min({ax, bx, cx}), target.width);
+    t.x1 = first_texel(std::max({ax, bx, cx}), target.width);
+    t.y0 = first_texel(std::min({ay, by, cy}), target.height);
+    t.y1 = first_texel(std::max({ay, by, cy}), target.height);
+    if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
+    const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
+    if (!(area != 0.0) || !std::isfinite(area)) return;
+    if (area < 0.0) std::swap(t.corner[1], t.corner[2]);
+    t.plane = plane;
+    t.facet = facet;
+    out.push_back(t);
+}
+
+/// Depth over texels as a plane: the screen image of the triangle's own plane, found without dividing by w, so that
+/// corners behind the eye do no harm. `corner`: (x w, y w, depth w, w) in texels. False for a triangle seen edge on.
+bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
+    const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
+        c(corner[2].x, corner[2].y, corner[2].w);
+    const double det = glm::dot(a, glm::cross(b, c));
+    plane = (glm::cross(b, c) * corner[0].z + glm::cross(c, a) * corner[1].z + glm::cross(a, b) * corner[2].z) / det;
+    return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
+}
+
+/// Cuts the triangle at the near plane (depth <= 1) and appends what is left, as one triangle or two.
+void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Target& target,
+                    std::vector<ScreenTriangle>& out) {
+    std::array<double, 3> inside;
+    int kept = 0;
+    for (int i = 0; i < 3; ++i) kept += (inside[i] = corner[i].w - corner[i].z) >= 0.0;
+    dvec3 plane;
+    if (kept == 0 || !depth_plane(corner, plane)) return;
+    std::array<dvec3, 4> polygon;
+    int count = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const dvec3 p(corner[i].x, corner[i].y, corner[i].w), q(corner[j].x, corner[j].y, corner[j].w);
+        if (inside[i] >= 0.0) polygon[count++] = p;
+        if ((inside[i] >= 0.0) != (inside[j] >= 0.0))
+            polygon[count++] = glm::mix(p, q, inside[i] / (inside[i] - inside[j]));
+    }
+    for (int i = 2; i < count; ++i)
+        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target, out);
+}
+
+void append_triangles(const DepthMesh& mesh, std::size_t begin, std::size_t end, const Target& target,
+                      std::vector<ScreenTriangle>& out) {
+    // Pixels of homogeneous points: (x / w * .5 + .5) * size, kept homogeneous.
+    dmat4 to_texels(1.0);
+    to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
+    to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
+    const dmat4 matrix = to_texels * target.view_to_depth_clip * mesh.object_to_view;
+    for (std::size_t i = begin; i < end; ++i) {
+        std::array<dvec4, 3> corner;
+        for (int k = 0; k < 3; ++k) corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
+        append_clipped(corner, mesh.facet_base + mesh.triangle_facet[i], target, out);
+    }
+}
+
+/// True where `depth` of `facet` is in front of what the texel shows.
+bool in_front(float depth, Index facet, const DepthTexel& texel) {
+    return texel.facet == none || depth > texel.depth || (depth == texel.depth && facet < texel.facet);
+}
+
+void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
+    const dvec2 left(0.0, y + 0.5);
+    // The part of the row inside all three edges, a texel wider for rounding; every texel is then tested.
+    double x0 = t.x0, x1 = t.x1;
+    for (int i = 0; i < 3; ++i) {
+        const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
+        if (a.y == b.y) continue;
+        const double x = a.x + (b.x - a.x) * ((left.y - a.y) / (b.y - a.y)) - 0.5;
+        (a.y > b.y ? x0 : x1) = a.y > b.y ? std::max(x0, std::floor(x) - 1.0) : std::min(x1, std::ceil(x) + 2.0);
+    }
+    DepthTexel* row = &buffer.texels[std::size_t(y) * buffer.width];
+    for (int x = static_cast<int>(x0); x < x1; ++x) {
+        const dvec2 p(x + 0.5, left.y);
+        const float depth = static_cast<float>(glm::dot(t.plane, dvec3(p, 1.0)));
+        if (!in_front(depth, t.facet, row[x])) continue;
+        bool inside = true;
+        for (int i = 0; i < 3; ++i) inside = inside && edge_function(t.corner[i], t.corner[(i + 1) % 3], p) >= 0.0;
+        if (inside) row[x] = {depth, float(t.plane.x * buffer.scale), float(t.plane.y * buffer.scale), t.facet};
+    }
+}
+
+/// Bands of rows that each triangle touches, as rows of triangle numbers in drawing order.
+Rows bin_triangles(const std::vector<ScreenTriangle>& triangles, int bands, Array<Index>& members) {
+    Rows rows;
+    rows.offsets.assign(bands, 0);
+    for (const auto& t : triangles)
+        for (int b = t.y0 / band_rows; b <= (t.y1 - 1) / band_rows; ++b) ++rows.offsets[b];
+    counts_to_offsets(rows.offsets);
+    members.resize(rows.offsets.back());
+    Array<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+    for (Index i = 0; i < triangles.size(); ++i)
+        for (int b = triangles[i].y0 / band_rows; b <= (triangles[i].y1 - 1) / band_rows; ++b) members[next[b]++] = i;
+    return rows;
+}
+
+void draw_triangles(const std::vector<ScreenTriangle>& triangles, DepthBuffer& buffer) {
+    Array<Index> members;
+    const int bands = (buffer.height + band_rows - 1) / band_rows;
+    const Rows rows = bin_triangles(triangles, bands, members);
+    parallel_for(bands, [&](std::size_t band) {
+        const int begin = int(band) * band_rows, end = std::min(begin + band_rows, buffer.height);
+        for (Index m = rows.begin(Index(band)); m < rows.end(Index(band)); ++m) {
+            const ScreenTriangle& t = triangles[members[m]];
+            for (int y = std::max(begin, t.y0); y < std::min(end, t.y1); ++y) draw_row(t, y, buffer);
+        }
+    }, 1);
+}
+
+void check_mesh(const DepthMesh& mesh, std::size_t number) {
+    const std::string name = "depth mesh " + std::to_string(number) + ": ";
+    check(mesh.triangles.size() == mesh.triangle_facet.size(), name + "one facet per triangle expected");
+    Index highest = 0;
+    for (const auto& t : mesh.triangles) highest = std::max({highest, t.x, t.y, t.z});
+    check(mesh.triangles.empty() || highest < mesh.positions.size(), name + "triangle refers to a missing vertex");
+}
+
+}  // namespace
+
+dmat4 view_to_depth_clip(const View& view) {
+    dmat4 matrix = view.view_to_clip;
+    const double range = view.far_clip - view.near_clip;
+    // Third row: depth times w. Perspective: near / -z times -z. Orthographic: (far + z) / (far - near).
+    const dvec4 row = view.orthographic ? dvec4(0.0, 0.0, 1.0 / range, view.far_clip / range)
+                                        : dvec4(0.0, 0.0, 0.0, view.near_clip);
+    for (int column = 0; column < 4; ++column) matrix[column][2] = row[column];
+    return matrix;
+}
+
+DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, int scale, const Cancel* cancel) {
+    check(view.width > 0 && view.height > 0, "depth buffer: the image is empty");
+    check(scale >= 1, "depth buffer: scale must be at least 1");
+    DepthBuffer buffer{scale, view.width * scale, view.height * scale, {}};
+    buffer.texels.resize(std::size_t(buffer.width) * buffer.height);
+    parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
+        std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());
+    });
+    const Target target{buffer.width, buffer.height, view_to_depth_clip(view)};
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        check_mesh(meshes[m], m);
+        // Chunks bound the memory; their order, and the order inside, is that of the input.
+        for (std::size_t start = 0; start < meshes[m].triangles.size(); start += chunk_triangles) {
+            if (cancel) cancel->poll();
+            const std::size_t count = std::min(chunk_triangles, meshes[m].triangles.size() - start);
+            std::vector<std::vector<ScreenTriangle>> blocks((count + block_triangles - 1) / block_triangles);
+            parallel_blocks(count, block_triangles, [&](std::size_t block, std::size_t begin, std::size_t end) {
+                append_triangles(meshes[m], start + begin, start + end, target, blocks[block]);
+            });
+            std::vector<ScreenTriangle> triangles;
+            for (auto& block : blocks) triangles.insert(triangles.end(), block.begin(), block.end());
+            draw_triangles(triangles, buffer);
+        }
+    }
+    return buffer;
+}
+
+}  // namespace fovea

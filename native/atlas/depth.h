@@ -1,0 +1,45 @@
+// The depth buffer that sampled visibility looks into: what the GPU's depth pass draws, drawn in software.
+#pragma once
+
+#include "base/parallel.h"
+#include "base/types.h"
+#include "base/view.h"
+
+namespace fovea {
+
+/// Triangles of one placement, borrowed.
+struct DepthMesh {
+    In<vec3> positions;        ///< object space
+    In<glm::uvec3> triangles;  ///< vertices
+    In<Index> triangle_facet;  ///< per triangle, numbered over the mesh
+    dmat4 object_to_view{1.0};
+    Index facet_base = 0;      ///< added to triangle_facet: numbers over the whole scene
+};
+
+/// The nearest surface at a texel's centre, as a plane over the image.
+struct DepthTexel {
+    float depth = 0.0f;          ///< reversed screen-linear depth (base/view.h), at the texel's centre
+    float ddx = 0.0f, ddy = 0.0f;  ///< its change per pixel of the view (not per texel), to the right and up
+    Index facet = none;          ///< number over the whole scene; `none`: background
+};
+
+/// Texels of a view drawn at `scale` times its resolution; rows from bottom to top. The centre of texel (x, y) lies at
+/// ((x + .5) / scale, (y + .5) / scale) pixels.
+struct DepthBuffer {
+    int scale = 1;
+    int width = 0, height = 0;  ///< texels
+    Array<DepthTexel> texels;
+
+    const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
+};
+
+/// Draws both sides of all triangles. What lies nearer than the near plane is cut off; the far plane cuts nothing off.
+/// At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not finite
+/// leave no trace. Throws std::invalid_argument on an empty image, a scale below 1 or indices out of range.
+DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, int scale, const Cancel* cancel = nullptr);
+
+/// Maps homogeneous view-space points to (x w, y w, depth w, w), x and y in [-1, 1] over the image: clip space whose
+/// third coordinate is the depth above. The GPU's depth pass uses the same matrix.
+dmat4 view_to_depth_clip(const View& view);
+
+}  // namespace fovea
