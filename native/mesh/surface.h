@@ -101,6 +101,19 @@ class Surface {
     void build_edge_sides(const Array<std::uint8_t>& skip);
     void bound();
 
+    /// A diagonal of a bent polygon with the triangles on both sides.
+    struct Diagonal {
+        Edge edge;
+        EdgeSide first, second;
+    };
+    /// A side of a triangle (facet set) or of the polygon itself (corner set), by ascending vertices.
+    struct TriangleSide {
+        Index low, high;
+        bool ascending;
+        Index facet, corner;
+    };
+    void split_bent_polygon(Index polygon, std::vector<TriangleSide>& scratch, std::vector<Diagonal>& diagonals);
+
     std::string name_;
     Rows polygons_;                    // corners of polygons
     Array<Index> corner_verts_, corner_edges_;

@@ -1,8 +1,9 @@
 // Geometry of a surface: triangles, facets and their planes, the sides of edges.
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "base/parallel.h"
 #include "mesh/surface.h"
@@ -169,38 +170,46 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
     });
 }
 
-void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
-    // Each polygon side bounds one facet; where the polygon is bent, look for the triangle that holds the side.
-    struct Diagonal {
-        Edge edge;
-        Index left, right;  // facets: the one whose winding runs along the edge, and the other
+void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std::vector<Diagonal>& diagonals) {
+    // Sides of the triangles and of the polygon, sorted by their vertices: what meets a corner is a side of the
+    // polygon, what meets another triangle is a diagonal.
+    sides.clear();
+    const Index c0 = polygons_.begin(f), corners = polygons_.size(f);
+    const auto add = [&](Index from, Index to, Index facet, Index corner) {
+        sides.push_back({std::min(from, to), std::max(from, to), from < to, facet, corner});
     };
+    for (Index i = 0; i < corners; ++i)
+        add(corner_verts_[c0 + i], corner_verts_[c0 + (i + 1) % corners], none, c0 + i);
+    for (Index t = polygon_triangles_.begin(f); t < polygon_triangles_.end(f); ++t)
+        for (int i = 0; i < 3; ++i) add(triangles[t][i], triangles[t][(i + 1) % 3], triangle_facet[t], none);
+    std::stable_sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    });
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        const TriangleSide &a = sides[i], &b = sides[i + 1];
+        if (a.low != b.low || a.high != b.high) continue;
+        if (a.corner != none && b.facet != none) corner_facet_[a.corner] = b.facet;
+        if (a.facet != none && b.facet != none)
+            diagonals.push_back({Edge(a.low, a.high), EdgeSide(a.facet, a.ascending), EdgeSide(b.facet, b.ascending)});
+        ++i;
+    }
+}
+
+void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
+    // Each polygon side bounds one facet: the polygon when flat, else the triangle that holds the side.
     corner_facet_.assign(corner_verts_.size(), none);
     const std::size_t block = 4096;
     std::vector<std::vector<Diagonal>> found((polygon_count() + block - 1) / block);
     parallel_blocks(polygon_count(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        std::vector<TriangleSide> scratch;
         for (std::size_t f = begin; f < end; ++f) {
             if (skip[f]) continue;
-            const Index c0 = polygons_.begin(f), corners = polygons_.size(f);
             const Index t0 = polygon_triangles_.begin(f), t1 = polygon_triangles_.end(f);
             if (triangle_facet[t0] == triangle_facet[t1 - 1]) {
-                std::fill_n(corner_facet_.begin() + c0, corners, triangle_facet[t0]);
-                continue;
-            }
-            std::map<std::pair<Index, Index>, Index> sides, inner;
-            for (Index i = 0; i < corners; ++i)
-                sides.try_emplace({corner_verts_[c0 + i], corner_verts_[c0 + (i + 1) % corners]}, c0 + i);
-            for (Index t = t0; t < t1; ++t) {
-                for (int i = 0; i < 3; ++i) {
-                    const Index from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-                    if (const auto side = sides.find({from, to}); side != sides.end()) {
-                        corner_facet_[side->second] = triangle_facet[t];
-                    } else if (const auto twin = inner.find({to, from}); twin != inner.end()) {
-                        found[b].push_back({Edge(to, from), twin->second, triangle_facet[t]});
-                    } else {
-                        inner[{from, to}] = triangle_facet[t];
-                    }
-                }
+                std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f),
+                          triangle_facet[t0]);
+            } else {
+                split_bent_polygon(static_cast<Index>(f), scratch, found[b]);
             }
         }
     });
@@ -230,8 +239,8 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
     for (const auto& list : found) {
         for (const Diagonal& d : list) {
             edges.push_back(d.edge);
-            edge_sides[offsets[next]] = EdgeSide(d.left, true);
-            edge_sides[offsets[next] + 1] = EdgeSide(d.right, false);
+            edge_sides[offsets[next]] = d.first;
+            edge_sides[offsets[next] + 1] = d.second;
             ++next;
         }
     }
