@@ -1,0 +1,29 @@
+"""Scenes by name: `boxes:N`, `suzanne:L`, `office`, `demo`. Importing this package needs no Blender; building does."""
+
+import importlib
+from pathlib import Path
+
+# Name -> what stands after the colon when nothing does. None: the scene takes no argument.
+DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5}
+
+
+def names() -> list[str]:
+    return list(DEFAULTS)
+
+
+def parse(spec: str) -> tuple[str, int | None]:
+    """'boxes:100' -> ('boxes', 100). Raises ValueError for what is no scene."""
+    name, colon, argument = spec.partition(":")
+    if name not in DEFAULTS:
+        raise ValueError(f"no scene is called '{name}'; there are {', '.join(names())}")
+    if not colon:
+        return name, DEFAULTS[name]
+    if DEFAULTS[name] is None or not argument.isdecimal():
+        raise ValueError(f"'{spec}' is no scene; try '{name}{'' if DEFAULTS[name] is None else f':{DEFAULTS[name]}'}'")
+    return name, int(argument)
+
+
+def build(spec: str, shared: Path | None = None):
+    """Builds the scene in the open Blender file, replacing what is there. `shared` holds the models that are not in the project."""
+    name, argument = parse(spec)
+    importlib.import_module(f"{__name__}.{name}").build(argument, shared)
