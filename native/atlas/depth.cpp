@@ -10,8 +10,8 @@ namespace fovea {
 namespace {
 
 constexpr int band_rows = 16;
-constexpr std::size_t chunk_triangles = std::size_t(1) << 18;
 constexpr std::size_t block_triangles = 2048;
+constexpr std::size_t group_blocks = 128;
 
 /// A triangle on the screen, in texels. Corners are in a fixed order per edge when tested, so that two triangles that
 /// share an edge leave no texel between them.
@@ -92,14 +92,30 @@ void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Targe
         append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target, out);
 }
 
-void append_triangles(const DepthMesh& mesh, std::size_t begin, std::size_t end, const Target& target,
-                      std::vector<ScreenTriangle>& out) {
+/// A share of the work: triangles begin .. end of a mesh.
+struct Block {
+    const DepthMesh* mesh;
+    std::size_t begin, end;
+};
+
+std::vector<Block> divide(In<DepthMesh> meshes) {
+    std::vector<Block> blocks;
+    for (const auto& mesh : meshes) {
+        const std::size_t count = mesh.triangles.size();
+        for (std::size_t begin = 0; begin < count; begin += block_triangles)
+            blocks.push_back({&mesh, begin, std::min(begin + block_triangles, count)});
+    }
+    return blocks;
+}
+
+void append_triangles(const Block& block, const Target& target, std::vector<ScreenTriangle>& out) {
+    const DepthMesh& mesh = *block.mesh;
     // Pixels of homogeneous points: (x / w * .5 + .5) * size, kept homogeneous.
     dmat4 to_texels(1.0);
     to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
     to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
     const dmat4 matrix = to_texels * target.view_to_depth_clip * mesh.object_to_view;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
         std::array<dvec4, 3> corner;
         for (int k = 0; k < 3; ++k) corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
         append_clipped(corner, mesh.facet_base + mesh.triangle_facet[i], target, out);
@@ -111,24 +127,31 @@ bool in_front(float depth, Index facet, const DepthTexel& texel) {
     return texel.facet == none || depth > texel.depth || (depth == texel.depth && facet < texel.facet);
 }
 
+/// Slopes of triangles seen almost edge on stay finite.
+float slope(double value) {
+    return static_cast<float>(std::clamp(value, -double(max_depth_slope), double(max_depth_slope)));
+}
+
 void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
-    const dvec2 left(0.0, y + 0.5);
     // The part of the row inside all three edges, a texel wider for rounding; every texel is then tested.
     double x0 = t.x0, x1 = t.x1;
     for (int i = 0; i < 3; ++i) {
         const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
         if (a.y == b.y) continue;
-        const double x = a.x + (b.x - a.x) * ((left.y - a.y) / (b.y - a.y)) - 0.5;
-        (a.y > b.y ? x0 : x1) = a.y > b.y ? std::max(x0, std::floor(x) - 1.0) : std::min(x1, std::ceil(x) + 2.0);
+        const double x = a.x + (b.x - a.x) * ((y + 0.5 - a.y) / (b.y - a.y)) - 0.5;
+        if (a.y > b.y)
+            x0 = std::max(x0, std::floor(x) - 1.0);
+        else
+            x1 = std::min(x1, std::ceil(x) + 2.0);
     }
     DepthTexel* row = &buffer.texels[std::size_t(y) * buffer.width];
-    for (int x = static_cast<int>(x0); x < x1; ++x) {
-        const dvec2 p(x + 0.5, left.y);
+    for (int x = static_cast<int>(std::min(x0, double(t.x1))); x < x1; ++x) {
+        const dvec2 p(x + 0.5, y + 0.5);
         const float depth = static_cast<float>(glm::dot(t.plane, dvec3(p, 1.0)));
         if (!in_front(depth, t.facet, row[x])) continue;
         bool inside = true;
         for (int i = 0; i < 3; ++i) inside = inside && edge_function(t.corner[i], t.corner[(i + 1) % 3], p) >= 0.0;
-        if (inside) row[x] = {depth, float(t.plane.x * buffer.scale), float(t.plane.y * buffer.scale), t.facet};
+        if (inside) row[x] = {depth, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), t.facet};
     }
 }
 
@@ -187,21 +210,17 @@ DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, int scale, const 
     parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
         std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());
     });
+    for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
     const Target target{buffer.width, buffer.height, view_to_depth_clip(view)};
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        check_mesh(meshes[m], m);
-        // Chunks bound the memory; their order, and the order inside, is that of the input.
-        for (std::size_t start = 0; start < meshes[m].triangles.size(); start += chunk_triangles) {
-            if (cancel) cancel->poll();
-            const std::size_t count = std::min(chunk_triangles, meshes[m].triangles.size() - start);
-            std::vector<std::vector<ScreenTriangle>> blocks((count + block_triangles - 1) / block_triangles);
-            parallel_blocks(count, block_triangles, [&](std::size_t block, std::size_t begin, std::size_t end) {
-                append_triangles(meshes[m], start + begin, start + end, target, blocks[block]);
-            });
-            std::vector<ScreenTriangle> triangles;
-            for (auto& block : blocks) triangles.insert(triangles.end(), block.begin(), block.end());
-            draw_triangles(triangles, buffer);
-        }
+    const std::vector<Block> blocks = divide(meshes);
+    // Groups bound the memory; their order, and the order inside, is that of the input.
+    for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {
+        if (cancel) cancel->poll();
+        std::vector<std::vector<ScreenTriangle>> parts(std::min(group_blocks, blocks.size() - start));
+        parallel_for(parts.size(), [&](std::size_t i) { append_triangles(blocks[start + i], target, parts[i]); }, 1);
+        std::vector<ScreenTriangle> triangles;
+        for (const auto& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());
+        draw_triangles(triangles, buffer);
     }
     return buffer;
 }

@@ -16,11 +16,15 @@ struct DepthMesh {
     Index facet_base = 0;      ///< added to triangle_facet: numbers over the whole scene
 };
 
+/// Surfaces seen almost edge on have no steeper slope than this.
+inline constexpr float max_depth_slope = 1e6f;
+
 /// The nearest surface at a texel's centre, as a plane over the image.
 struct DepthTexel {
-    float depth = 0.0f;          ///< reversed screen-linear depth (base/view.h), at the texel's centre
-    float ddx = 0.0f, ddy = 0.0f;  ///< its change per pixel of the view (not per texel), to the right and up
-    Index facet = none;          ///< number over the whole scene; `none`: background
+    float depth = 0.0f;  ///< reversed screen-linear depth (base/view.h), at the texel's centre
+    /// Its change per pixel of the view (not per texel), to the right and up; at most max_depth_slope.
+    float ddx = 0.0f, ddy = 0.0f;
+    Index facet = none;  ///< number over the whole scene; `none`: background
 };
 
 /// Texels of a view drawn at `scale` times its resolution; rows from bottom to top. The centre of texel (x, y) lies at

@@ -1,0 +1,73 @@
+#include "atlas/layout.h"
+
+#include "base/parallel.h"
+
+namespace fovea {
+namespace {
+
+float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
+
+/// Points of the batch's pieces that start a segment with samples.
+Array<Index> segments_of(const ClippedPaths& clipped, const AtlasBatch& batch) {
+    Array<Index> points;
+    for (Index i = clipped.pieces.offsets[batch.piece_begin]; i < clipped.pieces.offsets[batch.piece_end]; ++i)
+        if (clipped.sample_count[i] > 0) points.push_back(i);
+    return points;
+}
+
+}  // namespace
+
+Rows piece_samples(const ClippedPaths& clipped) {
+    const Index pieces = clipped.pieces.count();
+    Rows rows;
+    rows.offsets.assign(pieces + 1, clipped.samples);
+    rows.offsets[0] = 0;
+    // The last point of a piece starts no segment: its sample_start says where the piece's padding ends.
+    for (Index q = 0; q + 1 < pieces; ++q) rows.offsets[q + 1] = clipped.sample_start[clipped.pieces.end(q) - 1];
+    return rows;
+}
+
+Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit) {
+    const Rows samples = piece_samples(clipped);
+    Array<AtlasBatch> batches;
+    for (Index q = 0; q < samples.count();) {
+        Index end = q + 1;
+        while (end < samples.count() && samples.end(end) - samples.begin(q) <= limit) ++end;
+        if (samples.end(end - 1) > samples.begin(q))
+            batches.push_back({q, end, samples.begin(q), samples.end(end - 1)});
+        q = end;
+    }
+    return batches;
+}
+
+AtlasTables atlas_tables(const ClippedPaths& clipped, const AtlasBatch& batch) {
+    const Array<Index> points = segments_of(clipped, batch);
+    const Index segments = static_cast<Index>(points.size());
+    const Rows samples = piece_samples(clipped);
+    Array<Index> owned(segments);  // first sample that each segment owns
+    AtlasTables tables;
+    tables.segments.resize(3 * std::size_t(segments));
+    Index piece = batch.piece_begin;
+    for (Index s = 0; s < segments; ++s) {
+        const Index i = points[s];
+        owned[s] = clipped.sample_start[i] - batch.sample_begin;
+        if (s == 0 || i >= clipped.pieces.end(piece)) {  // the first of its piece owns the padding before it
+            while (i >= clipped.pieces.end(piece)) ++piece;
+            owned[s] = samples.begin(piece) - batch.sample_begin;
+        }
+        vec4* row = &tables.segments[3 * std::size_t(s)];
+        row[0] = {clipped.px[i], clipped.depth[i], float(clipped.sample_start[i] - batch.sample_begin)};
+        row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.sample_count[i])};
+        row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]), float(owned[s]), 0.0f};
+    }
+    if (segments == 0) return tables;
+    Index owner = 0;
+    for (Index sample = 0; sample < batch.sample_end - batch.sample_begin; sample += owner_stride) {
+        while (owner + 1 < segments && owned[owner + 1] <= sample) ++owner;
+        tables.owners.push_back(float(owner));
+    }
+    tables.owners.push_back(float(segments - 1));
+    return tables;
+}
+
+}  // namespace fovea

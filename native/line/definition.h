@@ -1,0 +1,62 @@
+// A line definition: a named, stateless rule that finds lines on a surface seen from a view.
+// To add one: a file in this folder that ends with a LineDefinition constant, and one line in registry.cpp.
+#pragma once
+
+#include <vector>
+
+#include "base/view.h"
+#include "mesh/surface.h"
+#include "scene/tracer.h"
+
+namespace fovea {
+
+/// A number the artist may set. Declared here once; panels, files and the command line read it from the registry.
+struct Parameter {
+    const char* name;
+    const char* label;
+    double value;  ///< default
+    double low, high;
+    const char* unit;  ///< "degrees", "" for a plain number, "bool" for a switch
+    const char* meaning;
+};
+
+/// Values of a definition's parameters, in the order they are declared.
+using Values = std::vector<double>;
+
+/// A surface as one placement of it is seen.
+struct SurfaceView {
+    const Surface& surface;
+    /// Eye in object space; for an orthographic camera the direction towards it.
+    dvec3 eye_obj{0.0};
+    bool orthographic = false;
+    /// Per facet: 1 where it faces the viewer (zero counts as facing). Empty when no definition asked for it.
+    Array<std::uint8_t> facing;
+    /// For definitions of the scene: the placement and rays through the view; null for definitions of a surface.
+    Index placement = 0;
+    dmat4 object_to_view{1.0};
+    const Tracer* tracer = nullptr;
+};
+
+/// What an edge is: bit b is set where the definition with bit b in the registry finds it.
+using Kinds = std::uint16_t;
+
+/// Which quantities a definition depends on.
+enum class Scope {
+    surface,  ///< the surface alone: found once and kept
+    view,     ///< the surface and the eye
+    scene,    ///< also what lies around and behind it
+};
+
+struct LineDefinition {
+    const char* name;  ///< the id used everywhere
+    const char* label;
+    const char* source;  ///< paper or common knowledge, with its section
+    const char* description;
+    Scope scope;
+    std::vector<Parameter> parameters;
+    bool on_by_default;
+    /// Sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is such a line.
+    void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds);
+};
+
+}  // namespace fovea

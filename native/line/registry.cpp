@@ -1,0 +1,27 @@
+#include "line/registry.h"
+
+#include "base/check.h"
+
+namespace fovea {
+
+extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark;
+
+const std::vector<const LineDefinition*>& line_definitions() {
+    static const std::vector<const LineDefinition*> all = {
+        &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
+    };
+    return all;
+}
+
+Index definition_index(std::string_view name) {
+    std::string known;
+    const auto& all = line_definitions();
+    for (Index i = 0; i < all.size(); ++i) {
+        if (all[i]->name == name) return i;
+        known += (i ? ", " : "") + std::string(all[i]->name);
+    }
+    check(false, "no line definition is called '" + std::string(name) + "'; there are: " + known);
+    return none;
+}
+
+}  // namespace fovea

@@ -1,0 +1,18 @@
+// The list of line definitions.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "line/definition.h"
+
+namespace fovea {
+
+/// All definitions; a definition's index is its bit in Kinds.
+const std::vector<const LineDefinition*>& line_definitions();
+
+/// Index of a definition; throws std::invalid_argument, listing the known names, for an unknown one.
+Index definition_index(std::string_view name);
+
+}  // namespace fovea

@@ -1,0 +1,188 @@
+// Embree: one BVH per surface, instanced under one per view.
+#include <embree4/rtcore.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "scene/tracer.h"
+
+namespace fovea {
+namespace {
+
+RTCDevice device() {
+    // Lives as long as the process: Embree's threads may still run when statics are torn down.
+    static const RTCDevice shared = [] {
+        const RTCDevice made = rtcNewDevice(nullptr);
+        if (!made) throw std::runtime_error("Embree could not be started on this machine");
+        return made;
+    }();
+    return shared;
+}
+
+void check_device(const std::string& what) {
+    const RTCError error = rtcGetDeviceError(device());
+    if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
+}
+
+/// BVH over the occluding triangles of a surface; borrows the surface's arrays, whose cache it lives in.
+struct SurfaceBvh {
+    RTCScene scene = nullptr;
+
+    explicit SurfaceBvh(const Surface& surface) : scene(rtcNewScene(device())) {
+        const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
+                                   sizeof(vec3), surface.vertex_count());
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface.triangles.data(), 0,
+                                   sizeof(Triangle), surface.occluding_triangles);
+        rtcSetGeometryEnableFilterFunctionFromArguments(geometry, true);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_COMPACT);
+        rtcCommitScene(scene);
+        check_device(surface.name());
+    }
+    ~SurfaceBvh() { rtcReleaseScene(scene); }
+    SurfaceBvh(SurfaceBvh&& other) noexcept : scene(std::exchange(other.scene, nullptr)) {}
+    SurfaceBvh(const SurfaceBvh&) = delete;
+    SurfaceBvh& operator=(const SurfaceBvh&) = delete;
+};
+
+/// What the filter needs to know of the ray it filters for.
+struct Context {
+    RTCRayQueryContext base;
+    const Scene* scene;
+    const Index* placement_of_instance;
+    const Ignore* ignore;
+};
+
+void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
+    const auto* context = reinterpret_cast<const Context*>(arguments->context);
+    const Index placement = context->placement_of_instance[RTCHitN_instID(arguments->hit, 1, 0, 0)];
+    if (placement != context->ignore->placement) return;
+    const Index triangle = RTCHitN_primID(arguments->hit, 1, 0);
+    const Surface& surface = *context->scene->placements[placement].surface;
+    if (context->ignore->holds(surface.triangle_facet[triangle])) arguments->valid[0] = 0;
+}
+
+}  // namespace
+
+struct Tracer::Bvh {
+    RTCScene top = nullptr;
+    Array<Index> placement_of_instance;
+    Array<dmat4> object_to_view;  // per placement
+    std::vector<std::shared_ptr<const SurfaceBvh>> surfaces;
+
+    ~Bvh() {
+        if (top) rtcReleaseScene(top);
+    }
+
+    void add(const Scene& scene, Index index) {
+        const Surface& surface = *scene.placements[index].surface;
+        surfaces.push_back(surface.cache().get<SurfaceBvh>(0, [&] { return SurfaceBvh(surface); }));
+        const RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(instance, surfaces.back()->scene);
+        rtcSetGeometryTimeStepCount(instance, 1);
+        const mat4 transform(object_to_view[index]);
+        rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
+        rtcCommitGeometry(instance);
+        rtcAttachGeometryByID(top, instance, static_cast<unsigned>(placement_of_instance.size()));
+        rtcReleaseGeometry(instance);
+        placement_of_instance.push_back(index);
+    }
+
+    std::optional<Hit> trace(const Scene& scene, const vec3& origin, const vec3& direction, float near_t, float far_t,
+                             const Ignore& ignore) const {
+        Context context;
+        rtcInitRayQueryContext(&context.base);
+        context.scene = &scene;
+        context.placement_of_instance = placement_of_instance.data();
+        context.ignore = &ignore;
+        RTCIntersectArguments arguments;
+        rtcInitIntersectArguments(&arguments);
+        arguments.context = &context.base;
+        if (ignore.placement != none) {
+            arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+            arguments.filter = skip_ignored;
+        }
+        RTCRayHit ray{};
+        ray.ray.org_x = origin.x;
+        ray.ray.org_y = origin.y;
+        ray.ray.org_z = origin.z;
+        ray.ray.dir_x = direction.x;
+        ray.ray.dir_y = direction.y;
+        ray.ray.dir_z = direction.z;
+        ray.ray.tnear = near_t;
+        ray.ray.tfar = far_t;
+        ray.ray.mask = ~0u;
+        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(top, &ray, &arguments);
+        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+        return Hit{placement_of_instance[ray.hit.instID[0]], ray.hit.primID, ray.ray.tfar};
+    }
+};
+
+Tracer::Tracer(const Scene& scene, const View& view)
+    : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>()) {
+    bvh_->top = rtcNewScene(device());
+    rtcSetSceneFlags(bvh_->top, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+    bvh_->object_to_view.resize(scene.placements.size());
+    for (Index i = 0; i < scene.placements.size(); ++i) {
+        const Placement& placement = scene.placements[i];
+        bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
+        const bool hides = placement.usage & (usage_occlude | usage_holdout);
+        if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1)) bvh_->add(scene, i);
+    }
+    rtcCommitScene(bvh_->top);
+    check_device("scene");
+}
+
+Tracer::~Tracer() = default;
+
+std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) const {
+    if (view_.orthographic) {
+        const float near_z = static_cast<float>(-view_.near_clip), length = near_z - point.z;
+        const float margin = static_cast<float>(ray_margin) * std::max(std::abs(point.z), glm::length(vec2(point)));
+        if (length <= margin) return {};
+        return bvh_->trace(scene_, vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f, 1.0f - margin / length, ignore);
+    }
+    return bvh_->trace(scene_, vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z,
+                       static_cast<float>(1.0 - ray_margin), ignore);
+}
+
+std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (view_.orthographic) {
+        const float reach = std::max(std::abs(point.z), 1e-6f);
+        return bvh_->trace(scene_, point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity, ignore);
+    }
+    return bvh_->trace(scene_, vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity, ignore);
+}
+
+std::optional<Hit> Tracer::seen(const dvec2& px) const {
+    const dvec2 ndc(px.x / view_.width * 2.0 - 1.0, px.y / view_.height * 2.0 - 1.0);
+    const dvec4 on_near = clip_to_view_ * dvec4(ndc, -1.0, 1.0);
+    const dvec3 point = dvec3(on_near) / on_near.w;
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const Ignore nothing;
+    const auto near_distance = static_cast<float>(view_.near_clip);
+    if (view_.orthographic)
+        return bvh_->trace(scene_, vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity, nothing);
+    // Scaled so that the parameter is the distance along -z.
+    return bvh_->trace(scene_, vec3(0.0f), vec3(point / -point.z), near_distance, infinity, nothing);
+}
+
+void Tracer::corners(const Hit& hit, dvec3 out[3]) const {
+    const Surface& surface = *scene_.placements[hit.placement].surface;
+    const Triangle& triangle = surface.triangles[hit.triangle];
+    for (int i = 0; i < 3; ++i)
+        out[i] = dvec3(bvh_->object_to_view[hit.placement] * dvec4(dvec3(surface.positions[triangle[i]]), 1.0));
+}
+
+Index Tracer::facet(const Hit& hit) const {
+    return scene_.placements[hit.placement].surface->triangle_facet[hit.triangle];
+}
+
+}  // namespace fovea

@@ -1,0 +1,68 @@
+// Rays through a scene as a view sees it. The only header over scene/bvh, the only user of Embree.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "scene/scene.h"
+
+namespace fovea {
+
+/// Facets that a ray passes through: those at the mesh edge whose visibility is asked.
+struct Ignore {
+    Index placement = none;
+    const EdgeSide* begin = nullptr;
+    const EdgeSide* end = nullptr;
+    bool holds(Index facet) const {
+        for (const EdgeSide* side = begin; side != end; ++side)
+            if (side->facet() == facet) return true;
+        return false;
+    }
+};
+
+/// A triangle that a ray met.
+struct Hit {
+    Index placement;
+    Index triangle;
+    /// Share of the way from the eye to the point asked about.
+    float t;
+};
+
+/// Points count as hidden by surfaces nearer than themselves by more than this share of their distance, so that a
+/// line on a surface, or on two that touch, is not hidden by it.
+inline constexpr double ray_margin = 1e-5;
+
+/// Two levels: one BVH per surface, kept with the surface, and one over the placements, in view space. Const methods
+/// may be called from many threads. The scene must outlive the tracer.
+class Tracer {
+   public:
+    /// Placements that neither occlude nor reach into the frame are left out.
+    Tracer(const Scene& scene, const View& view);
+    ~Tracer();
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
+
+    /// The surface nearest to the eye that hides `point` (view space); what lies nearer than the near plane is cut away.
+    std::optional<Hit> occluder(const vec3& point, const Ignore& ignore) const;
+
+    /// The nearest surface beyond `point` on the ray from the eye through it.
+    std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;
+
+    /// The first surface seen at a pixel position, with t as view-space distance along -z.
+    std::optional<Hit> seen(const dvec2& px) const;
+
+    const View& view() const { return view_; }
+    const Scene& scene() const { return scene_; }
+    /// Corners of a triangle in view space.
+    void corners(const Hit& hit, dvec3 out[3]) const;
+    Index facet(const Hit& hit) const;
+
+   private:
+    struct Bvh;
+    const Scene& scene_;
+    View view_;
+    dmat4 clip_to_view_;
+    std::unique_ptr<Bvh> bvh_;
+};
+
+}  // namespace fovea

@@ -1,0 +1,168 @@
+#include "stroke/centre_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fovea {
+
+namespace {
+
+constexpr double small_step = 1.5;      // px; longer steps are shape, not noise of a dense mesh
+constexpr double largest_shift = 0.15;  // px a point may move to even out small steps
+constexpr double tolerance = 0.1;       // px between a dropped point and the line that replaces it
+constexpr double shortest = 0.05;       // px between neighbours: below it a direction means nothing
+constexpr float strength_step = 0.05f;  // change of strength that keeps a point
+constexpr int taper_steps = 4;
+
+double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
+    return {glm::mix(a.px, b.px, t), glm::mix(a.arc, b.arc, t), 0.0f, glm::mix(a.opacity, b.opacity, float(t))};
+}
+
+CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
+    float s = 1.0f;
+    if (!strength.empty()) {
+        const Index source = clipped.source[i];
+        s = strength[source];
+        // The last point of a path has nothing to mix with.
+        if (clipped.source_t[i] > 0.0f) s = glm::mix(s, strength[source + 1], clipped.source_t[i]);
+    }
+    return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
+}
+
+/// The directions in which a straight line from `origin` passes all points seen so far within the tolerance.
+class Cone {
+public:
+    explicit Cone(const CentrePoint& origin) : origin_(origin) {}
+
+    bool admits(const CentrePoint& p) const {
+        if (std::abs(p.opacity - origin_.opacity) > strength_step) return false;
+        const dvec2 d = p.px - origin_.px;
+        if (glm::length(d) < far_ - tolerance) return false;  // turns back
+        return far_ <= tolerance || (cross(right_, d) >= 0.0 && cross(d, left_) >= 0.0);
+    }
+
+    void narrow(const CentrePoint& p) {
+        const dvec2 d = p.px - origin_.px;
+        const double distance = glm::length(d);
+        if (distance > tolerance) {
+            const double s = tolerance / distance, c = std::sqrt(1.0 - s * s);
+            const dvec2 right(d.x * c + d.y * s, d.y * c - d.x * s), left(d.x * c - d.y * s, d.y * c + d.x * s);
+            if (far_ <= tolerance || cross(right_, right) > 0.0) right_ = right;
+            if (far_ <= tolerance || cross(left, left_) > 0.0) left_ = left;
+        }
+        far_ = std::max(far_, distance);
+    }
+
+private:
+    CentrePoint origin_;
+    double far_ = 0.0;
+    dvec2 right_{0.0}, left_{0.0};
+};
+
+/// Binomial average where both steps are small: a zigzag of a dense mesh becomes straight.
+void even_out(CentreLine& line) {
+    dvec2 before = line.front().px;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const dvec2 here = line[i].px, after = line[i + 1].px;
+        if (glm::distance(before, here) < small_step && glm::distance(here, after) < small_step) {
+            const dvec2 shift = 0.25 * (before - 2.0 * here + after);
+            line[i].px += shift * std::min(1.0, largest_shift / std::max(glm::length(shift), 1e-9));
+        }
+        before = here;
+    }
+}
+
+/// Points at the given arc lengths (ascending), except next to others.
+void insert_points(CentreLine& line, In<double> arcs) {
+    CentreLine out{line.front()};
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const CentrePoint &a = line[i - 1], &b = line[i];
+        for (; next < arcs.size() && arcs[next] < b.arc; ++next)
+            if (arcs[next] > out.back().arc + 0.5 && arcs[next] < b.arc - 0.5)
+                out.push_back(mix(a, b, (arcs[next] - a.arc) / (b.arc - a.arc)));
+        out.push_back(b);
+    }
+    line = std::move(out);
+}
+
+}  // namespace
+
+void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px,
+         CentreLine& out) {
+    out.clear();
+    const Index begin = clipped.pieces.begin(piece), end = clipped.pieces.end(piece);
+    if (end - begin < 2 || !(start_px < end_px)) return;
+    const auto arc = clipped.arc_px.begin();
+    // First point beyond the start, first point not before the end; both have a predecessor in the piece.
+    const Index first = Index(std::upper_bound(arc + begin + 1, arc + end - 1, start_px) - arc);
+    const Index last = Index(std::lower_bound(arc + first, arc + end - 1, end_px) - arc);
+    const auto at = [&](Index i, double arc_px) {
+        const CentrePoint a = point_of(clipped, strength, i - 1), b = point_of(clipped, strength, i);
+        const double length = b.arc - a.arc;
+        return mix(a, b, length > 0.0 ? std::clamp((arc_px - a.arc) / length, 0.0, 1.0) : 0.0);
+    };
+    out.push_back(at(first, start_px));
+    for (Index i = first; i < last; ++i) out.push_back(point_of(clipped, strength, i));
+    out.push_back(at(last, end_px));
+    std::erase_if(out, [](const CentrePoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
+}
+
+void simplify(CentreLine& line) {
+    if (line.size() < 2) return line.clear();
+    even_out(line);
+    std::size_t kept = 1;
+    Cone cone(line[0]);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (!cone.admits(line[i])) {
+            if (glm::distance(line[i - 1].px, line[kept - 1].px) > shortest) line[kept++] = line[i - 1];
+            cone = Cone(line[i - 1]);
+        }
+        cone.narrow(line[i]);
+    }
+    const CentrePoint end = line.back();
+    while (kept > 0 && glm::distance(line[kept - 1].px, end.px) <= shortest) --kept;
+    // Too short for a direction: nothing. A last step that was too short ends at the true end.
+    if (kept > 0) line[kept++] = end;
+    line.resize(kept);
+}
+
+void shape(CentreLine& line, const Pen& pen, bool closed) {
+    if (line.size() < 2) return;
+    const double start = line.front().arc, end = line.back().arc;
+    const double taper = closed ? 0.0 : std::min<double>(pen.taper_px, (end - start) / 2.0);
+    if (taper > 0.0) {
+        double arcs[2 * taper_steps];
+        for (int k = 1; k <= taper_steps; ++k) {
+            arcs[k - 1] = start + taper * k / taper_steps;
+            arcs[2 * taper_steps - k] = end - taper * k / taper_steps;
+        }
+        insert_points(line, arcs);
+    }
+    for (CentrePoint& p : line) {
+        float width = pen.width_px;
+        if (taper > 0.0) {
+            const double x = std::clamp(std::min(p.arc - start, end - p.arc) / taper, 0.0, 1.0);
+            width *= float(x * (2.0 - x));
+        }
+        p.half_width = std::max(width, 1.0f) / 2.0f;
+        p.opacity *= std::min(width, 1.0f);
+    }
+}
+
+void extend(CentreLine& line, Cap cap) {
+    if (line.size() < 2) return;
+    const auto beyond = [&](CentrePoint end, dvec2 inner, double sign) {
+        const double reach = (cap == Cap::round ? end.half_width : 0.0) + 0.5;
+        end.px += glm::normalize(end.px - inner) * reach;
+        end.arc += sign * reach;
+        return end;
+    };
+    const CentrePoint first = beyond(line.front(), line[1].px, -1.0);
+    line.push_back(beyond(line.back(), line[line.size() - 2].px, 1.0));
+    line.insert(line.begin(), first);
+}
+
+}  // namespace fovea
