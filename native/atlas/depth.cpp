@@ -202,6 +202,19 @@ dmat4 view_to_depth_clip(const View& view) {
     return matrix;
 }
 
+std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view) {
+    std::vector<DepthMesh> meshes;
+    for (std::size_t i = 0; i < scene.placements.size(); ++i) {
+        const Placement& placement = scene.placements[i];
+        if (!(placement.usage & usage_occlude) || !in_frame(placement, view, 0.0)) continue;
+        const Surface& surface = *placement.surface;
+        meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
+                          In<Index>(surface.triangle_facet).first(surface.occluding_triangles),
+                          view.world_to_view * placement.object_to_world, scene.facet_base[i]});
+    }
+    return meshes;
+}
+
 DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, int scale, const Cancel* cancel) {
     check(view.width > 0 && view.height > 0, "depth buffer: the image is empty");
     check(scale >= 1, "depth buffer: scale must be at least 1");

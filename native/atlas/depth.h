@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/types.h"
 #include "base/view.h"
+#include "scene/scene.h"
 
 namespace fovea {
 
@@ -36,6 +37,9 @@ struct DepthBuffer {
 
     const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
 };
+
+/// What hides lines in `view`: the occluding triangles of all placements in the frame. Borrowed from the scene.
+std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view);
 
 /// Draws both sides of all triangles. What lies nearer than the near plane is cut off; the far plane cuts nothing off.
 /// At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not finite

@@ -78,9 +78,9 @@ void fill_piece(const ClippedPaths& clipped, Index q, const Looker& looker, Inde
         first = std::min(first, clipped.sample_start[i]);
         last = clipped.sample_start[i] + count;
     }
-    if (first >= last) return;
-    std::fill(visibility.begin() + begin, visibility.begin() + first, visibility[first]);
-    std::fill(visibility.begin() + last, visibility.begin() + end, visibility[last - 1]);
+    const bool any = first < last;
+    std::fill(visibility.begin() + begin, visibility.begin() + first, any ? visibility[first] : 0.0f);
+    if (any) std::fill(visibility.begin() + last, visibility.begin() + end, visibility[last - 1]);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Quantities on demand: what is derived from an object, computed when first asked for and kept with it.
 #pragma once
 
+#include <tbb/task_arena.h>
+
 #include <cstdint>
 #include <functional>
 #include <list>
@@ -30,7 +32,9 @@ class Cache {
                 break;
             }
         }
-        auto value = std::make_shared<const T>(make());
+        // Isolated: a thread that waits inside must not pick up work that asks this cache again.
+        std::shared_ptr<const T> value;
+        tbb::this_task_arena::isolate([&] { value = std::make_shared<const T>(make()); });
         entries_.push_front({type, key, value});
         return value;
     }

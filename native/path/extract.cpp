@@ -1,0 +1,227 @@
+#include "path/extract.h"
+
+#include <bit>
+#include <numeric>
+
+#include "base/hash.h"
+#include "path/chain.h"
+
+namespace fovea {
+namespace {
+
+/// Room around the frame, as a share of its half size: strokes must not end where one can see it.
+constexpr double frame_margin = 0.1;
+constexpr std::uint8_t unlabelled = 255;
+
+/// Static kinds of a surface for one style: per line set and edge, and the edges that have any.
+struct StaticLines {
+    std::vector<Array<Kinds>> kinds;
+    Array<Index> edges;
+};
+
+/// What one placement contributes: chains kept with the surface, chains of this view, and their kinds by edge.
+struct PlacementPaths {
+    std::shared_ptr<const Chains> kept;
+    Chains seen;
+    Array<Kinds> kept_kinds, seen_kinds;  // per point
+};
+
+std::uint64_t hash_sets(const std::vector<LineSet>& sets) {
+    std::uint64_t hash = sets.size();
+    for (const LineSet& set : sets) {
+        hash = hash_numbers(hash, set.kinds.size(), std::bit_cast<std::uint64_t>(set.corner_angle_rad));
+        for (const LineSet::Kind& kind : set.kinds)
+            hash = hash_of(In<double>(kind.values), hash_numbers(hash, kind.definition));
+    }
+    return hash;
+}
+
+bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds)
+            if (line_definitions()[kind.definition]->scope >= least) return true;
+    return false;
+}
+
+void trace_kinds(const LineSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
+    for (const LineSet::Kind& kind : set.kinds) {
+        const LineDefinition& definition = *line_definitions()[kind.definition];
+        if ((definition.scope == Scope::surface) == of_surface)
+            definition.trace(seen, kind.values, Kinds(1 << kind.definition), kinds);
+    }
+}
+
+StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets) {
+    StaticLines lines;
+    const SurfaceView seen{.surface = surface};
+    Array<std::uint8_t> any(surface.edges.size(), 0);
+    for (const LineSet& set : sets) {
+        Array<Kinds>& kinds = lines.kinds.emplace_back(surface.edges.size(), Kinds(0));
+        trace_kinds(set, seen, true, kinds);
+        parallel_for(kinds.size(), [&](std::size_t e) { any[e] |= kinds[e] != 0; });
+    }
+    for (Index e = 0; e < any.size(); ++e)
+        if (any[e]) lines.edges.push_back(e);
+    return lines;
+}
+
+SurfaceView look_at(const Scene& scene, Index placement, const View& view, const Tracer& tracer) {
+    const Placement& placed = scene.placements[placement];
+    SurfaceView seen{.surface = *placed.surface};
+    seen.object_to_view = view.world_to_view * placed.object_to_world;
+    seen.orthographic = view.orthographic;
+    const dmat4 view_to_object = glm::inverse(seen.object_to_view);
+    seen.eye_obj = dvec3(view_to_object * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1)));
+    seen.placement = placement;
+    seen.tracer = &tracer;
+    return seen;
+}
+
+void find_facing(SurfaceView& seen) {
+    seen.facing.resize(seen.surface.facet_count());
+    parallel_for(seen.facing.size(), [&](std::size_t f) {
+        const dvec4 plane(seen.surface.facet_plane[f]);
+        seen.facing[f] = glm::dot(dvec3(plane), seen.eye_obj) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
+    });
+}
+
+/// Per edge: the first line set that finds it. Edges of `kept` come first, in their order; the others follow.
+struct Labelled {
+    Array<std::uint8_t> kept_labels, seen_labels;
+    Array<Index> seen_edges;
+    Array<Kinds> kinds;  // per edge, as found by the set that has it
+};
+
+Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& kinds) {
+    Labelled labelled;
+    const std::size_t edges = kinds[0].size();
+    Array<std::uint8_t> label(edges, unlabelled);
+    labelled.kinds.assign(edges, 0);
+    parallel_for(edges, [&](std::size_t e) {
+        for (std::size_t s = kinds.size(); s-- > 0;)
+            if (kinds[s][e]) {
+                label[e] = static_cast<std::uint8_t>(s);
+                labelled.kinds[e] = kinds[s][e];
+            }
+    });
+    labelled.kept_labels.resize(lines.edges.size());
+    parallel_for(lines.edges.size(), [&](std::size_t i) { labelled.kept_labels[i] = label[lines.edges[i]]; });
+    std::size_t next = 0;
+    for (Index e = 0; e < edges; ++e) {
+        if (next < lines.edges.size() && lines.edges[next] == e) {
+            ++next;
+        } else if (label[e] != unlabelled) {
+            labelled.seen_edges.push_back(e);
+            labelled.seen_labels.push_back(label[e]);
+        }
+    }
+    return labelled;
+}
+
+Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
+    Array<Kinds> kinds(chains.edge.size());
+    parallel_for(kinds.size(), [&](std::size_t i) { kinds[i] = edge_kinds[chains.edge[i]]; });
+    return kinds;
+}
+
+PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
+                                 bool view_dependent) {
+    const Surface& surface = seen.surface;
+    std::vector<double> corner_angles;
+    for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
+    const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
+    std::vector<Array<Kinds>> kinds = lines->kinds;
+    if (view_dependent) {
+        find_facing(seen);
+        for (std::size_t s = 0; s < sets.size(); ++s) trace_kinds(sets[s], seen, false, kinds[s]);
+    }
+    const Labelled labelled = label_edges(*lines, kinds);
+    // With one line set the labels never change, so its static chains are made once.
+    const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
+    PlacementPaths paths;
+    paths.kept = surface.cache().get<Chains>(
+        chains_hash, [&] { return chain(surface, lines->edges, labelled.kept_labels, corner_angles); });
+    paths.seen = chain(surface, labelled.seen_edges, labelled.seen_labels, corner_angles);
+    paths.kept_kinds = kinds_of(*paths.kept, labelled.kinds);
+    paths.seen_kinds = kinds_of(paths.seen, labelled.kinds);
+    return paths;
+}
+
+/// Where one placement's chains go in the result.
+struct Slot {
+    Index placement, path, point;
+};
+
+void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, Slot slot, Paths& paths) {
+    const Placement& placement = scene.placements[slot.placement];
+    const Surface& surface = *placement.surface;
+    parallel_for(chains.rows.count(), [&](std::size_t c) {
+        const std::size_t p = slot.path + c;
+        paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
+        paths.closed[p] = chains.closed[c];
+        paths.line_set[p] = chains.label[c];
+        paths.placement[p] = slot.placement;
+        paths.id[p] = hash_numbers(placement.id, chains.anchor[c]);
+    });
+    parallel_for(chains.vertex.size(), [&](std::size_t i) {
+        const std::size_t n = slot.point + i;
+        paths.points_obj[n] = surface.positions[chains.vertex[i]];
+        paths.edge[n] = chains.edge[i];
+        paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
+        paths.kinds[n] = kinds[i];
+        paths.strength[n] = 1.0f;
+    });
+}
+
+void resize(Paths& paths, Index path_count, Index point_count) {
+    paths.rows.offsets.resize(path_count + 1);
+    paths.rows.offsets[path_count] = point_count;
+    paths.closed.resize(path_count);
+    paths.id.resize(path_count);
+    paths.placement.resize(path_count);
+    paths.line_set.resize(path_count);
+    paths.points_obj.resize(point_count);
+    paths.edge.resize(point_count);
+    paths.edge_t.resize(point_count);
+    paths.kinds.resize(point_count);
+    paths.strength.resize(point_count);
+}
+
+}  // namespace
+
+Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
+                    const Cancel& cancel) {
+    check(sets.size() < unlabelled, "a style holds at most 254 line sets");
+    Paths paths;
+    if (sets.empty()) return paths;
+    const std::uint64_t sets_hash = hash_sets(sets);
+    const bool view_dependent = any_of_scope(sets, Scope::view);
+    std::vector<Index> drawn;
+    for (Index i = 0; i < scene.placements.size(); ++i)
+        if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin)) drawn.push_back(i);
+
+    std::vector<PlacementPaths> found(drawn.size());
+    parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+        cancel.poll();
+        found[i] = extract_placement(look_at(scene, drawn[i], view, tracer), sets, sets_hash, view_dependent);
+    });
+
+    std::vector<std::pair<Slot, Slot>> slots(drawn.size());
+    Index path = 0, point = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        slots[i].first = {drawn[i], path, point};
+        path += found[i].kept->rows.count();
+        point += static_cast<Index>(found[i].kept->vertex.size());
+        slots[i].second = {drawn[i], path, point};
+        path += found[i].seen.rows.count();
+        point += static_cast<Index>(found[i].seen.vertex.size());
+    }
+    resize(paths, path, point);
+    parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+        write_chains(scene, *found[i].kept, found[i].kept_kinds, slots[i].first, paths);
+        write_chains(scene, found[i].seen, found[i].seen_kinds, slots[i].second, paths);
+    });
+    return paths;
+}
+
+}  // namespace fovea

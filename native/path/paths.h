@@ -1,0 +1,27 @@
+// Segments chained into paths.
+#pragma once
+
+#include "line/definition.h"
+
+namespace fovea {
+
+/// Polylines in object space, all placements together; points of path p are rows.begin(p) .. rows.end(p). Segment i
+/// runs from point i to point i + 1 of its path. A closed path repeats its first point at the end.
+struct Paths {
+    Rows rows;
+    // Per path.
+    Array<std::uint8_t> closed;
+    Array<std::uint64_t> id;       ///< from the object's persistent id and the lowest edge: stable for static lines
+    Array<Index> placement;
+    Array<std::uint8_t> line_set;  ///< the first line set that wants the path
+    // Per point.
+    Array<vec3> points_obj;
+    Array<Index> edge;             ///< the edge that the segment from this point lies on (the last: as before)
+    Array<float> edge_t;           ///< where on that edge the point is: 0 at its first vertex, 1 at its second
+    Array<Kinds> kinds;            ///< what the segment from this point is
+    Array<float> strength;         ///< in [0,1]
+
+    Index count() const { return rows.count(); }
+};
+
+}  // namespace fovea
