@@ -1,0 +1,230 @@
+#include "atlas/depth.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+using namespace fovea;
+
+namespace {
+
+View perspective(int width, int height) {
+    View view;
+    view.width = width;
+    view.height = height;
+    view.near_clip = 0.5;
+    view.far_clip = 100.0;
+    view.view_to_clip = glm::perspective(1.0, double(width) / height, view.near_clip, view.far_clip);
+    return view;
+}
+
+View orthographic(int width, int height) {
+    View view = perspective(width, height);
+    view.orthographic = true;
+    view.view_to_clip = glm::ortho(-1.0, 1.0, -1.0, 1.0, view.near_clip, view.far_clip);
+    return view;
+}
+
+/// Triangles that own their arrays, one facet each.
+struct Mesh {
+    std::vector<vec3> positions;
+    std::vector<glm::uvec3> triangles;
+    std::vector<Index> facets;
+    Index facet_base = 0;
+
+    void add(vec3 a, vec3 b, vec3 c) {
+        const Index n = Index(positions.size());
+        positions.insert(positions.end(), {a, b, c});
+        triangles.push_back({n, n + 1, n + 2});
+        facets.push_back(Index(facets.size()));
+    }
+    void add(vec3 a, vec3 b, vec3 c, vec3 d) {
+        add(a, b, c);
+        add(a, c, d);
+    }
+    operator DepthMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
+};
+
+DepthBuffer draw(const View& view, const std::vector<DepthMesh>& meshes, int scale = 1) {
+    return draw_depth(view, meshes, scale);
+}
+
+/// Depth of the plane n.x = d at a pixel position, from the ray through it.
+double plane_depth(const View& view, dvec3 n, double d, dvec2 px) {
+    const dvec2 ndc(px.x / view.width * 2 - 1, px.y / view.height * 2 - 1);
+    const dvec4 near_h = glm::inverse(view.view_to_clip) * dvec4(ndc, -1, 1);
+    const dvec4 far_h = glm::inverse(view.view_to_clip) * dvec4(ndc, 1, 1);
+    const dvec3 a = dvec3(near_h) / near_h.w, b = dvec3(far_h) / far_h.w;
+    const double t = (d - glm::dot(n, a)) / glm::dot(n, b - a);
+    return screen_depth(view, glm::mix(a, b, t).z);
+}
+
+void expect_plane(const View& view, int scale) {
+    // z = -5 + .2 x + .1 y, a quad that fills the frame.
+    const auto point = [](float x, float y) { return vec3(x, y, -5.0f + 0.2f * x + 0.1f * y); };
+    Mesh mesh;
+    mesh.add(point(-8, -8), point(8, -8), point(8, 8), point(-8, 8));
+    const DepthBuffer buffer = draw(view, {mesh}, scale);
+    ASSERT_EQ(buffer.width, view.width * scale);
+    const dvec3 n(-0.2, -0.1, 1.0);
+    for (int y = 0; y < buffer.height; ++y)
+        for (int x = 0; x < buffer.width; ++x) {
+            const DepthTexel& texel = buffer.at(x, y);
+            const dvec2 px((x + 0.5) / scale, (y + 0.5) / scale);
+            ASSERT_NE(texel.facet, none);
+            const double here = plane_depth(view, n, -5.0, px);
+            EXPECT_NEAR(texel.depth, here, 1e-6);
+            EXPECT_NEAR(texel.ddx, plane_depth(view, n, -5.0, px + dvec2(1, 0)) - here, 1e-7);
+            EXPECT_NEAR(texel.ddy, plane_depth(view, n, -5.0, px + dvec2(0, 1)) - here, 1e-7);
+        }
+}
+
+Mesh random_triangles(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+    Mesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const vec3 center(4 * unit(random), 3 * unit(random), -4.0f + 4 * unit(random));
+        const auto corner = [&] { return center + vec3(unit(random), unit(random), unit(random)); };
+        const vec3 a = corner(), b = corner(), c = corner();
+        mesh.add(a, b, c);
+    }
+    return mesh;
+}
+
+bool same(const DepthBuffer& a, const DepthBuffer& b) {
+    return a.texels.size() == b.texels.size() &&
+           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(DepthTexel)) == 0;
+}
+
+}  // namespace
+
+TEST(Depth, PlaneInPerspective) {
+    expect_plane(perspective(40, 30), 1);
+    expect_plane(perspective(40, 30), 2);
+}
+
+TEST(Depth, PlaneInOrthographicView) {
+    expect_plane(orthographic(40, 30), 1);
+    expect_plane(orthographic(40, 30), 2);
+}
+
+TEST(Depth, EmptySceneIsBackground) {
+    const DepthBuffer buffer = draw(perspective(8, 8), {});
+    for (const auto& texel : buffer.texels) {
+        EXPECT_EQ(texel.facet, none);
+        EXPECT_EQ(texel.depth, 0.0f);
+    }
+}
+
+TEST(Depth, BothSidesAreDrawnAndNeighboursLeaveNoGap) {
+    Mesh mesh;
+    mesh.add(vec3(-9, -9, -5), vec3(9, -9, -5), vec3(9, 9, -5));
+    mesh.add(vec3(-9, -9, -5), vec3(-9, 9, -5), vec3(9, 9, -5));  // wound the other way
+    for (const auto& texel : draw(perspective(64, 64), {mesh}).texels) EXPECT_NE(texel.facet, none);
+}
+
+TEST(Depth, NearestWinsInAnyOrder) {
+    Mesh near, far;
+    near.add(vec3(-9, -9, -3), vec3(9, -9, -3), vec3(0, 9, -3));
+    far.add(vec3(-20, -20, -6), vec3(20, -20, -6), vec3(0, 20, -6));
+    far.facet_base = 7;
+    const View view = perspective(32, 32);
+    EXPECT_EQ(draw(view, {near, far}).at(16, 16).facet, 0u);
+    EXPECT_TRUE(same(draw(view, {near, far}), draw(view, {far, near})));
+}
+
+TEST(Depth, EqualDepthGoesToTheLowerFacet) {
+    Mesh first;
+    first.add(vec3(-9, -9, -3), vec3(9, -9, -3), vec3(0, 9, -3));
+    Mesh second = first;
+    first.facet_base = 5;
+    second.facet_base = 3;
+    const View view = perspective(32, 32);
+    EXPECT_EQ(draw(view, {first, second}).at(16, 16).facet, 3u);
+    EXPECT_TRUE(same(draw(view, {first, second}), draw(view, {second, first})));
+}
+
+TEST(Depth, CutAtTheNearPlane) {
+    // The floor y = -1 from far ahead to behind the eye: below the horizon it is seen from z = -near on.
+    Mesh floor;
+    floor.add(vec3(-50, -1, 50), vec3(50, -1, 50), vec3(50, -1, -50), vec3(-50, -1, -50));
+    const View view = perspective(40, 400);
+    const DepthBuffer buffer = draw(view, {floor});
+    for (int y = 0; y < view.height; ++y) {
+        const double depth = plane_depth(view, dvec3(0, 1, 0), -1.0, dvec2(20.5, y + 0.5));
+        const bool seen = depth <= 1.0 && depth > view.near_clip / 50.0;
+        EXPECT_EQ(buffer.at(20, y).facet != none, seen) << y;
+        if (seen) {
+            EXPECT_NEAR(buffer.at(20, y).depth, depth, 1e-6);
+        }
+    }
+    // A steep pane through the near plane: depth reaches, and never exceeds, 1.
+    Mesh pane;
+    pane.add(vec3(-2, -1, 0.5f), vec3(2, -1, 0.5f), vec3(2, 1, -1.5f), vec3(-2, 1, -1.5f));
+    float nearest = 0.0f;
+    for (const auto& texel : draw(perspective(64, 64), {pane}).texels) nearest = std::max(nearest, texel.depth);
+    EXPECT_LE(nearest, 1.0f);
+    EXPECT_GT(nearest, 0.9f);
+}
+
+TEST(Depth, NothingIsTooFar) {
+    Mesh far;
+    far.add(vec3(-1e5f, -1e5f, -1e4f), vec3(1e5f, -1e5f, -1e4f), vec3(0, 1e5f, -1e4f));
+    EXPECT_NEAR(draw(perspective(8, 8), {far}).at(4, 4).depth, 0.5e-4, 1e-9);
+    EXPECT_LT(draw(orthographic(8, 8), {far}).at(4, 4).depth, 0.0f);
+}
+
+TEST(Depth, BrokenTrianglesLeaveNoTrace) {
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    Mesh mesh;
+    mesh.add(vec3(nan, 0, -3), vec3(1, 0, -3), vec3(0, 1, -3));
+    mesh.add(vec3(inf, 0, -3), vec3(1, 0, -3), vec3(0, 1, -3));
+    mesh.add(vec3(0, 0, -inf), vec3(1, 0, -3), vec3(0, 1, -3));
+    mesh.add(vec3(0, 0, -3), vec3(0, 0, -3), vec3(0, 1, -3));
+    mesh.add(vec3(-1, 0, -3), vec3(0, 0, -3), vec3(1, 0, -3));
+    mesh.add(vec3(0, 0, 0), vec3(0, 0, 0), vec3(0, 0, 0));
+    for (const auto& texel : draw(perspective(16, 16), {mesh}).texels) EXPECT_EQ(texel.facet, none);
+}
+
+TEST(Depth, BadInputIsRefused) {
+    Mesh mesh;
+    mesh.add(vec3(0), vec3(1), vec3(2));
+    EXPECT_THROW(draw(perspective(8, 8), {mesh}, 0), std::invalid_argument);
+    mesh.triangles[0].y = 9;
+    EXPECT_THROW(draw(perspective(8, 8), {mesh}), std::invalid_argument);
+}
+
+TEST(Depth, SameWithOneAndManyThreads) {
+    const Mesh mesh = random_triangles(20000, 3);
+    const View view = perspective(200, 150);
+    const DepthBuffer many = draw(view, {mesh}, 2);
+    tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_TRUE(same(many, draw(view, {mesh}, 2)));
+}
+
+TEST(Depth, AgreesWithRaysOnRandomTriangles) {
+    const Mesh mesh = random_triangles(60, 5);
+    const View view = perspective(60, 50);
+    const DepthBuffer buffer = draw(view, {mesh});
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            double nearest = 0.0;
+            const dvec4 h = glm::inverse(view.view_to_clip) *
+                            dvec4((x + 0.5) / view.width * 2 - 1, (y + 0.5) / view.height * 2 - 1, 1, 1);
+            const dvec3 ray = dvec3(h) / h.w;
+            for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+                const dvec3 a = mesh.positions[3 * i], b = mesh.positions[3 * i + 1], c = mesh.positions[3 * i + 2];
+                const double ab = glm::dot(ray, glm::cross(a, b)), bc = glm::dot(ray, glm::cross(b, c)),
+                             ca = glm::dot(ray, glm::cross(c, a));
+                if (!((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0))) continue;
+                const dvec3 n = glm::cross(b - a, c - a);
+                const double depth = screen_depth(view, ray.z * glm::dot(n, a) / glm::dot(n, ray));
+                if (depth > 0.0 && depth <= 1.0) nearest = std::max(nearest, depth);
+            }
+            EXPECT_NEAR(buffer.at(x, y).depth, nearest, 1e-5) << x << " " << y;
+        }
+}

@@ -1,0 +1,219 @@
+#include "atlas/sampled.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+#include "atlas/layout.h"
+
+using namespace fovea;
+
+namespace {
+
+constexpr Index padding = 3;
+
+View test_view() {
+    View view;
+    view.width = 200;
+    view.height = 150;
+    view.near_clip = 0.1;
+    view.view_to_clip = glm::perspective(0.8, 200.0 / 150.0, view.near_clip, 100.0);
+    return view;
+}
+
+/// Appends a piece through view-space points, with samples of about 2 pixels and padding at both ends.
+void add_piece(const View& view, ClippedPaths& clipped, const std::vector<dvec3>& points, Index facet0 = none,
+               Index facet1 = none) {
+    Index sample = clipped.samples + padding;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const dvec4 clip = view.view_to_clip * dvec4(points[i], 1.0);
+        clipped.px.push_back(to_pixels(view, clip));
+        clipped.depth.push_back(float(screen_depth(view, points[i].z)));
+        clipped.facet0.push_back(facet0);
+        clipped.facet1.push_back(facet1);
+        Index count = 0;
+        if (i + 1 < points.size()) {
+            const dvec2 next = to_pixels(view, view.view_to_clip * dvec4(points[i + 1], 1.0));
+            count = Index(std::ceil(glm::length(next - dvec2(clipped.px.back())) / 2.0));
+        } else {
+            sample += padding;  // the last point's sample_start ends the piece
+        }
+        clipped.sample_start.push_back(sample);
+        clipped.sample_count.push_back(count);
+        sample += count;
+    }
+    clipped.samples = sample;
+    clipped.pieces.offsets.push_back(Index(clipped.px.size()));
+}
+
+/// A rectangle of two triangles, one facet.
+struct Rectangle {
+    std::vector<vec3> positions;
+    std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
+    std::vector<Index> facets{0, 0};
+    Index facet_base;
+    Rectangle(vec3 a, vec3 b, vec3 c, vec3 d, Index facet) : positions{a, b, c, d}, facet_base(facet) {}
+    operator DepthMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
+};
+
+Array<float> visibility(const View& view, const ClippedPaths& clipped, const std::vector<DepthMesh>& meshes,
+                        int scale = 2, int probes = 1) {
+    SampledOptions options;
+    options.probes = probes;
+    return sampled_visibility(clipped, draw_depth(view, meshes, scale), options);
+}
+
+double mean(const Array<float>& values) {
+    double sum = 0.0;
+    for (float v : values) sum += v;
+    return sum / double(values.size());
+}
+
+}  // namespace
+
+TEST(Sampled, NothingHidesInAnEmptyScene) {
+    const View view = test_view();
+    ClippedPaths clipped;
+    add_piece(view, clipped, {{-1, -1, -5}, {1, 1, -5}, {1, 0, -5}});
+    EXPECT_EQ(mean(visibility(view, clipped, {})), 1.0);
+    EXPECT_TRUE(visibility(view, ClippedPaths(), {}).empty());
+}
+
+TEST(Sampled, PiercingALeaningFaceChangesAtTheAnalyticPixel) {
+    const View view = test_view();
+    // Face z = -5 + .4 x; the line runs through it at x = .3.
+    const auto on_face = [](float x, float y) { return vec3(x, y, -5.0f + 0.4f * x); };
+    const Rectangle face(on_face(-1.5, -1.5), on_face(1.5, -1.5), on_face(1.5, 1.5), on_face(-1.5, 1.5), 0);
+    const dvec3 hit(0.3, 0.2, -5.0 + 0.4 * 0.3), way(0.9, 0.15, -1.1);
+    for (const int scale : {1, 2})
+        for (const int probes : {1, 16}) {
+            ClippedPaths clipped;
+            add_piece(view, clipped, {hit - way, hit + way});
+            const Array<float> values = visibility(view, clipped, {face}, scale, probes);
+            const dvec2 hit_px = to_pixels(view, view.view_to_clip * dvec4(hit, 1.0));
+            const double t = glm::length(hit_px - dvec2(clipped.px[0])) / glm::length(clipped.px[1] - clipped.px[0]);
+            for (Index j = 0; j < clipped.sample_count[0]; ++j) {
+                const double off = (j + 0.5) - t * clipped.sample_count[0];
+                if (std::abs(off) > 1.0) {
+                    EXPECT_EQ(values[clipped.sample_start[0] + j], off < 0 ? 1.0f : 0.0f) << j << " " << off;
+                }
+            }
+        }
+}
+
+TEST(Sampled, BehindAnEdgeChangesAtTheAnalyticPixel) {
+    const View view = test_view();
+    const Rectangle face(vec3(-3, -3, -4), vec3(0.123f, -3, -4), vec3(0.123f, 3, -4), vec3(-3, 3, -4), 0);
+    const double edge_px = to_pixels(view, view.view_to_clip * dvec4(0.123, 0, -4, 1)).x;
+    ClippedPaths clipped;
+    add_piece(view, clipped, {{-1, 0.1, -6}, {1, -0.2, -8}});
+    const Array<float> values = visibility(view, clipped, {face});
+    for (Index j = 0; j < clipped.sample_count[0]; ++j) {
+        const double x = glm::mix(clipped.px[0], clipped.px[1], (j + 0.5f) / clipped.sample_count[0]).x;
+        if (std::abs(x - edge_px) > 2.0) {
+            EXPECT_EQ(values[clipped.sample_start[0] + j], x > edge_px ? 1.0f : 0.0f);
+        }
+    }
+}
+
+TEST(Sampled, PaddingRepeatsTheEnds) {
+    const View view = test_view();
+    const Rectangle face(vec3(-3, -3, -4), vec3(0, -3, -4), vec3(0, 3, -4), vec3(-3, 3, -4), 0);
+    ClippedPaths clipped;
+    add_piece(view, clipped, {{-1, 0.1, -6}, {1, -0.2, -8}});
+    add_piece(view, clipped, {{1, 0.1, -6}, {-1, -0.2, -8}});
+    const Array<float> values = visibility(view, clipped, {face});
+    const Index second = clipped.sample_start[1];
+    for (Index k = 0; k < padding; ++k) {
+        EXPECT_EQ(values[k], 0.0f);
+        EXPECT_EQ(values[second - 1 - k], 1.0f);
+        EXPECT_EQ(values[second + k], 1.0f);
+        EXPECT_EQ(values[clipped.samples - 1 - k], 0.0f);
+    }
+}
+
+TEST(Sampled, LinesOfASurfaceAreSeenAndLinesJustBehindAreNot) {
+    const View view = test_view();
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+    // A floor seen at a low angle.
+    const Rectangle face(vec3(-5, -0.5f, -1), vec3(5, -0.5f, -1), vec3(5, -0.5f, -30), vec3(-5, -0.5f, -30), 0);
+    ClippedPaths on, behind;
+    for (int i = 0; i < 200; ++i) {
+        const dvec3 a(unit(random), -0.5, -3 - std::abs(unit(random))), b(unit(random), -0.5, -4 + unit(random));
+        add_piece(view, on, {a, b});
+        add_piece(view, behind, {a - dvec3(0, 2e-3, 0), b - dvec3(0, 2e-3, 0)});
+    }
+    EXPECT_EQ(mean(visibility(view, on, {face})), 1.0);
+    EXPECT_EQ(mean(visibility(view, behind, {face})), 0.0);
+}
+
+TEST(Sampled, NeighbourFacetsOfTheLineDoNotHideIt) {
+    const View view = test_view();
+    // The line lies a little behind the face, as rounding or a bulge may put it.
+    const Rectangle face(vec3(-3, -3, -4), vec3(3, -3, -4), vec3(3, 3, -4), vec3(-3, 3, -4), 41);
+    ClippedPaths own, other;
+    add_piece(view, own, {{-1, 0, -4.01}, {1, 0.3, -4.01}}, 17, 41);
+    add_piece(view, other, {{-1, 0, -4.01}, {1, 0.3, -4.01}}, 17, 18);
+    EXPECT_EQ(mean(visibility(view, own, {face})), 1.0);
+    EXPECT_EQ(mean(visibility(view, other, {face})), 0.0);
+}
+
+TEST(Sampled, SameWithOneAndManyThreads) {
+    const View view = test_view();
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    std::vector<Rectangle> faces;
+    ClippedPaths clipped;
+    for (int i = 0; i < 300; ++i) {
+        const dvec3 c(2 * unit(random), 1.5 * unit(random), -6 + 2 * unit(random));
+        faces.emplace_back(c, c + dvec3(.5, 0, .2), c + dvec3(.5, .5, -.2), c + dvec3(0, .5, 0), Index(i));
+        add_piece(view, clipped, {c, c + dvec3(unit(random), unit(random), unit(random))});
+    }
+    const std::vector<DepthMesh> meshes(faces.begin(), faces.end());
+    const Array<float> many = visibility(view, clipped, meshes, 2, 4);
+    tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(many, visibility(view, clipped, meshes, 2, 4));
+}
+
+TEST(Layout, BatchesHoldWholePiecesAndTablesFindTheOwner) {
+    const View view = test_view();
+    ClippedPaths clipped;
+    for (int i = 0; i < 40; ++i)
+        add_piece(view, clipped, {{-1, -1, -5}, {-.99 + .01 * i, -1, -5}, {1, 1, -4}, {1, .8, -4}}, i, i + 1);
+    const Array<AtlasBatch> batches = atlas_batches(clipped, 1000);
+    Index pieces = 0, samples = 0;
+    for (const AtlasBatch& batch : batches) {
+        EXPECT_EQ(batch.piece_begin, pieces);
+        EXPECT_EQ(batch.sample_begin, samples);
+        EXPECT_LE(batch.sample_end - batch.sample_begin, 1000u);
+        pieces = batch.piece_end;
+        samples = batch.sample_end;
+        const AtlasTables tables = atlas_tables(clipped, batch);
+        const Index segments = Index(tables.segments.size() / 3);
+        for (Index s = 0; s < batch.sample_end - batch.sample_begin; ++s) {
+            const Index from = Index(tables.owners[s / owner_stride]), to = Index(tables.owners[s / owner_stride + 1]);
+            Index owner = none;
+            for (Index k = from; k <= to; ++k)
+                if (tables.segments[3 * k + 2].z <= float(s)) owner = k;
+            ASSERT_NE(owner, none) << s;
+            EXPECT_TRUE(owner + 1 == segments || float(s) < tables.segments[3 * (owner + 1) + 2].z);
+        }
+    }
+    EXPECT_EQ(pieces, clipped.pieces.count());
+    EXPECT_EQ(samples, clipped.samples);
+    EXPECT_EQ(atlas_batches(clipped, 1).size(), 40u);  // a piece is never divided
+    EXPECT_TRUE(atlas_batches(ClippedPaths(), 1).empty());
+}
+
+TEST(Layout, FacetNumbersStayExactInFloats) {
+    const View view = test_view();
+    ClippedPaths clipped;
+    add_piece(view, clipped, {{-1, -1, -5}, {1, 1, -4}}, none, facet_modulus * 3 + 12345677);
+    const AtlasTables tables = atlas_tables(clipped, atlas_batches(clipped)[0]);
+    EXPECT_EQ(tables.segments[2].x, -1.0f);
+    EXPECT_EQ(tables.segments[2].y, 12345677.0f);
+}
