@@ -1,0 +1,1 @@
+# An own Blender: checked, then used in place.

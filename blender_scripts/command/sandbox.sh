@@ -1,0 +1,86 @@
+# Runs things inside a suite by bubblewrap. /usr and /etc there are the suite's, read-only; the machine's other folders
+# show through read-only, so that a scene finds its textures and libraries; writable are the current folder, the folders
+# named for output, /tmp and the work folders in the cache. Nothing stays mounted when it ends.
+
+# in_suite SUITE WORK COMMAND...: WORK is the checkout's own folder for this suite; HOME lies in it.
+in_suite() {
+    suite_root=$cache/$1/root
+    work=$2
+    shift 2
+    mkdir -p "$work/home" "$cache/ccache"
+    options=$(mktemp "$work/sandbox.XXXXXX")
+    # bubblewrap lets later places cover earlier ones, so what is writable comes last.
+    {
+        system_options
+        named_options --ro-bind "$@"
+        option --ro-bind "$project" "$project"
+        is_system "$PWD" || option --bind "$PWD" "$PWD"
+        named_options --bind "$@"
+        option --bind "$work" "$work" --bind "$cache/ccache" "$cache/ccache" --chdir "$PWD"
+        environment_options
+    } >"$options"
+    exec 8<"$options"
+    rm "$options"
+    bwrap --args 8 "$@" 8<&8
+}
+
+option() {
+    printf '%s\0' "$@"
+}
+
+system_options() {
+    option --unshare-pid --die-with-parent --clearenv --dev /dev --dev-bind-try /dev/dri /dev/dri --proc /proc \
+        --tmpfs /run --bind /tmp /tmp
+    for entry in "$suite_root"/*; do
+        [ ! -h "$entry" ] || option --symlink "$(readlink "$entry")" "/${entry##*/}"
+    done
+    option --ro-bind "$suite_root/usr" /usr --ro-bind "$suite_root/etc" /etc
+    for entry in /*; do
+        is_system "$entry" || option --ro-bind-try "$entry" "$entry"
+    done
+}
+
+# Places that are the sandbox's own, whatever the machine has there.
+is_system() {
+    case $1 in
+    / | /usr | /usr/* | /etc | /etc/* | /bin* | /sbin* | /lib* | /boot | /dev | /dev/* | /proc | /proc/* | /run | /tmp) ;;
+    *) return 1 ;;
+    esac
+}
+
+# named_options HOW WORD...: the folders of the paths among the words: outputs with --bind, inputs with --ro-bind.
+named_options() {
+    how=$1
+    shift
+    previous=
+    for word in "$@"; do
+        named=--ro-bind
+        case $previous in -o | --output | --render-output) named=--bind ;; esac
+        case $word in --output=*) named=--bind ;; esac
+        [ "$subcommand" != blender ] || named=--bind
+        previous=$word
+        [ "$how" = "$named" ] && folder=$(folder_of "${word#--output=}") || continue
+        is_system "$folder" || option "$how" "$folder" "$folder"
+    done
+}
+
+folder_of() {
+    if [ -d "$1" ]; then
+        (cd "$1" && pwd)
+    else
+        case $1 in
+        */*) (cd "${1%/*}/" 2>/dev/null && pwd) ;;
+        *) return 1 ;; # in the current folder, or no path at all
+        esac
+    fi
+}
+
+environment_options() {
+    option --setenv PATH /usr/bin:/usr/sbin --setenv HOME "$work/home" --setenv LANG C.UTF-8 --setenv TMPDIR /tmp
+    for name in TERM DISPLAY WAYLAND_DISPLAY XAUTHORITY; do
+        eval "value=\${$name-}"
+        [ -z "$value" ] || option --setenv "$name" "$value"
+    done
+    [ -z "${XDG_RUNTIME_DIR-}" ] || option --bind-try "$XDG_RUNTIME_DIR" "$XDG_RUNTIME_DIR" \
+        --setenv XDG_RUNTIME_DIR "$XDG_RUNTIME_DIR"
+}

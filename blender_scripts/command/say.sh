@@ -1,0 +1,41 @@
+# What the user sees: sentences, and the progress of long steps. Results go to stdout, everything here to stderr.
+
+say() {
+    printf 'fovea: %s\n' "$*" >&2
+}
+
+fail() {
+    say "$@"
+    exit 1
+}
+
+# step LOG SENTENCE COMMAND...: runs a long command with its output in LOG and a sign of life every ten seconds;
+# when the command fails, shows the end of LOG and returns its status.
+step() {
+    step_log=$1
+    step_sentence=$2
+    shift 2
+    say "$step_sentence"
+    : >"$step_log"
+    show_progress "$step_log" "$step_sentence" 9>&- &
+    step_watcher=$!
+    step_status=0
+    "$@" >"$step_log" 2>&1 </dev/null || step_status=$?
+    kill "$step_watcher" 2>/dev/null || true
+    wait "$step_watcher" 2>/dev/null || true
+    if [ "$step_status" -ne 0 ]; then
+        say "$step_sentence FAILED; the last lines of $step_log:"
+        tail -n 15 "$step_log" | sed 's/^/    /' >&2
+    fi
+    return "$step_status"
+}
+
+show_progress() {
+    seconds=0
+    # The sleep must not hold this shell's output open after the step has ended.
+    while sleep 10 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+        seconds=$((seconds + 10))
+        last=$(tail -n 1 "$1" | tr -d '\r' | cut -c 1-70)
+        say "  $2 $seconds s: $last"
+    done
+}

@@ -1,0 +1,113 @@
+# One Debian suite as a folder in the cache: CACHE/SUITE/root. Made once by debootstrap (signatures verified with the
+# archive's keyring) from the mirror the machine's own apt uses; later calls and other clones find it by its stamps.
+
+# set_up_suite SUITE: returns at once when nothing is to be done, resumes where an earlier call was interrupted.
+set_up_suite() {
+    suite=$1
+    suite_folder=$cache/$suite
+    root=$suite_folder/root
+    stamp=$suite_folder/installed/$(package_names | sha256sum | cut -c 1-16)
+    [ ! -e "$stamp" ] || return 0
+    [ "$(id -u)" = 0 ] || {
+        say "setting up Debian $suite needs root: run this once as root, or give a fitting Blender by BLENDER="
+        return 1
+    }
+    mkdir -p "$suite_folder/installed" "$suite_folder/archives"
+    exec 9>"$suite_folder/lock"
+    flock -n 9 || {
+        say "another call is setting up Debian $suite; waiting for it"
+        flock 9
+    }
+    set_up_status=0
+    [ -e "$stamp" ] || make_suite || set_up_status=$?
+    exec 9>&-
+    [ "$set_up_status" -eq 0 ] || say "Debian $suite could not be set up; the next call goes on from here"
+    return "$set_up_status"
+}
+
+make_suite() {
+    say "setting up Debian $suite in $suite_folder (once: some minutes, 2.5 GB)"
+    find_host_tools || return
+    if [ ! -d "$root" ]; then
+        find_mirror || return
+        find_keyring || return
+        step "$cache/log/$suite-base.log" "$suite: base system" make_base || return
+    fi
+    step "$cache/log/$suite-packages.log" "$suite: Blender, compiler and libraries" install_packages || return
+    touch "$stamp"
+    say "Debian $suite is ready"
+}
+
+package_names() {
+    sed 's/#.*//' "$here/packages.txt" | tr -s ' \n' '\n' | sed '/^$/d'
+}
+
+find_host_tools() {
+    missing=
+    command -v debootstrap >/dev/null || missing="$missing debootstrap"
+    command -v bwrap >/dev/null || missing="$missing bubblewrap"
+    [ -n "$(keyring)" ] || missing="$missing debian-archive-keyring"
+    [ -z "$missing" ] || step "$cache/log/host-tools.log" "this machine: installing$missing" install_on_host $missing
+}
+
+install_on_host() {
+    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" && return
+    # Machines just made have no package lists yet.
+    apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+}
+
+keyring() {
+    for file in /usr/share/keyrings/debian-archive-keyring.gpg /usr/share/keyrings/debian-archive-keyring.pgp; do
+        [ ! -e "$file" ] || { echo "$file" && return; }
+    done
+}
+
+find_keyring() {
+    archive_keyring=$(keyring)
+    [ -n "$archive_keyring" ] || { say "the Debian archive's keyring was not found" && return 1; }
+}
+
+# The mirror this machine itself installs Debian from.
+find_mirror() {
+    mirror=$(mirror_of_host)
+    [ -n "$mirror" ] || {
+        step "$cache/log/host-lists.log" "this machine: package lists" apt-get update || return
+        mirror=$(mirror_of_host)
+    }
+    [ -n "$mirror" ] || { say "this machine's apt names no Debian archive to install from" && return 1; }
+}
+
+mirror_of_host() {
+    apt-get indextargets --format '$(LABEL) $(REPO_URI)' | sed -n 's/^Debian //p' | head -n 1
+}
+
+# Runs as a child of bubblewrap: what debootstrap mounts lives and dies with its own mount and process namespace.
+make_base() {
+    rm -rf "$root.partial"
+    bwrap --dev-bind / / --proc /proc --unshare-pid --die-with-parent \
+        debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir="$suite_folder/archives" \
+        "$suite" "$root.partial" "$mirror" || { why_debootstrap_failed; return 1; }
+    # How this machine reaches its archive (proxies, retries, checks of dates) holds for the suite too.
+    apt-config dump | grep -E '^Acquire::(https?|Retries|Check-)' >"$root.partial/etc/apt/apt.conf.d/90host" || true
+    mv "$root.partial" "$root"
+    rm -rf "$suite_folder/archives"
+}
+
+why_debootstrap_failed() {
+    [ ! -e "$root.partial/debootstrap/debootstrap.log" ] || tail -n 10 "$root.partial/debootstrap/debootstrap.log"
+}
+
+install_packages() {
+    in_root apt-get update &&
+        in_root dpkg --configure -a &&
+        in_root apt-get -y --fix-broken install &&
+        in_root apt-get -y --no-install-recommends install $(package_names) &&
+        in_root apt-get clean
+}
+
+# in_root COMMAND...: as root of the suite, its system writable.
+in_root() {
+    bwrap --bind "$root" / --dev /dev --proc /proc --tmpfs /tmp --tmpfs /run --unshare-pid --die-with-parent --clearenv \
+        --setenv PATH /usr/sbin:/usr/bin:/sbin:/bin --setenv LC_ALL C.UTF-8 --setenv DEBIAN_FRONTEND noninteractive \
+        --ro-bind /etc/resolv.conf /etc/resolv.conf --ro-bind /etc/hosts /etc/hosts --chdir / "$@"
+}
