@@ -202,15 +202,24 @@ dmat4 view_to_depth_clip(const View& view) {
     return matrix;
 }
 
+std::vector<Occluder> occluders(const Scene& scene, const View& view) {
+    std::vector<Occluder> result;
+    for (Index i = 0; i < scene.placements.size(); ++i) {
+        const Placement& placement = scene.placements[i];
+        if ((placement.usage & usage_occlude) && placement.surface->occluding_triangles > 0 &&
+            in_frame(placement, view, 0.0))
+            result.push_back({i, view.world_to_view * placement.object_to_world});
+    }
+    return result;
+}
+
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view) {
     std::vector<DepthMesh> meshes;
-    for (std::size_t i = 0; i < scene.placements.size(); ++i) {
-        const Placement& placement = scene.placements[i];
-        if (!(placement.usage & usage_occlude) || !in_frame(placement, view, 0.0)) continue;
-        const Surface& surface = *placement.surface;
+    for (const Occluder& occluder : occluders(scene, view)) {
+        const Surface& surface = *scene.placements[occluder.placement].surface;
         meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
                           In<Index>(surface.triangle_facet).first(surface.occluding_triangles),
-                          view.world_to_view * placement.object_to_world, scene.facet_base[i]});
+                          occluder.object_to_view, scene.facet_base[occluder.placement]});
     }
     return meshes;
 }

@@ -38,7 +38,16 @@ struct DepthBuffer {
     const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
 };
 
-/// What hides lines in `view`: the occluding triangles of all placements in the frame. Borrowed from the scene.
+/// A placement that hides lines in a view.
+struct Occluder {
+    Index placement;
+    dmat4 object_to_view;
+};
+
+/// Placements with occluding triangles in the frame.
+std::vector<Occluder> occluders(const Scene& scene, const View& view);
+
+/// Their triangles, borrowed from the scene.
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view);
 
 /// Draws both sides of all triangles. What lies nearer than the near plane is cut off; the far plane cuts nothing off.

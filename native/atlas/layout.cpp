@@ -20,10 +20,13 @@ Array<Index> segments_of(const ClippedPaths& clipped, const AtlasBatch& batch) {
 Rows piece_samples(const ClippedPaths& clipped) {
     const Index pieces = clipped.pieces.count();
     Rows rows;
-    rows.offsets.assign(pieces + 1, clipped.samples);
-    rows.offsets[0] = 0;
-    // The last point of a piece starts no segment: its sample_start says where the piece's padding ends.
-    for (Index q = 0; q + 1 < pieces; ++q) rows.offsets[q + 1] = clipped.sample_start[clipped.pieces.end(q) - 1];
+    rows.offsets.resize(pieces + 1);
+    for (Index q = 0; q < pieces; ++q) {
+        const Index first = clipped.sample_start[clipped.pieces.begin(q)];
+        const Index last = clipped.sample_start[clipped.pieces.end(q) - 1];
+        rows.offsets[q] = first - padding_of(last - first);
+    }
+    rows.offsets[pieces] = clipped.samples;
     return rows;
 }
 

@@ -30,7 +30,7 @@ struct SurfaceView {
     dvec3 eye_obj{0.0};
     bool orthographic = false;
     /// Per facet: 1 where it faces the viewer (zero counts as facing). Empty when no definition asked for it.
-    Array<std::uint8_t> facing;
+    Array<std::uint8_t> facing{};
     /// For definitions of the scene: the placement and rays through the view; null for definitions of a surface.
     Index placement = 0;
     dmat4 object_to_view{1.0};

@@ -1,9 +1,15 @@
 // What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
 #pragma once
 
+#include <algorithm>
+
 #include "base/types.h"
 
 namespace fovea {
+
+/// Padding samples at each end of a piece of `samples` samples: room for filters that lengthen visible parts.
+inline constexpr Index most_padding = 10;
+inline Index padding_of(Index samples) { return samples < 2 ? 0 : std::min((samples - 2) / 2, most_padding); }
 
 /// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves
 /// and comes back gives several), a polyline of points; segment i runs from point i to point i + 1 of a piece.

@@ -51,7 +51,6 @@ public:
 
 private:
     double reach(Index i) const { return line_[i].half_width + fringe; }
-    bool is_end(Index i) const { return !closed_ && (i == 0 || i + 1 == size_); }
     /// Directions of the segments before and after a point; at an end both are the only one's.
     dvec2 into(Index i) const { return i > 0 ? directions_[i - 1] : closed_ ? directions_.back() : directions_[0]; }
     dvec2 out_of(Index i) const {
@@ -84,11 +83,14 @@ private:
         return glm::dot(a, b) < mitre_limit && (turn < 0.0 ? side > 0.0 : side < 0.0);
     }
 
+    bool has_corner(const Group& g, double side) const {
+        return g.shared && (g.first != g.last || !is_round(g.first, side));
+    }
     dvec2 corner_before(const Group& g, double side) const {
-        return g.shared && !is_round(g.first, side) ? g.corner : square(g.first, into(g.first), side);
+        return has_corner(g, side) ? g.corner : square(g.first, into(g.first), side);
     }
     dvec2 corner_after(const Group& g, double side) const {
-        return g.shared && !is_round(g.last, side) ? g.corner : square(g.last, out_of(g.last), side);
+        return has_corner(g, side) ? g.corner : square(g.last, out_of(g.last), side);
     }
 
     /// Merges points until no segment between two groups runs backwards along this side.
@@ -116,7 +118,7 @@ private:
     std::vector<Corners> side(double side) {
         std::vector<Corners> corners(size_);
         for (const Group& g : groups(side)) {
-            if (g.shared && (g.first != g.last || !is_round(g.first, side)))
+            if (has_corner(g, side))
                 shared_corner(g, side, corners);
             else
                 for (Index i = g.first; i <= g.last; ++i) square_corners(i, side, corners[i]);
@@ -125,9 +127,10 @@ private:
     }
 
     void shared_corner(const Group& g, double side, std::vector<Corners>& corners) {
-        const bool sharp = glm::dot(into(g.first), out_of(g.last)) < mitre_limit;
-        CentrePoint p = line_[g.first];
-        if (g.first != g.last) {
+        const bool merged = g.first != g.last, start = g.first == 0, end = g.last + 1 == size_;
+        const bool sharp = glm::dot(into(g.first), out_of(g.last)) < mitre_limit && !(merged && (start || end));
+        CentrePoint p = line_[merged && end ? g.last : g.first];
+        if (merged && !start && !end) {
             const CentrePoint& q = line_[g.last];
             p = {p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width), 0.5f * (p.opacity + q.opacity)};
         }
@@ -138,7 +141,7 @@ private:
         const Index after = sharp ? vertex(p, g.corner, p.arc + behind, v) : before;
         for (Index i = g.first; i <= g.last; ++i) {
             corners[i] = {i == g.first ? before : after, after};
-            if (sharp || g.first != g.last) need_middle(i);
+            if (sharp || merged) need_middle(i);
         }
     }
 

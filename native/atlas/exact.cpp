@@ -1,0 +1,246 @@
+#include "atlas/exact.h"
+
+#include <cmath>
+
+#include "atlas/shadow.h"
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t pieces_per_block = 128;
+/// Shadows remembered from segment to segment: neighbours are mostly hidden by the same triangles.
+constexpr int remembered = 4;
+
+/// One segment of a piece between its ends in view space. Positions along it are screen fractions s in [0,1].
+struct Segment {
+    dvec3 a, b;
+    double wa, wb;  // distances along -z; equal (1) for an orthographic camera
+    Ignore ignore;
+
+    double to_space(double s) const { return s * wa / (wb + s * (wa - wb)); }
+    double to_screen(double t) const { return t * wb / (wa + t * (wb - wa)); }
+    dvec3 at(double s) const { return glm::mix(a, b, to_space(s)); }
+};
+
+/// Visibility along segments, one after the other, remembering what hid the last ones.
+class Marcher {
+   public:
+    explicit Marcher(const Tracer& tracer) : tracer_(tracer) {}
+
+    /// Appends the hidden intervals of a segment with `samples` samples, in screen fractions, ascending and disjoint.
+    void march(const Segment& segment, Index samples, double length_px, std::vector<Interval>& hidden) {
+        segment_ = &segment;
+        for (Known& known : known_) known.interval_known = false;
+        const double step = 1.0 / samples, tolerance = exact_tolerance_px / std::max(length_px, 1e-9);
+        double seen = 0.0;  // visible here (or the beginning)
+        bool was_hidden = false;
+        for (Index i = 0; i < samples; ++i) {
+            const double s = (i + 0.5) * step;
+            if (was_hidden && hidden.back().end >= s) continue;
+            const Interval by = hidden_at(s);
+            if (by.begin > by.end) {
+                if (was_hidden) narrow_end(hidden.back(), s, tolerance);
+                was_hidden = false;
+                seen = s;
+            } else if (was_hidden) {
+                // Less than a sample between two shadows: no line is seen through it.
+                hidden.back().end = std::max(hidden.back().end, by.end);
+            } else {
+                Interval found = by;
+                narrow_begin(found, seen, i == 0, tolerance);
+                hidden.push_back(found);
+                was_hidden = true;
+            }
+        }
+        if (was_hidden && hidden.back().end < 1.0) finish(hidden.back(), tolerance);
+    }
+
+   private:
+    struct Known {
+        Shadow shadow;
+        Index placement = none, facet = none;
+        Interval interval;  // on the current segment
+        bool interval_known = false;
+    };
+
+    /// The interval around s that one triangle hides; empty where s is visible.
+    Interval hidden_at(double s) {
+        for (int i = 0; i < remembered; ++i) {
+            Known& known = known_[i];
+            if (!known.shadow.usable()) continue;
+            if (!known.interval_known) {
+                known.interval = interval_of(known);
+                known.interval_known = true;
+            }
+            if (known.interval.holds(s)) {
+                if (i > 0) std::swap(known_[i], known_[i - 1]);
+                return known_[i > 0 ? i - 1 : 0].interval;
+            }
+        }
+        const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
+        if (!hit) return {};
+        return remember(*hit, s);
+    }
+
+    Interval remember(const Hit& hit, double s) {
+        dvec3 corners[3];
+        tracer_.corners(hit, corners);
+        const View& view = tracer_.view();
+        Known known;
+        known.shadow = Shadow(corners, view.orthographic, view.near_clip, ray_margin);
+        known.placement = hit.placement;
+        known.facet = tracer_.facet(hit);
+        known.interval = interval_of(known);
+        known.interval_known = true;
+        // The ray is the judge: at its own sample the triangle hides, whatever rounding says.
+        Interval interval = known.interval;
+        if (!interval.holds(s)) interval = {s, s};
+        std::move_backward(known_, known_ + remembered - 1, known_ + remembered);
+        known_[0] = known;
+        return interval;
+    }
+
+    Interval interval_of(const Known& known) const {
+        if (known.placement == segment_->ignore.placement && segment_->ignore.holds(known.facet)) return {};
+        Interval interval = known.shadow.hides(segment_->a, segment_->b);
+        if (interval.begin > interval.end) return {};
+        return {segment_->to_screen(interval.begin), segment_->to_screen(interval.end)};
+    }
+
+    /// Moves found.begin down to where the segment, visible at `seen`, becomes hidden. At the very beginning of the
+    /// segment nothing is known to be visible.
+    void narrow_begin(Interval& found, double seen, bool at_start, double tolerance) {
+        double visible = seen;
+        for (int steps = 0; found.begin - visible > tolerance && steps < 24; ++steps) {
+            const double s = steps < 6 ? found.begin - tolerance : 0.5 * (found.begin + visible);
+            const Interval by = hidden_at(s);
+            if (by.begin > by.end) {
+                visible = s;
+            } else {
+                found.begin = std::min(s, by.begin);
+            }
+        }
+        found.begin = std::max(found.begin, seen);
+        if (at_start && found.begin <= tolerance) found.begin = 0.0;
+    }
+
+    /// The same at the other side: visible at `seen`.
+    void narrow_end(Interval& found, double seen, double tolerance) {
+        double visible = seen;
+        for (int steps = 0; visible - found.end > tolerance && steps < 24; ++steps) {
+            const double s = steps < 6 ? found.end + tolerance : 0.5 * (found.end + visible);
+            const Interval by = hidden_at(s);
+            if (by.begin > by.end) {
+                visible = s;
+            } else {
+                found.end = std::max(s, by.end);
+            }
+        }
+        found.end = std::min(found.end, seen);
+    }
+
+    void finish(Interval& found, double tolerance) {
+        narrow_end(found, 1.0, tolerance);
+        if (1.0 - found.end <= tolerance) found.end = 1.0;
+    }
+
+    const Tracer& tracer_;
+    const Segment* segment_ = nullptr;
+    Known known_[remembered];
+};
+
+/// Runs of a range of pieces.
+class Runner {
+   public:
+    Runner(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer)
+        : clipped_(clipped), paths_(paths), tracer_(tracer), marcher_(tracer) {}
+
+    void add(Index piece) {
+        piece_ = piece;
+        open_ = false;
+        const Index last = clipped_.pieces.end(piece) - 1;
+        for (Index i = clipped_.pieces.begin(piece); i < last; ++i) {
+            const Index samples = clipped_.sample_count[i];
+            if (samples == 0) continue;
+            const double arc = clipped_.arc_px[i], length = clipped_.arc_px[i + 1] - arc;
+            hidden_.clear();
+            marcher_.march(segment(i), samples, length, hidden_);
+            double from = 0.0;
+            for (const Interval& gap : hidden_) {
+                visible(arc + from * length, arc + gap.begin * length);
+                from = gap.end;
+            }
+            visible(arc + from * length, arc + length);
+        }
+        close();
+    }
+
+    Runs out;
+
+   private:
+    Segment segment(Index i) const {
+        const bool ortho = tracer_.view().orthographic;
+        Segment s{dvec3(clipped_.position_view[i]), dvec3(clipped_.position_view[i + 1]), 1.0, 1.0, {}};
+        if (!ortho) {
+            s.wa = -s.a.z;
+            s.wb = -s.b.z;
+        }
+        const Index placement = paths_.placement[clipped_.path[piece_]];
+        const Surface& surface = *tracer_.scene().placements[placement].surface;
+        const Index edge = paths_.edge[clipped_.source[i]];
+        s.ignore = {placement, surface.edge_sides.data() + surface.edge_rows.begin(edge),
+                    surface.edge_sides.data() + surface.edge_rows.end(edge)};
+        return s;
+    }
+
+    void visible(double start, double end) {
+        if (end - start <= 1e-9) return;
+        if (open_ && start - end_ <= 1e-6) {
+            end_ = end;
+            return;
+        }
+        close();
+        open_ = true;
+        start_ = start;
+        end_ = end;
+    }
+
+    void close() {
+        if (!open_) return;
+        out.piece.push_back(piece_);
+        out.start_px.push_back(start_);
+        out.end_px.push_back(end_);
+        open_ = false;
+    }
+
+    const ClippedPaths& clipped_;
+    const Paths& paths_;
+    const Tracer& tracer_;
+    Marcher marcher_;
+    std::vector<Interval> hidden_;
+    Index piece_ = 0;
+    bool open_ = false;
+    double start_ = 0.0, end_ = 0.0;
+};
+
+}  // namespace
+
+Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel) {
+    const std::size_t pieces = clipped.path.size();
+    std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);
+    parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        cancel.poll();
+        Runner runner(clipped, paths, tracer);
+        for (std::size_t q = begin; q < end; ++q) runner.add(static_cast<Index>(q));
+        parts[b] = std::move(runner.out);
+    });
+    Runs runs;
+    for (const Runs& part : parts) {
+        runs.piece.insert(runs.piece.end(), part.piece.begin(), part.piece.end());
+        runs.start_px.insert(runs.start_px.end(), part.start_px.begin(), part.start_px.end());
+        runs.end_px.insert(runs.end_px.end(), part.end_px.begin(), part.end_px.end());
+    }
+    return runs;
+}
+
+}  // namespace fovea

@@ -1,0 +1,33 @@
+// The shadow volume of a triangle: what it hides from the eye.
+#pragma once
+
+#include "base/types.h"
+
+namespace fovea {
+
+/// Interval of a segment's parameter; empty when begin > end.
+struct Interval {
+    double begin = 1.0, end = 0.0;
+    bool holds(double t) const { return begin <= t && t <= end; }
+};
+
+/// Bounded by the three planes through the eye (view-space origin; along z for an orthographic camera) and the sides
+/// of a triangle, and by the triangle's own plane. Convex, so it cuts an interval out of a segment.
+class Shadow {
+   public:
+    Shadow() = default;
+    /// Corners in view space. `margin`: share of the distance by which a point must lie behind to be hidden.
+    Shadow(const dvec3 corners[3], bool orthographic, double near_clip, double margin);
+
+    /// False when the triangle is seen edge-on or reaches in front of the near plane: it then hides nothing for sure.
+    bool usable() const { return usable_; }
+
+    /// Part of the segment from a to b that is hidden, as fractions of its length in space.
+    Interval hides(const dvec3& a, const dvec3& b) const;
+
+   private:
+    dvec4 planes_[4];  // inside where positive
+    bool usable_ = false;
+};
+
+}  // namespace fovea

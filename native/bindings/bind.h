@@ -1,0 +1,14 @@
+// What module.cpp puts together.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace fovea::bindings {
+
+void bind_mesh(pybind11::module_& m);
+void bind_line(pybind11::module_& m);
+void bind_stages(pybind11::module_& m);
+void bind_sampled(pybind11::module_& m);
+void bind_stroke(pybind11::module_& m);
+
+}  // namespace fovea::bindings

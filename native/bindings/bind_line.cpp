@@ -1,0 +1,101 @@
+// Line definitions and paths.
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+#include "path/extract.h"
+
+namespace fovea::bindings {
+namespace {
+
+py::list definitions() {
+    py::list result;
+    for (const LineDefinition* definition : line_definitions()) {
+        py::list parameters;
+        for (const Parameter& p : definition->parameters)
+            parameters.append(py::dict(py::arg("name") = p.name, py::arg("label") = p.label, py::arg("default") = p.value,
+                                       py::arg("min") = p.low, py::arg("max") = p.high, py::arg("unit") = p.unit,
+                                       py::arg("meaning") = p.meaning));
+        result.append(py::dict(py::arg("name") = definition->name, py::arg("label") = definition->label,
+                               py::arg("source") = definition->source, py::arg("description") = definition->description,
+                               py::arg("parameters") = parameters, py::arg("default") = definition->on_by_default,
+                               py::arg("view_dependent") = definition->scope != Scope::surface));
+    }
+    return result;
+}
+
+/// {definition: {parameter: value}} with defaults filled in.
+LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
+    LineSet set;
+    set.corner_angle_rad = glm::radians(corner_angle_degrees);
+    for (const auto& [name, given] : kinds) {
+        LineSet::Kind kind;
+        kind.definition = definition_index(name.cast<std::string>());
+        const LineDefinition& definition = *line_definitions()[kind.definition];
+        auto values = given.cast<std::map<std::string, double>>();
+        for (const Parameter& p : definition.parameters) {
+            const auto it = values.find(p.name);
+            kind.values.push_back(it == values.end() ? p.value : it->second);
+            if (it != values.end()) values.erase(it);
+        }
+        check(values.empty(), std::string(definition.name) + ": unknown parameter '" +
+                                  (values.empty() ? "" : values.begin()->first) + "'");
+        set.kinds.push_back(std::move(kind));
+    }
+    return set;
+}
+
+std::vector<LineSet> line_sets(const py::sequence& sets) {
+    std::vector<LineSet> result;
+    for (const auto& item : sets) {
+        const auto pair = item.cast<py::tuple>();
+        result.push_back(line_set(pair[0].cast<py::dict>(), pair[1].cast<double>()));
+    }
+    return result;
+}
+
+}  // namespace
+
+void bind_line(py::module_& m) {
+    m.def("line_definitions", &definitions,
+          "The registry: one dict per definition, in the order of its bits, with its parameters.");
+
+    py::class_<Cancel, std::shared_ptr<Cancel>>(m, "Cancel", "A flag that long calls poll; cancel() makes them raise Cancelled.")
+        .def(py::init<>())
+        .def("cancel", [](Cancel& cancel) { cancel.requested = true; })
+        .def_property_readonly("requested", [](const Cancel& cancel) { return cancel.requested.load(); });
+    py::register_exception<Cancelled>(m, "Cancelled", PyExc_RuntimeError);
+
+    const auto array = [](auto member) {
+        return [member](py::object self) { return view_numpy(self.cast<const Paths&>().*member, self); };
+    };
+    py::class_<Paths, std::shared_ptr<Paths>>(m, "Paths", "Segments chained into paths, in object space; N points, P paths.")
+        .def_property_readonly(
+            "offsets", [](py::object self) { return view_numpy(self.cast<const Paths&>().rows.offsets, self); },
+            "(P + 1,) uint32: points of path p are offsets[p] .. offsets[p + 1]")
+        .def_property_readonly("points_obj", array(&Paths::points_obj), "(N, 3) float32")
+        .def_property_readonly("edge", array(&Paths::edge), "(N,) uint32 edge the segment from this point lies on")
+        .def_property_readonly("edge_t", array(&Paths::edge_t), "(N,) float32, where on that edge the point is")
+        .def_property_readonly("kinds", array(&Paths::kinds), "(N,) uint16, registry bits of the segment from this point")
+        .def_property_readonly("strength", array(&Paths::strength), "(N,) float32 in [0, 1]")
+        .def_property_readonly("closed", array(&Paths::closed), "(P,) uint8; a closed path repeats its first point")
+        .def_property_readonly("ids", array(&Paths::id), "(P,) uint64, stable over frames for static lines")
+        .def_property_readonly("placement", array(&Paths::placement), "(P,) uint32")
+        .def_property_readonly("line_set", array(&Paths::line_set), "(P,) uint8")
+        .def("__len__", &Paths::count);
+
+    m.def(
+        "extract_paths",
+        [](const Tracer& tracer, const py::sequence& sets, const Cancel* cancel) {
+            const std::vector<LineSet> parsed = line_sets(sets);
+            const Cancel never;
+            py::gil_scoped_release release;
+            return std::make_shared<Paths>(
+                extract_paths(tracer.scene(), tracer.view(), parsed, tracer, cancel ? *cancel : never));
+        },
+        py::arg("tracer"), py::arg("line_sets"), py::arg("cancel") = py::none(),
+        R"(Paths of everything the line sets find. line_sets: list of ({definition: {parameter: value}},
+corner angle in degrees); an edge belongs to the first set that finds it.)");
+}
+
+}  // namespace fovea::bindings

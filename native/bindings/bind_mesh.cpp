@@ -1,0 +1,118 @@
+// Surfaces.
+#include <pybind11/stl.h>
+
+#include "base/hash.h"
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+#include "mesh/polygon_edges.h"
+#include "mesh/surface.h"
+
+namespace fovea::bindings {
+namespace {
+
+template <typename T>
+using Optional = std::optional<Arg<T>>;
+
+std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& positions,
+                                      const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
+                                      const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
+                                      const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
+                                      const Optional<int>& material, const Optional<std::uint8_t>& occluding,
+                                      const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
+                                      const Optional<std::uint8_t>& edge_marks) {
+    MeshArrays mesh;
+    mesh.positions = borrow<vec3>(positions, "positions");
+    mesh.edge_verts = borrow<glm::ivec2>(edge_verts, "edge_verts");
+    mesh.corner_verts = borrow<int>(corner_verts, "corner_verts");
+    mesh.corner_edges = borrow<int>(corner_edges, "corner_edges");
+    mesh.polygon_offsets = borrow<int>(polygon_offsets, "polygon_offsets");
+    mesh.ngon_triangles = borrow<glm::ivec3>(ngon_triangles, "ngon_triangles");
+    mesh.ngon_polygon = borrow<int>(ngon_polygon, "ngon_polygon");
+    mesh.material = borrow<int>(material, "material");
+    mesh.occluding = borrow<std::uint8_t>(occluding, "occluding");
+    mesh.sharp = borrow<std::uint8_t>(sharp_edges, "sharp_edges");
+    mesh.seam = borrow<std::uint8_t>(seams, "seams");
+    mesh.edge_mark = borrow<std::uint8_t>(edge_marks, "edge_marks");
+    py::gil_scoped_release release;
+    return std::make_shared<Surface>(name, mesh);
+}
+
+py::dict report(const Surface& surface) {
+    const SurfaceReport& r = surface.report();
+    py::dict counts;
+    counts["non_finite_vertices"] = r.non_finite_vertices;
+    counts["degenerate_polygons"] = r.degenerate_polygons;
+    counts["duplicate_polygons"] = r.duplicate_polygons;
+    counts["loose_edges"] = r.loose_edges;
+    counts["non_manifold_edges"] = r.non_manifold_edges;
+    counts["inconsistent_edges"] = r.inconsistent_edges;
+    return counts;
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& m) {
+    py::class_<Surface, std::shared_ptr<Surface>>(
+        m, "Surface", "A mesh with its edge table, facets and what is derived from them; see native/mesh/surface.h.")
+        .def(py::init(&make_surface), py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
+             py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
+             py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(),
+             py::arg("material") = py::none(), py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(),
+             py::arg("seams") = py::none(), py::arg("edge_marks") = py::none(),
+             R"(positions (V, 3) float32 in object space; edge_verts (E, 2), corner_verts (C,), corner_edges (C,),
+polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) vertices with ngon_polygon (T,) ascending:
+triangulation of polygons with more than four corners; material (F,) int32; occluding (F,), sharp_edges, seams,
+edge_marks (E,) bool. Raises ValueError, naming the object, where sizes or indices do not fit together.)")
+        .def(
+            "set_positions",
+            [](Surface& surface, const Arg<vec3>& positions) {
+                const In<vec3> moved = borrow<vec3>(positions, "positions");
+                py::gil_scoped_release release;
+                surface.set_positions(moved);
+            },
+            py::arg("positions"), "Moves the vertices, (V, 3) float32; the topology stays.")
+        .def_property_readonly("name", &Surface::name)
+        .def_property_readonly("version", &Surface::version, "Changes whenever the positions do.")
+        .def_property_readonly("report", &report, "Counts of what was skipped or looked wrong.")
+        .def_property_readonly("positions",
+                               [](py::object self) {
+                                   const auto& surface = self.cast<const Surface&>();
+                                   py::array all = view_numpy(surface.positions, self);
+                                   return py::object(all[py::slice(0, surface.vertex_count(), 1)]);
+                               })
+        .def_property_readonly(
+            "triangles", [](py::object self) { return view_numpy(self.cast<const Surface&>().triangles, self); },
+            "(T, 3) uint32 vertices; occluding ones first")
+        .def_property_readonly("triangle_facet", [](py::object self) {
+            return view_numpy(self.cast<const Surface&>().triangle_facet, self);
+        })
+        .def_property_readonly("occluding_triangles", [](const Surface& s) { return s.occluding_triangles; })
+        .def_property_readonly("edges",
+                               [](py::object self) { return view_numpy(self.cast<const Surface&>().edges, self); })
+        .def_property_readonly("mesh_edges", [](const Surface& s) { return s.mesh_edges; })
+        .def_property_readonly("facet_count", &Surface::facet_count)
+        .def_property_readonly("polygon_count", &Surface::polygon_count);
+
+    m.def(
+        "polygon_edges",
+        [](const Arg<int>& polygon_offsets, const Arg<int>& corner_verts) {
+            PolygonEdges edges = polygon_edges(borrow<int>(polygon_offsets, "polygon_offsets"),
+                                               borrow<int>(corner_verts, "corner_verts"));
+            return py::make_tuple(to_numpy(std::move(edges.edge_verts)), to_numpy(std::move(edges.corner_edges)));
+        },
+        py::arg("polygon_offsets"), py::arg("corner_verts"),
+        "The edges (E, 2) of polygons without an edge list, and per corner the edge to the next, both int32.");
+
+    m.def(
+        "content_hash",
+        [](const py::array& array) {
+            check(array.flags() & py::array::c_style, "content_hash: a contiguous array is needed");
+            const auto size = static_cast<std::size_t>(array.nbytes());
+            const void* data = array.data();
+            py::gil_scoped_release release;
+            return hash_bytes(data, size);
+        },
+        py::arg("array"), "64-bit hash of an array's bytes.");
+}
+
+}  // namespace fovea::bindings

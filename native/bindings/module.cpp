@@ -1,0 +1,12 @@
+// The Python module: surfaces, lines and stages as numpy arrays. It knows nothing of Blender.
+#include "bindings/bind.h"
+
+PYBIND11_MODULE(_native, m) {
+    using namespace fovea::bindings;
+    m.doc() = "Fovea's core: lines on surfaces, their visibility and strokes, as numpy arrays.";
+    bind_mesh(m);
+    bind_line(m);
+    bind_stages(m);
+    bind_sampled(m);
+    bind_stroke(m);
+}

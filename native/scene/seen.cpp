@@ -1,0 +1,43 @@
+#include "scene/seen.h"
+
+#include <algorithm>
+
+namespace fovea {
+namespace {
+
+template <typename Value>
+Array<float> per_pixel(const View& view, const Cancel& cancel, const Value& value) {
+    Array<float> image(std::size_t(view.width) * view.height);
+    parallel_blocks(view.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
+        cancel.poll();
+        for (int x = 0; x < view.width; ++x) image[y * view.width + x] = value(dvec2(x + 0.5, y + 0.5));
+    });
+    return image;
+}
+
+}  // namespace
+
+Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
+    return per_pixel(tracer.view(), cancel, [&](const dvec2& px) {
+        const auto hit = tracer.seen(px);
+        return hit ? hit->t : background_depth;
+    });
+}
+
+Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
+    const auto& placements = tracer.scene().placements;
+    if (std::none_of(placements.begin(), placements.end(), [](const Placement& p) { return p.usage & usage_holdout; }))
+        return {};
+    return per_pixel(tracer.view(), cancel, [&](const dvec2& px) {
+        // A rotated grid: no two samples share a row or a column.
+        static constexpr double offsets[4][2] = {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}};
+        int cut = 0;
+        for (const auto& offset : offsets) {
+            const auto hit = tracer.seen(px + dvec2(offset[0], offset[1]));
+            cut += hit && (placements[hit->placement].usage & usage_holdout);
+        }
+        return static_cast<float>(cut) / 4.0f;
+    });
+}
+
+}  // namespace fovea

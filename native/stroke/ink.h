@@ -1,0 +1,13 @@
+// Pen textures brought to the size at which a pen draws them.
+#pragma once
+
+#include "stroke/pen.h"
+
+namespace fovea {
+
+/// Area-filtered copy of a texture with at most one column per px of `length_px` and one row per px of `width_px`
+/// (at least one of each); never larger than the texture. Drawn with bilinear sampling it neither flickers nor
+/// loses ink: the mean stays the same. Throws where the texture is empty or its array has the wrong size.
+PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px);
+
+}  // namespace fovea
