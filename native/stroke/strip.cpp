@@ -11,6 +11,7 @@ constexpr double mitre_limit = -0.17;    // cosine of the sharpest mitred bend: 
 constexpr double reverse_limit = -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
 constexpr double round_error = 0.1;      // px between a round join and its polygon
 constexpr double fringe = 0.5;           // px added for antialiasing
+constexpr Index largest_group = 32;      // points that may share a corner
 
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 dvec2 left_of(dvec2 d) { return {-d.y, d.x}; }
@@ -93,6 +94,14 @@ private:
         return has_corner(g, side) ? g.corner : square(g.last, out_of(g.last), side);
     }
 
+    /// True where the corner is as far from all the segments that end in it as the side of the strip would be.
+    bool lies_beside(const Group& g, double side) const {
+        if (g.last - g.first > largest_group) return false;
+        for (Index i = g.first; i < g.last; ++i)
+            if (side * cross(directions_[i], g.corner - line_[i].px) < 0.8 * reach(i)) return false;
+        return true;
+    }
+
     /// Merges points until no segment between two groups runs backwards along this side.
     std::vector<Group> groups(double side) const {
         std::vector<Group> result;
@@ -106,7 +115,8 @@ private:
                 // The ends of a line stay where they are.
                 const bool start = a.first == 0, end = b.last + 1 == size_;
                 if (start || end) merged.corner = start ? corner_after(a, side) : corner_before(b, side);
-                merged.shared = a.shared && b.shared && (start || end ? start != end : merged.shared);
+                merged.shared = a.shared && b.shared && (start || end ? start != end : merged.shared) &&
+                                lies_beside(merged, side);
                 result.resize(result.size() - 2);
                 result.push_back(merged);
             }
