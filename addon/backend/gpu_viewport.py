@@ -1,0 +1,22 @@
+"""Shows a picture in the 3D viewport that Blender is drawing."""
+
+import gpu
+import numpy as np
+from gpu_extras.presets import draw_texture_2d
+
+
+class Picture:
+    """Scene-linear, premultiplied RGBA, (H, W, 4) float32, bottom row first, in a texture."""
+
+    def __init__(self, pixels):
+        height, width = pixels.shape[:2]
+        flat = np.ascontiguousarray(pixels, np.float32).ravel()
+        self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=gpu.types.Buffer("FLOAT", flat.size, flat))
+
+    def show(self, engine, scene):
+        """Fills the region, in the scene's display space."""
+        gpu.state.blend_set("ALPHA_PREMULT")
+        engine.bind_display_space_shader(scene)
+        draw_texture_2d(self._texture, (0, 0), self._texture.width, self._texture.height)
+        engine.unbind_display_space_shader()
+        gpu.state.blend_set("NONE")

@@ -1,0 +1,66 @@
+"""What materials mean for lines: which polygons share one, and which hide what lies behind them."""
+
+from dataclasses import dataclass
+
+SEE_THROUGH = {"BSDF_TRANSPARENT", "BSDF_GLASS", "BSDF_REFRACTION"}
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A material as a surface needs it."""
+
+    name: str  # "" for an empty slot
+    color: tuple = (0.8, 0.8, 0.8, 1.0)  # viewport display colour, scene-linear
+    hides: bool = True
+    holdout: bool = False
+
+
+def slots(obj, mesh, known):
+    """The slots of an evaluated object's mesh, object-linked ones included. `known`: dict reused for one frame."""
+    linked = {i: slot.material for i, slot in enumerate(obj.material_slots) if slot.link == "OBJECT"}
+    materials = [linked.get(i, material) for i, material in enumerate(mesh.materials)] or [linked.get(0)]
+    return tuple(_slot(material, known) for material in materials)
+
+
+def _slot(material, known):
+    if material is None:
+        return Slot("")
+    name = material.name_full
+    if name not in known:
+        shader = _surface_shader(material)
+        choice = material.fovea.occlusion
+        hides = choice == "ALWAYS" or (choice == "AUTOMATIC" and not _is_see_through(material, shader))
+        holdout = shader is not None and shader.bl_idname == "ShaderNodeHoldout"
+        known[name] = Slot(name, tuple(material.diffuse_color), hides, holdout)
+    return known[name]
+
+
+def _surface_shader(material):
+    """The shader node at the material's surface output, or None."""
+    output = material.node_tree.get_output_node("ALL") if material.use_nodes and material.node_tree else None
+    return _source(output.inputs["Surface"]) if output else None
+
+
+def _source(socket):
+    """The node that feeds a socket, reroutes skipped, or None."""
+    while socket.links:
+        node = socket.links[0].from_node
+        if node.type != "REROUTE":
+            return node
+        socket = node.inputs[0]
+    return None
+
+
+def _is_see_through(material, shader):
+    """Whether one would see things through it: transparent, alpha-clipped, or glass."""
+    if shader is None:
+        return material.diffuse_color[3] < 1.0
+    if shader.type in SEE_THROUGH:
+        return True
+    if shader.type == "BSDF_PRINCIPLED":
+        alpha, transmission = shader.inputs["Alpha"], shader.inputs["Transmission Weight"]
+        return bool(alpha.links) or alpha.default_value < 1.0 or transmission.default_value > 0.5
+    if shader.type in {"MIX_SHADER", "ADD_SHADER"}:
+        parts = (_source(socket) for socket in shader.inputs if socket.type == "SHADER")
+        return any(part is not None and _is_see_through(material, part) for part in parts)
+    return False

@@ -1,0 +1,128 @@
+"""Panels, made from the line registry, and Blender's own panels that make sense with this engine."""
+
+import bpy
+
+from .. import catalogue, native
+
+ENGINE = "FOVEA"
+# Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
+ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
+NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
+
+
+class _Panel:
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    COMPAT_ENGINES = {ENGINE}
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine in cls.COMPAT_ENGINES
+
+    def columns(self):
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = True
+        return self.layout
+
+
+class RENDER_PT_fovea(_Panel, bpy.types.Panel):
+    bl_label = "Line Drawing"
+    bl_context = "render"
+
+    def draw(self, context):
+        layout, settings = self.columns(), context.scene.fovea
+        try:
+            definitions = catalogue.definitions()
+        except native.Unavailable as error:
+            layout.label(text=str(error), icon="ERROR")
+            return
+        layout.prop(settings, "style")
+        _draw_lines(layout, settings, definitions)
+        _draw_pen(layout, settings)
+        header, body = layout.panel("fovea_paper")
+        header.label(text="Paper")
+        if body:
+            body.prop(settings, "paper_color")
+            body.prop(context.scene.render, "film_transparent", text="Transparent")
+        header, body = layout.panel("fovea_method", default_closed=True)
+        header.label(text="Method")
+        if body:
+            body.prop(settings, "backend")
+            body.prop(settings, "visibility")
+
+
+def _draw_lines(layout, settings, definitions):
+    header, body = layout.panel("fovea_lines")
+    header.label(text="Lines")
+    if not body:
+        return
+    for definition in definitions:
+        name = definition["name"]
+        body.prop(settings, name)
+        if getattr(settings, name):
+            for parameter in definition["parameters"]:
+                body.prop(settings, f"{name}_{parameter['name']}")
+    body.prop(settings, "corner_angle")
+
+
+def _draw_pen(layout, settings):
+    header, body = layout.panel("fovea_pen")
+    header.label(text="Pen")
+    if body:
+        for name in ("color", "opacity", "width", "texture", "length_scale", "cap", "taper"):
+            body.prop(settings, f"pen_{name}")
+
+
+class OBJECT_PT_fovea(_Panel, bpy.types.Panel):
+    bl_label = "Line Drawing"
+    bl_context = "object"
+
+    def draw(self, context):
+        layout = self.columns()
+        layout.prop(context.object.fovea, "usage", text="Usage")
+        layout.prop(context.object, "is_holdout")
+
+
+class MATERIAL_PT_fovea(_Panel, bpy.types.Panel):
+    bl_label = "Line Drawing"
+    bl_context = "material"
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and context.material is not None
+
+    def draw(self, context):
+        self.columns().prop(context.material.fovea, "occlusion")
+
+
+class VIEWLAYER_PT_fovea(_Panel, bpy.types.Panel):
+    bl_label = "Passes"
+    bl_context = "view_layer"
+
+    def draw(self, context):
+        self.columns().prop(context.view_layer, "use_pass_z", text="Depth")
+
+
+CLASSES = (RENDER_PT_fovea, OBJECT_PT_fovea, MATERIAL_PT_fovea, VIEWLAYER_PT_fovea)
+
+
+def _blender_panels():
+    """Blender's panels to show with this engine: those that every engine without own ones shows."""
+    for panel in bpy.types.Panel.__subclasses__():
+        engines = getattr(panel, "COMPAT_ENGINES", ())
+        if panel.__name__ in ALSO or ("BLENDER_RENDER" in engines and panel.__name__ not in NOT):
+            yield panel
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    for panel in _blender_panels():
+        panel.COMPAT_ENGINES.add(ENGINE)
+
+
+def unregister():
+    for panel in _blender_panels():
+        panel.COMPAT_ENGINES.discard(ENGINE)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

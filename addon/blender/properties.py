@@ -1,0 +1,221 @@
+"""Settings on scenes, objects and materials. Those of the lines are made from the native registry, which declares them.
+
+scene.fovea has, per line definition, a switch named as it and its parameters as `<definition>_<parameter>`; angles are
+stored in radians, as Blender shows them. Choosing a style fills all of them in; then they can be changed.
+"""
+
+import math
+import zlib
+from dataclasses import replace
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
+
+from .. import catalogue, native, style
+
+PEN = {"pen_opacity": "opacity", "pen_width": "width", "pen_length_scale": "length_scale", "pen_taper": "taper"}
+
+
+def definitions():
+    """The line definitions; none where the native module is missing, so that files keep their other settings."""
+    try:
+        return catalogue.definitions()
+    except native.Unavailable:
+        return ()
+
+
+def parameter_values(settings, definition):
+    """{parameter: value in the registry's unit} of one definition."""
+    values = {}
+    for parameter in definition["parameters"]:
+        value = float(getattr(settings, f"{definition['name']}_{parameter['name']}"))
+        values[parameter["name"]] = math.degrees(value) if parameter["unit"] == "degrees" else value
+    return values
+
+
+def style_of(scene):
+    """The Style a scene draws with.
+
+    The panel edits the last line set of the chosen style, which draws every line that is switched on; the sets before
+    it keep their pens and draw theirs first.
+    """
+    settings = scene.fovea
+    base = style.load(settings.style)
+    kinds = {d["name"]: parameter_values(settings, d) for d in definitions() if getattr(settings, d["name"])}
+    before = [
+        replace(line_set, kinds={name: kinds[name] for name in line_set.kinds if name in kinds})
+        for line_set in base.line_sets[:-1]
+    ]
+    pen = replace(
+        base.line_sets[-1].pen,
+        color=tuple(settings.pen_color),
+        texture=settings.pen_texture,
+        cap=settings.pen_cap.lower(),
+        **{field: getattr(settings, name) for name, field in PEN.items()},
+    )
+    last = replace(base.line_sets[-1], kinds=kinds, corner_angle=math.degrees(settings.corner_angle), pen=pen)
+    transparent = base.paper.transparent or scene.render.film_transparent
+    paper = style.Paper(tuple(settings.paper_color), transparent)
+    return style.Style(paper, tuple(s for s in before if s.kinds) + (last,))
+
+
+def apply_style(settings, name):
+    """Sets everything the panel shows to what the named style says."""
+    chosen = style.load(name, definitions() or None)
+    kinds = {kind: values for line_set in chosen.line_sets for kind, values in line_set.kinds.items()}
+    for definition in definitions():
+        setattr(settings, definition["name"], definition["name"] in kinds)
+        for parameter in definition["parameters"]:
+            value = kinds.get(definition["name"], {}).get(parameter["name"], parameter["default"])
+            setattr(settings, f"{definition['name']}_{parameter['name']}", _stored(value, parameter["unit"]))
+    last = chosen.line_sets[-1]
+    settings.corner_angle = math.radians(last.corner_angle)
+    settings.paper_color = chosen.paper.color
+    settings.pen_color = last.pen.color
+    settings.pen_texture = last.pen.texture
+    settings.pen_cap = last.pen.cap.upper()
+    for prop, field in PEN.items():
+        setattr(settings, prop, getattr(last.pen, field))
+
+
+def _stored(value, unit):
+    """A parameter's value as its property keeps it."""
+    if unit == "bool":
+        return bool(value)
+    return math.radians(value) if unit == "degrees" else value
+
+
+def _redraw(settings, _context):
+    # Properties of add-ons do not tag what they belong to.
+    settings.id_data.update_tag()
+
+
+def _style_chosen(settings, context):
+    apply_style(settings, settings.style)
+    _redraw(settings, context)
+
+
+def _names(names):
+    """Items of an enum over file names, numbered by name so that saved files survive new ones."""
+    return [(n, n.replace("_", " ").title(), "", "NONE", zlib.crc32(n.encode()) & 0x7FFFFFFF) for n in names]
+
+
+def _parameter_property(parameter):
+    text = {"name": parameter["label"], "description": parameter["meaning"], "update": _redraw}
+    if parameter["unit"] == "bool":
+        return BoolProperty(default=bool(parameter["default"]), **text)
+    low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
+    subtype = "ANGLE" if parameter["unit"] == "degrees" else "NONE"
+    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **text)
+
+
+def _line_properties(chosen):
+    """Annotations for the switches and parameters of all line definitions; on are those the default style has."""
+    on = {kind for line_set in chosen.line_sets for kind in line_set.kinds}
+    found = {}
+    for definition in definitions():
+        name = definition["name"]
+        text = {"name": definition["label"], "description": definition["description"]}
+        found[name] = BoolProperty(default=name in on, update=_redraw, **text)
+        for parameter in definition["parameters"]:
+            found[f"{name}_{parameter['name']}"] = _parameter_property(parameter)
+    return found
+
+
+def _number(name, field, pen, description):
+    low, high = style.RANGES[field]
+    return FloatProperty(
+        name=name, default=getattr(pen, field), min=low, max=high, description=description, update=_redraw
+    )
+
+
+def _pen_properties(pen):
+    caps = [("ROUND", "Round", "Half a disc beyond each end"), ("BUTT", "Butt", "Cut off straight at each end")]
+    return {
+        "pen_color": _color("Color", pen.color, "Colour of the strokes"),
+        "pen_opacity": _number("Opacity", "opacity", pen, "Opacity of the strokes"),
+        "pen_width": _number("Width", "width", pen, "Width in pixels of an image 1080 pixels high"),
+        "pen_texture": EnumProperty(
+            name="Texture", items=_names(style.textures()), default=pen.texture, update=_redraw
+        ),
+        "pen_length_scale": _number("Stretch", "length_scale", pen, "Stretches the texture along the stroke"),
+        "pen_cap": EnumProperty(name="Ends", items=caps, default=pen.cap.upper(), update=_redraw),
+        "pen_taper": _number("Taper", "taper", pen, "Length of the thinning ends, in pixels of an image 1080 high"),
+    }
+
+
+def _color(name, default, description):
+    return FloatVectorProperty(
+        name=name, subtype="COLOR", size=3, min=0.0, max=1.0, default=default, description=description, update=_redraw
+    )
+
+
+BACKENDS = [
+    ("AUTO", "Automatic", "GPU where it is hardware, else CPU"),
+    ("CPU", "CPU", "The same picture on every machine"),
+    ("GPU", "GPU", "OpenGL through Blender, in software if need be"),
+]
+VISIBILITY = [
+    ("AUTO", "Automatic", "Exact in renders and on software OpenGL, sampled in viewports"),
+    ("EXACT", "Exact", "Rays decide what is hidden"),
+    ("ATLAS", "Sampled", "A depth buffer decides what is hidden"),
+]
+USAGES = [
+    ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
+    ("OCCLUDE", "Occlude Only", "Hides what lies behind, has no lines"),
+    ("DRAW", "Draw Only", "Has lines and hides nothing"),
+    ("IGNORE", "Ignore", "Is not there"),
+]
+OCCLUSIONS = [
+    ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is transparent or glass"),
+    ("ALWAYS", "Always", "Hides what lies behind"),
+    ("NEVER", "Never", "Lines behind it show"),
+]
+
+
+def _group(name, annotations):
+    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": annotations, "__module__": __name__})
+
+
+def _scene_group():
+    chosen = style.load(style.DEFAULT, definitions() or None)
+    last = chosen.line_sets[-1]
+    annotations = {
+        "backend": EnumProperty(name="Device", items=BACKENDS, update=_redraw),
+        "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=_redraw),
+        "style": EnumProperty(name="Style", items=_names(style.names()), default=style.DEFAULT, update=_style_chosen),
+        "corner_angle": FloatProperty(
+            name="Corner Angle",
+            description="Strokes end where a path turns by more than this",
+            subtype="ANGLE",
+            default=math.radians(last.corner_angle),
+            min=0.0,
+            max=math.pi,
+            update=_redraw,
+        ),
+        "paper_color": _color("Paper", chosen.paper.color, "Colour of the paper"),
+    }
+    return _group("FoveaSceneSettings", {**annotations, **_pen_properties(last.pen), **_line_properties(chosen)})
+
+
+_registered = []  # (type that has the settings, group)
+
+
+def register():
+    usage = EnumProperty(name="Line Drawing", items=USAGES, update=_redraw)
+    occlusion = EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=_redraw)
+    _registered[:] = [
+        (bpy.types.Scene, _scene_group()),
+        (bpy.types.Object, _group("FoveaObjectSettings", {"usage": usage})),
+        (bpy.types.Material, _group("FoveaMaterialSettings", {"occlusion": occlusion})),
+    ]
+    for owner, group in _registered:
+        bpy.utils.register_class(group)
+        owner.fovea = PointerProperty(type=group)
+
+
+def unregister():
+    for owner, group in reversed(_registered):
+        del owner.fovea
+        bpy.utils.unregister_class(group)
+    _registered.clear()

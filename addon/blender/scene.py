@@ -1,0 +1,159 @@
+"""What Blender's evaluated scene holds for a drawing: one native surface per mesh, and where each is placed."""
+
+import hashlib
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from . import materials
+
+DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
+USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """A scene as the native side takes it; n placements of m surfaces."""
+
+    surfaces: list  # m native surfaces
+    slots: list  # m tuples of materials.Slot
+    surface_of_placement: np.ndarray  # (n,) int32
+    object_to_world: np.ndarray  # (n, 4, 4) float64
+    persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
+    usage: np.ndarray  # (n,) uint8, bits as above
+    objects: list  # n object names
+
+
+class _Gathering:
+    """Placements as they are met; one surface per evaluated mesh and choice of materials."""
+
+    def __init__(self, cache, depsgraph, viewport, with_marks):
+        self.cache, self.with_marks = cache, with_marks
+        self.layer, self.viewport = depsgraph.view_layer_eval, viewport
+        self.surfaces, self.slots = [], []
+        self.known_materials, self.known_usage, self.index_of = {}, {}, {}
+        self.rows, self.matrices = [], []  # (surface, id, usage, object name) and matrix, per placement
+
+    def usage(self, instance):
+        """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
+        obj = instance.object
+        owner = (instance.parent if instance.is_instance else None) or obj
+        identity = (obj.name_full, owner.name_full, instance.show_self)
+        if identity not in self.known_usage:
+            self.known_usage[identity] = self._usage(obj, owner) if instance.show_self else 0
+        return self.known_usage[identity]
+
+    def _usage(self, obj, owner):
+        usage = USAGE[obj.fovea.usage] & USAGE[owner.fovea.usage]
+        if not obj.visible_camera or owner.indirect_only_get(view_layer=self.layer):
+            return 0
+        if self.viewport is not None and not owner.visible_in_viewport_get(self.viewport):
+            return 0
+        holdout = obj.is_holdout or owner.holdout_get(view_layer=self.layer)
+        return OCCLUDE | HOLDOUT if holdout and usage & OCCLUDE else usage
+
+    def surface_index(self, obj, mesh):
+        # Meshes stay where they are while one depsgraph is walked over, so here a pointer may name one (but not one
+        # that is thrown away at once). The object counts because it may bring its own materials.
+        place = obj.name_full if obj.mode == "EDIT" else mesh.as_pointer()
+        met = (place, obj.name_full)
+        if met not in self.index_of:
+            slots = materials.slots(obj, mesh, self.known_materials)
+            shared = (place, slots)
+            if shared not in self.index_of:
+                self.index_of[shared] = len(self.surfaces)
+                key = (obj.name_full, mesh.name_full, slots)
+                surface = self.cache.surface(key, obj.name, mesh, slots, with_marks=self.with_marks)
+                self.surfaces.append(surface)
+                self.slots.append(slots)
+            self.index_of[met] = self.index_of[shared]
+        return self.index_of[met]
+
+    def add(self, obj, mesh, instance, usage):
+        """One placement of an evaluated mesh."""
+        if not len(mesh.edges):
+            return
+        index = self.surface_index(obj, mesh)
+        slots = self.slots[index]
+        if usage & OCCLUDE and all(slot.holdout for slot in slots):
+            usage = OCCLUDE | HOLDOUT
+        self.rows.append((index, _persistent_id(obj, instance), usage, obj.name))
+        # Rows are copied here: the instance is gone at the next step.
+        self.matrices.append([tuple(row) for row in instance.matrix_world])
+
+    def snapshot(self):
+        surface, ids, usage, objects = zip(*self.rows) if self.rows else ((), (), (), ())
+        return Snapshot(
+            self.surfaces,
+            self.slots,
+            np.array(surface, np.int32),
+            np.array(self.matrices, np.float64).reshape(-1, 4, 4),
+            np.array(ids, np.uint64),
+            np.array(usage, np.uint8),
+            list(objects),
+        )
+
+
+def gather(depsgraph, cache, *, with_marks=True, viewport=None):
+    """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render.
+
+    Curves, text, surfaces and metaballs come as the meshes Blender makes of them. Objects and collections that are
+    hidden are not among the depsgraph's instances.
+    """
+    gathering = _Gathering(cache, depsgraph, viewport, with_marks)
+    cache.begin()
+    for instance in depsgraph.object_instances:
+        obj = instance.object
+        # What Blender converts to a mesh appears twice, as itself and as the mesh.
+        if not isinstance(obj.data, bpy.types.Mesh):
+            continue
+        usage = gathering.usage(instance)
+        if usage and obj.mode == "EDIT":
+            # Its arrays are empty until Blender is asked for them.
+            gathering.add(obj, obj.to_mesh(), instance, usage)
+            obj.to_mesh_clear()
+        elif usage:
+            gathering.add(obj, obj.data, instance, usage)
+    cache.end(len(depsgraph.scene.view_layers))
+    return gathering.snapshot()
+
+
+def placed(core, snapshot):
+    """The native Scene of a Snapshot."""
+    return core.Scene(
+        snapshot.surfaces,
+        snapshot.surface_of_placement,
+        snapshot.object_to_world,
+        snapshot.persistent_id,
+        snapshot.usage,
+    )
+
+
+def seen(core, view):
+    """The native View of a stages.View."""
+    return core.View(
+        view.world_to_view,
+        view.view_to_clip,
+        view.width,
+        view.height,
+        view.orthographic,
+        view.near_clip,
+        view.far_clip,
+        view.reference_scale,
+    )
+
+
+def has_anything(scene):
+    """Whether some object of the scene, hidden or not, could ever have lines."""
+    kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD"}
+    return any(obj.type in kinds or obj.instance_type != "NONE" for obj in scene.objects)
+
+
+def _persistent_id(obj, instance):
+    """64 bits from names and Blender's persistent ids, which do not change from frame to frame."""
+    text = obj.name_full
+    if instance.is_instance:
+        parent = instance.parent.name_full if instance.parent else ""
+        text = f"{parent}\0{text}\0{tuple(instance.persistent_id)}"
+    return int.from_bytes(hashlib.blake2b(text.encode(), digest_size=8).digest(), "little")

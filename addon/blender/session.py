@@ -1,0 +1,184 @@
+"""Renders and viewport redraws: what is kept between them, and what the user hears when one cannot be drawn.
+
+Surfaces are kept per kind of depsgraph (final renders and viewports may hold different meshes and run side by side) and
+told apart by content. A viewport's picture is kept until its view changes or Blender reports an update.
+"""
+
+import logging
+import threading
+import time
+from contextlib import contextmanager
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from .. import native, pipeline, style
+from ..backend import gpu_viewport
+from . import camera, properties, scene, surfaces
+from .problem import CannotDraw
+
+_log = logging.getLogger(__package__)
+_caches = {}  # depsgraph mode -> SurfaceCache
+_statistics = {}
+
+
+def last_statistics():
+    """Of the last picture: stages {name: ms}, strokes, triangles, and lines_s, the seconds from Blender's evaluated
+    meshes (reading them and building what rays need included) to visible runs."""
+    return dict(_statistics)
+
+
+def register_passes(engine, scene_, layer):
+    engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
+    engine.register_pass(scene_, layer, "Lines", 4, "RGBA", "COLOR")
+    if layer.use_pass_z:
+        engine.register_pass(scene_, layer, "Depth", 1, "Z", "VALUE")
+
+
+def render(engine, depsgraph):
+    """Draws one view layer of a final render. Without a result Blender writes no file."""
+    with _reported(lambda message: engine.report({"ERROR"}, message)):
+        view = camera.of_render(engine, depsgraph)
+        image = _draw(engine, depsgraph, view)
+        if image is not None:
+            _hand_over(engine, depsgraph.view_layer, image)
+
+
+def view_update(engine):
+    """Something in the scene changed."""
+    engine.drawing = None
+
+
+def view_draw(engine, context, depsgraph):
+    """Draws a viewport, at once and in full."""
+    with _reported(lambda message: engine.update_stats("Fovea", message)):
+        view = camera.of_region(context, depsgraph)
+        seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
+        if engine.drawing is None or engine.drawing[0] != seen:
+            image = _draw(engine, depsgraph, view, context.space_data)
+            engine.drawing = (seen, gpu_viewport.Picture(image.combined))
+            engine.update_stats("", "")
+        engine.drawing[1].show(engine, depsgraph.scene)
+
+
+@contextmanager
+def _reported(tell):
+    """Turns what goes wrong into one sentence for the user."""
+    try:
+        yield
+    except (CannotDraw, native.Unavailable, style.StyleError) as problem:
+        tell(str(problem))
+    except Exception as error:
+        _log.exception("drawing failed")
+        tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
+
+
+def _draw(engine, depsgraph, view, viewport=None):
+    """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
+    core, settings = native.load(), depsgraph.scene.fovea
+    chosen = properties.style_of(depsgraph.scene)
+    start = time.perf_counter()
+    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
+    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport)
+    if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
+        raise CannotDraw("The scene is empty: there is nothing that has lines")
+    placed = scene.placed(core, snapshot)
+    ingest = time.perf_counter() - start
+
+    _report_skipped(engine, cache.rebuilt)
+    cancel = core.Cancel()
+    with _watched(engine, cancel):
+        image = pipeline.draw(
+            placed,
+            scene.seen(core, view),
+            chosen,
+            _backend(settings, viewport is not None),
+            progress=lambda share, text: _progress(engine, share, text),
+            cancel=cancel,
+        )
+    _note_statistics(ingest, snapshot, image)
+    return image
+
+
+@contextmanager
+def _watched(engine, cancel):
+    """Stops what runs natively soon after the user asks for it."""
+    done = threading.Event()
+
+    def watch():
+        while not done.wait(0.05):
+            if engine.test_break():
+                cancel.cancel()
+                return
+
+    thread = threading.Thread(target=watch, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        done.set()
+        thread.join()
+
+
+def _progress(engine, share, text):
+    engine.update_progress(share)
+    engine.update_stats("Fovea", text)
+
+
+def _backend(settings, in_viewport):
+    return None
+
+
+def _report_skipped(engine, built):
+    """Says once per mesh what of it was left out or looks wrong."""
+    for surface in built:
+        counts = [f"{count} {what.replace('_', ' ')}" for what, count in surface.report.items() if count]
+        if counts:
+            engine.report({"INFO"}, f"'{surface.name}': {', '.join(counts)}")
+
+
+def _note_statistics(ingest, snapshot, image):
+    """Keeps what `last_statistics` tells."""
+    stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
+    names = list(stages)
+    until_runs = names[: names.index("visibility") + 1]
+    _statistics.clear()
+    _statistics.update(
+        stages=stages,
+        strokes=image.statistics["strokes"],
+        triangles=sum(len(snapshot.surfaces[i].triangles) for i in snapshot.surface_of_placement),
+        lines_s=sum(stages[name] for name in until_runs) / 1000,
+    )
+
+
+def _hand_over(engine, layer, image):
+    """Gives the passes of one view layer to Blender."""
+    passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
+    engine.add_pass("Lines", 4, "RGBA", layer=layer.name)
+    if layer.use_pass_z:
+        engine.add_pass("Depth", 1, "Z", layer=layer.name)
+    height, width = image.combined.shape[:2]
+    result = engine.begin_result(0, 0, width, height, layer=layer.name)
+    for render_pass in result.layers[0].passes:
+        pixels = passes.get(render_pass.name)
+        if pixels is not None:
+            render_pass.rect.foreach_set(np.ascontiguousarray(pixels, np.float32).ravel())
+    engine.end_result(result)
+
+
+@persistent
+def _forget(*_arguments):
+    """Another file: nothing that is kept belongs to it."""
+    _caches.clear()
+    _statistics.clear()
+
+
+def register():
+    bpy.app.handlers.load_pre.append(_forget)
+
+
+def unregister():
+    bpy.app.handlers.load_pre.remove(_forget)
+    _forget()

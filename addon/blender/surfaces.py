@@ -1,0 +1,82 @@
+"""Native surfaces of meshes, kept from frame to frame and told apart by content: never by a pointer or an update flag."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import mesh_arrays
+
+
+@dataclass
+class _Entry:
+    surface: object
+    topology: tuple  # content hashes of everything but the positions
+    positions: int
+    ngons: tuple
+    age: int = 0  # passes since it was last asked for
+
+
+class SurfaceCache:
+    """Surfaces by a key that names where a mesh comes from; the content decides whether one is still good."""
+
+    def __init__(self, core):
+        self._core = core  # the native module
+        self._entries = {}
+        self._asked = {}  # how often each key came up in this pass
+        self._buffers = mesh_arrays.Buffers()
+        self.rebuilt = []  # surfaces built in this pass
+        self.moved = []  # surfaces whose positions changed in this pass
+
+    def begin(self):
+        """Starts a pass over a depsgraph."""
+        self._asked, self.rebuilt, self.moved = {}, [], []
+        for entry in self._entries.values():
+            entry.age += 1
+
+    def end(self, kept_passes):
+        """Ends it: lets go of surfaces that none of the last `kept_passes` passes asked for."""
+        self._entries = {key: entry for key, entry in self._entries.items() if entry.age < kept_passes}
+
+    def surface(self, key, name, mesh, slots, *, with_marks):
+        """The native surface of an evaluated mesh. `slots`: its materials; `name` is for messages."""
+        ordinal = self._asked[key] = self._asked.get(key, 0) + 1
+        arrays = mesh_arrays.read(mesh, self._buffers, with_marks=with_marks)
+        material, occluding = _per_polygon(arrays, slots)
+        static = (arrays.edge_verts, arrays.corner_verts, arrays.corner_edges, arrays.polygon_offsets)
+        static += (material, occluding, arrays.sharp_edges, arrays.seams, arrays.edge_marks)
+        topology = (len(arrays.positions), *(self._hash(array) for array in static))
+        positions = self._hash(arrays.positions)
+
+        entry = self._entries.get((key, ordinal))
+        if entry is None or (entry.topology, entry.positions) != (topology, positions):
+            triangles, polygon = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
+            ngons = (self._hash(triangles), self._hash(polygon))
+            if entry is not None and (entry.topology, entry.ngons) == (topology, ngons):
+                entry.surface.set_positions(arrays.positions)
+                entry.positions = positions
+                self.moved.append(entry.surface)
+            else:
+                head = (name, arrays.positions, *static[:4], triangles, polygon)
+                entry = _Entry(self._core.Surface(*head, *static[4:]), topology, positions, ngons)
+                self._entries[key, ordinal] = entry
+                self.rebuilt.append(entry.surface)
+        entry.age = 0
+        return entry.surface
+
+    def _hash(self, array):
+        return 0 if array is None else self._core.content_hash(array)
+
+
+def _per_polygon(arrays, slots):
+    """(F,) int32 material and (F,) bool whether it hides what lies behind; None where all polygons are alike.
+
+    Slots that hold the same material count as one.
+    """
+    names = [slot.name for slot in slots]
+    if arrays.material is None or len(slots) == 1:
+        return None, None if slots[0].hides else np.zeros(len(arrays.polygon_offsets) - 1, np.bool_)
+    slot = np.clip(arrays.material, 0, len(slots) - 1)
+    material = np.array([names.index(name) for name in names], np.int32)[slot]
+    if all(s.hides for s in slots):
+        return material, None
+    return material, np.array([s.hides for s in slots], np.bool_)[slot]
