@@ -192,30 +192,47 @@ void check_mesh(const DepthMesh& mesh, std::size_t number) {
 
 }  // namespace
 
-dmat4 view_to_depth_clip(const View& view) {
+DepthBuffer depth_layout(const View& view, const DepthOptions& options) {
+    check(view.width > 0 && view.height > 0, "depth buffer: the image is empty");
+    check(options.scale >= 1, "depth buffer: scale must be at least 1");
+    check(options.margin >= 0.0, "depth buffer: margin must not be negative");
+    DepthBuffer layout;
+    layout.scale = options.scale;
+    layout.border_x = static_cast<int>(std::ceil(0.5 * options.margin * view.width));
+    layout.border_y = static_cast<int>(std::ceil(0.5 * options.margin * view.height));
+    layout.width = (view.width + 2 * layout.border_x) * options.scale;
+    layout.height = (view.height + 2 * layout.border_y) * options.scale;
+    return layout;
+}
+
+dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout) {
     dmat4 matrix = view.view_to_clip;
     const double range = view.far_clip - view.near_clip;
     // Third row: depth times w. Perspective: near / -z times -z. Orthographic: (far + z) / (far - near).
     const dvec4 row = view.orthographic ? dvec4(0.0, 0.0, 1.0 / range, view.far_clip / range)
                                         : dvec4(0.0, 0.0, 0.0, view.near_clip);
-    for (int column = 0; column < 4; ++column) matrix[column][2] = row[column];
+    for (int column = 0; column < 4; ++column) {
+        matrix[column].x *= double(view.width) * layout.scale / layout.width;
+        matrix[column].y *= double(view.height) * layout.scale / layout.height;
+        matrix[column].z = row[column];
+    }
     return matrix;
 }
 
-std::vector<Occluder> occluders(const Scene& scene, const View& view) {
+std::vector<Occluder> occluders(const Scene& scene, const View& view, double margin) {
     std::vector<Occluder> result;
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
         if ((placement.usage & usage_occlude) && placement.surface->occluding_triangles > 0 &&
-            in_frame(placement, view, 0.0))
+            in_frame(placement, view, margin))
             result.push_back({i, view.world_to_view * placement.object_to_world});
     }
     return result;
 }
 
-std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view) {
+std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin) {
     std::vector<DepthMesh> meshes;
-    for (const Occluder& occluder : occluders(scene, view)) {
+    for (const Occluder& occluder : occluders(scene, view, margin)) {
         const Surface& surface = *scene.placements[occluder.placement].surface;
         meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
                           In<Index>(surface.triangle_facet).first(surface.occluding_triangles),
@@ -224,16 +241,14 @@ std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view) {
     return meshes;
 }
 
-DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, int scale, const Cancel* cancel) {
-    check(view.width > 0 && view.height > 0, "depth buffer: the image is empty");
-    check(scale >= 1, "depth buffer: scale must be at least 1");
-    DepthBuffer buffer{scale, view.width * scale, view.height * scale, {}};
+DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, const DepthOptions& options, const Cancel* cancel) {
+    for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
+    DepthBuffer buffer = depth_layout(view, options);
     buffer.texels.resize(std::size_t(buffer.width) * buffer.height);
     parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
         std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());
     });
-    for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
-    const Target target{buffer.width, buffer.height, view_to_depth_clip(view)};
+    const Target target{buffer.width, buffer.height, view_to_depth_clip(view, buffer)};
     const std::vector<Block> blocks = divide(meshes);
     // Groups bound the memory; their order, and the order inside, is that of the input.
     for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {

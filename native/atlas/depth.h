@@ -28,15 +28,34 @@ struct DepthTexel {
     Index facet = none;  ///< number over the whole scene; `none`: background
 };
 
-/// Texels of a view drawn at `scale` times its resolution; rows from bottom to top. The centre of texel (x, y) lies at
-/// ((x + .5) / scale, (y + .5) / scale) pixels.
+/// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels around the frame; rows
+/// from bottom to top. The centre of texel (x, y) lies at ((x + .5) / scale - border_x, (y + .5) / scale - border_y)
+/// pixels.
 struct DepthBuffer {
     int scale = 1;
+    int border_x = 0, border_y = 0;
     int width = 0, height = 0;  ///< texels
     Array<DepthTexel> texels;
 
     const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
+    /// Texels of a pixel position: (.5, .5) is the centre of texel (0, 0).
+    vec2 to_texels(vec2 px) const { return (px + vec2(border_x, border_y)) * float(scale); }
 };
+
+/// How a view's depth buffer is laid out.
+struct DepthOptions {
+    int scale = 2;
+    /// Room around the frame, as a share of its half size: as far as paths are clipped.
+    double margin = 0.1;
+};
+
+/// Size and border of a view's depth buffer, without texels. Throws std::invalid_argument on an empty image, a scale
+/// below 1 or a negative margin.
+DepthBuffer depth_layout(const View& view, const DepthOptions& options);
+
+/// Maps homogeneous view-space points to (x w, y w, depth w, w), x and y in [-1, 1] over the buffer: clip space whose
+/// third coordinate is the depth above. The GPU's depth pass uses the same matrix.
+dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout);
 
 /// A placement that hides lines in a view.
 struct Occluder {
@@ -44,19 +63,16 @@ struct Occluder {
     dmat4 object_to_view;
 };
 
-/// Placements with occluding triangles in the frame.
-std::vector<Occluder> occluders(const Scene& scene, const View& view);
+/// Placements with occluding triangles in the frame widened by `margin`.
+std::vector<Occluder> occluders(const Scene& scene, const View& view, double margin);
 
 /// Their triangles, borrowed from the scene.
-std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view);
+std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
 /// Draws both sides of all triangles. What lies nearer than the near plane is cut off; the far plane cuts nothing off.
 /// At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not finite
-/// leave no trace. Throws std::invalid_argument on an empty image, a scale below 1 or indices out of range.
-DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, int scale, const Cancel* cancel = nullptr);
-
-/// Maps homogeneous view-space points to (x w, y w, depth w, w), x and y in [-1, 1] over the image: clip space whose
-/// third coordinate is the depth above. The GPU's depth pass uses the same matrix.
-dmat4 view_to_depth_clip(const View& view);
+/// leave no trace. Throws std::invalid_argument on indices out of range, and as depth_layout.
+DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, const DepthOptions& options,
+                       const Cancel* cancel = nullptr);
 
 }  // namespace fovea

@@ -34,14 +34,14 @@ struct Looker {
         const DepthTexel& texel =
             buffer.at(std::clamp(x, 0, buffer.width - 1), std::clamp(y, 0, buffer.height - 1));
         if (texel.facet == none || texel.facet == line.facet0 || texel.facet == line.facet1) return false;
-        const vec2 away = px - (vec2(x, y) + 0.5f) / float(buffer.scale);
+        const vec2 away = (buffer.to_texels(px) - (vec2(x, y) + 0.5f)) / float(buffer.scale);
         const float surface = texel.depth + texel.ddx * away.x + texel.ddy * away.y;
         const float slack = options.slack_px * (std::abs(texel.ddx) + std::abs(texel.ddy));
         return depth < surface - slack - options.bias * texel.depth;
     }
 
     bool sees(const Line& line, vec2 px, float depth) const {
-        const vec2 corner = glm::floor(px * float(buffer.scale) - 0.5f);
+        const vec2 corner = glm::floor(buffer.to_texels(px) - 0.5f);
         const int x = int(corner.x), y = int(corner.y);
         return !(hides(x, y, line, px, depth) && hides(x + 1, y, line, px, depth) &&
                  hides(x, y + 1, line, px, depth) && hides(x + 1, y + 1, line, px, depth));

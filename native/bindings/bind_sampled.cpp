@@ -27,10 +27,10 @@ py::tuple depth_corners(const Surface& surface) {
 
 /// What the depth pass draws: (key of the surface's content, placement, 16 numbers of object_to_depth_clip by
 /// columns, facet_base) each, in drawing order.
-py::list depth_draws(const Scene& scene, const View& view) {
+py::list depth_draws(const Scene& scene, const View& view, const DepthBuffer& layout) {
     py::list draws;
-    const dmat4 to_clip = view_to_depth_clip(view);
-    for (const Occluder& occluder : occluders(scene, view)) {
+    const dmat4 to_clip = view_to_depth_clip(view, layout);
+    for (const Occluder& occluder : occluders(scene, view, DepthOptions().margin)) {
         const mat4 matrix(to_clip * occluder.object_to_view);
         py::array_t<float> columns(16, glm::value_ptr(matrix));
         draws.append(py::make_tuple(scene.placements[occluder.placement].surface->version(), occluder.placement,
@@ -71,17 +71,24 @@ void bind_sampled(py::module_& m) {
     PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet);
     py::class_<DepthBuffer>(m, "DepthBuffer", "The nearest surface at every texel.")
         .def_readonly("scale", &DepthBuffer::scale)
+        .def_readonly("border_x", &DepthBuffer::border_x)
+        .def_readonly("border_y", &DepthBuffer::border_y)
+        .def_readonly("width", &DepthBuffer::width)
+        .def_readonly("height", &DepthBuffer::height)
         .def_property_readonly("texels", [](py::object self) {
             const auto& buffer = self.cast<const DepthBuffer&>();
             return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
         }, "(height, width) records depth, ddx, ddy, facet; bottom row first.");
     m.def("draw_depth", [](const Scene& scene, const View& view, int scale) {
         py::gil_scoped_release release;
-        return draw_depth(view, depth_meshes(scene, view), scale);
+        const DepthOptions options{.scale = scale};
+        return draw_depth(view, depth_meshes(scene, view, options.margin), options);
     }, py::arg("scene"), py::arg("view"), py::arg("scale") = 2);
+    m.def("depth_layout", [](const View& view, int scale) { return depth_layout(view, {.scale = scale}); },
+          py::arg("view"), py::arg("scale") = 2, "A DepthBuffer without texels.");
     m.def("sampled_visibility", &sampled, py::arg("clipped"), py::arg("depth_buffer"), py::arg("probes") = 1,
           "(samples,) float32 in [0, 1].");
-    m.def("depth_draws", &depth_draws, py::arg("scene"), py::arg("view"));
+    m.def("depth_draws", &depth_draws, py::arg("scene"), py::arg("view"), py::arg("layout"));
     m.def("depth_corners", [](const Scene& scene, Index placement) {
         return depth_corners(*scene.placements.at(placement).surface);
     }, py::arg("scene"), py::arg("placement"), "(positions (3 T, 3) float32, facets (3 T,) uint32).");

@@ -93,25 +93,30 @@ usage (n,) uint8, bits DRAW, OCCLUDE, HOLDOUT.)")
              }),
              py::arg("scene"), py::arg("view"), py::keep_alive<1, 2>())
         .def_property_readonly("view", &Tracer::view, py::return_value_policy::reference_internal);
-    const Cancel* never = nullptr;
     m.def(
         "depth_image",
         [](const Tracer& tracer, const Cancel* cancel) {
-            py::gil_scoped_release release;
-            Array<float> values = depth_image(tracer, cancel ? *cancel : Cancel());
-            py::gil_scoped_acquire acquire;
+            const Cancel never;
+            Array<float> values;
+            {
+                py::gil_scoped_release release;
+                values = depth_image(tracer, cancel ? *cancel : never);
+            }
             return image(std::move(values), tracer.view());
         },
-        py::arg("tracer"), py::arg("cancel") = never, "(H, W) float32 distance along the view, 1e10 where nothing is seen.");
+        py::arg("tracer"), py::arg("cancel") = py::none(), "(H, W) float32 distance along the view, 1e10 where nothing is seen.");
     m.def(
         "holdout_image",
         [](const Tracer& tracer, const Cancel* cancel) {
-            py::gil_scoped_release release;
-            Array<float> values = holdout_image(tracer, cancel ? *cancel : Cancel());
-            py::gil_scoped_acquire acquire;
+            const Cancel never;
+            Array<float> values;
+            {
+                py::gil_scoped_release release;
+                values = holdout_image(tracer, cancel ? *cancel : never);
+            }
             return image(std::move(values), tracer.view());
         },
-        py::arg("tracer"), py::arg("cancel") = never,
+        py::arg("tracer"), py::arg("cancel") = py::none(),
         "(H, W) float32 share of each pixel that holdouts cut out; shape (0, 0) when there are none.");
 }
 

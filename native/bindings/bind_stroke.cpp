@@ -7,14 +7,16 @@
 #include "stroke/ink.h"
 #include "stroke/raster.h"
 #include "stroke/tessellate.h"
+#include "stroke/texture_file.h"
 
 namespace fovea::bindings {
 namespace {
 
 using Image = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px, float texture_length_px,
-             const std::string& cap, float taper_px, std::optional<Index> texture) {
+Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
+             float texture_length_px, const std::string& cap, float taper_px,
+             std::optional<Index> texture) {
     check(cap == "round" || cap == "butt", "pen: cap must be 'round' or 'butt', not '" + cap + "'");
     check(width_px > 0.0f, "pen: the width must be positive");
     check(texture_length_px > 0.0f, "pen: the length of the texture must be positive");
@@ -31,7 +33,8 @@ Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px, f
 
 PenTexture make_texture(const Image& ink) {
     check(ink.ndim() == 2 && ink.size() > 0, "pen texture: expected ink of shape (rows, columns)");
-    return {int(ink.shape(1)), int(ink.shape(0)), Array<float>(ink.data(), ink.data() + ink.size())};
+    return {int(ink.shape(1)), int(ink.shape(0)),
+            Array<float>(ink.data(), ink.data() + ink.size())};
 }
 
 py::array ink_of(PenTexture&& texture) {
@@ -45,8 +48,8 @@ Array<T> copy(const Arg<T>& array, const char* name) {
 }
 
 Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width,
-                     const Arg<float>& opacity, const Arg<Index>& pen, const Arg<glm::uvec3>& triangles,
-                     Index count) {
+                     const Arg<float>& opacity, const Arg<Index>& pen,
+                     const Arg<glm::uvec3>& triangles, Index count) {
     return {copy<vec2>(px, "px"),
             copy<vec4>(arc, "arc"),
             copy<float>(half_width, "half_width"),
@@ -56,8 +59,8 @@ Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>
             count};
 }
 
-py::array draw(const Strokes& strokes, const std::vector<Pen>& pens, const std::vector<PenTexture>& textures,
-               int width, int height) {
+py::array draw(const Strokes& strokes, const std::vector<Pen>& pens,
+               const std::vector<PenTexture>& textures, int width, int height) {
     Array<vec4> image;
     {
         py::gil_scoped_release release;
@@ -66,12 +69,13 @@ py::array draw(const Strokes& strokes, const std::vector<Pen>& pens, const std::
     return to_numpy(std::move(image)).reshape({height, width, 4});
 }
 
-py::array compose_image(const Image& lines, const std::array<float, 3>& paper, bool film_transparent,
-                        const std::optional<Image>& holdout) {
+py::array compose_image(const Image& lines, const std::array<float, 3>& paper,
+                        bool film_transparent, const std::optional<Image>& holdout) {
     check(lines.ndim() == 3 && lines.shape(2) == 4, "lines: expected shape (height, width, 4)");
     const auto count = std::size_t(lines.shape(0) * lines.shape(1));
     const In<vec4> pixels(reinterpret_cast<const vec4*>(lines.data()), count);
-    const In<float> mask = holdout ? In<float>(holdout->data(), std::size_t(holdout->size())) : In<float>{};
+    const In<float> mask =
+        holdout ? In<float>(holdout->data(), std::size_t(holdout->size())) : In<float>{};
     Array<vec4> out;
     {
         py::gil_scoped_release release;
@@ -83,7 +87,8 @@ py::array compose_image(const Image& lines, const std::array<float, 3>& paper, b
 void bind_pens(py::module_& m) {
     const Pen pen;
     py::class_<Pen>(m, "Pen", "How a stroke looks; lengths in pixels of the image.")
-        .def(py::init(&make_pen), py::kw_only(), py::arg("color") = std::array<float, 3>{0.0f, 0.0f, 0.0f},
+        .def(py::init(&make_pen), py::kw_only(),
+             py::arg("color") = std::array<float, 3>{0.0f, 0.0f, 0.0f},
              py::arg("opacity") = pen.opacity, py::arg("width_px") = pen.width_px,
              py::arg("texture_length_px") = pen.texture_length_px, py::arg("cap") = "round",
              py::arg("taper_px") = pen.taper_px, py::arg("texture") = py::none(),
@@ -91,29 +96,36 @@ void bind_pens(py::module_& m) {
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
         .def(py::init(&make_texture), py::arg("ink"),
              "(rows, columns) float32 in [0, 1]; first row: left side of the way.");
+    m.def("read_texture", &read_texture, py::arg("path"), "A PenTexture from a PNG; white is full ink.");
     m.def(
         "fit_texture",
         [](const PenTexture& texture, float length_px, float width_px) {
             return ink_of(fit_texture(texture, length_px, width_px));
         },
         py::arg("texture"), py::arg("length_px"), py::arg("width_px"),
-        "(rows, columns) float32 ink, area-filtered to at most one texel per pixel: what a pen of this width draws.");
+        "(rows, columns) float32 ink, area-filtered to at most one texel per pixel: what a pen of "
+        "this width draws.");
 }
 
 void bind_strokes(py::module_& m) {
     const auto array = [](auto member) {
-        return [member](py::object self) { return view_numpy(self.cast<const Strokes&>().*member, self); };
+        return [member](py::object self) {
+            return view_numpy(self.cast<const Strokes&>().*member, self);
+        };
     };
     py::class_<Strokes, std::shared_ptr<Strokes>>(
         m, "Strokes", "Visible runs shaped into V vertices and T triangles; see addon/stages.py.")
-        .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"), py::arg("opacity"),
-             py::arg("pen"), py::arg("triangles"), py::arg("count") = 0)
+        .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"),
+             py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0)
         .def_property_readonly("px", array(&Strokes::px), "(V, 2) float32")
-        .def_property_readonly("arc", array(&Strokes::arc), "(V, 4) float32: u, v, u of the run's start and end")
+        .def_property_readonly("arc", array(&Strokes::arc),
+                               "(V, 4) float32: u, v, u of the run's start and end")
         .def_property_readonly("half_width", array(&Strokes::half_width), "(V,) float32")
         .def_property_readonly("opacity", array(&Strokes::opacity), "(V,) float32")
-        .def_property_readonly("pen", array(&Strokes::pen), "(V,) uint32 index into the frame's pens")
-        .def_property_readonly("triangles", array(&Strokes::triangles), "(T, 3) uint32, in drawing order")
+        .def_property_readonly("pen", array(&Strokes::pen),
+                               "(V,) uint32 index into the frame's pens")
+        .def_property_readonly("triangles", array(&Strokes::triangles),
+                               "(T, 3) uint32, in drawing order")
         .def_readonly("count", &Strokes::count, "strokes")
         .def("__len__", [](const Strokes& s) { return s.count; });
 }
@@ -132,14 +144,17 @@ void bind_stroke(py::module_& m) {
             py::gil_scoped_release release;
             return std::make_shared<Strokes>(tessellate(clipped, runs, pen, per_point, pens));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("pen_of_path"), py::arg("strength"), py::arg("pens"),
+        py::arg("clipped"), py::arg("runs"), py::arg("pen_of_path"), py::arg("strength"),
+        py::arg("pens"),
         R"(Strokes of the visible runs. pen_of_path (P,) uint32 per path of Paths, 0xffffffff: not drawn;
 strength (N,) float32 per point of Paths, or None.)");
-    m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"), py::arg("width"),
-          py::arg("height"), "(height, width, 4) float32, premultiplied, bottom row first.");
-    m.def("compose", &compose_image, py::arg("lines"), py::arg("paper"), py::arg("film_transparent") = false,
-          py::arg("holdout") = py::none(),
-          "lines (H, W, 4) over the paper's colour; holdout (H, W): share of each pixel that is cut out of the paper.");
+    m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"),
+          py::arg("width"), py::arg("height"),
+          "(height, width, 4) float32, premultiplied, bottom row first.");
+    m.def("compose", &compose_image, py::arg("lines"), py::arg("paper"),
+          py::arg("film_transparent") = false, py::arg("holdout") = py::none(),
+          "lines (H, W, 4) over the paper's colour; holdout (H, W): share of each pixel that is "
+          "cut out of the paper.");
 }
 
 }  // namespace fovea::bindings

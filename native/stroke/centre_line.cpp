@@ -17,7 +17,8 @@ constexpr int taper_steps = 4;
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
-    return {glm::mix(a.px, b.px, t), glm::mix(a.arc, b.arc, t), 0.0f, glm::mix(a.opacity, b.opacity, float(t))};
+    return {glm::mix(a.px, b.px, t), glm::mix(a.arc, b.arc, t), 0.0f,
+            glm::mix(a.opacity, b.opacity, float(t))};
 }
 
 CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
@@ -31,9 +32,10 @@ CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
     return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
 }
 
-/// The directions in which a straight line from `origin` passes all points seen so far within the tolerance.
+/// The directions in which a straight line from `origin` passes all points seen so far within the
+/// tolerance.
 class Cone {
-public:
+   public:
     explicit Cone(const CentrePoint& origin) : origin_(origin) {}
 
     bool admits(const CentrePoint& p) const {
@@ -48,14 +50,15 @@ public:
         const double distance = glm::length(d);
         if (distance > tolerance) {
             const double s = tolerance / distance, c = std::sqrt(1.0 - s * s);
-            const dvec2 right(d.x * c + d.y * s, d.y * c - d.x * s), left(d.x * c - d.y * s, d.y * c + d.x * s);
+            const dvec2 right(d.x * c + d.y * s, d.y * c - d.x * s),
+                left(d.x * c - d.y * s, d.y * c + d.x * s);
             if (far_ <= tolerance || cross(right_, right) > 0.0) right_ = right;
             if (far_ <= tolerance || cross(left, left_) > 0.0) left_ = left;
         }
         far_ = std::max(far_, distance);
     }
 
-private:
+   private:
     CentrePoint origin_;
     double far_ = 0.0;
     dvec2 right_{0.0}, left_{0.0};
@@ -90,24 +93,27 @@ void insert_points(CentreLine& line, In<double> arcs) {
 
 }  // namespace
 
-void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px,
-         CentreLine& out) {
+void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px,
+         double end_px, CentreLine& out) {
     out.clear();
     const Index begin = clipped.pieces.begin(piece), end = clipped.pieces.end(piece);
     if (end - begin < 2 || !(start_px < end_px)) return;
     const auto arc = clipped.arc_px.begin();
-    // First point beyond the start, first point not before the end; both have a predecessor in the piece.
+    // First point beyond the start, first point not before the end; both have a predecessor in the
+    // piece.
     const Index first = Index(std::upper_bound(arc + begin + 1, arc + end - 1, start_px) - arc);
     const Index last = Index(std::lower_bound(arc + first, arc + end - 1, end_px) - arc);
     const auto at = [&](Index i, double arc_px) {
-        const CentrePoint a = point_of(clipped, strength, i - 1), b = point_of(clipped, strength, i);
+        const CentrePoint a = point_of(clipped, strength, i - 1),
+                          b = point_of(clipped, strength, i);
         const double length = b.arc - a.arc;
         return mix(a, b, length > 0.0 ? std::clamp((arc_px - a.arc) / length, 0.0, 1.0) : 0.0);
     };
     out.push_back(at(first, start_px));
     for (Index i = first; i < last; ++i) out.push_back(point_of(clipped, strength, i));
     out.push_back(at(last, end_px));
-    std::erase_if(out, [](const CentrePoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
+    std::erase_if(out,
+                  [](const CentrePoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
 }
 
 void simplify(CentreLine& line) {
@@ -117,7 +123,8 @@ void simplify(CentreLine& line) {
     Cone cone(line[0]);
     for (std::size_t i = 1; i < line.size(); ++i) {
         if (!cone.admits(line[i])) {
-            if (glm::distance(line[i - 1].px, line[kept - 1].px) > shortest) line[kept++] = line[i - 1];
+            if (glm::distance(line[i - 1].px, line[kept - 1].px) > shortest)
+                line[kept++] = line[i - 1];
             cone = Cone(line[i - 1]);
         }
         cone.narrow(line[i]);

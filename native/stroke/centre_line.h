@@ -1,4 +1,5 @@
-// The centre line of a stroke: the visible part of a path, relieved of steps too small to see, with width and ends.
+// The centre line of a stroke: the visible part of a path, relieved of steps too small to see, with
+// width and ends.
 #pragma once
 
 #include "project/clipped_paths.h"
@@ -18,15 +19,19 @@ struct CentrePoint {
 
 using CentreLine = std::vector<CentrePoint>;
 
-/// The part of a piece between two arc lengths; its ends are interpolated. `strength` per point of Paths; empty: 1.
-void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px, CentreLine& out);
+/// The part of a piece between two arc lengths; its ends are interpolated. `strength` per point of
+/// Paths; empty: 1.
+void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px,
+         double end_px, CentreLine& out);
 
-/// Evens out zigzag of steps below 1.5 px (points move at most .15 px), then drops points that lie within .1 px of the
-/// line between those kept, or on top of each other. Ends stay. Fewer than two points are left of a line without length.
+/// Evens out zigzag of steps below 1.5 px (points move at most .15 px), then drops points that lie
+/// within .1 px of the line between those kept, or on top of each other. Ends stay. Fewer than two
+/// points are left of a line without length.
 void simplify(CentreLine& line);
 
-/// Sets the width: the pen's own, thinning towards the ends over pen.taper_px (at most half the line), where points are
-/// added. Less than a pixel is drawn as a pixel of that much less opacity. Closed lines have no ends.
+/// Sets the width: the pen's own, thinning towards the ends over pen.taper_px (at most half the
+/// line), where points are added. Less than a pixel is drawn as a pixel of that much less opacity.
+/// Closed lines have no ends.
 void shape(CentreLine& line, const Pen& pen, bool closed);
 
 /// Adds a point beyond either end, as far as the cap reaches.

@@ -11,15 +11,16 @@ namespace {
 
 /// Box filter of `from` values to `to` <= from values: each is the mean over its share of the row.
 /// Value i of line j lies at in[i * step + j * line_step].
-void shrink(const float* in, int from, float* out, int to, int lines, std::ptrdiff_t step_in, std::ptrdiff_t line_in,
-            std::ptrdiff_t step_out, std::ptrdiff_t line_out) {
+void shrink(const float* in, int from, float* out, int to, int lines, std::ptrdiff_t step_in,
+            std::ptrdiff_t line_in, std::ptrdiff_t step_out, std::ptrdiff_t line_out) {
     const double share = double(from) / to;
     for (int k = 0; k < to; ++k) {
         const double begin = k * share, end = (k + 1) * share;
         for (int line = 0; line < lines; ++line) {
             double sum = 0.0;
             for (int i = int(begin); i < std::min(from, int(std::ceil(end))); ++i)
-                sum += in[i * step_in + line * line_in] * (std::min(end, i + 1.0) - std::max(begin, double(i)));
+                sum += in[i * step_in + line * line_in] *
+                       (std::min(end, i + 1.0) - std::max(begin, double(i)));
             out[k * step_out + line * line_out] = float(sum / share);
         }
     }
@@ -37,12 +38,12 @@ PenTexture fit_texture(const PenTexture& texture, float length_px, float width_p
           "pen texture: expected rows x columns of ink, at least one of each");
     PenTexture narrow{fitted(texture.width, length_px), texture.height, {}};
     narrow.ink.resize(std::size_t(narrow.width) * narrow.height);
-    shrink(texture.ink.data(), texture.width, narrow.ink.data(), narrow.width, texture.height, 1, texture.width, 1,
-           narrow.width);
+    shrink(texture.ink.data(), texture.width, narrow.ink.data(), narrow.width, texture.height, 1,
+           texture.width, 1, narrow.width);
     PenTexture result{narrow.width, fitted(texture.height, width_px), {}};
     result.ink.resize(std::size_t(result.width) * result.height);
-    shrink(narrow.ink.data(), narrow.height, result.ink.data(), result.height, narrow.width, narrow.width, 1,
-           result.width, 1);
+    shrink(narrow.ink.data(), narrow.height, result.ink.data(), result.height, narrow.width,
+           narrow.width, 1, result.width, 1);
     return result;
 }
 

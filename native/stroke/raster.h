@@ -6,10 +6,11 @@
 
 namespace fovea {
 
-/// Draws the strokes into `image` (height rows of width pixels, bottom row first; resized and overwritten):
-/// scene-linear, premultiplied colour and alpha, triangle over triangle in their order, fragments as in fragment.h.
-/// The same for any number of threads.
-/// Throws where a stroke's pen, a pen's texture or a triangle's corner does not exist, or the size is not positive.
-void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image);
+/// Draws the strokes into `image` (height rows of width pixels, bottom row first; resized and
+/// overwritten): scene-linear, premultiplied colour and alpha, triangle over triangle in their
+/// order, fragments as in fragment.h. The same for any number of threads. Throws where a stroke's
+/// pen, a pen's texture or a triangle's corner does not exist, or the size is not positive.
+void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height,
+            Array<vec4>& image);
 
 }  // namespace fovea

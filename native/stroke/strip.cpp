@@ -7,22 +7,24 @@ namespace fovea {
 
 namespace {
 
-constexpr double mitre_limit = -0.17;    // cosine of the sharpest mitred bend: 100 degrees
-constexpr double reverse_limit = -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
-constexpr double round_error = 0.1;      // px between a round join and its polygon
-constexpr double fringe = 0.5;           // px added for antialiasing
-constexpr Index largest_group = 32;      // points that may share a corner
+constexpr double mitre_limit = -0.17;  // cosine of the sharpest mitred bend: 100 degrees
+constexpr double reverse_limit =
+    -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
+constexpr double round_error = 0.1;  // px between a round join and its polygon
+constexpr double fringe = 0.5;       // px added for antialiasing
+constexpr Index largest_group = 32;  // points that may share a corner
 
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 dvec2 left_of(dvec2 d) { return {-d.y, d.x}; }
 
-/// Where a side of the strip meets the cross section of a point: the corner of the segment that ends there, and of the
-/// one that starts there.
+/// Where a side of the strip meets the cross section of a point: the corner of the segment that
+/// ends there, and of the one that starts there.
 struct Corners {
     Index before = none, after = none;
 };
 
-/// Points whose corners on one side are one corner, because the strip is too narrow there for each to have its own.
+/// Points whose corners on one side are one corner, because the strip is too narrow there for each
+/// to have its own.
 struct Group {
     Index first, last;
     dvec2 corner;
@@ -30,11 +32,12 @@ struct Group {
 };
 
 class Strip {
-public:
+   public:
     Strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes& out)
         : line_(line), closed_(closed), ends_(ends), out_(out), size_(Index(line.size())) {
         directions_.reserve(size_ - 1);
-        for (Index i = 0; i + 1 < size_; ++i) directions_.push_back(glm::normalize(line[i + 1].px - line[i].px));
+        for (Index i = 0; i + 1 < size_; ++i)
+            directions_.push_back(glm::normalize(line[i + 1].px - line[i].px));
         middle_.assign(size_, none);
     }
 
@@ -50,10 +53,12 @@ public:
         }
     }
 
-private:
+   private:
     double reach(Index i) const { return line_[i].half_width + fringe; }
     /// Directions of the segments before and after a point; at an end both are the only one's.
-    dvec2 into(Index i) const { return i > 0 ? directions_[i - 1] : closed_ ? directions_.back() : directions_[0]; }
+    dvec2 into(Index i) const {
+        return i > 0 ? directions_[i - 1] : closed_ ? directions_.back() : directions_[0];
+    }
     dvec2 out_of(Index i) const {
         return i + 1 < size_ ? directions_[i] : closed_ ? directions_[0] : directions_.back();
     }
@@ -61,14 +66,16 @@ private:
         return line_[i].px + side * reach(i) * left_of(direction);
     }
 
-    /// Corner shared by points first..last: where the edges of the strip before and after them meet.
+    /// Corner shared by points first..last: where the edges of the strip before and after them
+    /// meet.
     Group group(Index first, Index last, double side) const {
         const dvec2 a = into(first), b = out_of(last);
         const dvec2 from = square(first, a, side), to = square(last, b, side);
         const double turn = cross(a, b);
         Group g{first, last, 0.5 * (from + to), glm::dot(a, b) > reverse_limit};
         if (first == last && g.shared) {
-            g.corner = line_[first].px + side * reach(first) * left_of(a + b) / (1.0 + glm::dot(a, b));
+            g.corner =
+                line_[first].px + side * reach(first) * left_of(a + b) / (1.0 + glm::dot(a, b));
         } else if (g.shared && std::abs(turn) > 0.05) {
             g.corner = from + a * (cross(to - from, b) / turn);
             const double far = 4.0 * std::max(reach(first), reach(last));
@@ -94,7 +101,8 @@ private:
         return has_corner(g, side) ? g.corner : square(g.last, out_of(g.last), side);
     }
 
-    /// True where the corner is as far from all the segments that end in it as the side of the strip would be.
+    /// True where the corner is as far from all the segments that end in it as the side of the
+    /// strip would be.
     bool lies_beside(const Group& g, double side) const {
         if (g.last - g.first > largest_group) return false;
         for (Index i = g.first; i < g.last; ++i)
@@ -114,8 +122,10 @@ private:
                 Group merged = group(a.first, b.last, side);
                 // The ends of a line stay where they are.
                 const bool start = a.first == 0, end = b.last + 1 == size_;
-                if (start || end) merged.corner = start ? corner_after(a, side) : corner_before(b, side);
-                merged.shared = a.shared && b.shared && (start || end ? start != end : merged.shared) &&
+                if (start || end)
+                    merged.corner = start ? corner_after(a, side) : corner_before(b, side);
+                merged.shared = a.shared && b.shared &&
+                                (start || end ? start != end : merged.shared) &&
                                 lies_beside(merged, side);
                 result.resize(result.size() - 2);
                 result.push_back(merged);
@@ -138,14 +148,17 @@ private:
 
     void shared_corner(const Group& g, double side, std::vector<Corners>& corners) {
         const bool merged = g.first != g.last, start = g.first == 0, end = g.last + 1 == size_;
-        const bool sharp = glm::dot(into(g.first), out_of(g.last)) < mitre_limit && !(merged && (start || end));
+        const bool sharp =
+            glm::dot(into(g.first), out_of(g.last)) < mitre_limit && !(merged && (start || end));
         CentrePoint p = line_[merged && end ? g.last : g.first];
         if (merged && !start && !end) {
             const CentrePoint& q = line_[g.last];
-            p = {p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width), 0.5f * (p.opacity + q.opacity)};
+            p = {p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width),
+                 0.5f * (p.opacity + q.opacity)};
         }
         const float v = float(side * (p.half_width + fringe));
-        // u stays true along both sides of a sharp bend: its corner lies behind the point's own arc length.
+        // u stays true along both sides of a sharp bend: its corner lies behind the point's own arc
+        // length.
         const double behind = sharp ? glm::dot(line_[g.first].px - g.corner, into(g.first)) : 0.0;
         const Index before = vertex(p, g.corner, p.arc - behind, v);
         const Index after = sharp ? vertex(p, g.corner, p.arc + behind, v) : before;
@@ -210,7 +223,8 @@ private:
             if (k < steps) {
                 const double t = -side * angle * k / steps, c = std::cos(t), s = std::sin(t);
                 const dvec2 direction(a.x * c - a.y * s, a.x * s + a.y * c);
-                next = vertex(line_[i], square(i, direction, side), line_[i].arc, float(side * reach(i)));
+                next = vertex(line_[i], square(i, direction, side), line_[i].arc,
+                              float(side * reach(i)));
             }
             triangle(middle_[i], last, next);
             last = next;

@@ -5,22 +5,26 @@
 
 namespace fovea {
 
-/// Strips of triangles around the centre lines of strokes, half a pixel wider than the pen for antialiasing. Triangles
-/// of a stroke that touch share corners (or have corners at the very same place), so that a pixel between them is
-/// drawn once. Pixels as in View. Everything is affine over a triangle; coverage and ink of a fragment: fragment.h.
+/// Strips of triangles around the centre lines of strokes, half a pixel wider than the pen for
+/// antialiasing. Triangles of a stroke that touch share corners (or have corners at the very same
+/// place), so that a pixel between them is drawn once. Pixels as in View. Everything is affine over
+/// a triangle; coverage and ink of a fragment: fragment.h.
 struct Strokes {
     /// Per vertex: corner of the strip [px].
     Array<vec2> px;
-    /// Per vertex: u [px of arc along the whole path, 0 at its middle], v [px across, positive to the left of the
-    /// way], u of the run's start and of its end (-+1e9 where a closed stroke has no ends).
+    /// Per vertex: u [px of arc along the whole path, 0 at its middle], v [px across, positive to
+    /// the left of the way], u of the run's start and of its end (-+1e9 where a closed stroke has
+    /// no ends).
     Array<vec4> arc;
-    /// Per vertex: half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and fainter.
+    /// Per vertex: half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and
+    /// fainter.
     Array<float> half_width;
     /// Per vertex: strength and thinness included, the pen's own opacity not.
     Array<float> opacity;
     /// Per vertex: index of the pen, the same all over a stroke.
     Array<Index> pen;
-    /// Corners of each triangle, either way round, in drawing order: stroke after stroke, along each stroke.
+    /// Corners of each triangle, either way round, in drawing order: stroke after stroke, along
+    /// each stroke.
     Array<glm::uvec3> triangles;
     /// Strokes that have triangles.
     Index count = 0;

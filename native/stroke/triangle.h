@@ -1,5 +1,5 @@
-// A triangle in fixed point: which pixel centres it covers, exactly. Of two triangles on either side of a common edge,
-// one and only one covers a centre that lies on it.
+// A triangle in fixed point: which pixel centres it covers, exactly. Of two triangles on either
+// side of a common edge, one and only one covers a centre that lies on it.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@ inline PixelBox intersect(const PixelBox& a, const PixelBox& b) {
 }
 
 class FixedTriangle {
-public:
-    static constexpr std::int64_t one = 256;       // steps per pixel
-    static constexpr float far_away = 1 << 20;     // px; corners beyond it are nobody's picture
+   public:
+    static constexpr std::int64_t one = 256;    // steps per pixel
+    static constexpr float far_away = 1 << 20;  // px; corners beyond it are nobody's picture
 
     /// Corners in px, either way round.
     FixedTriangle(vec2 a, vec2 b, vec2 c) {
@@ -39,7 +39,8 @@ public:
             const std::int64_t dx = sign * (x_[l] - x_[k]), dy = sign * (y_[l] - y_[k]);
             step_x_[k] = -dy * one;
             step_y_[k] = dx * one;
-            at_origin_[k] = dx * (one / 2 - y_[k]) - dy * (one / 2 - x_[k]) - !(dy > 0 || (dy == 0 && dx > 0));
+            at_origin_[k] =
+                dx * (one / 2 - y_[k]) - dy * (one / 2 - x_[k]) - !(dy > 0 || (dy == 0 && dx > 0));
         }
     }
 
@@ -50,13 +51,15 @@ public:
     PixelBox box() const {
         const auto [left, right] = std::minmax({x_[0], x_[1], x_[2]});
         const auto [low, high] = std::minmax({y_[0], y_[1], y_[2]});
-        return {first_centre(left), first_centre(low), first_centre(right + 1), first_centre(high + 1)};
+        return {first_centre(left), first_centre(low), first_centre(right + 1),
+                first_centre(high + 1)};
     }
 
     /// False where the box certainly lies outside.
     bool may_touch(const PixelBox& box) const {
         for (int k = 0; k < 3; ++k) {
-            const std::int64_t x = step_x_[k] > 0 ? box.x1 - 1 : box.x0, y = step_y_[k] > 0 ? box.y1 - 1 : box.y0;
+            const std::int64_t x = step_x_[k] > 0 ? box.x1 - 1 : box.x0,
+                               y = step_y_[k] > 0 ? box.y1 - 1 : box.y0;
             if (at_origin_[k] + step_x_[k] * x + step_y_[k] * y < 0) return false;
         }
         return true;
@@ -67,9 +70,11 @@ public:
         for (int k = 0; k < 3; ++k) {
             const std::int64_t start = at_origin_[k] + step_y_[k] * y, step = step_x_[k];
             if (step > 0) {  // start + step * x >= 0
-                if (start + step * begin < 0) begin = int(std::min<std::int64_t>(end, (-start + step - 1) / step));
+                if (start + step * begin < 0)
+                    begin = int(std::min<std::int64_t>(end, (-start + step - 1) / step));
             } else if (step < 0) {
-                if (start + step * (end - 1) < 0) end = int(std::max<std::int64_t>(begin, floor(start, -step) + 1));
+                if (start + step * (end - 1) < 0)
+                    end = int(std::max<std::int64_t>(begin, floor(start, -step) + 1));
             } else if (start < 0) {
                 end = begin;
             }
@@ -79,8 +84,10 @@ public:
     /// Corner as drawn [px].
     dvec2 corner(int k) const { return dvec2(double(x_[k]), double(y_[k])) / double(one); }
 
-private:
-    static std::int64_t floor(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+   private:
+    static std::int64_t floor(std::int64_t a, std::int64_t b) {
+        return a >= 0 ? a / b : -((-a + b - 1) / b);
+    }
     static int first_centre(std::int64_t x) { return int(floor(x + one / 2 - 1, one)); }
 
     std::int64_t x_[3]{}, y_[3]{};

@@ -1,0 +1,91 @@
+"""The native stages, and the reference backend made of them. Each function is one call."""
+
+from .. import native
+
+UNSET = 0xFFFFFFFF
+
+
+def trace(scene, view):
+    """Rays through a native Scene as a native View sees it."""
+    return native.load().Tracer(scene, view)
+
+
+def extract(tracer, style, cancel):
+    """Paths of everything the style's line sets find."""
+    sets = [(line_set.kinds, line_set.corner_angle) for line_set in style.line_sets]
+    return native.load().extract_paths(tracer, sets, cancel)
+
+
+def project(paths, tracer, sample_step_px, cancel):
+    """ClippedPaths, with samples every so many pixels."""
+    return native.load().project(paths, tracer, sample_step_px, cancel)
+
+
+def exact(frame, cancel):
+    """Visible Runs of a Frame by rays: the canonical answer, on every machine the same."""
+    return native.load().exact_visibility(frame.clipped, frame.paths, frame.tracer, cancel)
+
+
+def runs(clipped, visibility):
+    """Visible Runs of atlas samples."""
+    return native.load().runs_from_samples(clipped, visibility)
+
+
+def close_gaps(clipped, visible, gap_px, spur_px):
+    """Runs joined over small gaps, without small spurs."""
+    return native.load().close_gaps(clipped, visible, gap_px, spur_px)
+
+
+def shape(frame, visible, pens):
+    """Strokes of the visible Runs; pens by line set."""
+    return native.load().tessellate(
+        frame.clipped, visible, frame.paths.line_set.astype("uint32"), frame.paths.strength, pens
+    )
+
+
+def pens_of(style, textures, scale):
+    """The native pen of each line set, in pixels of the image (`scale` of them are a reference pixel)."""
+    core = native.load()
+    return [
+        core.Pen(
+            color=line_set.pen.color,
+            opacity=line_set.pen.opacity,
+            width_px=line_set.pen.width * scale,
+            texture_length_px=textures.length(line_set.pen) * scale,
+            cap=line_set.pen.cap,
+            taper_px=line_set.pen.taper * scale,
+            texture=textures.index(line_set.pen),
+        )
+        for line_set in style.line_sets
+    ]
+
+
+def read_texture(path):
+    """A pen texture from a PNG file."""
+    return native.load().read_texture(str(path))
+
+
+def depth_image(tracer, cancel):
+    """(H, W) distance along the view of what each pixel sees."""
+    return native.load().depth_image(tracer, cancel)
+
+
+def on_paper(lines, paper, tracer, cancel):
+    """Strokes over the paper, holdouts cut out: (H, W, 4), premultiplied."""
+    core = native.load()
+    holdout = core.holdout_image(tracer, cancel)
+    return core.compose(lines, paper.color, paper.transparent, holdout if holdout.size else None)
+
+
+class Backend:
+    """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
+
+    name = "cpu"
+
+    def visibility(self, frame):
+        core = native.load()
+        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
+        return core.sampled_visibility(frame.clipped, depth, frame.probes)
+
+    def draw(self, strokes, pens, textures, view):
+        return native.load().raster(strokes, pens, textures.native, view.width, view.height)

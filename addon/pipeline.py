@@ -1,0 +1,85 @@
+"""The whole method on one page: from a scene and a camera to strokes on paper."""
+
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from .backend import cpu
+from .stages import Image
+from .textures import Textures
+
+EXACT, SAMPLED = "exact", "sampled"
+
+
+@dataclass(frozen=True)
+class Options:
+    """Numbers of the method that are not the style's."""
+
+    visibility: str = EXACT
+    sample_step: float = 2.0  # reference pixels between visibility samples
+    depth_scale: int = 2  # texels of the depth buffer per pixel, along each axis
+    probes: int = 1  # looks into the depth buffer per sample
+    gap: float = 2.0  # reference pixels of hidden line that are drawn over
+    spur: float = 1.0  # reference pixels of visible line, alone, that are left out
+    with_depth: bool = False  # also make the depth pass
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One picture on its way: native handles, each stage's result beside the last."""
+
+    scene: object  # native Scene
+    view: object  # native View
+    tracer: object  # native Tracer
+    paths: object  # native Paths
+    clipped: object  # native ClippedPaths
+    depth_scale: int
+    probes: int
+
+
+class _Clock:
+    """Milliseconds per stage, and a word to the user before each."""
+
+    def __init__(self, progress):
+        self.stages, self.progress, self.done = {}, progress, 0.0
+
+    @contextmanager
+    def stage(self, name, share):
+        self.progress(self.done, name)
+        start = time.perf_counter()
+        yield
+        self.stages[name] = 1000 * (time.perf_counter() - start)
+        self.done += share
+
+
+def draw(scene, view, style, backend, options, *, progress, cancel):
+    """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend."""
+    clock, scale = _Clock(progress), view.reference_scale
+    with clock.stage("bvh", 0.2):
+        tracer = cpu.trace(scene, view)
+    with clock.stage("lines", 0.15):
+        paths = cpu.extract(tracer, style, cancel)
+    with clock.stage("project", 0.15):
+        clipped = cpu.project(paths, tracer, options.sample_step * scale, cancel)
+    frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes)
+    with clock.stage("visibility", 0.25):
+        visible = visibility(frame, backend, options, cancel)
+    with clock.stage("shape", 0.05):
+        textures = Textures(style)
+        pens = cpu.pens_of(style, textures, scale)
+        tidied = cpu.close_gaps(clipped, visible, options.gap * scale, options.spur * scale)
+        strokes = cpu.shape(frame, tidied, pens)
+    with clock.stage("strokes", 0.1):
+        lines = backend.draw(strokes, pens, textures, view)
+    with clock.stage("paper", 0.1):
+        combined = cpu.on_paper(lines, style.paper, tracer, cancel)
+        depth = cpu.depth_image(tracer, cancel) if options.with_depth else None
+    statistics = {"stages": clock.stages, "strokes": strokes.count, "samples": clipped.samples, "backend": backend.name}
+    return Image(combined, lines, depth, statistics)
+
+
+def visibility(frame, backend, options, cancel):
+    """Visible Runs of a Frame."""
+    if options.visibility == EXACT:
+        return cpu.exact(frame, cancel)
+    return cpu.runs(frame.clipped, backend.visibility(frame))
