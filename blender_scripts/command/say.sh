@@ -9,7 +9,7 @@ fail() {
     exit 1
 }
 
-# step LOG SENTENCE COMMAND...: runs a long command with its output in LOG and a sign of life every ten seconds;
+# step LOG SENTENCE COMMAND...: runs a long command with its output in LOG and a sign of life every 15 seconds;
 # when the command fails, shows the end of LOG and returns its status.
 step() {
     step_log=$1
@@ -33,8 +33,8 @@ step() {
 show_progress() {
     seconds=0
     # The sleep must not hold this shell's output open after the step has ended.
-    while sleep 10 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
-        seconds=$((seconds + 10))
+    while sleep 15 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+        seconds=$((seconds + 15))
         last=$(tail -n 1 "$1" | tr -d '\r' | cut -c 1-70)
         say "  $2 $seconds s: $last"
     done

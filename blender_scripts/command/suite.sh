@@ -89,6 +89,7 @@ make_base() {
         "$suite" "$root.partial" "$mirror" || { why_debootstrap_failed; return 1; }
     # How this machine reaches its archive (proxies, retries, checks of dates) holds for the suite too.
     apt-config dump | grep -E '^Acquire::(https?|Retries|Check-)' >"$root.partial/etc/apt/apt.conf.d/90host" || true
+    ln -sfn /proc/self/mounts "$root.partial/etc/mtab"
     mv "$root.partial" "$root"
     rm -rf "$suite_folder/archives"
 }

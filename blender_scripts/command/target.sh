@@ -1,32 +1,48 @@
 # What a sub-command runs on: a Debian suite, or a Blender of the user's own.
 
-# choose_target [sid|trixie|/path/to/blender]: sets target_name and, for an own Blender, own_blender.
+# choose_target [sid|trixie|/path/to/blender]: sets target_name, blender, python and python_include, and sets the suite up.
 choose_target() {
-    own_blender=
     case ${1:-} in
-    sid | trixie) target_name=$1 ;;
+    sid | trixie) use_suite "$1" ;;
+    */*) must_use_own_blender "$1" ;;
     '') choose_blender_at_hand ;;
-    */*) use_own_blender "$1" ;;
     *) say "--on takes sid, trixie or the path of a Blender, not '$1'" && return 2 ;;
-    esac || return
-    [ -n "$own_blender" ] || set_up_suite "$target_name"
+    esac
+}
+
+use_suite() {
+    target_name=$1
+    blender=/usr/bin/blender
+    python=/usr/bin/python3
+    python_include=
+    set_up_suite "$1"
+}
+
+must_use_own_blender() {
+    use_own_blender "$1" || { say "$reason" && return 1; }
 }
 
 choose_blender_at_hand() {
-    target_name=sid
     if [ -n "${BLENDER:-}" ]; then
-        use_own_blender "$BLENDER"
+        must_use_own_blender "$BLENDER"
+    elif on_path=$(command -v blender); then
+        use_own_blender "$on_path" || { say "$reason; using Fovea's own Blender" && use_suite sid; }
+    else
+        use_suite sid
     fi
 }
 
 # run_command SUBCOMMAND ARGUMENTS...: on the chosen target.
 run_command() {
-    work=$cache/$target_name/work-$(printf %s "$project" | sha256sum | cut -c 1-8)
-    mkdir -p "$work"
-    set -- python3 -B "$here/main.py" --target "$target_name" --work "$work" --cache "$cache" "$@"
-    if [ -n "$own_blender" ]; then
-        on_this_machine "$work" "$@"
-    else
-        in_suite "$target_name" "$work" "$@"
-    fi
+    work=$cache/$target_name/work-$(short_hash "$project")
+    mkdir -p "$work/home"
+    set -- "$python" -B "$here/main.py" "$target_name" "$work" "$cache" "$blender" "$python_include" "$@"
+    case $target_name in
+    own-*) "$@" ;;
+    *) in_suite "$target_name" "$work" "$@" ;;
+    esac
+}
+
+short_hash() {
+    printf %s "$1" | sha256sum | cut -c 1-8
 }

@@ -1,0 +1,65 @@
+"""The sub-commands, one function each: takes the target and the words after the sub-command, returns the exit status."""
+
+import argparse
+import os
+import shutil
+from pathlib import Path
+
+from . import build as native
+from . import draw_options
+from . import package as extension
+from .target import PROJECT, StepFailed, tail
+
+
+def build(target, words):
+    argparse.ArgumentParser("fovea build").parse_args(words)
+    print(native.module(target))
+    return 0
+
+
+def package(target, words):
+    parser = argparse.ArgumentParser("fovea package")
+    parser.add_argument("-o", "--output", type=Path, help="copy the zip there: a folder or a file")
+    output = parser.parse_args(words).output
+    archive = extension.package(target)
+    print(shutil.copy2(archive, output) if output else archive)
+    return 0
+
+
+def blender(target, words):
+    extension.install(target)
+    os.execvpe(target.blender, [target.blender, *words], target.environment())
+
+
+def draw(target, words):
+    options = draw_options.parse(words)
+    extension.install(target)
+    script = PROJECT / "blender_scripts" / "draw.py"
+    in_blender(target, f"drawing {options.scene}", script, words)
+    missing = [str(picture) for picture in draw_options.pictures(options) if not picture.is_file()]
+    if missing:
+        raise StepFailed(f"Blender wrote no {', '.join(missing)}")
+    for picture in draw_options.pictures(options):
+        print(picture)
+    return 0
+
+
+def scene(target, words):
+    parser = argparse.ArgumentParser("fovea scene")
+    parser.add_argument("scene", help="NAME[:N]")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT.blend")
+    options = parser.parse_args(words)
+    extension.install(target)
+    in_blender(target, f"building {options.scene}", PROJECT / "blender_scripts" / "save_scene.py", words)
+    print(options.output.absolute())
+    return 0
+
+
+def in_blender(target, sentence, script, words):
+    """Runs a script in Blender without a window; what it says in `Error:` lines is the message when it fails."""
+    command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
+    log, status = target.attempt(sentence, command)
+    if status == 0:
+        return
+    errors = [line for line in log.read_text(errors="replace").splitlines() if line.startswith("Error: ")]
+    raise StepFailed("\n".join(errors) or f"{sentence} FAILED ({status}); the last lines of {log}:\n{tail(log, 25)}")

@@ -1,0 +1,65 @@
+"""The extension zip: staged, built and validated by Blender's own command, and installed as a user would."""
+
+import hashlib
+import shutil
+import tomllib
+
+from . import build
+from .target import PROJECT, StepFailed, tail
+
+ID = "fovea"
+
+
+def stage(target):
+    """Lays the package out in WORK/package/fovea: the add-on, the shaders and the native module beside __init__.py."""
+    module = build.module(target)
+    folder = target.work / "package" / ID
+    with target.lock():
+        shutil.rmtree(folder, ignore_errors=True)
+        unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", ".*")
+        shutil.copytree(PROJECT / "addon", folder, ignore=unwanted)
+        shutil.copytree(PROJECT / "shaders", folder / "shaders", ignore=unwanted)
+        shutil.copy2(module, folder)
+    return folder
+
+
+def package(target, folder=None):
+    """The validated zip of the staged package."""
+    folder = folder or stage(target)
+    manifest = tomllib.loads((folder / "blender_manifest.toml").read_text(encoding="utf-8"))
+    archive = target.work / "package" / f"{ID}-{manifest['version']}.zip"
+    archive.unlink(missing_ok=True)
+    extension(target, "packaging", "build", "--source-dir", folder, "--output-filepath", archive)
+    extension(target, "validating the package", "validate", archive)
+    return archive
+
+
+def install(target):
+    """Installs and enables the package, unless the very same files are installed already."""
+    folder = stage(target)
+    content = _content(folder)
+    stamp = target.work / "installed"
+    if stamp.exists() and stamp.read_text() == content and _installed(target):
+        return
+    archive = package(target, folder)
+    with target.lock():
+        log = extension(target, "installing", "install-file", "-r", "user_default", "--enable", archive)
+        if not _installed(target):
+            raise StepFailed(f"Blender did not install the extension; the last lines of {log}:\n{tail(log, 25)}")
+        stamp.write_text(content)
+
+
+def extension(target, sentence, *words):
+    return target.run(sentence, [target.blender, "--command", "extension", *words])
+
+
+def _installed(target):
+    return any(target.home.glob(f".config/blender/*/extensions/user_default/{ID}/blender_manifest.toml"))
+
+
+def _content(folder):
+    digest = hashlib.sha256()
+    for file in sorted(path for path in folder.rglob("*") if path.is_file()):
+        digest.update(f"{file.relative_to(folder)}\0".encode())
+        digest.update(hashlib.sha256(file.read_bytes()).digest())
+    return digest.hexdigest()

@@ -1,0 +1,85 @@
+"""What a sub-command works on: one Blender, and this checkout's own folder in the cache for it."""
+
+import contextlib
+import fcntl
+import os
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+SHARED = PROJECT.parent / "shared"  # models that are not part of the project; may be absent
+
+
+class StepFailed(RuntimeError):
+    """A step did not succeed; the message holds the end of its log."""
+
+
+def say(sentence):
+    print(f"fovea: {sentence}", file=sys.stderr, flush=True)
+
+
+@dataclass(frozen=True)
+class Target:
+    name: str  # sid, trixie, or own-... for a Blender of the user's own
+    work: Path  # build, package, home, logs and test results of this checkout
+    cache: Path
+    blender: str
+    python_include: str  # where Python.h is, when the interpreter cannot tell; may be empty
+
+    @property
+    def is_suite(self):
+        return self.name in ("sid", "trixie")
+
+    @property
+    def home(self):
+        return self.work / "home"
+
+    def environment(self):
+        """Of every process: a home of the cache's, so that the user's own Blender settings are neither read nor written."""
+        kept = {
+            name: value
+            for name, value in os.environ.items()
+            if not name.startswith("BLENDER_") and name not in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME")
+        }
+        # A build names its files relative to `work`, so that another clone's build finds the same objects in ccache.
+        ccache = {"CCACHE_DIR": str(self.cache / "ccache"), "CCACHE_BASEDIR": str(self.work), "CCACHE_NOHASHDIR": "1"}
+        return kept | ccache | {"HOME": str(self.home), "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def run(self, sentence, command, **environment):
+        """Runs a step with its output in a log and a sign of life every 15 seconds; StepFailed when it does not return 0."""
+        log, status = self.attempt(sentence, command, **environment)
+        if status != 0:
+            raise StepFailed(f"{sentence} FAILED ({status}); the last lines of {log}:\n{tail(log, 25)}")
+        return log
+
+    def attempt(self, sentence, command, **environment):
+        """The same for a step whose failure is a result: returns (log, status)."""
+        say(f"{self.name}: {sentence}")
+        log = self.work / "log" / f"{sentence.replace(' ', '-').replace('/', '-')}.log"
+        log.parent.mkdir(parents=True, exist_ok=True)
+        start = time.monotonic()
+        with log.open("wb") as output:
+            process = subprocess.Popen(
+                [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                env=self.environment() | environment,
+            )  # fmt: skip
+            while True:
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    return log, process.wait(timeout=15)
+                say(f"  {self.name}: {sentence} {time.monotonic() - start:.0f} s: {tail(log, 1).strip()[:80]}")
+
+    @contextlib.contextmanager
+    def lock(self):
+        """One build or installation at a time in this work folder."""
+        self.work.mkdir(parents=True, exist_ok=True)
+        with (self.work / "lock").open("w") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            yield
+
+
+def tail(log, count):
+    lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
+    return "\n".join("    " + line for line in lines[-count:])

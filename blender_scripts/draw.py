@@ -1,0 +1,119 @@
+"""Runs inside Blender for `fovea draw`: opens or builds the scene, frames it, and renders it with Fovea."""
+
+import sys
+from pathlib import Path
+
+import bpy
+from bl_ext.user_default.fovea import catalogue, style
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import framing
+import scenes
+from command import draw_options
+from command.target import SHARED
+
+
+def main(words):
+    options = draw_options.parse(words)
+    open_scene(options.scene)
+    scene = bpy.context.scene
+    set_size(scene, options)
+    set_camera(scene, options)
+    set_drawing(scene, options)
+    set_output(scene, options)
+    render(scene, options)
+
+
+def open_scene(spec):
+    """A .blend as it is; a model or a scene's name in an empty file. The add-on stays enabled all the while."""
+    if spec.endswith(".blend"):
+        bpy.ops.wm.open_mainfile(filepath=str(Path(spec).absolute()), load_ui=False)
+        return
+    bpy.ops.wm.read_homefile(use_empty=True)
+    if spec.endswith(".obj"):
+        bpy.ops.wm.obj_import(filepath=str(Path(spec).absolute()))
+    else:
+        scenes.build(spec, SHARED if SHARED.is_dir() else None)
+
+
+def set_size(scene, options):
+    render = scene.render
+    if options.size or not keeps_own(options):
+        render.resolution_x, render.resolution_y = options.size or (1920, 1080)
+        render.resolution_percentage = 100
+
+
+def set_camera(scene, options):
+    """A scene keeps its own camera unless another direction is asked for; a model never has one."""
+    turned = options.azimuth is not None or options.elevation is not None
+    if scene.camera and not turned:
+        if options.lens:
+            scene.camera.data.lens = options.lens
+        return
+    framing.frame(
+        scene,
+        framing.AZIMUTH if options.azimuth is None else options.azimuth,
+        framing.ELEVATION if options.elevation is None else options.elevation,
+        options.lens or framing.LENS,
+        options.margin / 100,
+    )
+
+
+def keeps_own(options):
+    return not options.scene.endswith(draw_options.MODELS)
+
+
+def set_drawing(scene, options):
+    scene.render.engine = "FOVEA"
+    fovea = scene.fovea
+    if options.backend:
+        fovea.backend = options.backend.upper()
+    if options.visibility:
+        fovea.visibility = options.visibility.upper()
+    if options.style:
+        choose_style(fovea, options.style)
+    if options.lines:
+        choose_lines(fovea, options.lines)
+
+
+def choose_style(fovea, name):
+    if name not in style.names():
+        raise ValueError(f"there is no style '{name}'; there are: {', '.join(style.names())}")
+    fovea.style = name
+
+
+def choose_lines(fovea, wanted):
+    known = [definition["name"] for definition in catalogue.definitions()]
+    for name in wanted:
+        if name not in known:
+            raise ValueError(f"there is no line definition '{name}'; there are: {', '.join(known)}")
+    for name in known:
+        setattr(fovea, name, name in wanted)
+
+
+def set_output(scene, options):
+    """Paper stays white and ink as it was mixed: neither a film look nor dither."""
+    scene.view_settings.view_transform = "Standard"
+    scene.view_settings.look = "None"
+    scene.render.dither_intensity = 0
+    scene.render.film_transparent = options.transparent or scene.render.film_transparent
+    image = scene.render.image_settings
+    image.file_format = "PNG" if options.output.suffix == ".png" else "OPEN_EXR"
+    image.color_mode = "RGBA" if scene.render.film_transparent else "RGB"
+    scene.render.use_file_extension = False
+
+
+def render(scene, options):
+    frames = options.frames or (scene.frame_current, scene.frame_current)
+    for frame, picture in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), strict=True):
+        scene.frame_set(frame)
+        scene.render.filepath = str(picture)
+        bpy.ops.render.render(write_still=True)
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[sys.argv.index("--") + 1 :])
+    except (ValueError, RuntimeError) as error:  # what the user can mend; anything else keeps its traceback
+        sys.exit(f"Error: {str(error).removeprefix('Error: ').strip()}")

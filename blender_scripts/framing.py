@@ -1,0 +1,64 @@
+"""Puts a camera before everything that a scene shows."""
+
+import math
+
+import bpy
+import numpy as np
+
+AZIMUTH, ELEVATION, LENS = 35.0, 25.0, 50.0  # degrees left of the front and above it, millimetres
+
+
+def frame(scene, azimuth, elevation, lens, margin):
+    """Aims a new camera at the visible meshes, from `azimuth` and `elevation` (degrees), as near as `margin` (a share
+    of the picture on each side) allows."""
+    points = visible_points(bpy.context.evaluated_depsgraph_get())
+    if not len(points):
+        raise ValueError("the scene shows no mesh to frame")
+    camera = bpy.data.objects.new("Fovea Camera", bpy.data.cameras.new("Fovea Camera"))
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    camera.data.lens = lens
+    camera.rotation_euler = (math.radians(90 - elevation), 0, math.radians(-azimuth))
+    axes = np.array(camera.rotation_euler.to_matrix())  # columns: right, up and backwards, in the world
+    half_width, half_height = _half_frame(camera.data, scene)
+    local = points @ axes
+    place = nearest_place(local, half_width * (1 - 2 * margin), half_height * (1 - 2 * margin))
+    camera.location = axes @ place
+    depths = place[2] - local[:, 2]
+    camera.data.clip_start = max(depths.min() * 0.5, depths.max() * 1e-4)
+    camera.data.clip_end = depths.max() * 2
+
+
+def nearest_place(points, half_width, half_height):
+    """Where a camera that looks along -z, with the given half sizes of its frame at distance 1, stands nearest to
+    points (n, 3) and sees them all, those that touch opposite borders at the same distance from them."""
+    place = np.empty(3)
+    distance = []
+    for axis, half in ((0, half_width), (1, half_height)):
+        above = (points[:, axis] + half * points[:, 2]).max()
+        below = (half * points[:, 2] - points[:, axis]).max()
+        place[axis] = (above - below) / 2
+        distance.append((above + below) / (2 * half))
+    place[2] = max(distance)
+    return place
+
+
+def visible_points(depsgraph):
+    """World positions (n, 3) of the vertices of every mesh that renders, instances included."""
+    found = [np.empty((0, 3))]
+    for instance in depsgraph.object_instances:
+        mesh = instance.object.data
+        if not isinstance(mesh, bpy.types.Mesh) or not instance.show_self or not len(mesh.vertices):
+            continue
+        positions = np.empty(len(mesh.vertices) * 3, np.float32)
+        mesh.vertices.foreach_get("co", positions)
+        matrix = np.array(instance.matrix_world)
+        found.append(positions.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3])
+    points = np.concatenate(found)
+    return points[np.isfinite(points).all(axis=1)]
+
+
+def _half_frame(camera, scene):
+    """Half width and half height of the frame at distance 1 before a perspective camera."""
+    corners = np.array(camera.view_frame(scene=scene))
+    return np.abs(corners[0, :2] / corners[0, 2])
