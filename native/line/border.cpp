@@ -16,7 +16,7 @@ extern const LineDefinition border;
 const LineDefinition border = {
     .name = "border",
     .label = "Border",
-    .source = "Saito & Takahashi 1990, section 3",
+    .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",
     .description = "Where an open surface ends: edges with one face",
     .scope = Scope::surface,
     .parameters = {},

@@ -1,6 +1,6 @@
 // Contour as mesh edges: where the surface turns away from the viewer.
 // Hertzmann, "Introduction to 3D Silhouette Detection and Smoothing", SIGGRAPH 1999 course; Benard & Hertzmann, "Line
-// Drawings from 3D Models: a Tutorial", 2019, section 3.
+// Drawings from 3D Models: a Tutorial", 2019.
 // In   facing per facet
 // Out  edges whose facets all lie on one side of them in the image. For a consistently oriented pair that means one
 //      faces the viewer and the other does not; for pairs that disagree about which side is out, and for more than two
@@ -30,7 +30,7 @@ extern const LineDefinition contour;
 const LineDefinition contour = {
     .name = "contour",
     .label = "Contour",
-    .source = "Benard & Hertzmann 2019, section 3",
+    .source = "Cole 2009, section 2.2; Benard & Hertzmann 2019",
     .description = "Where a surface turns away from the viewer: edges between front and back faces",
     .scope = Scope::view,
     .parameters = {},

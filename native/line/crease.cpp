@@ -31,7 +31,7 @@ extern const LineDefinition crease;
 const LineDefinition crease = {
     .name = "crease",
     .label = "Crease",
-    .source = "Saito & Takahashi 1990, section 3",
+    .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",
     .description = "Where two faces meet at an angle, and edges marked sharp",
     .scope = Scope::surface,
     .parameters = {{"angle", "Angle", 30.0, 0.0, 180.0, "degrees", "Least angle between the normals of the two faces"},

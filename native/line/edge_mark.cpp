@@ -19,7 +19,7 @@ extern const LineDefinition edge_mark;
 const LineDefinition edge_mark = {
     .name = "edge_mark",
     .label = "Edge Mark",
-    .source = "Grabli et al. 2010, section 4",
+    .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",
     .description = "Edges marked by hand (Freestyle edge marks)",
     .scope = Scope::surface,
     .parameters = {{"seams", "Seams", 0.0, 0.0, 1.0, "bool", "Draw edges marked as UV seams, too"}},

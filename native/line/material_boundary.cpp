@@ -24,7 +24,7 @@ extern const LineDefinition material_boundary;
 const LineDefinition material_boundary = {
     .name = "material_boundary",
     .label = "Material Boundary",
-    .source = "Grabli et al. 2010, section 4",
+    .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",
     .description = "Where two materials meet on a surface",
     .scope = Scope::surface,
     .parameters = {},

@@ -1,5 +1,5 @@
 // Silhouette: the outer boundary of an object, against the background or another object.
-// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003, section 1.
+// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
 // In   contour and border edges, and the surface seen right behind the middle of each
 // Out  those behind which the same placement does not go on
 #include "line/edges.h"
@@ -34,7 +34,7 @@ extern const LineDefinition silhouette;
 const LineDefinition silhouette = {
     .name = "silhouette",
     .label = "Silhouette",
-    .source = "Isenberg et al. 2003, section 1",
+    .source = "Isenberg et al. 2003, A Developer's Guide to Silhouette Algorithms",
     .description = "The outer boundary of an object, against the background or another object",
     .scope = Scope::scene,
     .parameters = {},

@@ -77,14 +77,17 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
     parallel_for(polygon_count(), [&](std::size_t f) {
         std::fill(corner_polygon.begin() + polygons_.begin(f), corner_polygon.begin() + polygons_.end(f), Index(f));
     });
-    const auto sorted = [&](Index f) {
-        std::vector<Index> verts(corner_verts_.begin() + polygons_.begin(f), corner_verts_.begin() + polygons_.end(f));
-        std::sort(verts.begin(), verts.end());
-        return verts;
+    const auto corners_of = [&](Index f) {
+        return In<Index>(corner_verts_.data() + polygons_.begin(f), polygons_.size(f));
     };
     const auto sum = [&](Index f) {
-        return std::accumulate(corner_verts_.begin() + polygons_.begin(f), corner_verts_.begin() + polygons_.end(f),
-                               std::uint64_t(0));
+        const In<Index> verts = corners_of(f);
+        return std::accumulate(verts.begin(), verts.end(), std::uint64_t(0));
+    };
+    const auto same_vertices = [&](Index a, Index b) {
+        const In<Index> of_a = corners_of(a), of_b = corners_of(b);
+        return std::all_of(of_a.begin(), of_a.end(),
+                           [&](Index v) { return std::find(of_b.begin(), of_b.end(), v) != of_b.end(); });
     };
     Array<std::uint8_t> duplicate(polygon_count(), 0);
     parallel_for(polygon_count(), [&](std::size_t f) {
@@ -93,7 +96,7 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
         for (Index i = edge_corners_rows_.begin(edge); i < edge_corners_rows_.end(edge); ++i) {
             const Index other = corner_polygon[edge_corners_[i]];
             if (other >= f || skip[other] || polygons_.size(other) != polygons_.size(f)) continue;
-            if (sum(other) == sum(f) && sorted(other) == sorted(f)) duplicate[f] = 1;
+            if (sum(other) == sum(f) && same_vertices(other, f)) duplicate[f] = 1;
         }
     });
     report_.duplicate_polygons = static_cast<Index>(std::count(duplicate.begin(), duplicate.end(), 1));

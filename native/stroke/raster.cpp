@@ -13,15 +13,26 @@ namespace fovea {
 
 namespace {
 
-/// A vertex value over the triangle; exact at the corners as drawn.
-struct Plane {
-    dvec2 origin;
-    double value;
-    dvec2 slope;
-
-    double at(double x, double y) const {
-        return value + slope.x * (x - origin.x) + slope.y * (y - origin.y);
+/// u, v, half width and opacity over a triangle; exact at the corners as drawn.
+class Values {
+public:
+    Values(const FixedTriangle& shape, const dvec4& a, const dvec4& b, const dvec4& c)
+        : origin_(shape.corner(0)), at_origin_(a) {
+        const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
+        const double area = e.x * f.y - e.y * f.x;
+        slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
+        slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
     }
+
+    /// At the centre of pixel (x, y).
+    vec4 at(int x, int y) const {
+        return vec4(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) +
+                    slope_x_ * (x + 0.5 - origin_.x));
+    }
+
+private:
+    dvec2 origin_;
+    dvec4 at_origin_, slope_x_, slope_y_;
 };
 
 class Painter {
@@ -55,38 +66,26 @@ class Painter {
     void triangle(glm::uvec3 c, const PixelBox& tile) const {
         const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);
         const PixelBox box = intersect(shape.box(), tile);
-        const vec4* arc = strokes_.arc.data();
-        const Plane u = plane(shape, arc[c[0]].x, arc[c[1]].x, arc[c[2]].x);
-        const Plane v = plane(shape, arc[c[0]].y, arc[c[1]].y, arc[c[2]].y);
-        const Plane half = plane(shape, c, strokes_.half_width),
-                    opacity = plane(shape, c, strokes_.opacity);
-        const float start = arc[c[0]].z, end = arc[c[0]].w;
+        const Values values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
+        const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w;
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const PenTexture& texture = inks_[strokes_.pen[c[0]]];
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
             shape.span(y, x0, x1);
             for (int x = x0; x < x1; ++x) {
-                const double px = x + 0.5, py = y + 0.5;
-                const float fu = float(u.at(px, py)), fv = float(v.at(px, py)),
-                            fh = float(half.at(px, py));
-                float alpha = coverage(fu, fv, start, end, fh, pen.cap);
+                const vec4 f = values.at(x, y);
+                float alpha = coverage(f[0], f[1], start, end, f[2], pen.cap);
                 if (alpha <= 0.0f) continue;
-                if (pen.texture != none) alpha *= ink(texture, fu, fv, fh, pen.texture_length_px);
-                alpha *= float(opacity.at(px, py)) * pen.opacity;
-                row(y)[x] = over(row(y)[x], pen.color, alpha);
+                if (pen.texture != none)
+                    alpha *= ink(texture, f[0], f[1], f[2], pen.texture_length_px);
+                row(y)[x] = over(row(y)[x], pen.color, alpha * f[3] * pen.opacity);
             }
         }
     }
 
-    Plane plane(const FixedTriangle& shape, glm::uvec3 c, const Array<float>& values) const {
-        return plane(shape, values[c[0]], values[c[1]], values[c[2]]);
-    }
-
-    static Plane plane(const FixedTriangle& shape, double a, double b, double c) {
-        const dvec2 p = shape.corner(0), e = shape.corner(1) - p, f = shape.corner(2) - p;
-        const double area = e.x * f.y - e.y * f.x;
-        return {p, a, dvec2((b - a) * f.y - (c - a) * e.y, (c - a) * e.x - (b - a) * f.x) / area};
+    dvec4 corner(Index i) const {
+        return {strokes_.arc[i].x, strokes_.arc[i].y, strokes_.half_width[i], strokes_.opacity[i]};
     }
 
     const Strokes& strokes_;
