@@ -1,0 +1,158 @@
+"""A small modelling vocabulary: functions that return meshes, metres, z up, standing on z = 0 unless they say otherwise.
+
+Lines come from mesh edges, so round things get steps well under 30 degrees, hard rims more than that, and whatever runs
+into something else is joined by `combine`, which makes an edge where two surfaces meet."""
+
+import math
+
+import bmesh
+import bpy
+import numpy as np
+from mathutils import Matrix
+
+from . import stage
+
+CREASE = math.radians(30)
+
+
+def mesh(name: str, points, faces):
+    """`faces`: an (F, k) array, or a list of index lists."""
+    made = bpy.data.meshes.new(name)
+    made.from_pydata(np.asarray(points, dtype=float).tolist(), [], np.asarray(faces).tolist() if isinstance(faces, np.ndarray) else faces)
+    return made
+
+
+def finished(shape, merge: float = 1e-5):
+    """Welds points, drops slivers, turns normals outwards, shades smooth but for creases."""
+    work = bmesh.new()
+    work.from_mesh(shape)
+    bmesh.ops.remove_doubles(work, verts=work.verts, dist=merge)
+    bmesh.ops.dissolve_degenerate(work, edges=work.edges, dist=merge)
+    bmesh.ops.recalc_face_normals(work, faces=work.faces)
+    work.to_mesh(shape)
+    work.free()
+    shape.shade_smooth()
+    shape.set_sharp_from_angle(angle=CREASE)
+    return shape
+
+
+def quads(rows: int, columns: int, wrap_rows: bool = False, wrap_columns: bool = False) -> np.ndarray:
+    """Faces of a grid of points in row order."""
+    r, c = np.meshgrid(np.arange(rows - (not wrap_rows)), np.arange(columns - (not wrap_columns)), indexing="ij")
+    r1, c1 = (r + 1) % rows, (c + 1) % columns
+    return np.stack([r * columns + c, r * columns + c1, r1 * columns + c1, r1 * columns + c], axis=-1).reshape(-1, 4)
+
+
+def sheet(name: str, points, wrap_columns: bool = False):
+    """An open surface through an (n, m, 3) grid of points."""
+    points = np.asarray(points, dtype=float)
+    rows, columns = points.shape[:2]
+    return finished(mesh(name, points.reshape(-1, 3), quads(rows, columns, wrap_columns=wrap_columns)))
+
+
+def smooth(points, per: int = 8, closed: bool = False) -> np.ndarray:
+    """A Catmull-Rom curve through the points, `per` steps between two."""
+    points = np.asarray(points, dtype=float)
+    around = np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0), np.roll(points, -2, axis=0)
+    if not closed:
+        padded = np.concatenate([2 * points[:1] - points[1:2], points, 2 * points[-1:] - points[-2:-1]])
+        around = padded[:-3], padded[1:-2], padded[2:-1], padded[3:]
+    a, b, c, d = (array[:, None] for array in around)
+    t = np.linspace(0, 1, per, endpoint=False)[None, :, None]
+    curve = b + t * ((c - a) + t * ((2 * a - 5 * b + 4 * c - d) + t * (3 * (b - c) + d - a))) / 2
+    curve = curve.reshape(-1, points.shape[1])
+    return curve if closed else np.concatenate([curve, points[-1:]])
+
+
+def revolve(name: str, profile, segments: int = 96, start: float = 0.0, turn: float = 2 * math.pi):
+    """Turns (radius, z) points around z. A profile that starts and ends on the axis, or on itself, closes the solid."""
+    profile = np.asarray(profile, dtype=float)
+    whole = turn >= 2 * math.pi - 1e-9
+    angle = start + np.linspace(0, turn, segments + (not whole), endpoint=not whole)
+    points = np.stack([profile[:, :1] * np.cos(angle), profile[:, :1] * np.sin(angle),
+                       np.repeat(profile[:, 1:], len(angle), axis=1)], axis=-1)
+    return sheet(name, points, wrap_columns=whole)
+
+
+def sweep(name: str, path, radius, sides: int = 16, closed: bool = False):
+    """A round tube along a path; `radius` is one number or one per point. Open ends are capped."""
+    path = np.asarray(path, dtype=float)
+    radius = np.broadcast_to(radius, len(path))
+    tangent = np.roll(path, -1, axis=0) - np.roll(path, 1, axis=0) if closed else np.gradient(path, axis=0)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    side = np.cross(tangent[0], np.eye(3)[np.abs(tangent[0]).argmin()])
+    rings, angle = [], np.linspace(0, 2 * math.pi, sides, endpoint=False)
+    for centre, along, r in zip(path, tangent, radius):  # the frame is carried along, so that it never flips
+        side = side - along * (side @ along)
+        side /= np.linalg.norm(side)
+        rings.append(centre + r * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(along, side)))
+    faces = quads(len(path), sides, wrap_rows=closed, wrap_columns=True).tolist()
+    if not closed:
+        faces += [list(range(sides)), list(range((len(path) - 1) * sides, len(path) * sides))]
+    return finished(mesh(name, np.concatenate(rings), faces))
+
+
+def prism(name: str, outline, low: float, high: float):
+    """A polygon in x, y raised from `low` to `high`."""
+    outline = np.asarray(outline, dtype=float)
+    n = len(outline)
+    points = np.concatenate([np.insert(outline, 2, z, axis=1) for z in (low, high)])
+    return finished(mesh(name, points, quads(2, n, wrap_columns=True).tolist() + [list(range(n)), list(range(n, 2 * n))]))
+
+
+def upright(name: str, outline, front: float, back: float):
+    """A polygon in x, z drawn out along y from `front` to `back`."""
+    return moved(prism(name, outline, -back, -front), turn=(math.pi / 2, 0, 0))
+
+
+def arch(width: float, base: float, spring: float, steps: int = 32) -> np.ndarray:
+    """Outline (x, z) of an opening with a round head."""
+    angle = np.linspace(0, math.pi, steps + 1)
+    head = np.stack([np.cos(angle), np.sin(angle)], axis=1) * width / 2 + (0, spring)
+    return np.concatenate([[(-width / 2, base), (width / 2, base)], head])
+
+
+def box(name: str, size, base=(0, 0, 0), rounding: float = 0.0, segments: int = 4):
+    """`base` is the middle of the underside. Rounded edges in four steps carry no crease: only their outline is drawn."""
+    x, y, z = size
+    shape = prism(name, [(-x / 2, -y / 2), (x / 2, -y / 2), (x / 2, y / 2), (-x / 2, y / 2)], 0, z)
+    if rounding:
+        work = bmesh.new()
+        work.from_mesh(shape)
+        bmesh.ops.bevel(work, geom=work.edges, offset=rounding, segments=segments, affect="EDGES", profile=0.5)
+        work.to_mesh(shape)
+        work.free()
+        shape = finished(shape)
+    return moved(shape, base)
+
+
+def moved(shape, offset=(0, 0, 0), turn=(0, 0, 0), scale=(1, 1, 1)):
+    """Scales, turns about x, then y, then z (radians), and moves a mesh in place."""
+    x, y, z = (Matrix.Rotation(angle, 4, axis) for angle, axis in zip(turn, "XYZ"))
+    shape.transform(Matrix.Translation(offset) @ z @ y @ x @ Matrix.Diagonal((*scale, 1)))
+    return shape
+
+
+def joined(name: str, shapes):
+    """One mesh of several, without joining their surfaces."""
+    work = bmesh.new()
+    for shape in shapes:
+        work.from_mesh(shape)
+        bpy.data.meshes.remove(shape)
+    made = bpy.data.meshes.new(name)
+    work.to_mesh(made)
+    work.free()
+    return made
+
+
+def combine(operation: str, first, *others):
+    """UNION, DIFFERENCE or INTERSECT of closed meshes, one after the other; they are used up."""
+    made = stage.link("Combine", first)
+    tools = [stage.link("Tool", other) for other in others]
+    for tool in tools:
+        modifier = made.modifiers.new("Boolean", "BOOLEAN")
+        modifier.operation, modifier.object, modifier.solver = operation, tool, "EXACT"
+    result = bpy.data.meshes.new_from_object(made.evaluated_get(bpy.context.evaluated_depsgraph_get()))
+    result.name = first.name
+    bpy.data.batch_remove([made, *tools, first, *others])
+    return finished(result)
