@@ -9,10 +9,12 @@
 
 namespace fovea::stroke_fixture {
 
-/// Adds a piece whose path is the polyline itself; arc length 0 at its middle. Strength is indexed by point.
+/// Adds a piece whose path is the polyline itself; arc length 0 at its middle. Strength is indexed
+/// by point.
 inline void add_piece(ClippedPaths& clipped, const std::vector<vec2>& line, bool closed = false) {
     double length = 0.0, arc = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(dvec2(line[i]), dvec2(line[i - 1]));
+    for (std::size_t i = 1; i < line.size(); ++i)
+        length += glm::distance(dvec2(line[i]), dvec2(line[i - 1]));
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (i > 0) arc += glm::distance(dvec2(line[i]), dvec2(line[i - 1]));
         clipped.source.push_back(Index(clipped.px.size()));
@@ -36,12 +38,14 @@ inline Runs whole_runs(const ClippedPaths& clipped) {
     Runs runs;
     for (Index q = 0; q < clipped.pieces.count(); ++q)
         if (clipped.pieces.size(q) > 0)
-            add_run(runs, q, clipped.arc_px[clipped.pieces.begin(q)], clipped.arc_px[clipped.pieces.end(q) - 1]);
+            add_run(runs, q, clipped.arc_px[clipped.pieces.begin(q)],
+                    clipped.arc_px[clipped.pieces.end(q) - 1]);
     return runs;
 }
 
 /// Every piece drawn with the one pen.
-inline Strokes draw(const ClippedPaths& clipped, const Runs& runs, const Pen& pen, In<float> strength = {}) {
+inline Strokes draw(const ClippedPaths& clipped, const Runs& runs, const Pen& pen,
+                    In<float> strength = {}) {
     const std::vector<Index> pen_of_path(clipped.path.size(), 0);
     return tessellate(clipped, runs, pen_of_path, strength, {&pen, 1});
 }

@@ -18,7 +18,8 @@ float u_at(const Strokes& strokes, float x) {
             Index a = t[k], b = t[(k + 1) % 3];
             if (strokes.px[a].x > strokes.px[b].x) std::swap(a, b);
             const vec2 p = strokes.px[a], q = strokes.px[b];
-            if (strokes.arc[a].y < 0.0f || strokes.arc[b].y < 0.0f || !(p.x <= x && x < q.x)) continue;
+            if (strokes.arc[a].y < 0.0f || strokes.arc[b].y < 0.0f || !(p.x <= x && x < q.x))
+                continue;
             return glm::mix(strokes.arc[a].x, strokes.arc[b].x, (x - p.x) / (q.x - p.x));
         }
     return NAN;
@@ -38,7 +39,8 @@ TEST(Tessellate, StraightButtStrokeCoversLengthTimesWidth) {
         for (const double angle : {0.0, 0.3, 0.75, 1.2, 2.5}) {
             const vec2 along(float(100.0 * std::cos(angle)), float(100.0 * std::sin(angle)));
             const Pen p = pen(width, Cap::butt);
-            const auto image = picture(draw({vec2(150.3f) - along, vec2(150.3f) + along}, p), p, 300, 300);
+            const auto image =
+                picture(draw({vec2(150.3f) - along, vec2(150.3f) + along}, p), p, 300, 300);
             EXPECT_NEAR(area(image), 200.0 * width, 0.004 * 200.0 * width) << width << " " << angle;
         }
 }
@@ -49,7 +51,8 @@ TEST(Tessellate, RoundCapsAddADisc) {
         const auto image = picture(draw({{40.2f, 60.7f}, {160.9f, 93.1f}}, p), p, 200, 150);
         const double length = glm::distance(dvec2(40.2, 60.7), dvec2(160.9, 93.1));
         const double disc = std::numbers::pi * width * width / 4.0;
-        EXPECT_NEAR(area(image) - length * width, disc, 0.05 * disc + 0.005 * length * width) << width;
+        EXPECT_NEAR(area(image) - length * width, disc, 0.05 * disc + 0.005 * length * width)
+            << width;
     }
 }
 
@@ -63,9 +66,11 @@ TEST(Tessellate, PenBelowOnePixelIsOnePixelWideAndFainter) {
 
 TEST(Tessellate, RightAngleIsMitredAndDrawnOnce) {
     const Pen p = pen(10.0f, Cap::butt, 0.5f);
-    const auto image = picture(draw({{20.0f, 20.0f}, {80.0f, 20.0f}, {80.0f, 80.0f}}, p), p, 100, 100);
+    const auto image =
+        picture(draw({{20.0f, 20.0f}, {80.0f, 20.0f}, {80.0f, 80.0f}}, p), p, 100, 100);
     EXPECT_FLOAT_EQ(largest_alpha(image), 0.5f);
-    // Two arms of 60 x 10 and the outer quarter of the corner; the inner quarter belongs to both arms.
+    // Two arms of 60 x 10 and the outer quarter of the corner; the inner quarter belongs to both
+    // arms.
     EXPECT_NEAR(area(image) / 0.5, 2 * 60 * 10, 2.0);
     for (int y = 16; y < 24; ++y)
         for (int x = 76; x < 84; ++x) EXPECT_FLOAT_EQ(image[y * 100 + x].a, 0.5f) << x << " " << y;
@@ -78,14 +83,16 @@ TEST(Tessellate, SharpBendsAreDrawnOnce) {
             const vec2 corner(150.3f, 150.6f);
             const vec2 out(float(120.0 * std::cos(a)), float(120.0 * std::sin(a)));
             const Pen p = pen(8.0f, Cap::round, 0.5f);
-            const auto image = picture(draw({corner - vec2(120.0f, 0.0f), corner, corner + out}, p), p, 300, 300);
+            const auto image =
+                picture(draw({corner - vec2(120.0f, 0.0f), corner, corner + out}, p), p, 300, 300);
             EXPECT_LE(largest_alpha(image), 0.5f + 1e-6f) << degrees * sign;
             EXPECT_FLOAT_EQ(image[150 * 300 + 150].a, 0.5f) << degrees * sign;
         }
 }
 
 TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
-    // Bends tighter than the pen: every drawn pixel is near the line, every pixel well inside the pen is drawn.
+    // Bends tighter than the pen: every drawn pixel is near the line, every pixel well inside the
+    // pen is drawn.
     std::mt19937 random(7);
     std::uniform_real_distribution<float> step(0.5f, 9.0f), turn(-1.2f, 1.2f);
     for (int trial = 0; trial < 200; ++trial) {
@@ -104,7 +111,8 @@ TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
                 float distance = 1e9f;
                 for (std::size_t i = 1; i < line.size(); ++i) {
                     const vec2 d = line[i] - line[i - 1];
-                    const float t = glm::clamp(glm::dot(q - line[i - 1], d) / glm::dot(d, d), 0.0f, 1.0f);
+                    const float t =
+                        glm::clamp(glm::dot(q - line[i - 1], d) / glm::dot(d, d), 0.0f, 1.0f);
                     distance = std::min(distance, glm::distance(q, line[i - 1] + t * d));
                 }
                 const float alpha = image[y * 200 + x].a;
@@ -121,7 +129,8 @@ TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
 TEST(Tessellate, ClosedCircleIsTheSameAllAround) {
     for (const int points : {12, 90, 2000}) {
         const Pen p = pen(6.0f, Cap::round, 0.5f);
-        const auto image = picture(draw(circle({100.25, 100.5}, 70.0, points), p, true), p, 200, 200);
+        const auto image =
+            picture(draw(circle({100.25, 100.5}, 70.0, points), p, true), p, 200, 200);
         EXPECT_LE(largest_alpha(image), 0.5f + 1e-6f);
         if (points < 90) continue;
         EXPECT_NEAR(area(image), 0.5 * 2.0 * std::numbers::pi * 70.0 * 6.0, 0.005 * area(image));
@@ -145,12 +154,14 @@ TEST(Tessellate, ClippedRunKeepsU) {
     const Strokes part = draw(clipped, runs, p);
     EXPECT_FLOAT_EQ(part.arc[0].z, -37.3f);
     EXPECT_FLOAT_EQ(part.arc[0].w, 61.9f);
-    for (float x = 80.0f; x < 165.0f; x += 1.7f) EXPECT_NEAR(u_at(part, x), u_at(whole, x), 0.05f) << x;
+    for (float x = 80.0f; x < 165.0f; x += 1.7f)
+        EXPECT_NEAR(u_at(part, x), u_at(whole, x), 0.05f) << x;
 }
 
 TEST(Tessellate, ZigzagOfADenseMeshBecomesStraight) {
     std::vector<vec2> line;
-    for (int i = 0; i <= 2000; ++i) line.push_back({10.0f + 0.1f * i, 50.0f + (i % 2 ? 0.08f : -0.08f)});
+    for (int i = 0; i <= 2000; ++i)
+        line.push_back({10.0f + 0.1f * i, 50.0f + (i % 2 ? 0.08f : -0.08f)});
     const Strokes strokes = draw(line, pen(2.0f));
     EXPECT_LE(strokes.triangles.size(), 40u);
     for (std::size_t i = 0; i < strokes.px.size(); ++i)
@@ -159,7 +170,8 @@ TEST(Tessellate, ZigzagOfADenseMeshBecomesStraight) {
 
 TEST(Tessellate, TurnBackIsKept) {
     const Pen p = pen(4.0f);
-    const auto image = picture(draw({{20.0f, 50.0f}, {80.0f, 50.0f}, {40.0f, 50.0f}}, p), p, 100, 100);
+    const auto image =
+        picture(draw({{20.0f, 50.0f}, {80.0f, 50.0f}, {40.0f, 50.0f}}, p), p, 100, 100);
     EXPECT_GT(image[50 * 100 + 79].a, 0.99f);
     EXPECT_GT(image[50 * 100 + 81].a, 0.5f) << "rounded at the turn";
     EXPECT_EQ(image[50 * 100 + 84].a, 0.0f);
@@ -219,7 +231,8 @@ TEST(Tessellate, DegenerateInputDrawsNothing) {
 TEST(Tessellate, RepeatedPointsChangeNothing) {
     const Pen p = pen(5.0f);
     const Strokes once = draw({{10.0f, 10.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
-    const Strokes twice = draw({{10.0f, 10.0f}, {10.0f, 10.0f}, {50.0f, 12.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
+    const Strokes twice =
+        draw({{10.0f, 10.0f}, {10.0f, 10.0f}, {50.0f, 12.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
     EXPECT_NEAR(triangle_area(once), triangle_area(twice), 1e-3);
     EXPECT_EQ(once.triangles.size(), twice.triangles.size());
 }
@@ -229,7 +242,8 @@ TEST(Tessellate, WrongInputIsNamed) {
     add_piece(clipped, {{5.0f, 5.0f}, {20.0f, 5.0f}});
     const Pen p = pen(3.0f);
     const std::vector<Index> wrong_pen{3};
-    EXPECT_THROW(tessellate(clipped, whole_runs(clipped), wrong_pen, {}, {&p, 1}), std::invalid_argument);
+    EXPECT_THROW(tessellate(clipped, whole_runs(clipped), wrong_pen, {}, {&p, 1}),
+                 std::invalid_argument);
     EXPECT_THROW(tessellate(clipped, whole_runs(clipped), {}, {}, {&p, 1}), std::invalid_argument);
     const std::vector<float> too_short{1.0f};
     EXPECT_THROW(draw(clipped, whole_runs(clipped), p, too_short), std::invalid_argument);
