@@ -9,6 +9,7 @@ from . import build as native
 from . import draw_options
 from . import package as extension
 from .target import PROJECT, StepFailed, tail
+from .test import test  # noqa: F401
 
 
 def build(target, words):

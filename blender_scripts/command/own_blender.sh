@@ -54,6 +54,7 @@ embree4/rtcore.h Embree 4 (libembree-dev)
 oneapi/tbb/version.h oneTBB (libtbb-dev)
 glm/glm.hpp GLM (libglm-dev)
 xxhash.h xxHash (libxxhash-dev)
+png.h libpng (libpng-dev)
 OpenMesh/Core/System/config.h OpenMesh (libopenmesh-dev)
 opensubdiv/version.h OpenSubdiv (libosd-dev)
 END

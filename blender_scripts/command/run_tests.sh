@@ -1,1 +1,74 @@
-# `fovea test`
+# `fovea test`: on both suites side by side, or on the one target that was chosen.
+
+test_targets() {
+    trap 'stop_children; exit 130' INT TERM
+    passed=0 failed=0 skipped=0 broken=
+    if [ -n "$on${BLENDER:-}" ]; then
+        choose_target "$on" || exit 1
+        test_target yes "$(getconf _NPROCESSORS_ONLN)" "$@" || status=$?
+        add_counts
+    else
+        test_suites "$@"
+    fi
+    [ -z "$broken" ] || say "!!! NOT TESTED, because it could not be set up:$broken (the reason stands above) !!!"
+    echo "$passed passed, $failed failed, $skipped skipped"
+    [ "$failed" -eq 0 ]
+}
+
+# Both side by side. A broken archive of one suite must not hide what the other one says.
+test_suites() {
+    for suite in $all_suites; do
+        (use_suite "$suite") &
+        eval "child_$suite=$!"
+    done
+    ready=
+    for suite in $all_suites; do
+        wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
+    done
+    [ -n "$ready" ] || fail "neither suite could be set up"
+    sanitize=yes # the native code under sanitizers is the same on every suite: once is enough
+    for suite in $ready; do
+        (use_suite "$suite" && test_target "$sanitize" 1 "$@") &
+        eval "child_$suite=$!"
+        sanitize=no
+    done
+    for suite in $ready; do
+        wait_for "$suite" || true
+        target_name=$suite
+        add_counts
+    done
+}
+
+wait_for() {
+    eval "wait \$child_$1"
+}
+
+stop_children() {
+    for suite in $all_suites; do
+        eval "kill \${child_$suite:-} 2>/dev/null" || true
+    done
+}
+
+# test_target SANITIZE JOBS [PART] WORDS...: on the chosen target; the counts are left in a file.
+test_target() {
+    sanitize_here=$1
+    jobs=$2
+    shift 2
+    rm -f "$(counts_file)"
+    run_command test --sanitize "$sanitize_here" --jobs "$jobs" "$@"
+}
+
+counts_file() {
+    echo "$(work_folder)/results/counts"
+}
+
+# A target that ended without counts (it did not build, or crashed) is a failure.
+add_counts() {
+    if [ -e "$(counts_file)" ]; then
+        read -r more_passed more_failed more_skipped <"$(counts_file)"
+    else
+        say "$target_name: the tests did not run to their end"
+        more_passed=0 more_failed=1 more_skipped=0
+    fi
+    passed=$((passed + more_passed)) failed=$((failed + more_failed)) skipped=$((skipped + more_skipped))
+}

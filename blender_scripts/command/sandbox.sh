@@ -77,7 +77,7 @@ folder_of() {
 
 environment_options() {
     option --setenv PATH /usr/bin:/usr/sbin --setenv HOME "$work/home" --setenv LANG C.UTF-8 --setenv TMPDIR /tmp
-    for name in TERM DISPLAY WAYLAND_DISPLAY XAUTHORITY; do
+    for name in TERM DISPLAY WAYLAND_DISPLAY XAUTHORITY $(env | sed -n 's/^\(FOVEA_[A-Z_]*\)=.*/\1/p'); do
         eval "value=\${$name-}"
         [ -z "$value" ] || option --setenv "$name" "$value"
     done

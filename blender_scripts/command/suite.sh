@@ -26,9 +26,9 @@ set_up_suite() {
 }
 
 make_suite() {
-    say "setting up Debian $suite in $suite_folder (once: some minutes, 2.5 GB)"
     find_host_tools || return
     if [ ! -d "$root" ]; then
+        say "setting up Debian $suite in $suite_folder (once: some minutes, 2.5 GB)"
         find_mirror || return
         find_keyring || return
         step "$cache/log/$suite-base.log" "$suite: base system" make_base || return

@@ -34,13 +34,18 @@ choose_blender_at_hand() {
 
 # run_command SUBCOMMAND ARGUMENTS...: on the chosen target.
 run_command() {
-    work=$cache/$target_name/work-$(short_hash "$project")
+    work=$(work_folder)
     mkdir -p "$work/home"
     set -- "$python" -B "$here/main.py" "$target_name" "$work" "$cache" "$blender" "$python_include" "$@"
     case $target_name in
     own-*) "$@" ;;
     *) in_suite "$target_name" "$work" "$@" ;;
     esac
+}
+
+# This checkout's own folder for the chosen target.
+work_folder() {
+    echo "$cache/$target_name/work-$(short_hash "$project")"
 }
 
 short_hash() {
