@@ -8,6 +8,8 @@ namespace fovea {
 namespace {
 
 constexpr double mitre_limit = -0.17;  // cosine of the sharpest mitred bend: 100 degrees
+constexpr double stretch_limit =
+    0.87;  // cosine of the bend up to which a texture stretches: 30 degrees
 constexpr double reverse_limit =
     -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
 constexpr double round_error = 0.1;  // px between a round join and its polygon
@@ -21,6 +23,8 @@ dvec2 left_of(dvec2 d) { return {-d.y, d.x}; }
 /// ends there, and of the one that starts there.
 struct Corners {
     Index before = none, after = none;
+    /// The segments end square: two places rather than one.
+    bool square = false;
 };
 
 /// Points whose corners on one side are one corner, because the strip is too narrow there for each
@@ -147,41 +151,47 @@ class Strip {
     }
 
     void shared_corner(const Group& g, double side, std::vector<Corners>& corners) {
+        const CentrePoint &p = line_[g.first], &q = line_[g.last];
         const bool merged = g.first != g.last, start = g.first == 0, end = g.last + 1 == size_;
-        const bool sharp =
-            glm::dot(into(g.first), out_of(g.last)) < mitre_limit && !(merged && (start || end));
-        CentrePoint p = line_[merged && end ? g.last : g.first];
-        if (merged && !start && !end) {
-            const CentrePoint& q = line_[g.last];
-            p = {p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width),
-                 0.5f * (p.opacity + q.opacity)};
+        const dvec2 a = into(g.first), b = out_of(g.last);
+        const CentrePoint mean{p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width),
+                               0.5f * (p.opacity + q.opacity)};
+        const CentrePoint& middle = merged && start ? p : merged && end ? q : mean;
+        Corners split;
+        if (glm::dot(a, b) > stretch_limit || (merged && (start || end))) {
+            split.before = split.after = vertex(middle, g.corner, middle.arc, side);
+        } else {  // u is true on both sides of the bend, and jumps between them
+            split.before = vertex(p, g.corner, within(p.arc + glm::dot(g.corner - p.px, a)), side);
+            split.after = vertex(q, g.corner, within(q.arc + glm::dot(g.corner - q.px, b)), side);
         }
-        const float v = float(side * (p.half_width + fringe));
-        // u stays true along both sides of a sharp bend: its corner lies behind the point's own arc
-        // length.
-        const double behind = sharp ? glm::dot(line_[g.first].px - g.corner, into(g.first)) : 0.0;
-        const Index before = vertex(p, g.corner, p.arc - behind, v);
-        const Index after = sharp ? vertex(p, g.corner, p.arc + behind, v) : before;
         for (Index i = g.first; i <= g.last; ++i) {
-            corners[i] = {i == g.first ? before : after, after};
-            if (sharp || merged) need_middle(i);
+            corners[i] = {i == g.first ? split.before : split.after, split.after, false};
+            if (merged || is_round(i, -side)) need_middle(i);
         }
     }
 
     void square_corners(Index i, double side, Corners& corners) {
-        const float v = float(side * reach(i));
-        corners.before = vertex(line_[i], square(i, into(i), side), line_[i].arc, v);
-        corners.after = vertex(line_[i], square(i, out_of(i), side), line_[i].arc, v);
+        const CentrePoint& p = line_[i];
+        corners.before = vertex(p, square(i, into(i), side), p.arc, side);
+        corners.after = vertex(p, square(i, out_of(i), side), p.arc, side);
+        corners.square = true;
         need_middle(i);
     }
 
     void need_middle(Index i) {
-        if (middle_[i] == none) middle_[i] = vertex(line_[i], line_[i].px, line_[i].arc, 0.0f);
+        if (middle_[i] == none) middle_[i] = vertex(line_[i], line_[i].px, line_[i].arc, 0.0);
     }
 
-    Index vertex(const CentrePoint& p, dvec2 px, double u, float v) {
+    /// u that a cap does not cut: bends near the end of a stroke are whole.
+    double within(double u) const {
+        return std::clamp(u, double(ends_.start), std::max<double>(ends_.start, ends_.end));
+    }
+
+    /// A corner on a side of the strip; side 0: on the centre line.
+    Index vertex(const CentrePoint& p, dvec2 px, double u, double side) {
         out_.px.push_back(vec2(px));
-        out_.arc.push_back({float(u), v, ends_.start, ends_.end});
+        out_.arc.push_back(
+            {float(u), float(side * (p.half_width + fringe)), ends_.start, ends_.end});
         out_.half_width.push_back(p.half_width);
         out_.opacity.push_back(p.opacity);
         out_.pen.push_back(ends_.pen);
@@ -209,23 +219,27 @@ class Strip {
         }
     }
 
-    /// Fills the wedge on the outer side of a bend whose segments end square.
+    /// Fills the wedge on the outer side of a bend whose segments end square. u goes on around it
+    /// from either segment as far as the middle.
     void fan(Index i, const Corners& corners, double side) {
         const dvec2 a = into(i), b = out_of(i);
         const double turn = cross(a, b);
-        if (corners.before == corners.after || (turn < 0.0 ? side < 0.0 : side > 0.0)) return;
-        const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+        if (!corners.square || (turn < 0.0 ? side < 0.0 : side > 0.0)) return;
+        const double half = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2.0;
         const double step = 2.0 * std::acos(1.0 - std::min(round_error / reach(i), 0.5));
-        const int steps = std::max(1, int(std::ceil(angle / step)));
+        const int steps = std::max(1, int(std::ceil(half / step)));
+        const auto at = [&](double angle, double turned) {
+            const double t = -side * angle, c = std::cos(t), s = std::sin(t);
+            const dvec2 direction(a.x * c - a.y * s, a.x * s + a.y * c);
+            const double u = within(line_[i].arc + reach(i) * turned);
+            return vertex(line_[i], square(i, direction, side), u, side);
+        };
         Index last = corners.before;
-        for (int k = 1; k <= steps; ++k) {
-            Index next = corners.after;
-            if (k < steps) {
-                const double t = -side * angle * k / steps, c = std::cos(t), s = std::sin(t);
-                const dvec2 direction(a.x * c - a.y * s, a.x * s + a.y * c);
-                next = vertex(line_[i], square(i, direction, side), line_[i].arc,
-                              float(side * reach(i)));
-            }
+        for (int k = 1; k <= 2 * steps; ++k) {
+            if (k == steps + 1) last = at(half, -half);
+            const double angle = half * k / steps;
+            const Index next =
+                k == 2 * steps ? corners.after : at(angle, k <= steps ? angle : angle - 2.0 * half);
             triangle(middle_[i], last, next);
             last = next;
         }

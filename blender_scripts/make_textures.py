@@ -1,0 +1,175 @@
+"""Makes the pen textures of addon/textures: python3 blender_scripts/make_textures.py [FOLDER]
+
+Each is a grey PNG, white is full ink: columns run along the stroke and repeat without a seam, rows run across it from its
+left side to its right. All have as many texels per pen width along as across, so that grain is round on paper;
+textures.json holds the length of each, in widths of the pen. Seeds are fixed: every run makes the same files.
+"""
+
+import json
+import struct
+import sys
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+ROWS = 32  # texels across the pen
+LONG = 64  # widths after which an irregular pen repeats
+
+
+def smoothstep(low, high, x):
+    t = np.clip((x - low) / (high - low), 0, 1)
+    return t * t * (3 - 2 * t)
+
+
+class Canvas:
+    """One repetition of a texture, `length` pen widths long; x and y in widths, y in [-.5, .5] across the pen."""
+
+    def __init__(self, length, seed=0):
+        self.length = length
+        self.columns = length * ROWS
+        self.random = np.random.default_rng(seed)
+        self.x = (np.arange(self.columns) + 0.5)[None, :] / ROWS
+        self.y = 0.5 - (np.arange(ROWS) + 0.5)[:, None] / ROWS
+
+    def grain(self, size_along, size_across):
+        """Noise of mean 0 and deviation 1 whose spots are about so many widths large; seamless along the stroke."""
+        rows = ROWS * 2
+        spectrum = np.fft.rfft2(self.random.standard_normal((rows, self.columns)))
+        f = np.fft.fftfreq(rows, 1 / ROWS)[:, None] * size_across
+        g = np.fft.rfftfreq(self.columns, 1 / ROWS)[None, :] * size_along
+        # A ring of frequencies rather than everything below one: spots of one size, as paper has.
+        radius = np.hypot(f, g)
+        noise = np.fft.irfft2(spectrum * radius * np.exp(-2 * radius**2), s=(rows, self.columns))[:ROWS]
+        return (noise - noise.mean()) / noise.std()
+
+    def wander(self, size):
+        """The same along the stroke only: how a hand's pressure comes and goes."""
+        spectrum = np.fft.rfft(self.random.standard_normal(self.columns))
+        f = np.fft.rfftfreq(self.columns, 1 / ROWS) * size
+        noise = np.fft.irfft(spectrum * np.exp(-2 * f**2), n=self.columns)
+        return ((noise - noise.mean()) / noise.std())[None, :]
+
+    def between_edges(self, left, right, softness):
+        """1 between two edges given along the stroke as distances from its middle."""
+        return smoothstep(-softness, softness, left - self.y) * smoothstep(-softness, softness, right + self.y)
+
+    def capsules(self, *spans):
+        """Strokes with round ends as wide as the pen, from one x to another (x repeats); sharp to a texel."""
+        result = np.zeros((ROWS, self.columns))
+        for start, end in spans:
+            half, middle = (end - start) / 2, (end + start) / 2
+            away = np.abs((self.x - middle + self.length / 2) % self.length - self.length / 2)
+            beyond = np.maximum(away - half, 0)
+            result = np.maximum(result, np.clip((0.5 - np.hypot(beyond, self.y)) * ROWS + 0.5, 0, 1))
+        return result
+
+
+def solid():
+    return Canvas(1), np.ones((ROWS, ROWS))
+
+
+def pencil():
+    """Graphite: catches the fine tooth of the paper, softer and lighter towards its sides."""
+    c = Canvas(LONG, seed=1)
+    pressure = 0.87 + 0.08 * c.wander(3.0) + 0.08 * c.wander(0.7)
+    profile = 1 - np.abs(2 * (c.y + 0.03 * c.wander(2.0))) ** 3
+    tooth = 0.5 * c.grain(0.30, 0.24) + 0.6 * c.grain(0.14, 0.12) + 0.35 * c.grain(0.9, 0.12)
+    return c, 0.94 * smoothstep(-0.50, 0.82, pressure * profile - 0.36 + 0.22 * tooth)
+
+
+def charcoal():
+    """Broad and crumbly: dense in the middle, broken into crumbs at the sides, dragged along the way."""
+    c = Canvas(LONG, seed=2)
+    pressure = 0.78 + 0.10 * c.wander(4.0)
+    half = 0.43 + 0.03 * c.wander(1.5)
+    profile = 1 - smoothstep(0.45, 1.12, np.abs(c.y) / half)
+    crumbs = 0.8 * c.grain(0.30, 0.20) + 0.55 * c.grain(0.12, 0.10) + 0.35 * c.grain(1.4, 0.10)
+    return c, 0.95 * smoothstep(-0.12, 0.34, pressure * profile - 0.34 + 0.26 * crumbs)
+
+
+def ink():
+    """A nib: full black, its width breathing a little, its edges crisp but not quite clean."""
+    c = Canvas(LONG, seed=3)
+    breath = 0.455 + 0.016 * c.wander(7.0)
+    left = breath + 0.020 * c.wander(1.6) + 0.009 * c.wander(0.35)
+    right = breath + 0.020 * c.wander(1.6) + 0.009 * c.wander(0.35)
+    return c, c.between_edges(np.minimum(left, 0.5), np.minimum(right, 0.5), 0.035)
+
+
+def brush():
+    """A drying brush: edges that swell, and hairs that run out of ink along the way."""
+    c = Canvas(LONG, seed=4)
+    body = 0.44 + 0.03 * c.wander(6.0)
+    shape = c.between_edges(body + 0.02 * c.wander(1.0), body + 0.02 * c.wander(1.0), 0.05)
+    hairs = 0.8 * c.grain(9.0, 0.10) + 0.35 * c.grain(2.0, 0.07) + 0.25 * c.grain(0.2, 0.12)
+    dryness = smoothstep(-0.6, 1.8, c.wander(9.0)) * (0.35 + 1.3 * np.abs(c.y))
+    return c, shape * smoothstep(-0.16, 0.16, 0.55 - 0.75 * dryness + 0.30 * hairs)
+
+
+def chalk():
+    """Dusty: the board shows through everywhere, and the sides are ragged."""
+    c = Canvas(LONG, seed=5)
+    half = 0.46 + 0.02 * c.wander(1.2)
+    profile = 1 - smoothstep(0.72, 1.08, np.abs(c.y) / half)
+    board = 0.7 * c.grain(0.42, 0.34) + 0.6 * c.grain(0.18, 0.16) + 0.4 * c.grain(0.08, 0.08)
+    return c, 0.92 * smoothstep(-0.25, 0.42, (0.66 + 0.06 * c.wander(3.0)) * profile - 0.36 + 0.30 * board)
+
+
+def marker():
+    """Felt tip: even and a little translucent, darker where ink pools along its sides."""
+    c = Canvas(LONG, seed=6)
+    shape = c.between_edges(0.475 + 0.008 * c.wander(1.0), 0.475 + 0.008 * c.wander(1.0), 0.03)
+    pool = smoothstep(0.28, 0.44, np.abs(c.y))
+    felt = 0.02 * c.grain(6.0, 0.14) + 0.012 * c.grain(0.2, 0.2)
+    return c, shape * np.clip(0.80 + 0.14 * pool + felt, 0, 1)
+
+
+# What has gaps begins in the middle of a dash: so does every path (u is 0 at its middle), and short ones stay visible.
+
+
+def dashes():
+    c = Canvas(8)
+    return c, c.capsules((-2.5, 2.5))
+
+
+def dots():
+    c = Canvas(2)
+    return c, c.capsules((0.0, 0.0))
+
+
+def dash_dot():
+    """The centre line of technical drawings."""
+    c = Canvas(14)
+    return c, c.capsules((-4.0, 4.0), (7.0, 7.0))
+
+
+TEXTURES = (solid, pencil, charcoal, ink, brush, chalk, marker, dashes, dots, dash_dot)
+
+
+def write_png(path, grey):
+    """An 8-bit grey PNG of values in [0, 1]."""
+    pixels = (np.clip(grey, 0, 1) * 255 + 0.5).astype(np.uint8)
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+    header = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 0, 0, 0, 0)
+    path.write_bytes(
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
+    )
+
+
+def main(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    lengths = {}
+    for make in TEXTURES:
+        canvas, texture = make()
+        write_png(folder / f"{make.__name__}.png", texture)
+        lengths[make.__name__] = {"length_in_widths": canvas.length}
+    (folder / "textures.json").write_text(json.dumps(lengths, indent=2) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent.parent / "addon" / "textures")
