@@ -90,7 +90,7 @@ def clipped(location, size: float, seed: int):
     stage.put(ball_of_leaves, stage.material("Leaf", LEAF), (*location[:2], soil + size * 1.55))
 
 
-def tree(location, height: float, radius: float, seed: int):
+def tree(location, height: float, radius: float, seed: int, fine: int = 6):
     trunk = smooth([(0, 0, 0), (0.05, 0, height * 0.3), (-0.04, 0.05, height * 0.6), (0, 0, height)], 8)
     stage.put(shapes.sweep("Trunk", trunk, np.linspace(0.24, 0.12, len(trunk)) * radius / 2, 24), stage.material("Bark", BARK), location)
-    stage.put(crown("Crown", radius, 64, seed, 0.29, 6), stage.material("Leaf", LEAF), (*location[:2], location[2] + height + radius * 0.45))
+    stage.put(crown("Crown", radius, 64, seed, 0.29, fine), stage.material("Leaf", LEAF), (*location[:2], location[2] + height + radius * 0.45))
