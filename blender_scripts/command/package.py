@@ -11,15 +11,30 @@ ID = "fovea"
 
 
 def stage(target):
-    """Lays the package out in WORK/package/fovea: the add-on, the shaders and the native module beside __init__.py."""
+    """Lays the package out in WORK/package/fovea: the add-on, the shaders and the native module beside __init__.py.
+    What is the same already is left alone, as tests may be reading it."""
     module = build.module(target)
     folder = target.work / "package" / ID
+    fresh = folder.with_name("fresh")
+    unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", ".*")
     with target.lock():
-        shutil.rmtree(folder, ignore_errors=True)
-        unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", ".*")
-        shutil.copytree(PROJECT / "addon", folder, ignore=unwanted)
-        shutil.copytree(PROJECT / "shaders", folder / "shaders", ignore=unwanted)
-        shutil.copy2(module, folder)
+        shutil.rmtree(fresh, ignore_errors=True)
+        shutil.copytree(PROJECT / "addon", fresh, ignore=unwanted)
+        shutil.copytree(PROJECT / "shaders", fresh / "shaders", ignore=unwanted)
+        shutil.copy2(module, fresh)
+        if not folder.exists() or _content(fresh) != _content(folder):
+            shutil.rmtree(folder, ignore_errors=True)
+            fresh.rename(folder)
+    return folder
+
+
+def importable(target):
+    """A folder from which Python without Blender imports the staged package, as `addon`."""
+    folder = target.work / "importable"
+    folder.mkdir(exist_ok=True)
+    link = folder / "addon"
+    if not link.is_symlink():
+        link.symlink_to(target.work / "package" / ID)
     return folder
 
 

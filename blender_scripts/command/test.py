@@ -5,20 +5,11 @@ import sys
 import xml.etree.ElementTree as xml
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from pathlib import Path
 
 from . import build, package
-from .target import PROJECT, say, tail
+from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
-
-
-@dataclass(frozen=True)
-class Result:
-    part: str
-    log: Path
-    counts: Counter  # of passed, failed, skipped
 
 
 def test(target, words):
@@ -27,11 +18,10 @@ def test(target, words):
     results = target.work / "results"
     shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True)
-    _prepare(target, parts)
     with ThreadPoolExecutor(jobs) as pool:
-        running = [pool.submit(PARTS[part], target, part, results / f"{part}.xml", pytest_words) for part in parts]
-        done = [_reported(target, task.result()) for task in running]
-    total = sum((result.counts for result in done), Counter())
+        running = [pool.submit(_part, target, part, results / f"{part}.xml", pytest_words) for part in parts]
+        done = [task.result() for task in running]
+    total = sum(done, Counter())
     (results / "counts").write_text(f"{total['passed']} {total['failed']} {total['skipped']}\n")
     return 1 if total["failed"] else 0
 
@@ -43,43 +33,46 @@ def _parse(words):
     return parts, int(jobs), rest
 
 
-def _prepare(target, parts):
-    """What the parts share is built before they run side by side."""
-    if "native" in parts:
-        build.build(target, "fovea_tests")
-    if "blender" in parts:
-        package.install(target)
-    elif "python" in parts:
-        package.stage(target)
+def _part(target, part, report, words):
+    """Runs one part to its counts; one that cannot be built must not hide what the others say."""
+    try:
+        command, environment = PARTS[part](target, report, words)
+        log, status = target.attempt(f"{part} tests", command, **environment)
+    except StepFailed as failure:
+        print(failure, flush=True)
+        counts = Counter(failed=1)
+    else:
+        counts = _counts(report) if report.exists() else Counter()
+        if status != 0 and not counts["failed"] or not counts:
+            counts["failed"] += 1  # crashed, or found no tests
+        if counts["failed"]:
+            print(f"{target.name}: {part} tests FAILED; {log}:\n{tail(log, 400)}", flush=True)
+    say(f"{target.name}: {part} tests: {', '.join(f'{counts[kind]} {kind}' for kind in ('passed', 'failed', 'skipped'))}")
+    return counts
 
 
-def _native(target, part, report, _words, **environment):
-    folder = build.build(target, "fovea_tests", sanitize=part == "sanitize")
-    command = [folder / "fovea_tests", f"--gtest_output=xml:{report}"]
-    return _run(target, part, report, command, **environment)
+def _native(target, report, _words):
+    folder = build.build(target, "fovea_tests")
+    return [folder / "fovea_tests", f"--gtest_output=xml:{report}"], {}
 
 
-def _sanitize(target, part, report, words):
-    return _native(target, part, report, words, UBSAN_OPTIONS="print_stacktrace=1")
+def _sanitize(target, report, _words):
+    folder = build.build(target, "fovea_tests", sanitize=True)
+    return [folder / "fovea_tests", f"--gtest_output=xml:{report}"], {"UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
-def _python(target, part, report, words):
+def _python(target, report, words):
+    package.stage(target)
     command = [sys.executable, "-m", "pytest", TESTS / "python", "-v", f"--junitxml={report}", *words]
-    environment = {"PYTHONPATH": str(target.work / "package"), "FOVEA_BLENDER": target.blender}
-    return _run(target, part, report, command, **environment)
+    # The staged package has the native module in it, the checkout's folder has not.
+    path = str(package.importable(target))
+    return command, {"PYTHONPATH": path, "PYTHONSAFEPATH": "1", "FOVEA_BLENDER": target.blender}
 
 
-def _blender(target, part, report, words):
+def _blender(target, report, words):
+    package.install(target)
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", TESTS / "blender" / "run.py"]
-    return _run(target, part, report, [*command, "--", "-v", f"--junitxml={report}", *words])
-
-
-def _run(target, part, report, command, **environment):
-    log, status = target.attempt(f"{part} tests", command, **environment)
-    counts = _counts(report) if report.exists() else Counter()
-    if status != 0 and not counts["failed"] or not counts:
-        counts["failed"] += 1  # crashed, or found no tests
-    return Result(part, log, counts)
+    return [*command, "--", "-v", f"--junitxml={report}", *words], {}
 
 
 def _counts(report):
@@ -90,15 +83,6 @@ def _counts(report):
         skipped = "skipped" in tags or case.get("result") == "skipped" or case.get("status") == "notrun"
         counts["failed" if tags & {"failure", "error"} else "skipped" if skipped else "passed"] += 1
     return counts
-
-
-def _reported(target, result):
-    counts = result.counts
-    if counts["failed"]:
-        print(f"{target.name}: {result.part} tests FAILED; {result.log}:\n{tail(result.log, 400)}", flush=True)
-    sentence = ", ".join(f"{counts[kind]} {kind}" for kind in ("passed", "failed", "skipped"))
-    say(f"{target.name}: {result.part} tests: {sentence}")
-    return result
 
 
 PARTS = {"native": _native, "python": _python, "blender": _blender, "sanitize": _sanitize}

@@ -1,0 +1,147 @@
+"""Who may include or import whom: the folders stand in the order of the data, and each foreign library has one door."""
+
+import ast
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).parents[2]
+
+# A native folder includes itself and those before it.
+NATIVE = "base mesh field scene line path project focus atlas elision stroke bindings".split()
+
+# Header -> where it may be included.
+LIBRARIES = {
+    r"pybind11/": r"native/bindings/",
+    r"numpy/": r"native/bindings/",
+    r"OpenSubdiv|opensubdiv/": r"native/mesh/refine",
+    r"OpenMesh/": r"native/mesh/repair",
+    r"embree\d?/": r"native/scene/bvh",
+    r"Python\.h": r"nowhere",
+}
+
+# Python module -> where it may be imported.
+DOORS = {
+    "bpy": r"addon/blender/",
+    "bmesh": r"addon/blender/",
+    "mathutils": r"addon/blender/",
+    "bpy_extras": r"addon/blender/",
+    "gpu": r"addon/backend/gpu\w*\.py",
+    "gpu_extras": r"addon/backend/gpu\w*\.py",
+    "addon": r"nowhere",  # the package has another name once it is installed: imports in it are relative
+    "bl_ext": r"nowhere",
+    "tests": r"nowhere",
+    "scenes": r"nowhere",
+    "command": r"nowhere",
+}
+
+# The add-on's own parts -> those they may import; a folder stands for all that is in it.
+PARTS = {
+    "__init__": "blender",
+    "stages": "",
+    "native": "_native",
+    "style": "stages",
+    "catalogue": "native",
+    "textures": "backend/cpu style stages",
+    "backend/cpu": "native stages",
+    "backend/gpu": "backend/gpu native stages",
+    "pipeline": "backend/cpu stages style textures",
+    "blender": "blender backend pipeline textures style catalogue stages native",
+}
+
+# `native.load()` gives the native module; other parts get handles from these.
+LOADERS = r"addon/(backend/(cpu|gpu\w*)|catalogue|blender/(scene|session))\.py"
+
+
+def violations(root):
+    """A sentence for every include and import that breaks a rule."""
+    return [*_native_violations(root), *_python_violations(root)]
+
+
+def _native_violations(root):
+    for file in sorted((root / "native").rglob("*")):
+        if file.suffix not in (".h", ".cpp"):
+            continue
+        name = file.relative_to(root).as_posix()
+        folder = file.relative_to(root / "native").parts[0]
+        if folder not in NATIVE:
+            yield f"{name}: the folder {folder} is not in the order of the data"
+            continue
+        for header in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', file.read_text(), re.M):
+            other = header.split("/")[0]
+            if other in NATIVE and NATIVE.index(other) > NATIVE.index(folder):
+                yield f"{name} includes {header}, which comes after it"
+            for library, door in LIBRARIES.items():
+                if re.match(library, header) and not re.match(door, name):
+                    yield f"{name} includes {header}, allowed only in {door}"
+
+
+def _python_violations(root):
+    for file in sorted((root / "addon").rglob("*.py")):
+        name = file.relative_to(root).as_posix()
+        tree = ast.parse(file.read_text(), name)
+        if "native.load" in (ast.unparse(n) for n in ast.walk(tree) if isinstance(n, ast.Attribute)):
+            if not re.fullmatch(LOADERS, name):
+                yield f"{name} loads the native module"
+        for module in _imports(tree, file.relative_to(root / "addon")):
+            if module.startswith("."):
+                if not _may_import(name.removeprefix("addon/").removesuffix(".py"), module[1:]):
+                    yield f"{name} imports {module[1:]}"
+            elif not re.match(DOORS.get(module.split(".")[0], ""), name):
+                yield f"{name} imports {module}, allowed only in {DOORS[module.split('.')[0]]}"
+
+
+def _imports(tree, file):
+    """Names of imported modules; those of the add-on as '.folder/module'."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            yield node.module
+        elif isinstance(node, ast.ImportFrom):
+            base = file.parents[node.level - 1].as_posix().removeprefix(".")
+            inside = "/".join(filter(None, [base, (node.module or "").replace(".", "/")]))
+            folder = not node.module or inside in ("backend", "blender")
+            names = ["/".join(filter(None, [inside, alias.name])) for alias in node.names]
+            yield from ("." + module for module in (names if folder else [inside]))
+
+
+def _may_import(importer, imported):
+    matches = [part for part in PARTS if importer == part or importer.startswith((part + "/", part + "_"))]
+    if importer == "backend/__init__":
+        return True
+    if not matches:
+        return False
+    allowed = PARTS[max(matches, key=len)].split()
+    return any(imported == part or imported.startswith((part + "/", part + "_")) for part in allowed)
+
+
+def test_the_rules_hold():
+    assert not list(violations(PROJECT))
+
+
+@pytest.mark.parametrize(
+    "file, text, complaint",
+    [
+        ("native/mesh/planted.cpp", '#include "line/segments.h"', "which comes after it"),
+        ("native/line/planted.cpp", "#include <pybind11/numpy.h>", "allowed only in native/bindings/"),
+        ("native/atlas/planted.cpp", "#include <embree4/rtcore.h>", "allowed only in native/scene/bvh"),
+        ("native/surprise/planted.h", "", "not in the order of the data"),
+        ("addon/planted.py", "import bpy", "imports bpy"),
+        ("addon/pipeline.py", "from .backend import gpu", "imports backend/gpu"),
+        ("addon/backend/cpu.py", "import gpu", "imports gpu"),
+        ("addon/backend/gpu_planted.py", "from ..blender import scene", "imports blender/scene"),
+        ("addon/style.py", "from . import native\nnative.load()", "loads the native module"),
+        ("addon/stages.py", "def late():\n    from .style import Pen", "imports style"),
+        ("addon/blender/planted.py", "import addon.style", "imports addon.style"),
+    ],
+)
+def test_a_broken_rule_is_found(tmp_path, file, text, complaint):
+    for folder in ("native", "addon"):
+        shutil.copytree(PROJECT / folder, tmp_path / folder)
+    planted = tmp_path / file
+    planted.parent.mkdir(exist_ok=True)
+    planted.write_text(text)
+    assert any(file in sentence and complaint in sentence for sentence in violations(tmp_path))
