@@ -20,3 +20,8 @@ class Picture:
         draw_texture_2d(self._texture, (0, 0), self._texture.width, self._texture.height)
         engine.unbind_display_space_shader()
         gpu.state.blend_set("NONE")
+
+
+def is_software():
+    """Whether OpenGL runs on the CPU here."""
+    return gpu.platform.device_type_get() == "SOFTWARE"

@@ -8,6 +8,7 @@ import logging
 import threading
 import time
 from contextlib import contextmanager
+from functools import partial
 
 import bpy
 import numpy as np
@@ -15,7 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
 from ..backend import gpu_viewport
-from . import camera, properties, scene, surfaces
+from . import camera, methods, properties, scene, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -24,7 +25,7 @@ _statistics = {}
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, strokes, triangles, and lines_s, the seconds from Blender's evaluated
+    """Of the last picture: stages {name: ms}, backend, strokes, triangles, and lines_s, the seconds from Blender's evaluated
     meshes (reading them and building what rays need included) to visible runs."""
     return dict(_statistics)
 
@@ -57,6 +58,8 @@ def view_draw(engine, context, depsgraph):
         seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
         if engine.drawing is None or engine.drawing[0] != seen:
             image = _draw(engine, depsgraph, view, context.space_data)
+            if image is None:
+                return
             engine.drawing = (seen, gpu_viewport.Picture(image.combined))
             engine.update_stats("", "")
         engine.drawing[1].show(engine, depsgraph.scene)
@@ -76,28 +79,28 @@ def _reported(tell):
 
 def _draw(engine, depsgraph, view, viewport=None):
     """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
-    core, settings = native.load(), depsgraph.scene.fovea
-    chosen = properties.style_of(depsgraph.scene)
+    core, chosen = native.load(), properties.style_of(depsgraph.scene)
     start = time.perf_counter()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
     snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport)
     if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
-    placed = scene.placed(core, snapshot)
+    placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
     ingest = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt)
+    chosen_backend, visibility = methods.choose(depsgraph.scene.fovea, in_viewport=viewport is not None)
+    with_depth = viewport is None and depsgraph.view_layer.use_pass_z
+    options = pipeline.Options(visibility=visibility, with_depth=with_depth)
     cancel = core.Cancel()
     with _watched(engine, cancel):
-        image = pipeline.draw(
-            placed,
-            scene.seen(core, view),
-            chosen,
-            _backend(settings, viewport is not None),
-            progress=lambda share, text: _progress(engine, share, text),
-            cancel=cancel,
-        )
+        try:
+            image = pipeline.draw(
+                placed, seen, chosen, chosen_backend, options, progress=partial(_progress, engine), cancel=cancel
+            )
+        except core.Cancelled:
+            return None
     _note_statistics(ingest, snapshot, image)
     return image
 
@@ -127,10 +130,6 @@ def _progress(engine, share, text):
     engine.update_stats("Fovea", text)
 
 
-def _backend(settings, in_viewport):
-    return None
-
-
 def _report_skipped(engine, built):
     """Says once per mesh what of it was left out or looks wrong."""
     for surface in built:
@@ -148,6 +147,7 @@ def _note_statistics(ingest, snapshot, image):
     _statistics.update(
         stages=stages,
         strokes=image.statistics["strokes"],
+        backend=image.statistics["backend"],
         triangles=sum(len(snapshot.surfaces[i].triangles) for i in snapshot.surface_of_placement),
         lines_s=sum(stages[name] for name in until_runs) / 1000,
     )

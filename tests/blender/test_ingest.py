@@ -1,0 +1,409 @@
+"""Blender's evaluated scene as the native side gets it: every type of object, instances, usage, materials and marks."""
+
+import math
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+import pytest
+from the_addon import add_camera, box_mesh, empty_scene, mark_edges, new_mesh, new_object, part, shader_material
+
+scene = part("blender.scene")
+surfaces = part("blender.surfaces")
+NATIVE = part("native").load()
+ARRAYS = "positions edge_verts corner_verts corner_edges polygon_offsets ngon_triangles ngon_polygon material occluding"
+ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks"]
+
+
+class RecordedSurface(SimpleNamespace):
+    """Keeps what a native surface was made of."""
+
+    def __init__(self, name, *arrays):
+        super().__init__(name=name, **{k: None if a is None else a.copy() for k, a in zip(ARRAYS, arrays)})
+
+    def set_positions(self, positions):
+        self.positions = positions.copy()
+
+
+RECORDING = SimpleNamespace(Surface=RecordedSurface, content_hash=NATIVE.content_hash)
+
+
+class Capture(bpy.types.RenderEngine):
+    """Takes what a final render sees instead of drawing it."""
+
+    bl_idname = "FOVEA_TEST_CAPTURE"
+    bl_label = "Capture"
+    cache = None
+    taken = {}
+
+    def render(self, depsgraph):
+        self.taken[depsgraph.view_layer.name] = scene.gather(depsgraph, Capture.cache)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def capture_engine():
+    bpy.utils.register_class(Capture)
+    yield
+    bpy.utils.unregister_class(Capture)
+
+
+@pytest.fixture(autouse=True)
+def fresh_scene():
+    empty_scene()
+
+
+def new_cache(core=RECORDING):
+    return surfaces.SurfaceCache(core)
+
+
+def in_viewport(cache=None):
+    """The Snapshot of the scene as the viewport would show it."""
+    bpy.context.view_layer.update()
+    return scene.gather(bpy.context.evaluated_depsgraph_get(), cache or new_cache())
+
+
+def in_render():
+    """{view layer: Snapshot} of the scene as a final render sees it."""
+    if bpy.context.scene.camera is None:
+        add_camera()
+    render = bpy.context.scene.render
+    render.engine, render.resolution_x, render.resolution_y = Capture.bl_idname, 16, 16
+    Capture.cache, Capture.taken = new_cache(), {}
+    taken = Capture.taken
+    bpy.ops.render.render()
+    return taken
+
+
+def usage_of(snapshot):
+    return dict(zip(snapshot.objects, snapshot.usage.tolist()))
+
+
+def bevelled_curve():
+    bpy.ops.curve.primitive_bezier_circle_add()
+    bpy.context.object.data.bevel_depth = 0.1
+
+
+def extruded_text():
+    bpy.ops.object.text_add()
+    bpy.context.object.data.extrude = 0.1
+
+
+OBJECTS = {
+    "mesh": bpy.ops.mesh.primitive_monkey_add,
+    "curve": bevelled_curve,
+    "text": extruded_text,
+    "surface": bpy.ops.surface.primitive_nurbs_surface_sphere_add,
+    "metaball": bpy.ops.object.metaball_add,
+}
+
+
+@pytest.mark.parametrize("kind", OBJECTS)
+def test_every_type_of_object_comes_once(kind):
+    OBJECTS[kind]()
+    obj = bpy.context.object
+    obj.location = (1, 2, 3)
+    for snapshot in (in_viewport(new_cache(NATIVE)), in_render()["ViewLayer"]):
+        assert snapshot.objects == [obj.name]
+        assert snapshot.usage.tolist() == [scene.DRAW | scene.OCCLUDE]
+        assert np.allclose(snapshot.object_to_world[0], np.array(obj.matrix_world))
+    assert len(in_viewport(new_cache(NATIVE)).surfaces[0].triangles) > 10
+
+
+def test_modifiers_are_applied():
+    obj = new_object(box_mesh())
+    obj.modifiers.new("Subdivision", "SUBSURF").render_levels = 2
+    obj.modifiers["Subdivision"].levels = 1
+    assert len(in_viewport().surfaces[0].polygon_offsets) - 1 == 24
+    assert len(in_render()["ViewLayer"].surfaces[0].polygon_offsets) - 1 == 96
+
+
+def test_arrays_are_blenders():
+    mesh = new_mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0)], [], [(0, 1, 2, 3), (1, 4, 2)])
+    new_object(mesh)
+    (surface,) = in_viewport().surfaces
+    assert surface.positions.tolist() == [list(v.co) for v in mesh.vertices]
+    assert surface.edge_verts.tolist() == [list(e.vertices) for e in mesh.edges]
+    assert surface.corner_verts.tolist() == [0, 1, 2, 3, 1, 4, 2]
+    assert surface.corner_edges.tolist() == [loop.edge_index for loop in mesh.loops]
+    assert surface.polygon_offsets.tolist() == [0, 4, 7]
+    for name in ARRAYS[5:]:
+        assert getattr(surface, name) is None, name
+
+
+def test_polygons_with_many_corners_bring_blenders_triangles():
+    ring = [(math.cos(a), math.sin(a), 0) for a in np.linspace(0, 2 * math.pi, 6, endpoint=False)]
+    ring[2] = (0.1, 0.1, 0)  # a dent, so that a fan would be wrong
+    new_object(new_mesh([*ring, (5, 5, 0), (6, 5, 0), (5, 6, 0)], [], [(6, 7, 8), range(6)]))
+    (surface,) = in_viewport().surfaces
+    assert surface.ngon_polygon.tolist() == [1, 1, 1, 1]
+    x, y = surface.positions[surface.ngon_triangles][..., :2].transpose(2, 0, 1)
+    areas = ((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
+    outline = np.array(ring)
+    next_x, next_y = np.roll(outline[:, 0], -1), np.roll(outline[:, 1], -1)
+    assert (areas >= 0).all()
+    assert np.isclose(areas.sum(), (outline[:, 0] * next_y - next_x * outline[:, 1]).sum() / 2)
+
+
+def test_meshes_without_faces_or_edges():
+    new_object(new_mesh([(0, 0, 0), (1, 0, 0)], [(0, 1)], [], "Wire"), "Wire")
+    new_object(new_mesh([(0, 0, 0)], [], [], "Point"), "Point")
+    new_object(bpy.data.meshes.new("Nothing"), "Nothing")
+    assert in_viewport(new_cache(NATIVE)).objects == ["Wire"]
+
+
+def test_what_is_no_surface_is_left_out():
+    add_camera()
+    new_object(bpy.data.lights.new("Light", "SUN"), "Light")
+    new_object(None, "Empty")
+    assert in_viewport().objects == []
+
+
+def test_objects_share_the_surface_of_their_mesh():
+    mesh = box_mesh()
+    for x in range(3):
+        new_object(mesh, f"Box {x}", (x, 0, 0))
+    snapshot = in_viewport()
+    assert len(snapshot.surfaces) == 1
+    assert snapshot.surface_of_placement.tolist() == [0, 0, 0]
+    assert len(set(snapshot.persistent_id.tolist())) == 3
+
+
+def test_collection_instances():
+    collection = bpy.data.collections.new("Furniture")
+    mesh = box_mesh()
+    for x in range(2):
+        new_object(mesh, f"Box {x}", (x, 0, 0), collection)
+    for y in range(3):
+        instancer = new_object(None, f"Instancer {y}", (0, y, 0))
+        instancer.instance_type, instancer.instance_collection = "COLLECTION", collection
+    snapshot = in_viewport()
+    assert len(snapshot.surfaces) == 1
+    places = {tuple(matrix[:2, 3].tolist()) for matrix in snapshot.object_to_world}
+    assert places == {(float(x), float(y)) for x in range(2) for y in range(3)}
+    assert len(set(snapshot.persistent_id.tolist())) == 6
+
+
+def points_instancer(count):
+    """An object whose geometry nodes put a cube on every point of a grid."""
+    obj = new_object(box_mesh(), "Points")
+    tree = bpy.data.node_groups.new("Instances", "GeometryNodeTree")
+    tree.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+    names = ("GeometryNodeMeshGrid", "GeometryNodeMeshCube", "GeometryNodeInstanceOnPoints", "NodeGroupOutput")
+    grid, cube, place, output = (tree.nodes.new(name) for name in names)
+    grid.inputs["Vertices X"].default_value = grid.inputs["Vertices Y"].default_value = count
+    tree.links.new(grid.outputs["Mesh"], place.inputs["Points"])
+    tree.links.new(cube.outputs["Mesh"], place.inputs["Instance"])
+    tree.links.new(place.outputs["Instances"], output.inputs[0])
+    obj.modifiers.new("Nodes", "NODES").node_group = tree
+    return obj
+
+
+def test_instances_of_geometry_nodes():
+    obj = points_instancer(3)
+    snapshot = in_viewport()
+    assert len(snapshot.surfaces) == 1 and len(snapshot.usage) == 9
+    assert len(set(snapshot.persistent_id.tolist())) == 9
+    obj.fovea.usage = "OCCLUDE"
+    assert set(in_viewport().usage.tolist()) == {scene.OCCLUDE}
+
+
+def test_ids_stay_from_frame_to_frame():
+    points_instancer(3)
+    new_object(box_mesh(), "Box")
+    first = in_viewport().persistent_id.tolist()
+    bpy.context.scene.frame_set(7)
+    new_object(box_mesh(), "Another")
+    assert set(first) < set(in_viewport().persistent_id.tolist())
+
+
+def test_visibility_in_renders_and_viewports():
+    hidden_collection = bpy.data.collections.new("Hidden")
+    bpy.context.scene.collection.children.link(hidden_collection)
+    hidden_collection.hide_render = True
+    new_object(box_mesh(), "In hidden collection", collection=hidden_collection)
+    new_object(box_mesh(), "Hidden in renders").hide_render = True
+    new_object(box_mesh(), "Hidden in viewports").hide_viewport = True
+    new_object(box_mesh(), "Not for cameras").visible_camera = False
+    assert in_render()["ViewLayer"].objects == ["Hidden in viewports"]
+    assert set(in_viewport().objects) == {"Hidden in renders", "In hidden collection"}
+
+
+def test_view_layers():
+    bpy.ops.scene.view_layer_add()
+    names = [layer.name for layer in bpy.context.scene.view_layers]
+    for name in ("Left", "Right"):
+        collection = bpy.data.collections.new(name)
+        bpy.context.scene.collection.children.link(collection)
+        new_object(box_mesh(), name, collection=collection)
+    first, second = bpy.context.scene.view_layers
+    first.layer_collection.children["Right"].exclude = True
+    second.layer_collection.children["Left"].holdout = True
+    taken = in_render()
+    both = scene.DRAW | scene.OCCLUDE
+    assert usage_of(taken[names[0]]) == {"Left": both}
+    assert usage_of(taken[names[1]]) == {"Left": scene.OCCLUDE | scene.HOLDOUT, "Right": both}
+
+
+def test_holdout_of_object_and_material():
+    new_object(box_mesh(), "Object").is_holdout = True
+    mesh = box_mesh()
+    mesh.materials.append(shader_material("Hole", "ShaderNodeHoldout"))
+    new_object(mesh, "Material")
+    assert usage_of(in_viewport()) == dict.fromkeys(("Object", "Material"), scene.OCCLUDE | scene.HOLDOUT)
+
+
+def test_indirect_only_is_not_drawn():
+    collection = bpy.data.collections.new("Indirect")
+    bpy.context.scene.collection.children.link(collection)
+    new_object(box_mesh(), collection=collection)
+    bpy.context.view_layer.layer_collection.children["Indirect"].indirect_only = True
+    assert in_viewport().objects == []
+
+
+def test_usage():
+    for usage in scene.USAGE:
+        new_object(box_mesh(), usage).fovea.usage = usage
+    expected = {"BOTH": scene.DRAW | scene.OCCLUDE, "OCCLUDE": scene.OCCLUDE, "DRAW": scene.DRAW}
+    assert usage_of(in_viewport()) == expected
+    assert usage_of(in_render()["ViewLayer"]) == expected
+
+
+def test_materials_by_polygon():
+    red, blue = bpy.data.materials.new("Red"), bpy.data.materials.new("Blue")
+    red.diffuse_color = (1, 0, 0, 1)
+    mesh = box_mesh()
+    for material in (red, blue, red):
+        mesh.materials.append(material)
+    for polygon, slot in zip(mesh.polygons, (0, 1, 2, 0, 1, 2)):
+        polygon.material_index = slot
+    new_object(mesh)
+    snapshot = in_viewport()
+    # The third slot holds the same material as the first: no boundary between them.
+    assert snapshot.surfaces[0].material.tolist() == [0, 1, 0, 0, 1, 0]
+    assert snapshot.surfaces[0].occluding is None
+    assert [slot.name for slot in snapshot.slots[0]] == ["Red", "Blue", "Red"]
+    assert snapshot.slots[0][0].color == (1, 0, 0, 1)
+
+
+def principled(name, **inputs):
+    material = shader_material(name, "ShaderNodeBsdfPrincipled")
+    shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    for key, value in inputs.items():
+        shader.inputs[key.replace("_", " ")].default_value = value
+    return material
+
+
+def mixed():
+    material = shader_material("Leaf", "ShaderNodeMixShader")
+    tree = material.node_tree
+    mix = next(node for node in tree.nodes if node.type == "MIX_SHADER")
+    tree.links.new(tree.nodes.new("ShaderNodeBsdfDiffuse").outputs[0], mix.inputs[1])
+    tree.links.new(tree.nodes.new("ShaderNodeBsdfTransparent").outputs[0], mix.inputs[2])
+    return material
+
+
+@pytest.mark.parametrize(
+    "make, choice, hides",
+    [
+        (lambda: principled("Paint"), "AUTOMATIC", True),
+        (lambda: principled("Paint"), "NEVER", False),
+        (lambda: principled("Film", Alpha=0.5), "AUTOMATIC", False),
+        (lambda: principled("Film", Alpha=0.5), "ALWAYS", True),
+        (lambda: principled("Window", Transmission_Weight=1.0), "AUTOMATIC", False),
+        (lambda: shader_material("Glass", "ShaderNodeBsdfGlass"), "AUTOMATIC", False),
+        (lambda: shader_material("Diffuse", "ShaderNodeBsdfDiffuse"), "AUTOMATIC", True),
+        (mixed, "AUTOMATIC", False),
+    ],
+)
+def test_which_materials_hide(make, choice, hides):
+    material = make()
+    material.fovea.occlusion = choice
+    mesh = box_mesh()
+    mesh.materials.append(material)
+    new_object(mesh)
+    (surface,) = in_viewport().surfaces
+    assert (surface.occluding is None) if hides else not surface.occluding.any()
+
+
+def test_objects_may_bring_their_own_material():
+    mesh = box_mesh()
+    mesh.materials.append(principled("Paint"))
+    new_object(mesh, "Painted")
+    glazed = new_object(mesh, "Glazed")
+    glazed.material_slots[0].link = "OBJECT"
+    glazed.material_slots[0].material = shader_material("Glass", "ShaderNodeBsdfGlass")
+    snapshot = in_viewport()
+    of = dict(zip(snapshot.objects, snapshot.surface_of_placement))
+    assert snapshot.surfaces[of["Painted"]].occluding is None
+    assert not snapshot.surfaces[of["Glazed"]].occluding.any()
+
+
+@pytest.mark.parametrize("modifier", [None, "WAVE"])
+def test_marks(modifier):
+    mesh = box_mesh()
+    mark_edges(mesh, sharp=[1, 2], seam=[3], freestyle=[4, 5, 6])
+    obj = new_object(mesh)
+    if modifier:
+        obj.modifiers.new("Modifier", modifier)
+    (surface,) = in_viewport().surfaces
+    assert np.flatnonzero(surface.sharp_edges).tolist() == [1, 2]
+    assert np.flatnonzero(surface.seams).tolist() == [3]
+    assert np.flatnonzero(surface.edge_marks).tolist() == [4, 5, 6]
+
+
+def test_marks_are_read_only_when_wanted():
+    mesh = box_mesh()
+    mark_edges(mesh, freestyle=[4])
+    new_object(mesh)
+    bpy.context.view_layer.update()
+    snapshot = scene.gather(bpy.context.evaluated_depsgraph_get(), new_cache(), with_marks=False)
+    assert snapshot.surfaces[0].edge_marks is None
+
+
+def test_a_deforming_mesh_keeps_its_topology():
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=8, y_subdivisions=8)
+    bpy.context.object.modifiers.new("Wave", "WAVE")
+    cache = new_cache(NATIVE)
+    bpy.context.scene.frame_set(1)
+    (before,) = in_viewport(cache).surfaces
+    positions = before.positions.copy()
+    bpy.context.scene.frame_set(10)
+    (after,) = in_viewport(cache).surfaces
+    assert after is before and cache.moved == [after] and cache.rebuilt == []
+    assert not np.array_equal(positions, after.positions)
+
+
+def test_surfaces_are_kept_while_their_content_is():
+    obj = new_object(box_mesh(), "Box")
+    cache = new_cache()
+    (first,) = in_viewport(cache).surfaces
+    assert cache.rebuilt == [first]
+    obj.location.x = 3
+    new_object(box_mesh(2.0), "Another")
+    snapshot = in_viewport(cache)
+    assert snapshot.surfaces[snapshot.surface_of_placement[snapshot.objects.index("Box")]] is first
+    assert [surface.name for surface in cache.rebuilt] == ["Another"]
+    mark_edges(obj.data, sharp=[0])
+    obj.data.update_tag()
+    in_viewport(cache)
+    assert [surface.name for surface in cache.rebuilt] == ["Box"]
+
+
+def test_surfaces_that_are_gone_are_let_go():
+    obj = new_object(box_mesh())
+    cache = new_cache()
+    in_viewport(cache)
+    bpy.data.objects.remove(obj)
+    in_viewport(cache)
+    assert not cache._entries
+
+
+def test_meshes_in_edit_mode():
+    for x in range(2):
+        obj = new_object(box_mesh(1.0 + x), f"Box {x}")
+        obj.select_set(True)
+        bpy.context.view_layer.objects.active = obj
+    bpy.ops.object.mode_set(mode="EDIT")
+    snapshot = in_viewport()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert sorted(surface.positions.max() for surface in snapshot.surfaces) == [1.0, 2.0]

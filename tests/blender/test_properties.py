@@ -1,0 +1,109 @@
+"""Settings: made from the registry, filled in by styles, turned into the style that is drawn."""
+
+import math
+
+import bpy
+import pytest
+from the_addon import empty_scene, part
+
+catalogue = part("catalogue")
+properties = part("blender.properties")
+style = part("style")
+
+
+@pytest.fixture
+def settings():
+    return empty_scene().fovea
+
+
+def parameters():
+    return [(d["name"], p) for d in catalogue.definitions() for p in d["parameters"]]
+
+
+def test_every_definition_has_a_switch(settings):
+    for definition in catalogue.definitions():
+        prop = settings.bl_rna.properties[definition["name"]]
+        assert (prop.name, prop.type) == (definition["label"], "BOOLEAN")
+
+
+@pytest.mark.parametrize("definition, parameter", parameters())
+def test_every_parameter_is_a_property_with_the_registrys_limits(settings, definition, parameter):
+    prop = settings.bl_rna.properties[f"{definition}_{parameter['name']}"]
+    assert (prop.name, prop.description) == (parameter["label"], parameter["meaning"])
+    if parameter["unit"] == "bool":
+        assert (prop.type, prop.default) == ("BOOLEAN", bool(parameter["default"]))
+        return
+    turn = math.radians if parameter["unit"] == "degrees" else float
+    found = (prop.hard_min, prop.default, prop.hard_max)
+    assert found == pytest.approx([turn(parameter[key]) for key in ("min", "default", "max")])
+    assert (prop.subtype == "ANGLE") == (parameter["unit"] == "degrees")
+
+
+def test_a_new_scene_draws_the_default_style(settings):
+    drawn = properties.style_of(bpy.context.scene)
+    expected = style.load(style.DEFAULT)
+    assert [s.name for s in drawn.line_sets] == [s.name for s in expected.line_sets]
+    assert drawn.paper.color == pytest.approx(expected.paper.color)
+    for line_set, shipped in zip(drawn.line_sets, expected.line_sets):
+        assert set(shipped.kinds) <= set(line_set.kinds)
+        assert line_set.pen.width == pytest.approx(shipped.pen.width)
+        assert (line_set.pen.texture, line_set.pen.cap) == (shipped.pen.texture, shipped.pen.cap)
+
+
+@pytest.mark.parametrize("name", style.names())
+def test_choosing_a_style_fills_everything_in(settings, name):
+    settings.pen_width = 77
+    settings.style = name
+    chosen, last = style.load(name), style.load(name).line_sets[-1]
+    on = {kind for line_set in chosen.line_sets for kind in line_set.kinds}
+    assert {d["name"] for d in catalogue.definitions() if getattr(settings, d["name"])} == on
+    assert settings.pen_width == pytest.approx(last.pen.width)
+    assert tuple(settings.paper_color) == pytest.approx(chosen.paper.color)
+    assert properties.style_of(bpy.context.scene).line_sets[-1].pen.color == pytest.approx(last.pen.color)
+
+
+def test_switches_and_values_reach_every_line_set(settings):
+    settings.style = "technical"
+    settings.edge_mark = settings.contour = False
+    settings.crease_angle = math.radians(45)
+    drawn = properties.style_of(bpy.context.scene)
+    assert all("edge_mark" not in s.kinds and "contour" not in s.kinds for s in drawn.line_sets)
+    assert drawn.line_sets[-1].kinds["crease"]["angle"] == pytest.approx(45)
+    assert [s.name for s in drawn.line_sets] == ["outline", "lines"]
+
+
+def test_transparent_film_is_transparent_paper(settings):
+    assert not properties.style_of(bpy.context.scene).paper.transparent
+    bpy.context.scene.render.film_transparent = True
+    assert properties.style_of(bpy.context.scene).paper.transparent
+
+
+def test_settings_are_saved_with_the_file(settings, tmp_path):
+    settings.style = "charcoal"
+    settings.crease_angle = 1.0
+    mesh = bpy.data.meshes.new("Mesh")
+    obj = bpy.data.objects.new("Object", mesh)
+    bpy.context.scene.collection.objects.link(obj)
+    obj.fovea.usage = "OCCLUDE"
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    empty_scene()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "scene.blend"))
+    saved = bpy.context.scene.fovea
+    assert (saved.style, saved.crease_angle, bpy.data.objects["Object"].fovea.usage) == ("charcoal", 1.0, "OCCLUDE")
+
+
+def test_settings_can_be_keyframed(settings):
+    settings.keyframe_insert("pen_width", frame=1)
+    settings.pen_width = 9
+    settings.keyframe_insert("pen_width", frame=11)
+    bpy.context.scene.frame_set(11)
+    assert settings.pen_width == pytest.approx(9)
+    bpy.context.scene.frame_set(1)
+    assert settings.pen_width < 9
+
+
+def test_panels_draw_with_the_engine(settings):
+    for name in ("RENDER_PT_fovea", "OBJECT_PT_fovea", "MATERIAL_PT_fovea", "VIEWLAYER_PT_fovea"):
+        assert hasattr(bpy.types, name)
+    assert "FOVEA" in bpy.types.DATA_PT_lens.COMPAT_ENGINES
+    assert "FOVEA" not in bpy.types.RENDER_PT_freestyle.COMPAT_ENGINES

@@ -1,0 +1,77 @@
+"""The add-on under test, by whatever name it is installed, and scenes to test it on."""
+
+import importlib
+import sys
+
+import bpy
+import numpy as np
+
+fovea = next(
+    module for name, module in sys.modules.items() if name.rpartition(".")[2] == "fovea" and hasattr(module, "register")
+)
+
+
+def part(name):
+    """A module of the add-on: part("blender.scene")."""
+    return importlib.import_module(f"{fovea.__name__}.{name}")
+
+
+def empty_scene():
+    """A scene of the file without objects."""
+    bpy.ops.wm.read_homefile(use_empty=True)
+    return bpy.context.scene
+
+
+def new_object(data, name="Object", location=(0, 0, 0), collection=None):
+    obj = bpy.data.objects.new(name, data)
+    obj.location = location
+    (collection or bpy.context.scene.collection).objects.link(obj)
+    return obj
+
+
+def new_mesh(vertices, edges, polygons, name="Mesh"):
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(vertices, edges, polygons)
+    return mesh
+
+
+def box_mesh(half=1.0, name="Box"):
+    corners = [(x * half, y * half, z * half) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return new_mesh(corners, [], quads, name)
+
+
+def add_camera(location=(5, -7, 4), target=(0, 0, 0)):
+    """An active camera that looks at a point."""
+    camera = new_object(bpy.data.cameras.new("Camera"), "Camera", location)
+    direction = camera.location.__class__(target) - camera.location
+    camera.rotation_euler = direction.to_track_quat("-Z", "Y").to_euler()
+    bpy.context.scene.camera = camera
+    return camera
+
+
+def mark_edges(mesh, *, sharp=(), seam=(), freestyle=()):
+    """Marks edges by index, on either generation of Blender's API."""
+    for index in sharp:
+        mesh.edges[index].use_edge_sharp = True
+    for index in seam:
+        mesh.edges[index].use_seam = True
+    if "use_freestyle_mark" in bpy.types.MeshEdge.bl_rna.properties:
+        for index in freestyle:
+            mesh.edges[index].use_freestyle_mark = True
+    elif freestyle:
+        values = np.zeros(len(mesh.edges), np.bool_)
+        values[list(freestyle)] = True
+        attribute = mesh.attributes.new("freestyle_edge", "BOOLEAN", "EDGE")
+        attribute.data.foreach_set("value", values)
+
+
+def shader_material(name, node_type):
+    """A material with one shader node at its surface output."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    shader, output = tree.nodes.new(node_type), tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(shader.outputs[0], output.inputs["Surface"])
+    return material
