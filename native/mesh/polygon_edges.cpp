@@ -8,8 +8,10 @@
 namespace fovea {
 
 PolygonEdges polygon_edges(In<int> polygon_offsets, In<int> corner_verts) {
-    check(polygon_offsets.empty() || std::size_t(polygon_offsets.back()) <= corner_verts.size(),
-          "polygon_offsets reaches past corner_verts");
+    check(polygon_offsets.empty() ||
+              (polygon_offsets.front() >= 0 && std::is_sorted(polygon_offsets.begin(), polygon_offsets.end()) &&
+               std::size_t(polygon_offsets.back()) <= corner_verts.size()),
+          "polygon_offsets must ascend and stay within corner_verts");
     PolygonEdges result;
     result.corner_edges.resize(corner_verts.size());
     std::unordered_map<std::uint64_t, int> known;

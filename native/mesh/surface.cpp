@@ -36,8 +36,10 @@ void check_range(In<int> values, std::size_t limit, const std::string& name, con
     check(fits, name + ": " + what + " names an element that does not exist; the mesh is broken (Mesh > Validate mends it)");
 }
 
-In<int> flat(In<glm::ivec2> values) { return {&values.data()->x, values.size() * 2}; }
-In<int> flat(In<glm::ivec3> values) { return {&values.data()->x, values.size() * 3}; }
+template <int N>
+In<int> flat(In<glm::vec<N, int>> values) {
+    return {reinterpret_cast<const int*>(values.data()), values.size() * N};
+}
 
 }  // namespace
 

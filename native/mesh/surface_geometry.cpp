@@ -11,7 +11,7 @@
 namespace fovea {
 namespace {
 
-/// Deviation from its plane, as a share of a quarter of the perimeter, up to which a polygon counts as flat: 0.1 degrees.
+/// Deviation from its plane, as a share of its size, up to which a polygon counts as flat: 0.1 degrees.
 constexpr double flat_tolerance = 0.0017;
 /// Area, as a share of the squared perimeter, below which a polygon has no usable normal.
 constexpr double least_area = 1e-11;
@@ -96,7 +96,8 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
         for (Index i = edge_corners_rows_.begin(edge); i < edge_corners_rows_.end(edge); ++i) {
             const Index other = corner_polygon[edge_corners_[i]];
             if (other >= f || skip[other] || polygons_.size(other) != polygons_.size(f)) continue;
-            if (sum(other) == sum(f) && same_vertices(other, f)) duplicate[f] = 1;
+            duplicate[f] = sum(other) == sum(f) && same_vertices(other, f);
+            if (duplicate[f]) break;
         }
     });
     report_.duplicate_polygons = static_cast<Index>(std::count(duplicate.begin(), duplicate.end(), 1));
@@ -123,10 +124,10 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
             std::copy_n(ngon_triangles_.data() + ngon_rows_.begin(f), count, out);
         } else if (corners == 4) {
             // The diagonal 0-2 unless it lies outside (a concave quad): then both halves would face differently.
-            const vec3 diagonal = positions[v[2]] - positions[v[0]];
-            const vec3 left = glm::cross(positions[v[1]] - positions[v[0]], diagonal);
-            const vec3 right = glm::cross(diagonal, positions[v[3]] - positions[v[0]]);
-            const bool flip = glm::dot(left, right) < 0.0f;
+            const dvec3 origin(positions[v[0]]), diagonal = dvec3(positions[v[2]]) - origin;
+            const dvec3 left = glm::cross(dvec3(positions[v[1]]) - origin, diagonal);
+            const dvec3 right = glm::cross(diagonal, dvec3(positions[v[3]]) - origin);
+            const bool flip = glm::dot(left, right) < 0.0;
             out[0] = flip ? Triangle(v[1], v[2], v[3]) : Triangle(v[0], v[1], v[2]);
             out[1] = flip ? Triangle(v[1], v[3], v[0]) : Triangle(v[0], v[2], v[3]);
         } else {
@@ -148,8 +149,11 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
         const dvec3 n = outlines[f].area / glm::length(outlines[f].area);
         double deviation = 0.0;
         for (Index i = 1; i < corners; ++i)
-            deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v[i]] - positions[v[0]]))));
-        const bool is_flat = corners == 3 || deviation <= flat_tolerance * 0.25 * outlines[f].perimeter;
+            deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v[i]]) - dvec3(positions[v[0]]))));
+        // The side of a square of as much area or outline, whichever is less: strips that twist and jagged polygons
+        // have long outlines.
+        const double size = std::min(0.25 * outlines[f].perimeter, std::sqrt(0.5 * glm::length(outlines[f].area)));
+        const bool is_flat = corners == 3 || deviation <= flat_tolerance * size;
         first[f] = is_flat ? 1 : polygon_triangles_.size(f);
     });
     counts_to_offsets(first);
