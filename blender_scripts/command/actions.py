@@ -1,4 +1,4 @@
-"""The sub-commands, one function each: takes the target and the words after the sub-command, returns the exit status."""
+"""The shorter sub-commands, one function each: takes the target and the words after the sub-command, returns the exit status."""
 
 import argparse
 import os
@@ -9,7 +9,6 @@ from . import build as native
 from . import draw_options
 from . import package as extension
 from .target import PROJECT, StepFailed, tail
-from .test import test  # noqa: F401
 
 
 def build(target, words):

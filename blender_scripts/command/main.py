@@ -1,19 +1,23 @@
 """The part of `fovea` that runs inside a suite, or beside an own Blender; blender_scripts/fovea starts it."""
 
+import importlib
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from command import actions
 from command.target import StepFailed, Target, say
+
+# Sub-commands that are modules of their own; the others are functions of `actions`.
+MODULES = ("lines", "test")
 
 
 def main(words):
     """words: NAME WORK CACHE BLENDER PYTHON_INCLUDE SUB-COMMAND ARGUMENTS..."""
     target = Target(words[0], Path(words[1]), Path(words[2]), words[3], words[4])
     try:
-        return getattr(actions, words[5])(target, words[6:])
+        module = importlib.import_module(f"command.{words[5] if words[5] in MODULES else 'actions'}")
+        return getattr(module, words[5])(target, words[6:])
     except StepFailed as failure:
         say(str(failure))
     except (ValueError, OSError) as error:

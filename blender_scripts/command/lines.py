@@ -1,0 +1,120 @@
+"""`fovea lines`: one line definition on a model, extracted without Blender and before visibility, as arrays."""
+
+import argparse
+import importlib
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from . import obj, package
+from .target import say
+
+
+def lines(target, words):
+    options = _parse(words)
+    package.stage(target)
+    sys.path.insert(0, str(package.importable(target)))
+    native = importlib.import_module("addon.native").load()
+    polygons = obj.read(options.model)
+    surface = _surface(native, options.model.stem, polygons)
+    paths = _extract(native, surface, polygons.positions, options)
+    np.savez_compressed(options.output, **_arrays(paths, surface, polygons.positions), definition=options.definition)
+    skipped = {name: count for name, count in surface.report.items() if count}
+    say(f"{len(polygons.offsets) - 1} polygons, {len(paths)} paths" + (f"; {skipped}" if skipped else ""))
+    print(options.output)
+    return 0
+
+
+def _parse(words):
+    parser = argparse.ArgumentParser("fovea lines")
+    parser.add_argument("model", type=Path, metavar="MODEL.obj")
+    parser.add_argument("--definition", required=True, metavar="NAME")
+    parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
+    parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
+    parser.add_argument("--parameter", action="append", type=_parameter, default=[], metavar="NAME=VALUE")
+    parser.add_argument("--corner-angle", type=float, default=60.0, metavar="DEG", help="paths end at sharper turns")
+    parser.add_argument("-o", "--output", type=lambda text: Path(text).absolute(), required=True, metavar="OUT.npz")
+    # argparse would take "-1,2,3" for an option.
+    words = [f"--eye={words[i]}" if i and words[i - 1] == "--eye" else words[i] for i in range(len(words))]
+    return parser.parse_args([word for word in words if word != "--eye"])
+
+
+def _vector(text):
+    vector = np.array(text.split(","), float)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise argparse.ArgumentTypeError(f"'{text}' is not X,Y,Z")
+    return vector
+
+
+def _parameter(text):
+    name, _, value = text.partition("=")
+    return name, float(value)
+
+
+def _surface(native, name, polygons):
+    edge_verts, corner_edges = native.polygon_edges(polygons.offsets, polygons.corner_verts)
+    triangles, owners = polygons.ngon_triangles()
+    positions = polygons.positions.astype(np.float32)
+    return native.Surface(
+        name, positions, edge_verts, polygons.corner_verts, corner_edges, polygons.offsets, triangles, owners
+    )
+
+
+def _extract(native, surface, positions, options):
+    """The model alone in a scene, seen by a view that has all of it in its frame."""
+    usage = native.DRAW | native.OCCLUDE
+    scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
+    tracer = native.Tracer(scene, _view(native, positions, options))
+    return native.extract_paths(tracer, [({options.definition: dict(options.parameter)}, options.corner_angle)])
+
+
+def _view(native, positions, options):
+    finite = positions[np.isfinite(positions).all(axis=1)]
+    low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
+    centre, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
+    towards = options.eye if options.ortho else options.eye - centre
+    if not towards.any():
+        if options.ortho:
+            raise ValueError("--eye 0,0,0 is no direction")
+        towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: what is partly in the frame is extracted whole
+    distance = 2 * radius if options.ortho else np.linalg.norm(towards)
+    backwards = towards / np.linalg.norm(towards)
+    eye = centre + distance * backwards if options.ortho else options.eye
+    near, far = (0.5 * radius, 4 * radius) if options.ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
+    clip = _orthographic(radius, near, far) if options.ortho else _perspective(near, far)
+    return native.View(_looking(eye, backwards), clip, 1024, 1024, options.ortho, near, far)
+
+
+def _looking(eye, backwards):
+    """World to view: the eye at the origin, looking along -z."""
+    aside = np.eye(3)[np.abs(backwards).argmin()]
+    right = np.cross(aside, backwards)
+    right /= np.linalg.norm(right)
+    matrix = np.eye(4)
+    matrix[:3, :3] = right, np.cross(backwards, right), backwards
+    matrix[:3, 3] = -matrix[:3, :3] @ eye
+    return matrix
+
+
+def _perspective(near, far):
+    depth = far - near
+    return np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -(far + near) / depth, -2 * far * near / depth], [0, 0, -1, 0]])
+
+
+def _orthographic(half, near, far):
+    depth = far - near
+    return np.array([[1 / half, 0, 0, 0], [0, 1 / half, 0, 0], [0, 0, -2 / depth, -(far + near) / depth], [0, 0, 0, 1]])
+
+
+def _arrays(paths, surface, positions):
+    """What the file holds; points in the model's own double precision, from where they lie on their edges."""
+    ends = positions[surface.edges[paths.edge]]
+    t = paths.edge_t[:, None].astype(np.float64)
+    return {
+        "points": (1 - t) * ends[:, 0] + t * ends[:, 1],
+        "offsets": paths.offsets.astype(np.int64),
+        "closed": paths.closed.astype(bool),
+        "path_id": paths.ids,
+        "strength": paths.strength,
+    }

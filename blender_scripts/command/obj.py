@@ -1,0 +1,68 @@
+"""Reads the polygons of a Wavefront OBJ file as they stand: no axis swap, no scaling, no welding."""
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import ears
+
+
+@dataclass(frozen=True)
+class Polygons:
+    positions: np.ndarray  # (V, 3) float64
+    corner_verts: np.ndarray  # (C,) int32
+    offsets: np.ndarray  # (F + 1,) int32: corners of each polygon
+
+    def ngon_triangles(self):
+        """Vertices (T, 3) int32 and polygon (T,) int32 of the triangles of polygons with more than four corners."""
+        triangles, owners = [np.empty((0, 3), np.int32)], [np.empty(0, np.int32)]
+        for polygon in np.flatnonzero(np.diff(self.offsets) > 4):
+            corners = self.corner_verts[self.offsets[polygon] : self.offsets[polygon + 1]]
+            triangles.append(corners[ears.triangulate(self.positions[corners])])
+            owners.append(np.full(len(corners) - 2, polygon, np.int32))
+        return np.concatenate(triangles), np.concatenate(owners)
+
+
+def read(path):
+    """Faces of fewer than three corners are left out. ValueError, naming the file, for what is no OBJ."""
+    lines = path.read_bytes().replace(b"\\\r\n", b" ").replace(b"\\\n", b" ").splitlines()
+    lines = [line.strip() for line in lines]
+    is_vertex = np.array([line[:2] in (b"v ", b"v\t") for line in lines], bool)
+    is_face = np.array([line[:2] in (b"f ", b"f\t") for line in lines], bool)
+    try:
+        positions = _positions([lines[i][2:] for i in np.flatnonzero(is_vertex)])
+        seen = np.cumsum(is_vertex)[is_face]
+        corners, counts = _corners([lines[i][2:] for i in np.flatnonzero(is_face)], seen)
+    except ValueError as error:
+        raise ValueError(f"{path} is no OBJ file that can be read: {error}") from error
+    if len(corners) and not 0 <= corners.min() <= corners.max() < len(positions):
+        raise ValueError(f"{path} has faces of vertices that it does not have")
+    kept = counts > 2
+    offsets = np.concatenate([[0], np.cumsum(counts[kept])])
+    return Polygons(positions, corners[np.repeat(kept, counts)].astype(np.int32), offsets.astype(np.int32))
+
+
+def _positions(lines):
+    """(V, 3): the first three numbers of each line; weights or colours may follow."""
+    numbers = _numbers(lines, float)
+    if len(numbers) != 3 * len(lines):
+        numbers = _numbers([b" ".join(line.split()[:3]) for line in lines], float)
+    if len(numbers) != 3 * len(lines):
+        raise ValueError("a vertex has fewer than three coordinates")
+    return numbers.reshape(-1, 3)
+
+
+def _corners(lines, seen):
+    """Vertices of all faces one after the other, from 0, and how many each face has. Negative ones count backwards
+    from the vertices `seen` before the face."""
+    lines = re.sub(rb"/[^\s]*", b"", b"\n".join(lines)).split(b"\n") if lines else []
+    counts = np.array([len(line.split()) for line in lines], np.int64)
+    index = _numbers(lines, np.int64)
+    if (index == 0).any():
+        raise ValueError("a face names vertex 0, and they count from 1")
+    return np.where(index > 0, index - 1, index + np.repeat(seen, counts)), counts
+
+
+def _numbers(lines, kind):
+    return np.array(b" ".join(lines).split(), kind)
