@@ -60,7 +60,7 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     with clock.stage("lines", 0.15):
         paths = cpu.extract(tracer, style, cancel)
     with clock.stage("project", 0.15):
-        clipped = cpu.project(paths, tracer, options.sample_step * scale, cancel)
+        clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes)
     with clock.stage("visibility", 0.25):
         visible = visibility(frame, backend, options, cancel)

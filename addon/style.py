@@ -17,7 +17,14 @@ FOLDER = Path(__file__).parent / "styles"
 TEXTURES = Path(__file__).parent / "textures"
 DEFAULT = "ink"
 
-RANGES = {"opacity": (0, 1), "width": (0.1, 1000), "length_scale": (0.01, 100), "taper": (0, 10000), "corner_angle": (0, 180)}
+RANGES = {
+    "opacity": (0, 1),
+    "width": (0.1, 1000),
+    "length_scale": (0.01, 100),
+    "taper": (0, 10000),
+    "corner_angle": (0, 180),
+    "least_length": (0, 10000),
+}
 CAPS = ("round", "butt")
 
 
@@ -38,6 +45,7 @@ class LineSet:
     name: str = "lines"
     kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
     corner_angle: float = 60.0  # degrees of turn at which a path is split
+    least_length: float = 20.0  # reference pixels; shorter lines that touch no other are left out
     pen: Pen = Pen()
 
 

@@ -16,9 +16,10 @@ def extract(tracer, style, cancel):
     return native.load().extract_paths(tracer, sets, cancel)
 
 
-def project(paths, tracer, sample_step_px, cancel):
-    """ClippedPaths, with samples every so many pixels."""
-    return native.load().project(paths, tracer, sample_step_px, cancel)
+def project(paths, tracer, style, sample_step_px, scale, cancel):
+    """ClippedPaths, with samples every so many pixels; `scale` pixels are a reference pixel."""
+    least = [line_set.least_length * scale for line_set in style.line_sets]
+    return native.load().project(paths, tracer, sample_step_px, least, cancel)
 
 
 def exact(frame, cancel):

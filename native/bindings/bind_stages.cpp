@@ -149,14 +149,20 @@ void bind_stages(py::module_& m) {
 
     m.def(
         "project",
-        [](const Paths& paths, const Tracer& tracer, double sample_step_px, const Cancel* cancel) {
+        [](const Paths& paths, const Tracer& tracer, double sample_step_px, const std::vector<double>& least_length_px,
+           const Cancel* cancel) {
             const Cancel never;
+            ProjectOptions options;
+            options.sample_step_px = sample_step_px;
+            options.least_length_px = least_length_px;
             py::gil_scoped_release release;
             return std::make_shared<ClippedPaths>(
-                project(paths, tracer.scene(), tracer.view(), {.sample_step_px = sample_step_px}, cancel ? *cancel : never));
+                project(paths, tracer.scene(), tracer.view(), options, cancel ? *cancel : never));
         },
-        py::arg("paths"), py::arg("tracer"), py::arg("sample_step_px") = 2.0, py::arg("cancel") = py::none(),
-        "ClippedPaths of paths; sample_step_px: pixels between visibility samples.");
+        py::arg("paths"), py::arg("tracer"), py::arg("sample_step_px") = 2.0,
+        py::arg("least_length_px") = std::vector<double>(), py::arg("cancel") = py::none(),
+        R"(ClippedPaths of paths; sample_step_px: pixels between visibility samples; least_length_px: by line set, shorter
+paths that touch no other line are left out.)");
 
     py::class_<Runs, std::shared_ptr<Runs>>(m, "Runs", "Visible parts, sorted by piece, then by start.")
         .def_property_readonly("piece", [](py::object self) { return view_numpy(self.cast<const Runs&>().piece, self); }, "(R,) uint32")

@@ -16,11 +16,11 @@ using End = Index;
 /// Which end of another edge each end continues with; `none` where a path ends.
 class Links {
    public:
-    Links(const Surface& surface, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad)
-        : surface_(surface), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
+    Links(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad)
+        : seen_(seen), surface_(seen.surface), in_image_(in_image), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
         for (double angle : corner_angle_rad) least_cosine_.push_back(static_cast<float>(std::cos(angle)));
         gather_ends();
-        parallel_for(surface.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
+        parallel_for(surface_.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
     }
 
     End operator[](End end) const { return link_[end]; }
@@ -38,11 +38,20 @@ class Links {
         for (End end = 0; end < ends; ++end) ends_[next[vertex(end)]++] = end;
     }
 
-    /// Unit vector along the edge, away from this end.
+    /// Unit vector along the edge, away from this end; zero for an edge without length.
     vec3 direction(End end) const {
-        const vec3 d = surface_.positions[vertex(end ^ 1)] - surface_.positions[vertex(end)];
-        const float length = glm::length(d);
-        return length > 0.0f ? d / length : vec3(0.0f);
+        const dvec3 here(surface_.positions[vertex(end)]), there(surface_.positions[vertex(end ^ 1)]);
+        const dvec3 d = in_image_ ? image_direction(here, there) : there - here;
+        const double length = glm::length(d);
+        return length > 0.0 ? vec3(d / length) : vec3(0.0f);
+    }
+
+    /// The way from one point to another as the eye sees it; in view space where one lies behind the eye.
+    dvec3 image_direction(const dvec3& here, const dvec3& there) const {
+        const dvec3 a(seen_.object_to_view * dvec4(here, 1.0)), b(seen_.object_to_view * dvec4(there, 1.0));
+        if (seen_.orthographic) return {b.x - a.x, b.y - a.y, 0.0};
+        if (a.z >= 0.0 || b.z >= 0.0) return b - a;
+        return {b.x * a.z - a.x * b.z, b.y * a.z - a.y * b.z, 0.0};
     }
 
     void link_vertex(Index v) {
@@ -73,7 +82,9 @@ class Links {
         }
     }
 
+    const SurfaceView& seen_;
     const Surface& surface_;
+    const bool in_image_;
     In<Index> edges_;
     In<std::uint8_t> labels_;
     Array<End> link_;
@@ -84,8 +95,9 @@ class Links {
 
 }  // namespace
 
-Chains chain(const Surface& surface, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad) {
-    const Links links(surface, edges, labels, corner_angle_rad);
+Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels,
+             In<double> corner_angle_rad) {
+    const Links links(seen, in_image, edges, labels, corner_angle_rad);
     Chains chains;
     Array<std::uint8_t> taken(edges.size(), 0);
     chains.vertex.reserve(edges.size() * 2);

@@ -1,8 +1,7 @@
 // Edges chained into paths on one surface.
 #pragma once
 
-#include "base/types.h"
-#include "mesh/surface.h"
+#include "line/definition.h"
 
 namespace fovea {
 
@@ -17,7 +16,10 @@ struct Chains {
 
 /// Links edges of equal label that share a vertex. Where two meet, they are linked unless the path turns by more than
 /// the label's corner angle (radians); where more meet, those that continue each other best are linked first. A vertex
-/// with more than 32 lines ends them all. `edges` ascends; the result depends on nothing else.
-Chains chain(const Surface& surface, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad);
+/// with more than 32 lines ends them all. Turns are measured in space, or, for lines that depend on the view
+/// (`in_image`), in the image: a contour of mesh edges zigzags in depth where it is smooth to the eye.
+/// `edges` ascends; the result does not depend on the number of threads.
+Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels,
+             In<double> corner_angle_rad);
 
 }  // namespace fovea

@@ -24,6 +24,7 @@ struct PlacementPaths {
     std::shared_ptr<const Chains> kept;
     Chains seen;
     Array<Kinds> kept_kinds, seen_kinds;  // per point
+    Array<std::uint8_t> kept_free, seen_free;  // per chain: FreeEnds
 };
 
 std::uint64_t hash_sets(const std::vector<LineSet>& sets) {
@@ -124,6 +125,24 @@ Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
     return kinds;
 }
 
+/// How many lines meet at each vertex, up to 2.
+Array<std::uint8_t> lines_at_vertices(const Surface& surface, In<Index> kept, In<Index> seen) {
+    Array<std::uint8_t> count(surface.vertex_count(), 0);
+    for (const In<Index> edges : {kept, seen})
+        for (Index e : edges)
+            for (Index v : {surface.edges[e].x, surface.edges[e].y}) count[v] = std::min(count[v] + 1, 2);
+    return count;
+}
+
+Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& lines_at) {
+    Array<std::uint8_t> free(chains.rows.count());
+    parallel_for(free.size(), [&](std::size_t c) {
+        const Index first = chains.vertex[chains.rows.begin(c)], last = chains.vertex[chains.rows.end(c) - 1];
+        free[c] = (lines_at[first] < 2 ? free_start : 0) | (lines_at[last] < 2 ? free_end : 0);
+    });
+    return free;
+}
+
 PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
                                  bool view_dependent) {
     const Surface& surface = seen.surface;
@@ -140,10 +159,13 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
     PlacementPaths paths;
     paths.kept = surface.cache().get<Chains>(
-        chains_hash, [&] { return chain(surface, lines->edges, labelled.kept_labels, corner_angles); });
-    paths.seen = chain(surface, labelled.seen_edges, labelled.seen_labels, corner_angles);
+        chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
+    paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, corner_angles);
     paths.kept_kinds = kinds_of(*paths.kept, labelled.kinds);
     paths.seen_kinds = kinds_of(paths.seen, labelled.kinds);
+    const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
+    paths.kept_free = free_ends(*paths.kept, lines_at);
+    paths.seen_free = free_ends(paths.seen, lines_at);
     return paths;
 }
 
@@ -152,7 +174,8 @@ struct Slot {
     Index placement, path, point;
 };
 
-void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, Slot slot, Paths& paths) {
+void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, const Array<std::uint8_t>& free,
+                  Slot slot, Paths& paths) {
     const Placement& placement = scene.placements[slot.placement];
     const Surface& surface = *placement.surface;
     parallel_for(chains.rows.count(), [&](std::size_t c) {
@@ -160,6 +183,7 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
         paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
         paths.closed[p] = chains.closed[c];
         paths.line_set[p] = chains.label[c];
+        paths.free_ends[p] = free[c];
         paths.placement[p] = slot.placement;
         paths.id[p] = hash_numbers(placement.id, chains.anchor[c]);
     });
@@ -180,6 +204,7 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     paths.id.resize(path_count);
     paths.placement.resize(path_count);
     paths.line_set.resize(path_count);
+    paths.free_ends.resize(path_count);
     paths.points_obj.resize(point_count);
     paths.edge.resize(point_count);
     paths.edge_t.resize(point_count);
@@ -218,8 +243,8 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     }
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-        write_chains(scene, *found[i].kept, found[i].kept_kinds, slots[i].first, paths);
-        write_chains(scene, found[i].seen, found[i].seen_kinds, slots[i].second, paths);
+        write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);
+        write_chains(scene, found[i].seen, found[i].seen_kinds, found[i].seen_free, slots[i].second, paths);
     });
     return paths;
 }

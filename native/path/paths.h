@@ -5,6 +5,9 @@
 
 namespace fovea {
 
+/// Ends of a path that touch no other line.
+enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2 };
+
 /// Polylines in object space, all placements together; points of path p are rows.begin(p) .. rows.end(p). Segment i
 /// runs from point i to point i + 1 of its path. A closed path repeats its first point at the end.
 struct Paths {
@@ -14,6 +17,7 @@ struct Paths {
     Array<std::uint64_t> id;       ///< from the object's persistent id and the lowest edge: stable for static lines
     Array<Index> placement;
     Array<std::uint8_t> line_set;  ///< the first line set that wants the path
+    Array<std::uint8_t> free_ends; ///< FreeEnds bits
     // Per point.
     Array<vec3> points_obj;
     Array<Index> edge;             ///< the edge that the segment from this point lies on (the last: as before)

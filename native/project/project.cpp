@@ -31,6 +31,7 @@ class Projector {
         transform(path, begin, end);
         if (outside()) return;
         measure();
+        if (is_speck(path)) return;
         clip(path, begin, end);
     }
 
@@ -61,6 +62,13 @@ class Projector {
             if (all) return true;
         }
         return false;
+    }
+
+    /// Too short a path, all by itself.
+    bool is_speck(Index path) const {
+        const std::size_t set = paths_.line_set[path];
+        return set < options_.least_length_px.size() && paths_.free_ends[path] == (free_start | free_end) &&
+               p_.arc_px.back() < options_.least_length_px[set];
     }
 
     /// Arc length in pixels of what lies in front of the near plane, and where the path's middle (in space) falls.
