@@ -13,6 +13,8 @@ constexpr double tolerance = 0.1;       // px between a dropped point and the li
 constexpr double shortest = 0.05;       // px between neighbours: below it a direction means nothing
 constexpr float strength_step = 0.05f;  // change of strength that keeps a point
 constexpr int taper_steps = 4;
+constexpr double tip_width =
+    0.2;  // of a tapered end, in widths of the pen: corners of the drawing stay closed
 
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -148,12 +150,13 @@ void shape(CentreLine& line, const Pen& pen, bool closed) {
         }
         insert_points(line, arcs);
     }
+    // A line too short to taper in full keeps its width: a row of short ones shall not look like
+    // beads.
+    const double thinning = taper > 0.0 ? (1.0 - tip_width) * (taper / double(pen.taper_px)) : 0.0;
     for (CentrePoint& p : line) {
-        float width = pen.width_px;
-        if (taper > 0.0) {
-            const double x = std::clamp(std::min(p.arc - start, end - p.arc) / taper, 0.0, 1.0);
-            width *= float(x * (2.0 - x));
-        }
+        const double x =
+            taper > 0.0 ? std::clamp(std::min(p.arc - start, end - p.arc) / taper, 0.0, 1.0) : 1.0;
+        const float width = pen.width_px * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
         p.half_width = std::max(width, 1.0f) / 2.0f;
         p.opacity *= std::min(width, 1.0f);
     }
