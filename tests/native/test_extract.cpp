@@ -1,0 +1,160 @@
+// Paths of a scene: line sets, ids, what is left out.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+
+#include "drawing.h"
+
+using namespace fovea;
+using namespace fovea::meshes;
+using namespace fovea::drawing;
+
+namespace {
+
+const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
+
+Paths extract(const Scene& scene, const View& view, const std::vector<LineSet>& sets) {
+    const Tracer tracer(scene, view);
+    return extract_paths(scene, view, sets, tracer, Cancel());
+}
+
+/// Ids of paths by their lowest edge.
+std::map<Index, std::uint64_t> ids(const Paths& paths) {
+    std::map<Index, std::uint64_t> result;
+    for (Index p = 0; p < paths.count(); ++p)
+        result[*std::min_element(paths.edge.begin() + paths.rows.begin(p), paths.edge.begin() + paths.rows.end(p))] = paths.id[p];
+    return result;
+}
+
+template <typename T>
+void expect_same_bits(const Array<T>& a, const Array<T>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(T)), 0);
+}
+
+}  // namespace
+
+TEST(Extract, IdsOfStaticLinesStayWhenTheCameraMoves) {
+    const auto surface = box().surface();
+    const Scene scene({{surface, dmat4(1.0), 77}});
+    const LineSet creases = line_set({"crease"});
+    const auto first = ids(extract(scene, corner_view, {creases}));
+    ASSERT_EQ(first.size(), 12u);
+    for (const dvec3 eye : {dvec3(-4, 2, 3), dvec3(0.5, 6, -4), dvec3(4, -5, 3)})
+        EXPECT_EQ(ids(extract(scene, perspective(eye, {0, 0, 0}), {creases})), first);
+    EXPECT_EQ(ids(extract(Scene({place(box(), dmat4(1.0), 77)}), corner_view, {creases})), first) << "a new surface";
+    const auto other = ids(extract(Scene({{surface, dmat4(1.0), 78}}), corner_view, {creases}));
+    for (const auto& [edge, id] : first) EXPECT_NE(other.at(edge), id) << "another object";
+}
+
+TEST(Extract, TheFirstLineSetThatFindsAnEdgeHasIt) {
+    const Scene scene({place(box())});
+    const auto labels = [&](const std::vector<LineSet>& sets) {
+        const Paths paths = extract(scene, corner_view, sets);
+        std::map<int, int> edges;
+        for (Index p = 0; p < paths.count(); ++p) edges[paths.line_set[p]] += paths.rows.size(p) - 1;
+        return edges;
+    };
+    const LineSet contours = line_set({"contour"}), creases = line_set({"crease"});
+    EXPECT_EQ(labels({contours, creases}), (std::map<int, int>{{0, 6}, {1, 6}}));
+    EXPECT_EQ(labels({creases, contours}), (std::map<int, int>{{0, 12}}));
+    EXPECT_EQ(labels({contours}), (std::map<int, int>{{0, 6}}));
+    EXPECT_TRUE(labels({}).empty());
+    EXPECT_TRUE(labels({LineSet{}}).empty()) << "a line set without kinds";
+}
+
+TEST(Extract, KindsAreThoseOfTheSetThatHasTheEdge) {
+    const Drawing drawing({place(box())}, corner_view, {line_set({"contour"}), line_set({"crease", "contour"})});
+    for (Index p = 0; p < drawing.paths.count(); ++p)
+        for (Index i = drawing.paths.rows.begin(p); i < drawing.paths.rows.end(p); ++i)
+            EXPECT_EQ(drawing.paths.kinds[i], drawing.paths.line_set[p] == 0 ? bit_of("contour") : bit_of("crease"));
+}
+
+TEST(Extract, CachedLinesFollowTheParameters) {
+    const Scene scene({place(sphere(16))});
+    const auto creases = [&](double angle) {
+        const Paths paths = extract(scene, corner_view, {line_set_with("crease", {angle, 1})});
+        return paths.points_obj.size() - paths.count();
+    };
+    const std::size_t all = scene.placements[0].surface->mesh_edges;
+    for (int repeat = 0; repeat < 2; ++repeat)
+        for (const double angle : {0.0, 5.0, 11.5, 20.0, 90.0, 180.0}) {
+            if (angle < 2) {
+                EXPECT_EQ(creases(angle), all);
+            }
+            if (angle > 12) {
+                EXPECT_EQ(creases(angle), 0u) << "neighbours differ by 11.25 degrees";
+            }
+            if (angle == 11.5) {
+                EXPECT_LT(creases(angle), creases(5.0));
+            }
+        }
+}
+
+TEST(Extract, MovedVerticesGiveNewLines) {
+    const Mesh flat = grid(2);
+    const auto surface = flat.surface();
+    const Scene scene({{surface, dmat4(1.0), 1}});
+    const LineSet creases = line_set({"crease"});
+    EXPECT_EQ(extract(scene, corner_view, {creases}).count(), 0u);
+    std::vector<vec3> positions = flat.positions;
+    for (vec3& p : positions) p.z = p.x < 0 ? 2.0f : 0.0f;
+    surface->set_positions(positions);
+    EXPECT_EQ(extract(scene, corner_view, {creases}).points_obj.size(), 3u) << "two edges, one path";
+    surface->set_positions(flat.positions);
+    EXPECT_EQ(extract(scene, corner_view, {creases}).count(), 0u);
+}
+
+TEST(Extract, OnlyWhatIsDrawnAndInTheFrame) {
+    const auto surface = box().surface();
+    const auto lines_of = [&](dmat4 at, int usage) {
+        return extract(Scene({{surface, at, 1, std::uint8_t(usage)}}), corner_view, {line_set({"crease"})}).count();
+    };
+    EXPECT_EQ(lines_of(dmat4(1.0), usage_draw), 12u);
+    EXPECT_EQ(lines_of(dmat4(1.0), usage_occlude), 0u);
+    EXPECT_EQ(lines_of(dmat4(1.0), usage_holdout), 0u);
+    EXPECT_EQ(lines_of(moved({100, 0, 0}), usage_draw), 0u);
+    EXPECT_EQ(lines_of(moved({8, -10, 6}), usage_draw), 0u) << "behind the camera";
+}
+
+TEST(Extract, InstancesHaveTheirOwnContours) {
+    // The second box is seen straight from its front.
+    const auto surface = box().surface();
+    const View view = perspective({0, -12, 0}, {0, 0, 0});
+    const Drawing drawing({{surface, moved({3, 0, 3}), 1}, {surface, dmat4(1.0), 2}}, view, {line_set({"contour"})});
+    EXPECT_EQ(drawing.lines(0).size(), 6u);
+    EXPECT_EQ(drawing.lines(1).size(), 4u);
+}
+
+TEST(Extract, IsTheSameWithOneThreadAndMany) {
+    Mesh mesh = sphere(80);
+    mesh.material.resize(mesh.polygon_offsets.size() - 1);
+    for (std::size_t f = 0; f < mesh.material.size(); ++f) mesh.material[f] = int(f / 37 % 3);
+    const auto run = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        std::vector<Placement> placements;
+        const auto surface = mesh.surface();
+        for (int i = 0; i < 9; ++i) placements.push_back({surface, moved({i % 3 - 1.0, i / 3 - 1.0, 0}) * scaled(dvec3(0.6)), std::uint64_t(i)});
+        return extract(Scene(placements), corner_view,
+                       {line_set({"contour", "silhouette"}), line_set({"material_boundary", "border"}, 30)});
+    };
+    const Paths one = run(1), many = run(8);
+    EXPECT_GT(one.count(), 100u);
+    expect_same_bits(one.rows.offsets, many.rows.offsets);
+    expect_same_bits(one.id, many.id);
+    expect_same_bits(one.points_obj, many.points_obj);
+    expect_same_bits(one.edge, many.edge);
+    expect_same_bits(one.edge_t, many.edge_t);
+    expect_same_bits(one.kinds, many.kinds);
+    expect_same_bits(one.closed, many.closed);
+    expect_same_bits(one.line_set, many.line_set);
+}
+
+TEST(Extract, CanBeCancelled) {
+    const Scene scene({place(box())});
+    const Tracer tracer(scene, corner_view);
+    Cancel cancel;
+    cancel.requested = true;
+    EXPECT_THROW(extract_paths(scene, corner_view, {line_set({"crease"})}, tracer, cancel), Cancelled);
+}

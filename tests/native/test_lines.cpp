@@ -1,0 +1,231 @@
+// Line definitions on surfaces whose lines are known.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
+#include "drawing.h"
+
+using namespace fovea;
+using namespace fovea::meshes;
+using namespace fovea::drawing;
+
+namespace {
+
+const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
+
+std::set<Index> edges_of(const Drawing& drawing, Index placement = 0) {
+    std::set<Index> edges;
+    for (const auto& [edge, kinds] : drawing.lines(placement)) edges.insert(edge);
+    return edges;
+}
+
+std::set<Index> edges_of(const Mesh& mesh, const View& view, const LineSet& set, dmat4 at = dmat4(1.0)) {
+    return edges_of(Drawing({place(mesh, at)}, view, {set}));
+}
+
+/// Two unit squares that share an edge (edge 1), folded by an angle between their normals.
+Mesh folded(double degrees) {
+    const double a = glm::radians(degrees);
+    const vec3 up(dvec3(std::cos(a), 0, std::sin(a)));
+    return of_polygons("folded", {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, up, up + vec3(0, 1, 0)},
+                       {{0, 1, 2, 3}, {1, 4, 5, 2}});
+}
+
+}  // namespace
+
+TEST(Lines, TheRegistryFindsDefinitionsByName) {
+    std::set<std::string> names;
+    for (const LineDefinition* definition : line_definitions()) {
+        EXPECT_EQ(line_definitions()[definition_index(definition->name)], definition);
+        EXPECT_TRUE(names.insert(definition->name).second) << definition->name << " twice";
+        for (const Parameter& p : definition->parameters) EXPECT_TRUE(p.low <= p.value && p.value <= p.high) << p.name;
+    }
+    EXPECT_THROW(definition_index("outline"), std::invalid_argument);
+    EXPECT_LE(line_definitions().size(), 8 * sizeof(Kinds));
+}
+
+TEST(Contour, OfABoxFromItsCornerHasSixEdges) {
+    const Drawing drawing({place(box())}, corner_view, {line_set({"contour"}, 179)});
+    EXPECT_EQ(edges_of(drawing).size(), 6u);
+    ASSERT_EQ(drawing.paths.count(), 1u);
+    EXPECT_TRUE(drawing.paths.closed[0]);
+}
+
+TEST(Contour, OfABoxSeenStraightOnIsItsFrontFace) {
+    EXPECT_EQ(edges_of(box(), perspective({0, -5, 0}, {0, 0, 0}), line_set({"contour"})).size(), 4u);
+    EXPECT_EQ(edges_of(box(), orthographic({0, -5, 0}, {0, 0, 0}, 6), line_set({"contour"})).size(), 4u);
+}
+
+TEST(Contour, OfASphereIsOneLoopNearTheAnalyticCircle) {
+    const int n = 48;
+    const dvec3 eye(3, -4, 2);
+    const Drawing drawing({place(sphere(n))}, perspective(eye, {0, 0, 0}), {line_set({"contour"}, 180)});
+    double closed = 0.0, all = 0.0;
+    for (Index p = 0; p < drawing.paths.count(); ++p) {
+        double length = 0.0;
+        for (Index i = drawing.paths.rows.begin(p); i + 1 < drawing.paths.rows.end(p); ++i)
+            length += glm::distance(drawing.paths.points_obj[i], drawing.paths.points_obj[i + 1]);
+        all += length;
+        if (drawing.paths.closed[p]) closed += length;
+    }
+    EXPECT_EQ(closed, all) << "without borders every contour is closed";
+    // Points p of the contour have p . eye = 1; edges are off it by at most one facet.
+    const double facet = std::numbers::pi / n;
+    for (const vec3& point : drawing.paths.points_obj)
+        EXPECT_NEAR(glm::dot(dvec3(point), glm::normalize(eye)), 1.0 / glm::length(eye), 1.5 * facet);
+}
+
+TEST(Contour, IsTheSameWhicheverWayFacesAreTurned) {
+    std::mt19937 random(7);
+    const Mesh shapes[] = {box(), sphere(12), two_boxes_at_an_edge(), tetrahedron()};
+    for (const Mesh& shape : shapes) {
+        const auto expected = edges_of(shape, corner_view, line_set({"contour"}));
+        const Mesh mixed = flipped(shape, [&](int) { return random() % 2 == 0; });
+        EXPECT_EQ(edges_of(mixed, corner_view, line_set({"contour"})), expected) << shape.name;
+        EXPECT_EQ(edges_of(mixed, corner_view, line_set({"crease"})), edges_of(shape, corner_view, line_set({"crease"})));
+        EXPECT_FALSE(expected.empty());
+    }
+}
+
+TEST(Contour, RunsAlongADiagonalOnlyWhereABentPolygonTurnsAway) {
+    // Edge-on from the side where one half of the bent quad faces away.
+    const Mesh mesh = bent_quad(1.0f);
+    const auto surface = mesh.surface();
+    const Index diagonal = surface->mesh_edges;
+    const auto seen_from = [&](dvec3 eye) { return edges_of(mesh, perspective(eye, {0.5, 0.5, 0}), line_set({"contour"})); };
+    EXPECT_EQ(seen_from({0.5, 0.5, 9}), std::set<Index>()) << "both halves face the viewer";
+    const dvec3 n0(surface->facet_plane[0]), n1(surface->facet_plane[1]);
+    const dvec3 between = glm::normalize(n0 - n1);  // one half faces it, the other does not
+    EXPECT_EQ(seen_from(dvec3(0.5, 0.5, 0.2) + 9.0 * between), std::set<Index>{diagonal});
+}
+
+TEST(Contour, HasNoBordersAndABorderNoContours) {
+    const View view = perspective({4, 0.3, 2}, {0, 0, 0});
+    const Drawing drawing({place(cylinder(32))}, view, {line_set({"contour", "border"})});
+    std::map<Kinds, int> count;
+    for (const auto& [edge, kinds] : drawing.lines()) ++count[kinds];
+    EXPECT_EQ(count[bit_of("border")], 64);
+    EXPECT_EQ(count[bit_of("contour")], 2) << "where the cylinder turns away, left and right";
+    EXPECT_EQ(count.size(), 2u);
+}
+
+TEST(Crease, BeginsAtItsAngle) {
+    const View view = perspective({0, 0.5, 6}, {0, 0.5, 0});
+    for (const double fold : {10.0, 30.0, 80.0, 150.0}) {
+        EXPECT_TRUE(edges_of(folded(fold), view, line_set_with("crease", {fold - 0.05, 1})).count(1)) << fold;
+        EXPECT_FALSE(edges_of(folded(fold), view, line_set_with("crease", {fold + 0.05, 1})).count(1)) << fold;
+    }
+    EXPECT_EQ(edges_of(folded(90), view, line_set({"crease"})), std::set<Index>{1}) << "borders are no creases";
+}
+
+TEST(Crease, SharpMarksAreASwitch) {
+    Mesh mesh = grid(2);
+    mesh.sharp = mesh.edge_flags({1, 2});
+    ASSERT_EQ(mesh.edge_verts[1], glm::ivec2(1, 4)) << "an inner edge";
+    ASSERT_EQ(mesh.edge_verts[2], glm::ivec2(4, 3));
+    const View view = perspective({0, -1, 6}, {0, 0, 0});
+    EXPECT_EQ(edges_of(mesh, view, line_set_with("crease", {30, 1})), (std::set<Index>{1, 2}));
+    EXPECT_EQ(edges_of(mesh, view, line_set_with("crease", {30, 0})), std::set<Index>());
+}
+
+TEST(Crease, ThreeFacesAtAnEdgeAreACrease) {
+    Mesh mesh = folded(0.0);
+    mesh.positions.push_back({0, 0, 1});
+    mesh.positions.push_back({0, 1, 1});
+    mesh.add_polygon({1, 6, 7, 2});
+    EXPECT_EQ(edges_of(mesh, perspective({1, 0.5, 6}, {0, 0.5, 0}), line_set({"crease"})), std::set<Index>{1});
+}
+
+TEST(Border, IsWhereASurfaceEnds) {
+    EXPECT_EQ(edges_of(grid(3), corner_view, line_set({"border"})).size(), 12u);
+    EXPECT_EQ(edges_of(box(), corner_view, line_set({"border"})).size(), 0u);
+    EXPECT_EQ(edges_of(moebius(24), corner_view, line_set({"border"})).size(), 48u);
+    const Drawing strip({place(moebius(24))}, corner_view, {line_set({"border"}, 180)});
+    EXPECT_EQ(strip.paths.count(), 1u) << "the border of a moebius strip is one loop";
+    EXPECT_TRUE(strip.paths.closed[0]);
+}
+
+TEST(MaterialBoundary, LiesBetweenMaterials) {
+    Mesh mesh = grid(2);
+    EXPECT_TRUE(edges_of(mesh, corner_view, line_set({"material_boundary"})).empty());
+    mesh.material = {0, 1, 0, 1};
+    EXPECT_EQ(edges_of(mesh, corner_view, line_set({"material_boundary"})).size(), 2u);
+    mesh.material = {0, 1, 2, 3};
+    EXPECT_EQ(edges_of(mesh, corner_view, line_set({"material_boundary"})).size(), 4u);
+}
+
+TEST(EdgeMark, TakesSeamsWhenAsked) {
+    Mesh mesh = grid(2);
+    mesh.positions.push_back({0, 0, 1});
+    const int loose = mesh.edge(0, 9);
+    mesh.edge_mark = mesh.edge_flags({1, loose});
+    mesh.seam = mesh.edge_flags({2});
+    EXPECT_EQ(edges_of(mesh, corner_view, line_set_with("edge_mark", {0})), std::set<Index>{1}) << "no loose edges";
+    EXPECT_EQ(edges_of(mesh, corner_view, line_set_with("edge_mark", {1})), (std::set<Index>{1, 2}));
+}
+
+TEST(Silhouette, IsTheOuterBoundaryOnly) {
+    // Two spheres in one mesh, one before the other: the front one's contour lies on the back one.
+    const View view = perspective({0, -8, 0}, {0, 0, 0});
+    Mesh both = sphere(16);
+    const Mesh back = sphere(16);
+    const int base = static_cast<int>(both.positions.size());
+    for (const vec3& p : back.positions) both.positions.push_back(3.0f * p + vec3(0, 6, 0));
+    for (std::size_t f = 0; f + 1 < back.polygon_offsets.size(); ++f) {
+        std::vector<int> verts;
+        for (int c = back.polygon_offsets[f]; c < back.polygon_offsets[f + 1]; ++c) verts.push_back(base + back.corner_verts[c]);
+        both.add_polygon(verts);
+    }
+    const auto contours = edges_of(both, view, line_set({"contour"}));
+    const auto silhouettes = edges_of(both, view, line_set({"silhouette"}));
+    const int first_of_back = static_cast<int>(sphere(16).edge_verts.size());
+    for (Index e : contours) EXPECT_EQ(silhouettes.count(e), int(e) >= first_of_back ? 1u : 0u) << e;
+    EXPECT_EQ(silhouettes.size(), contours.size() / 2);
+
+    // As two placements, each has its own silhouette.
+    const Drawing apart({place(sphere(16)), place(sphere(16), moved({0, 6, 0}) * scaled(dvec3(3)), 2)}, view,
+                        {line_set({"silhouette"})});
+    EXPECT_EQ(edges_of(apart, 0).size() + edges_of(apart, 1).size(), contours.size());
+}
+
+TEST(Lines, AnEdgeOfSeveralKindsAppearsOnce) {
+    Mesh mesh = box();
+    mesh.material = {0, 1, 2, 3, 4, 5};
+    mesh.edge_mark.assign(12, 1);
+    const Drawing drawing({place(mesh)}, corner_view,
+                          {line_set({"contour", "silhouette", "crease", "border", "material_boundary", "edge_mark"})});
+    const auto lines = drawing.lines();
+    ASSERT_EQ(lines.size(), 12u);
+    int contours = 0;
+    for (const auto& [edge, kinds] : lines) {
+        EXPECT_EQ(kinds & ~bit_of("contour") & ~bit_of("silhouette"),
+                  bit_of("crease") | bit_of("material_boundary") | bit_of("edge_mark"));
+        EXPECT_EQ((kinds & bit_of("contour")) != 0, (kinds & bit_of("silhouette")) != 0) << "a box is convex";
+        contours += (kinds & bit_of("contour")) != 0;
+    }
+    EXPECT_EQ(contours, 6);
+}
+
+TEST(Lines, MoveWithTheObjectAndTheCamera) {
+    const LineSet set = line_set({"contour", "crease", "border"});
+    for (const Mesh& mesh : {sphere(12), box(), cylinder(20), bent_quad()}) {
+        const auto expected = edges_of(mesh, corner_view, set);
+        for (const double size : {1e-3, 1.0, 1e3}) {
+            const dmat4 motion = moved(size * dvec3(3, -2, 1)) *
+                                 glm::mat4_cast(glm::angleAxis(1.1, glm::normalize(dvec3(1, 2, -1)))) * scaled(dvec3(size));
+            View view = corner_view;
+            view.world_to_view = scaled(dvec3(size)) * corner_view.world_to_view * glm::inverse(motion);
+            view = with_near(view, 0.1 * size);
+            EXPECT_EQ(edges_of(mesh, view, set, motion), expected) << mesh.name << " " << size;
+        }
+    }
+}
+
+TEST(Lines, OfAMirroredObjectAreMirrored) {
+    const LineSet set = line_set({"contour"});
+    View mirrored = corner_view;
+    mirrored.world_to_view = corner_view.world_to_view * scaled({-1, 1, 1});
+    for (const Mesh& mesh : {sphere(12), tetrahedron()})
+        EXPECT_EQ(edges_of(mesh, mirrored, set), edges_of(mesh, corner_view, set, scaled({-1, 1, 1}))) << mesh.name;
+}
