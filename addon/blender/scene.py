@@ -30,10 +30,10 @@ class _Gathering:
 
     def __init__(self, cache, depsgraph, viewport, with_marks):
         self.cache, self.with_marks = cache, with_marks
-        self.layer, self.viewport = depsgraph.view_layer_eval, viewport
+        self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
-        self.known_materials, self.known_usage, self.index_of = {}, {}, {}
-        self.rows, self.matrices = [], []  # (surface, id, usage, object name) and matrix, per placement
+        self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
+        self.rows = []  # (step of the walk, surface, hash of names, usage, object name) per placement
 
     def usage(self, instance):
         """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
@@ -45,7 +45,12 @@ class _Gathering:
         return self.known_usage[identity]
 
     def _usage(self, obj, owner):
-        usage = USAGE[obj.fovea.usage] & USAGE[owner.fovea.usage]
+        # Instances are short-lived copies, and so are objects shown as the mesh Blender made of them: settings are
+        # those of what they are copies of (asking a copy for them leaks memory).
+        same = obj == owner
+        obj = obj.original.evaluated_get(self.depsgraph)
+        owner = obj if same else owner.original.evaluated_get(self.depsgraph)
+        usage = USAGE[obj.fovea.usage] if same else USAGE[obj.fovea.usage] & USAGE[owner.fovea.usage]
         if not obj.visible_camera or owner.indirect_only_get(view_layer=self.layer):
             return 0
         if self.viewport is not None and not owner.visible_in_viewport_get(self.viewport):
@@ -70,26 +75,32 @@ class _Gathering:
             self.index_of[met] = self.index_of[shared]
         return self.index_of[met]
 
-    def add(self, obj, mesh, instance, usage):
-        """One placement of an evaluated mesh."""
+    def add(self, step, obj, mesh, instance, usage):
+        """One placement of an evaluated mesh; `step` counts the depsgraph's instances."""
         if not len(mesh.edges):
             return
         index = self.surface_index(obj, mesh)
-        slots = self.slots[index]
-        if usage & OCCLUDE and all(slot.holdout for slot in slots):
+        if usage & OCCLUDE and all(slot.holdout for slot in self.slots[index]):
             usage = OCCLUDE | HOLDOUT
-        self.rows.append((index, _persistent_id(obj, instance), usage, obj.name))
-        # Rows are copied here: the instance is gone at the next step.
-        self.matrices.append([tuple(row) for row in instance.matrix_world])
+        parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
+        self.rows.append((step, index, self.name_hash(obj.name_full, parent), usage, obj.name))
 
-    def snapshot(self):
-        surface, ids, usage, objects = zip(*self.rows) if self.rows else ((), (), (), ())
+    def name_hash(self, *names):
+        if names not in self.known_names:
+            digest = hashlib.blake2b("\0".join(names).encode(), digest_size=8).digest()
+            self.known_names[names] = int.from_bytes(digest, "little")
+        return self.known_names[names]
+
+    def snapshot(self, matrices, persistent):
+        """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
+        steps, surface, names, usage, objects = zip(*self.rows) if self.rows else ((), (), (), (), ())
+        chosen = np.array(steps, np.intp)
         return Snapshot(
             self.surfaces,
             self.slots,
             np.array(surface, np.int32),
-            np.array(self.matrices, np.float64).reshape(-1, 4, 4),
-            np.array(ids, np.uint64),
+            matrices[chosen],
+            _mixed(np.array(names, np.uint64), persistent[chosen]),
             np.array(usage, np.uint8),
             list(objects),
         )
@@ -103,7 +114,7 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None):
     """
     gathering = _Gathering(cache, depsgraph, viewport, with_marks)
     cache.begin()
-    for instance in depsgraph.object_instances:
+    for step, instance in enumerate(depsgraph.object_instances):
         obj = instance.object
         # What Blender converts to a mesh appears twice, as itself and as the mesh.
         if not isinstance(obj.data, bpy.types.Mesh):
@@ -111,12 +122,30 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None):
         usage = gathering.usage(instance)
         if usage and obj.mode == "EDIT":
             # Its arrays are empty until Blender is asked for them.
-            gathering.add(obj, obj.to_mesh(), instance, usage)
+            gathering.add(step, obj, obj.to_mesh(), instance, usage)
             obj.to_mesh_clear()
         elif usage:
-            gathering.add(obj, obj.data, instance, usage)
+            gathering.add(step, obj, obj.data, instance, usage)
     cache.end(len(depsgraph.scene.view_layers))
-    return gathering.snapshot()
+    return gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
+
+
+def _instance_arrays(instances):
+    """(k, 4, 4) float64 object to world and (k, 8) int32 persistent ids, in the order they are walked over."""
+    count = len(instances)
+    matrices, persistent = np.empty((count, 4, 4), np.float32), np.empty((count, 8), np.int32)
+    instances.foreach_get("matrix_world", matrices.ravel())
+    instances.foreach_get("persistent_id", persistent.ravel())
+    return matrices.transpose(0, 2, 1).astype(np.float64), persistent
+
+
+def _mixed(names, persistent):
+    """(n,) uint64 ids from (n,) hashes of names and (n, 8) persistent ids: neither changes from frame to frame."""
+    mixed = names
+    for column in persistent.T.astype(np.uint32):
+        mixed = (mixed ^ column) * np.uint64(0x9E3779B97F4A7C15)
+        mixed ^= mixed >> np.uint64(32)
+    return mixed
 
 
 def placed(core, snapshot):
@@ -148,12 +177,3 @@ def has_anything(scene):
     """Whether some object of the scene, hidden or not, could ever have lines."""
     kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD"}
     return any(obj.type in kinds or obj.instance_type != "NONE" for obj in scene.objects)
-
-
-def _persistent_id(obj, instance):
-    """64 bits from names and Blender's persistent ids, which do not change from frame to frame."""
-    text = obj.name_full
-    if instance.is_instance:
-        parent = instance.parent.name_full if instance.parent else ""
-        text = f"{parent}\0{text}\0{tuple(instance.persistent_id)}"
-    return int.from_bytes(hashlib.blake2b(text.encode(), digest_size=8).digest(), "little")
