@@ -82,11 +82,12 @@ mirror_of_host() {
 }
 
 # Runs as a child of bubblewrap: what debootstrap mounts lives and dies with its own mount and process namespace.
+# The folder is at /mnt there, because debootstrap cannot do with spaces in a path.
 make_base() {
     rm -rf "$root.partial"
-    bwrap --dev-bind / / --proc /proc --unshare-pid --die-with-parent \
-        debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir="$suite_folder/archives" \
-        "$suite" "$root.partial" "$mirror" || { why_debootstrap_failed; return 1; }
+    bwrap --dev-bind / / --proc /proc --dev-bind "$suite_folder" /mnt --unshare-pid --die-with-parent \
+        debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir=/mnt/archives \
+        "$suite" /mnt/root.partial "$mirror" || { why_debootstrap_failed; return 1; }
     # How this machine reaches its archive (proxies, retries, checks of dates) holds for the suite too.
     apt-config dump | grep -E '^Acquire::(https?|Retries|Check-)' >"$root.partial/etc/apt/apt.conf.d/90host" || true
     ln -sfn /proc/self/mounts "$root.partial/etc/mtab"
