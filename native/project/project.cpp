@@ -9,6 +9,9 @@ namespace fovea {
 namespace {
 
 constexpr std::size_t paths_per_block = 512;
+constexpr const char* too_many_samples = "the drawing has more than four billion samples; raise the sample step";
+/// Finer steps would only fill memory.
+constexpr double least_sample_step_px = 1e-3;
 
 /// One path, projected, before clipping.
 struct Projected {
@@ -31,6 +34,7 @@ class Projector {
         transform(path, begin, end);
         if (outside()) return;
         measure();
+        if (!std::isfinite(p_.arc_px.back() + p_.middle_px)) return;  // a placement that is nowhere
         if (is_speck(path)) return;
         clip(path, begin, end);
     }
@@ -167,8 +171,10 @@ class Projector {
 
     void finish_piece() {
         const Index end = static_cast<Index>(out.px.size());
-        Index samples = 0;
-        for (Index i = piece_begin_; i < end; ++i) samples += out.sample_count[i];
+        std::uint64_t total = 0;
+        for (Index i = piece_begin_; i < end; ++i) total += out.sample_count[i];
+        check(out.samples + total + 2 * most_padding < none, too_many_samples);
+        const auto samples = static_cast<Index>(total);
         const bool single = end - piece_begin_ == 2 && samples <= 1;
         if (samples == 0 || single) {
             drop_piece();
@@ -240,7 +246,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
         point += part.px.size();
         sample += part.samples;
     }
-    check(sample < none && point < none, "the drawing has more than four billion samples; raise the sample step");
+    check(sample < none && point < none, too_many_samples);
     ClippedPaths all;
     all.pieces.offsets.resize(piece + 1);
     all.pieces.offsets[piece] = Index(point);
@@ -257,7 +263,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
 
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel) {
-    check(options.sample_step_px > 0.0, "sample_step_px must be positive");
+    check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
     std::vector<ClippedPaths> parts((paths.count() + paths_per_block - 1) / paths_per_block);
     parallel_blocks(paths.count(), paths_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         cancel.poll();

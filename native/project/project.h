@@ -13,7 +13,7 @@ struct ProjectOptions {
     /// Room kept around the frame, as a share of its half size, so that strokes do not end where one can see it.
     double margin = 0.1;
     /// Per line set: paths that touch no other line and are shorter than this in the image are left out. May be empty.
-    std::vector<double> least_length_px;
+    std::vector<double> least_length_px{};
 };
 
 /// Clips paths in homogeneous coordinates at the near plane and at the widened frame, projects them, measures arc
