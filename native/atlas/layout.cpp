@@ -43,7 +43,7 @@ Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit) {
     return batches;
 }
 
-AtlasTables atlas_tables(const ClippedPaths& clipped, const AtlasBatch& batch) {
+AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, const AtlasBatch& batch) {
     const Array<Index> points = segments_of(clipped, batch);
     const Index segments = static_cast<Index>(points.size());
     const Rows samples = piece_samples(clipped);
@@ -61,7 +61,8 @@ AtlasTables atlas_tables(const ClippedPaths& clipped, const AtlasBatch& batch) {
         vec4* row = &tables.segments[3 * std::size_t(s)];
         row[0] = {clipped.px[i], clipped.depth[i], float(clipped.sample_start[i] - batch.sample_begin)};
         row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.sample_count[i])};
-        row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]), float(owned[s]), 0.0f};
+        row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]), float(owned[s]),
+                  sides.inner[i] ? -1.0f : sides.steepness[i]};
     }
     if (segments == 0) return tables;
     Index owner = 0;

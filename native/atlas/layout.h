@@ -1,6 +1,7 @@
 // How pieces share the segment atlas: who owns which sample, and batches that fit into textures.
 #pragma once
 
+#include "atlas/own_sides.h"
 #include "project/clipped_paths.h"
 
 namespace fovea {
@@ -26,9 +27,10 @@ struct AtlasBatch {
 /// Consecutive batches of at most `limit` samples (or one piece).
 Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit = batch_samples);
 
-/// What the visibility pass reads, three texels a segment that has samples:
-/// (x0, y0, depth0, first sample), (x1, y1, depth1, sample count), (facet0, facet1, first and last sample it owns
-/// with the padding next to it: last); segments in atlas order, their first sample counted inside the batch.
+/// What the visibility pass reads, three entries a segment that has samples, in atlas order:
+/// (x0, y0, depth0, first sample), (x1, y1, depth1, sample count),
+/// (facet0, facet1, first sample it owns, padding before a piece included; steepness, or -1 for an inner line).
+/// Samples count inside the batch.
 struct AtlasTables {
     Array<vec4> segments;
     /// Segment that owns sample 0, owner_stride, 2 owner_stride, ... of the batch; one more entry closes the table
@@ -36,6 +38,6 @@ struct AtlasTables {
     Array<float> owners;
 };
 
-AtlasTables atlas_tables(const ClippedPaths& clipped, const AtlasBatch& batch);
+AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, const AtlasBatch& batch);
 
 }  // namespace fovea

@@ -1,6 +1,5 @@
 #include "atlas/sampled.h"
 
-#include <array>
 #include <cmath>
 
 #include "atlas/layout.h"
@@ -11,70 +10,73 @@ namespace {
 
 constexpr int max_probes = 16;
 
-/// Where the probes of a sample lie: (along the line, across it), pixels; the sample itself first, then evenly spread
-/// (the R2 sequence) over a square of one pixel.
-vec2 probe_offset(int probe) {
-    const vec2 p = float(probe) * vec2(0.7548777f, 0.5698403f) + 0.5f;
-    return p - glm::floor(p) - 0.5f;
-}
-
 /// A segment as its samples see it.
 struct Line {
-    vec2 px0, step;           // first point, way to the second
-    float depth0, depth_step;
+    vec2 px0, px1;
+    float depth0, depth1;
     Index facet0, facet1;
+    float steepness;
+    bool inner;
+};
+
+/// What a texel says about a line.
+struct Look {
+    float gap;    ///< how far its surface lies in front of the line; hides it when above 0
+    float bulge;  ///< a gap up to this may come from the line's own surface
+    bool own;     ///< shows a facet of the line
 };
 
 struct Looker {
     const DepthBuffer& buffer;
     const SampledOptions& options;
 
-    /// True where the texel's surface, extended to `px`, lies in front of `depth`.
-    bool hides(int x, int y, const Line& line, vec2 px, float depth) const {
-        const DepthTexel& texel =
-            buffer.at(std::clamp(x, 0, buffer.width - 1), std::clamp(y, 0, buffer.height - 1));
-        if (texel.facet == none || texel.facet == line.facet0 || texel.facet == line.facet1) return false;
-        const vec2 away = (buffer.to_texels(px) - (vec2(x, y) + 0.5f)) / float(buffer.scale);
-        const float surface = texel.depth + texel.ddx * away.x + texel.ddy * away.y;
-        const float slack = options.slack_px * (std::abs(texel.ddx) + std::abs(texel.ddy));
-        return depth < surface - slack - options.bias * texel.depth;
+    /// `at`: the probe in texels; `depth`: of the line there.
+    Look look(vec2 texel, const Line& line, vec2 at, float depth) const {
+        const int x = std::clamp(int(texel.x), 0, buffer.width - 1), y = std::clamp(int(texel.y), 0, buffer.height - 1);
+        const DepthTexel& here = buffer.at(x, y);
+        const bool own = here.facet == line.facet0 || here.facet == line.facet1;
+        if (here.facet == none || own) return {0.0f, 0.0f, own && here.facet != none};
+        const vec2 away = (at - (vec2(x, y) + 0.5f)) / float(buffer.scale);
+        const vec2 slope(here.ddx, here.ddy);
+        const float surface = here.depth + glm::dot(slope, away);
+        const float slack = options.slack_px * (std::abs(slope.x) + std::abs(slope.y)) + options.bias * here.depth;
+        return {surface - slack - depth, std::max(glm::length(slope), line.steepness) * glm::length(away), false};
     }
 
     bool sees(const Line& line, vec2 px, float depth) const {
-        const vec2 corner = glm::floor(buffer.to_texels(px) - 0.5f);
-        const int x = int(corner.x), y = int(corner.y);
-        return !(hides(x, y, line, px, depth) && hides(x + 1, y, line, px, depth) &&
-                 hides(x, y + 1, line, px, depth) && hides(x + 1, y + 1, line, px, depth));
+        const vec2 at = buffer.to_texels(px);
+        const Look nearest = look(glm::floor(at), line, at, depth);
+        if (line.inner ? nearest.gap > 0.0f : nearest.gap > nearest.bulge) return false;
+        const vec2 corner = glm::floor(at - 0.5f);
+        for (int k = 0; k < 4; ++k) {
+            const Look around = look(corner + vec2(k % 2, k / 2), line, at, depth);
+            if (line.inner ? around.own : around.gap <= 0.0f) return true;
+        }
+        return false;
     }
 
-    /// Share of the probes around fraction `t` of the line that see it.
-    float visibility(const Line& line, float t) const {
-        const float length = glm::length(line.step);
-        const vec2 along = length > 0.0f ? line.step / length : vec2(1.0f, 0.0f);
-        const float depth_per_px = length > 0.0f ? line.depth_step / length : 0.0f;
-        const vec2 px = line.px0 + t * line.step;
-        const float depth = line.depth0 + t * line.depth_step;
+    /// Share of the probes that see sample j of n.
+    float visibility(const Line& line, Index j, Index n) const {
         int seen = 0;
         for (int k = 0; k < options.probes; ++k) {
-            const vec2 offset = probe_offset(k);
-            seen += sees(line, px + offset.x * along + offset.y * vec2(-along.y, along.x),
-                         depth + offset.x * depth_per_px);
+            const float t = (float(j) + (float(k) + 0.5f) / float(options.probes)) / float(n);
+            seen += sees(line, glm::mix(line.px0, line.px1, t), glm::mix(line.depth0, line.depth1, t));
         }
         return float(seen) / float(options.probes);
     }
 };
 
 /// Samples of piece q: those of its segments, then the padding at both ends.
-void fill_piece(const ClippedPaths& clipped, Index q, const Looker& looker, Index begin, Index end,
-                Array<float>& visibility) {
+void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker, Index begin,
+                Index end, Array<float>& visibility) {
     Index first = end, last = begin;  // samples of segments
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
         const Index count = clipped.sample_count[i];
         if (count == 0) continue;
-        const Line line{clipped.px[i], clipped.px[i + 1] - clipped.px[i], clipped.depth[i],
-                        clipped.depth[i + 1] - clipped.depth[i], clipped.facet0[i], clipped.facet1[i]};
+        const Line line{clipped.px[i],     clipped.px[i + 1], clipped.depth[i],   clipped.depth[i + 1],
+                        clipped.facet0[i], clipped.facet1[i], sides.steepness[i], sides.inner[i] != 0};
         for (Index j = 0; j < count; ++j)
-            visibility[clipped.sample_start[i] + j] = looker.visibility(line, (float(j) + 0.5f) / float(count));
+            visibility[clipped.sample_start[i] + j] = looker.visibility(line, j, count);
         first = std::min(first, clipped.sample_start[i]);
         last = clipped.sample_start[i] + count;
     }
@@ -85,17 +87,19 @@ void fill_piece(const ClippedPaths& clipped, Index q, const Looker& looker, Inde
 
 }  // namespace
 
-Array<float> sampled_visibility(const ClippedPaths& clipped, const DepthBuffer& buffer, const SampledOptions& options,
-                                const Cancel* cancel) {
+Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
+                                const SampledOptions& options, const Cancel* cancel) {
     check(options.probes >= 1 && options.probes <= max_probes, "sampled visibility: 1 to 16 probes expected");
     check(buffer.width > 0 && buffer.height > 0, "sampled visibility: the depth buffer is empty");
+    check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
+          "sampled visibility: own sides of other paths");
     Array<float> visibility(clipped.samples);
     const Rows samples = piece_samples(clipped);
     const Looker looker{buffer, options};
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
         for (Index q = Index(begin); q < end; ++q)
-            fill_piece(clipped, q, looker, samples.begin(q), samples.end(q), visibility);
+            fill_piece(clipped, sides, q, looker, samples.begin(q), samples.end(q), visibility);
     });
     return visibility;
 }

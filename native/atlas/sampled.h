@@ -2,12 +2,13 @@
 #pragma once
 
 #include "atlas/depth.h"
+#include "atlas/own_sides.h"
 #include "project/clipped_paths.h"
 
 namespace fovea {
 
 struct SampledOptions {
-    /// Places looked at per sample, within half a pixel of it: 1 (the sample itself) .. 16.
+    /// Places looked at per sample, evenly spread over its share of the segment: 1 .. 16.
     int probes = 1;
     /// A line this share of its depth behind a surface still lies on it.
     float bias = 1e-5f;
@@ -17,10 +18,13 @@ struct SampledOptions {
 
 /// Share of its probes that see each atlas sample, in [0,1]; padding repeats the end of its piece.
 ///
-/// A probe is hidden when each of the four texels around it hides it. A texel hides it when the plane of its surface,
-/// extended to the probe, lies in front of the line; background and the two facets at the line's own edge never do.
-/// So a line on a silhouette is seen past its surface's own bulge, and a hidden line shows at most one texel too early.
-Array<float> sampled_visibility(const ClippedPaths& clipped, const DepthBuffer& buffer, const SampledOptions& options,
-                                const Cancel* cancel = nullptr);
+/// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
+/// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:
+/// - The one it lies in, when it hides the line clearly: by more than surfaces as steep as its own, or as the line's
+///   own facets, rise over the distance between the texel's centre and the probe.
+/// - Else all four: a silhouette lies a little behind the bulge of its own surface, but has open texels beside it.
+/// - An inner line (own_sides.h) is seen where its texel does not hide it and one of the four shows an own facet.
+Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
+                                const SampledOptions& options, const Cancel* cancel = nullptr);
 
 }  // namespace fovea

@@ -49,7 +49,7 @@ struct Mesh {
 };
 
 DepthBuffer draw(const View& view, const std::vector<DepthMesh>& meshes, int scale = 1) {
-    return draw_depth(view, meshes, scale);
+    return draw_depth(view, meshes, {.scale = scale, .margin = 0.0});
 }
 
 /// Depth of the plane n.x = d at a pixel position, from the ray through it.
@@ -194,8 +194,29 @@ TEST(Depth, BadInputIsRefused) {
     Mesh mesh;
     mesh.add(vec3(0), vec3(1), vec3(2));
     EXPECT_THROW(draw(perspective(8, 8), {mesh}, 0), std::invalid_argument);
+    EXPECT_THROW(draw(perspective(0, 8), {mesh}), std::invalid_argument);
+    EXPECT_THROW(draw_depth(perspective(8, 8), {}, {.margin = -1.0}), std::invalid_argument);
     mesh.triangles[0].y = 9;
     EXPECT_THROW(draw(perspective(8, 8), {mesh}), std::invalid_argument);
+}
+
+TEST(Depth, TheBorderShowsWhatLiesAroundTheFrame) {
+    const Mesh mesh = random_triangles(200, 7);
+    const View view = perspective(60, 41);
+    const DepthBuffer frame = draw(view, {mesh}, 2);
+    const DepthMesh meshes[] = {mesh};
+    const DepthBuffer wide = draw_depth(view, meshes, {.scale = 2, .margin = 0.3});
+    EXPECT_EQ(wide.border_x, 9);
+    EXPECT_EQ(wide.border_y, 7);
+    ASSERT_EQ(wide.width, frame.width + 4 * wide.border_x);
+    ASSERT_EQ(wide.height, frame.height + 4 * wide.border_y);
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            const DepthTexel &a = frame.at(x, y), &b = wide.at(x + 2 * wide.border_x, y + 2 * wide.border_y);
+            EXPECT_EQ(a.facet, b.facet);
+            EXPECT_FLOAT_EQ(a.depth, b.depth);
+            EXPECT_NEAR(a.ddx, b.ddx, 1e-6);
+        }
 }
 
 TEST(Depth, SameWithOneAndManyThreads) {

@@ -13,8 +13,6 @@ using namespace fovea;
 
 namespace {
 
-constexpr Index padding = 3;
-
 View test_view() {
     View view;
     view.width = 200;
@@ -27,26 +25,24 @@ View test_view() {
 /// Appends a piece through view-space points, with samples of about 2 pixels and padding at both ends.
 void add_piece(const View& view, ClippedPaths& clipped, const std::vector<dvec3>& points, Index facet0 = none,
                Index facet1 = none) {
-    Index sample = clipped.samples + padding;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const dvec4 clip = view.view_to_clip * dvec4(points[i], 1.0);
-        clipped.px.push_back(to_pixels(view, clip));
-        clipped.depth.push_back(float(screen_depth(view, points[i].z)));
+    const Index begin = Index(clipped.px.size()), end = begin + Index(points.size());
+    Index samples = 0;
+    for (const dvec3& point : points) {
+        clipped.px.push_back(to_pixels(view, view.view_to_clip * dvec4(point, 1.0)));
+        clipped.depth.push_back(float(screen_depth(view, point.z)));
         clipped.facet0.push_back(facet0);
         clipped.facet1.push_back(facet1);
-        Index count = 0;
-        if (i + 1 < points.size()) {
-            const dvec2 next = to_pixels(view, view.view_to_clip * dvec4(points[i + 1], 1.0));
-            count = Index(std::ceil(glm::length(next - dvec2(clipped.px.back())) / 2.0));
-        } else {
-            sample += padding;  // the last point's sample_start ends the piece
-        }
-        clipped.sample_start.push_back(sample);
-        clipped.sample_count.push_back(count);
-        sample += count;
+        clipped.sample_count.push_back(0);
     }
-    clipped.samples = sample;
-    clipped.pieces.offsets.push_back(Index(clipped.px.size()));
+    for (Index i = begin; i + 1 < end; ++i)
+        samples += clipped.sample_count[i] = Index(std::ceil(glm::length(clipped.px[i + 1] - clipped.px[i]) / 2.0f));
+    clipped.samples += padding_of(samples);
+    for (Index i = begin; i < end; ++i) {
+        clipped.sample_start.push_back(clipped.samples);
+        clipped.samples += clipped.sample_count[i];
+    }
+    clipped.samples += padding_of(samples);
+    clipped.pieces.offsets.push_back(end);
 }
 
 /// A rectangle of two triangles, one facet.
@@ -59,11 +55,21 @@ struct Rectangle {
     operator DepthMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
 };
 
-Array<float> visibility(const View& view, const ClippedPaths& clipped, const std::vector<DepthMesh>& meshes,
-                        int scale = 2, int probes = 1) {
+Array<float> visibility(const View& view, const ClippedPaths& clipped, const OwnSides& sides,
+                        const std::vector<DepthMesh>& meshes, int scale, int probes) {
     SampledOptions options;
     options.probes = probes;
-    return sampled_visibility(clipped, draw_depth(view, meshes, scale), options);
+    return sampled_visibility(clipped, sides, draw_depth(view, meshes, {.scale = scale}), options);
+}
+
+/// No scene to ask: lines of nothing steep.
+OwnSides flat_sides(const ClippedPaths& clipped) {
+    return {Array<float>(clipped.px.size(), 0.0f), Array<std::uint8_t>(clipped.px.size(), 0)};
+}
+
+Array<float> visibility(const View& view, const ClippedPaths& clipped, const std::vector<DepthMesh>& meshes,
+                        int scale = 2, int probes = 1) {
+    return visibility(view, clipped, flat_sides(clipped), meshes, scale, probes);
 }
 
 double mean(const Array<float>& values) {
@@ -126,7 +132,8 @@ TEST(Sampled, PaddingRepeatsTheEnds) {
     add_piece(view, clipped, {{-1, 0.1, -6}, {1, -0.2, -8}});
     add_piece(view, clipped, {{1, 0.1, -6}, {-1, -0.2, -8}});
     const Array<float> values = visibility(view, clipped, {face});
-    const Index second = clipped.sample_start[1];
+    const Index second = piece_samples(clipped).begin(1), padding = clipped.sample_start[0];
+    EXPECT_EQ(padding, most_padding);
     for (Index k = 0; k < padding; ++k) {
         EXPECT_EQ(values[k], 0.0f);
         EXPECT_EQ(values[second - 1 - k], 1.0f);
@@ -192,7 +199,7 @@ TEST(Layout, BatchesHoldWholePiecesAndTablesFindTheOwner) {
         EXPECT_LE(batch.sample_end - batch.sample_begin, 1000u);
         pieces = batch.piece_end;
         samples = batch.sample_end;
-        const AtlasTables tables = atlas_tables(clipped, batch);
+        const AtlasTables tables = atlas_tables(clipped, flat_sides(clipped), batch);
         const Index segments = Index(tables.segments.size() / 3);
         for (Index s = 0; s < batch.sample_end - batch.sample_begin; ++s) {
             const Index from = Index(tables.owners[s / owner_stride]), to = Index(tables.owners[s / owner_stride + 1]);
@@ -213,7 +220,7 @@ TEST(Layout, FacetNumbersStayExactInFloats) {
     const View view = test_view();
     ClippedPaths clipped;
     add_piece(view, clipped, {{-1, -1, -5}, {1, 1, -4}}, none, facet_modulus * 3 + 12345677);
-    const AtlasTables tables = atlas_tables(clipped, atlas_batches(clipped)[0]);
+    const AtlasTables tables = atlas_tables(clipped, flat_sides(clipped), atlas_batches(clipped)[0]);
     EXPECT_EQ(tables.segments[2].x, -1.0f);
     EXPECT_EQ(tables.segments[2].y, 12345677.0f);
 }

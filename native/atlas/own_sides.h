@@ -1,0 +1,22 @@
+// What the facets at a line's own mesh edge tell about where it can be seen.
+#pragma once
+
+#include "base/view.h"
+#include "project/clipped_paths.h"
+#include "scene/scene.h"
+
+namespace fovea {
+
+/// Per segment (indexed by its first point); the last point of a piece holds the same as a segment without facets.
+struct OwnSides {
+    /// The greatest slope of the segment's two facets, in depth (base/view.h) per pixel: how far a surface that goes
+    /// on like its own can rise above the line next to it. At most max_depth_slope (depth.h), reached edge on.
+    Array<float> steepness;
+    /// 1 where an opaque body would hide the line itself: both facets turn away from the viewer, or one does and the
+    /// edge is a groove. Such a line is seen only on open surfaces, next to its own facets.
+    Array<std::uint8_t> inner;
+};
+
+OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& view);
+
+}  // namespace fovea

@@ -1,0 +1,26 @@
+#include "stroke/pen_table.h"
+
+#include <string>
+
+#include "base/check.h"
+#include "stroke/ink.h"
+
+namespace fovea {
+
+PenTable pen_table(In<Pen> pens, In<PenTexture> textures) {
+    PenTable table;
+    for (const Pen& pen : pens) {
+        check(pen.texture == none || pen.texture < textures.size(),
+              "pen: there is no texture " + std::to_string(pen.texture));
+        PenTexture fitted;
+        if (pen.texture != none) fitted = fit_texture(textures[pen.texture], pen.texture_length_px, pen.width_px);
+        table.pens.push_back(vec4(pen.color, pen.opacity));
+        table.pens.push_back(
+            vec4(pen.texture_length_px, pen.cap == Cap::round ? 1.0f : 0.0f, float(table.ink.size()), 0.0f));
+        table.pens.push_back(vec4(fitted.width, fitted.height, 0.0f, 0.0f));
+        table.ink.insert(table.ink.end(), fitted.ink.begin(), fitted.ink.end());
+    }
+    return table;
+}
+
+}  // namespace fovea

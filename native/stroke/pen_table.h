@@ -1,0 +1,19 @@
+// Pens and their textures as the gpu's stroke pass reads them.
+#pragma once
+
+#include "stroke/pen.h"
+
+namespace fovea {
+
+struct PenTable {
+    /// Three entries a pen: (color, opacity), (texture length [px], 1 for round caps, first entry of its ink, 0),
+    /// (columns and rows of its ink: 0 for a solid pen, 0, 0).
+    Array<vec4> pens;
+    /// Textures fitted to their pens (ink.h), row after row.
+    Array<float> ink;
+};
+
+/// Throws where a pen's texture does not exist.
+PenTable pen_table(In<Pen> pens, In<PenTexture> textures);
+
+}  // namespace fovea
