@@ -5,10 +5,12 @@ import os
 import shutil
 from pathlib import Path
 
+from bench import peers
+
 from . import build as native
 from . import draw_options
 from . import package as extension
-from .target import PROJECT, StepFailed, tail
+from .target import PROJECT, SHARED, StepFailed, tail
 
 
 def build(target, words):
@@ -53,6 +55,16 @@ def scene(target, words):
     in_blender(target, f"building {options.scene}", PROJECT / "blender_scripts" / "save_scene.py", words)
     print(options.output.absolute())
     return 0
+
+
+def bench(target, words):
+    """`bench peers`, or the name of a scene: the same for that scene alone."""
+    name, *rest = words or ["peers"]
+    if name != "peers":
+        rest = ["--scenes", name, *rest]
+    peers.parse(rest)  # mistakes show before anything is built
+    extension.install(target)
+    return peers.main(rest, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
 
 
 def in_blender(target, sentence, script, words):
