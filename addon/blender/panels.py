@@ -58,7 +58,10 @@ def _draw_lines(layout, settings, definitions):
         return
     for definition in definitions:
         name = definition["name"]
-        body.prop(settings, name)
+        # Full width: most names are too long for half of it.
+        switch = body.row()
+        switch.use_property_split = False
+        switch.prop(settings, name)
         if getattr(settings, name):
             for parameter in definition["parameters"]:
                 body.prop(settings, f"{name}_{parameter['name']}")

@@ -23,6 +23,14 @@ _log = logging.getLogger(__package__)
 _caches = {}  # depsgraph mode -> SurfaceCache
 _statistics = {}
 
+REMARKS = {  # what a surface's report counts
+    "non_finite_vertices": "vertices have no position and were left out",
+    "degenerate_polygons": "faces have no area and were left out",
+    "duplicate_polygons": "faces repeat others and were left out",
+    "loose_edges": "edges belong to no face and have no lines",
+    "inconsistent_edges": "edges lie between faces that disagree about which side is out",
+}
+
 
 def last_statistics():
     """Of the last picture: stages {name: ms}, backend, strokes, triangles, and lines_s, the seconds from Blender's evaluated
@@ -133,9 +141,9 @@ def _progress(engine, share, text):
 def _report_skipped(engine, built):
     """Says once per mesh what of it was left out or looks wrong."""
     for surface in built:
-        counts = [f"{count} {what.replace('_', ' ')}" for what, count in surface.report.items() if count]
-        if counts:
-            engine.report({"INFO"}, f"'{surface.name}': {', '.join(counts)}")
+        found = [f"{surface.report[what]} {words}" for what, words in REMARKS.items() if surface.report.get(what)]
+        if found:
+            engine.report({"INFO"}, f"'{surface.name}': {'; '.join(found)}")
 
 
 def _note_statistics(ingest, snapshot, image):

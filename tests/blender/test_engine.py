@@ -4,6 +4,7 @@ import math
 import os
 import subprocess
 import time
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -100,6 +101,17 @@ def test_an_animation_writes_every_frame(scene, tmp_path):
     assert not np.array_equal(frames[0], frames[1]) and not np.array_equal(frames[1], frames[2])
     # The box moved, its mesh did not.
     assert session._caches["RENDER"].rebuilt == []
+
+
+def test_markers_switch_the_camera(scene, tmp_path):
+    near = scene.camera
+    far = add_camera((20, -28, 16))
+    for frame, camera in ((1, near), (2, far)):
+        scene.timeline_markers.new("cut", frame=frame).camera = camera
+    scene.frame_set(1)
+    close = ink(drawn(scene, tmp_path / "near.png")).sum()
+    scene.frame_set(2)
+    assert ink(drawn(scene, tmp_path / "far.png")).sum() < 0.6 * close
 
 
 def test_film_transparent(scene, tmp_path):
@@ -229,6 +241,15 @@ def test_nan_vertices_are_left_out(scene, tmp_path):
     bpy.data.objects["Box"].data.vertices[0].co.x = math.nan
     picture = drawn(scene, tmp_path / "broken.png")
     assert ink(picture).max() > 0.9
+
+
+def test_what_was_left_out_is_said_once():
+    said = []
+    engine = SimpleNamespace(report=lambda kind, message: said.append((kind, message)))
+    report = {"degenerate_polygons": 3, "loose_edges": 0, "non_finite_vertices": 1}
+    session._report_skipped(engine, [SimpleNamespace(name="Box", report=report)])
+    ((kind, message),) = said
+    assert kind == {"INFO"} and "'Box'" in message and "3 faces have no area" in message and "loose" not in message
 
 
 class StoppedEngine:
