@@ -225,6 +225,28 @@ TEST(Tessellate, DegenerateInputDrawsNothing) {
     EXPECT_EQ(tessellate(clipped, whole_runs(clipped), nothing, {}, {}).count, 0u);
 }
 
+TEST(Tessellate, BrokenInputNeverCrashes) {
+    std::mt19937 random(13);
+    const float values[] = {0.0f,   1.0f, 5.0f,   5.01f, 40.0f,   -3.0f,
+                            1e-20f, 1e7f, -1e30f, NAN,   INFINITY};
+    std::uniform_int_distribution<std::size_t> pick(0, std::size(values) - 1);
+    for (int trial = 0; trial < 3000; ++trial) {
+        ClippedPaths clipped;
+        std::vector<vec2> line;
+        for (std::size_t i = 0; i < 1 + pick(random); ++i)
+            line.push_back({values[pick(random)], values[pick(random)]});
+        add_piece(clipped, line, trial % 3 == 0);
+        if (trial % 5 == 0)
+            for (double& arc : clipped.arc_px) arc = values[pick(random)];
+        Runs runs = whole_runs(clipped);
+        add_run(runs, 0, values[pick(random)], values[pick(random)]);
+        Pen p = pen(0.01f + 9.0f * float(pick(random)), trial % 2 ? Cap::butt : Cap::round);
+        p.taper_px = float(pick(random)) * 5.0f;
+        for (const vec4& pixel : picture(draw(clipped, runs, p), p, 48, 32))
+            ASSERT_TRUE(pixel.a >= 0.0f && pixel.a <= 1.0f + 1e-5f) << trial;
+    }
+}
+
 TEST(Tessellate, RepeatedPointsChangeNothing) {
     const Pen p = pen(5.0f);
     const Strokes once = draw({{10.0f, 10.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
