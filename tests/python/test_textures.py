@@ -1,0 +1,59 @@
+"""The pen textures that ship: what the script makes, seamless along the stroke, each with its length."""
+
+import importlib.util
+import json
+import struct
+import zlib
+from pathlib import Path
+
+import pytest
+
+np = pytest.importorskip("numpy")
+
+PROJECT = Path(__file__).parents[2]
+FOLDER = PROJECT / "addon" / "textures"
+SCRIPT = PROJECT / "blender_scripts" / "make_textures.py"
+LENGTHS = json.loads((FOLDER / "textures.json").read_text())
+
+
+def read_png(path):
+    """Values of an 8-bit grey PNG whose rows are not filtered, as the script writes them."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        (size,), name = struct.unpack(">I", data[at : at + 4]), data[at + 4 : at + 8]
+        body = data[at + 8 : at + 8 + size]
+        if name == b"IHDR":
+            width, height = struct.unpack(">II", body[:8])
+        if name == b"IDAT":
+            packed += body
+        at += size + 12
+    return np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, width + 1)[:, 1:].astype(int)
+
+
+def test_every_texture_has_a_length_and_a_file():
+    assert set(LENGTHS) == {path.stem for path in FOLDER.glob("*.png")}
+    assert set(LENGTHS) >= {"solid", "pencil", "charcoal", "ink", "dashes", "dots"}
+
+
+@pytest.mark.parametrize("name", LENGTHS)
+def test_texture(name):
+    ink = read_png(FOLDER / f"{name}.png")
+    rows, columns = ink.shape
+    assert columns == rows * LENGTHS[name]["length_in_widths"], "texels are square on paper"
+    assert ink.max() > 200 and ink.mean() > 70, "the pen draws"
+    assert ink[rows // 2 - 1 : rows // 2 + 1, 0].min() > 60, "the middle of a path has ink"
+    steps = np.abs(np.diff(ink, axis=1)).mean(axis=0)
+    seam = np.abs(ink[:, 0] - ink[:, -1]).mean()
+    assert seam <= max(steps.max(), 1), "the repetition shows no seam"
+
+
+@pytest.mark.skipif(not SCRIPT.exists(), reason="only in the checkout")
+def test_the_script_makes_them(tmp_path):
+    spec = importlib.util.spec_from_file_location("make_textures", SCRIPT)
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    script.main(tmp_path)
+    assert json.loads((tmp_path / "textures.json").read_text()) == LENGTHS
+    for name in LENGTHS:
+        difference = np.abs(read_png(tmp_path / f"{name}.png") - read_png(FOLDER / f"{name}.png"))
+        assert difference.max() <= 1, f"{name}: run blender_scripts/make_textures.py"
