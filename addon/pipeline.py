@@ -21,6 +21,8 @@ class Options:
     probes: int = 1  # looks into the depth buffer per sample
     gap: float = 2.0  # reference pixels of hidden line that are drawn over
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
+    contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
+    fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
     with_depth: bool = False  # also make the depth pass
 
 
@@ -67,7 +69,8 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        tidied = cpu.close_gaps(clipped, visible, options.gap * scale, options.spur * scale)
+        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
+        tidied = cpu.tidy(frame, visible, *small)
         strokes = cpu.shape(frame, tidied, pens)
     with clock.stage("strokes", 0.1):
         lines = backend.draw(strokes, pens, textures, view)

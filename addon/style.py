@@ -45,7 +45,7 @@ class LineSet:
     name: str = "lines"
     kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
     corner_angle: float = 60.0  # degrees of turn at which a path is split
-    least_length: float = 20.0  # reference pixels; shorter lines that touch no other are left out
+    least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
     pen: Pen = Pen()
 
 

@@ -1,5 +1,7 @@
 """The native stages, and the reference backend made of them. Each function is one call."""
 
+import numpy as np
+
 from .. import native
 
 UNSET = 0xFFFFFFFF
@@ -32,9 +34,12 @@ def runs(clipped, visibility):
     return native.load().runs_from_samples(clipped, visibility)
 
 
-def close_gaps(clipped, visible, gap_px, spur_px):
-    """Runs joined over small gaps, without small spurs."""
-    return native.load().close_gaps(clipped, visible, gap_px, spur_px)
+def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
+    """Runs joined over small gaps, without small spurs; contours also without the folds they end in."""
+    core = native.load()
+    spur_of_path = np.where(frame.paths.of_view, np.float32(contour_spur_px), np.float32(spur_px))
+    joined = core.close_gaps(frame.clipped, visible, gap_px, spur_of_path)
+    return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
 def shape(frame, visible, pens):

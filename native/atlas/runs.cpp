@@ -62,6 +62,48 @@ Array<Index> runs_of_pieces(const ClippedPaths& clipped, const Runs& runs) {
     return offsets;
 }
 
+/// Place in pixels at an arc length of a piece.
+vec2 place(const ClippedPaths& clipped, Index piece, double arc) {
+    const auto begin = clipped.arc_px.begin() + clipped.pieces.begin(piece), end = clipped.arc_px.begin() + clipped.pieces.end(piece);
+    const auto above = std::clamp(std::upper_bound(begin, end, arc), begin + 1, end - 1);
+    const auto i = static_cast<Index>(above - clipped.arc_px.begin());
+    const double length = clipped.arc_px[i] - clipped.arc_px[i - 1];
+    const double t = length > 0.0 ? std::clamp((arc - clipped.arc_px[i - 1]) / length, 0.0, 1.0) : 0.0;
+    return glm::mix(clipped.px[i - 1], clipped.px[i], static_cast<float>(t));
+}
+
+/// Where a run of a contour that ends at `end` should end instead, looking back over at most fold_px along `way` (+1
+/// or -1): before a fold, from which the rest runs backwards.
+double trim_end(const ClippedPaths& clipped, Index piece, double start, double end, int way, double fold_px) {
+    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.5;
+    double result = end;
+    const vec2 tip = place(clipped, piece, end);
+    for (Index i = clipped.pieces.begin(piece); i < clipped.pieces.end(piece); ++i) {
+        const double arc = clipped.arc_px[i], left = (end - arc) * way;
+        if (left <= 0.0 || left > fold_px || (arc - start) * way <= before_px || left <= (end - result) * way) continue;
+        const vec2 onward = clipped.px[i] - place(clipped, piece, arc - way * before_px), rest = tip - clipped.px[i];
+        const double lengths = glm::length(onward) * glm::length(rest);
+        if (glm::length(rest) > least_px && glm::dot(onward, rest) < cosine * lengths) result = arc;
+    }
+    return result;
+}
+
+/// Where a run should end so that it meets the next one, which starts at `next` beside it: the nearest place within
+/// fold_px of its end, if it is near enough for one line to go on as the other.
+double meet_next(const ClippedPaths& clipped, Index piece, double start, double end, double next, double fold_px) {
+    constexpr double near_px = 3.0, step_px = 0.5;
+    const vec2 goal = place(clipped, piece, next);
+    double nearest = near_px, result = end;
+    for (double arc = end; arc > std::max(start, end - fold_px); arc -= step_px) {
+        const double distance = glm::length(place(clipped, piece, arc) - goal);
+        if (distance < nearest) {
+            nearest = distance;
+            result = arc;
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold) {
@@ -107,7 +149,8 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
     return samples;
 }
 
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, double spur_px) {
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px) {
+    for (Index path : clipped.path) check(path < spur_px.size(), "spur_px: one value per path expected");
     Runs joined;
     for (std::size_t r = 0; r < runs.piece.size(); ++r) {
         const bool same = !joined.piece.empty() && joined.piece.back() == runs.piece[r];
@@ -122,10 +165,28 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, do
         const Index piece = joined.piece[r];
         const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
         const bool at_end = joined.start_px[r] <= first + 1e-6 || joined.end_px[r] >= last - 1e-6;
-        if (at_end || joined.end_px[r] - joined.start_px[r] >= spur_px)
+        if (at_end || joined.end_px[r] - joined.start_px[r] >= spur_px[clipped.path[piece]])
             push(kept, piece, joined.start_px[r], joined.end_px[r]);
     }
     return kept;
+}
+
+Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px) {
+    Runs trimmed = runs;
+    const std::size_t count = runs.piece.size();
+    parallel_for(count, [&](std::size_t r) {
+        const Index piece = runs.piece[r];
+        if (!of_view[clipped.path[piece]]) return;
+        const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
+        double start = runs.start_px[r], end = runs.end_px[r];
+        if (end < last - 1e-6) end = trim_end(clipped, piece, start, end, 1, fold_px);
+        if (start > first + 1e-6) start = trim_end(clipped, piece, end, start, -1, fold_px);
+        const bool goes_on = r + 1 < count && runs.piece[r + 1] == piece && runs.start_px[r + 1] - end < fold_px;
+        if (goes_on) end = meet_next(clipped, piece, start, end, runs.start_px[r + 1], fold_px);
+        trimmed.start_px[r] = start;
+        trimmed.end_px[r] = end;
+    });
+    return trimmed;
 }
 
 }  // namespace fovea

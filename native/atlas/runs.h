@@ -19,8 +19,13 @@ Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float 
 /// Share of each atlas sample that runs cover, in [0,1]; padding repeats the end of its piece.
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 
-/// Joins runs of a piece whose gap is shorter than `gap_px`, then drops runs shorter than `spur_px` that neither
-/// begin nor end their piece.
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, double spur_px);
+/// Joins runs of a piece whose gap is shorter than `gap_px`, then drops runs shorter than the path's `spur_px` (one
+/// entry per path of Paths) that neither begin nor end their piece.
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px);
+
+/// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
+/// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of runs (not of
+/// pieces), and ends a run where the next one goes on beside it.
+Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
 
 }  // namespace fovea

@@ -162,7 +162,7 @@ void bind_stages(py::module_& m) {
         py::arg("paths"), py::arg("tracer"), py::arg("sample_step_px") = 2.0,
         py::arg("least_length_px") = std::vector<double>(), py::arg("cancel") = py::none(),
         R"(ClippedPaths of paths; sample_step_px: pixels between visibility samples; least_length_px: by line set, shorter
-paths that touch no other line are left out.)");
+paths with an end that touches no other line are left out.)");
 
     py::class_<Runs, std::shared_ptr<Runs>>(m, "Runs", "Visible parts, sorted by piece, then by start.")
         .def_property_readonly("piece", [](py::object self) { return view_numpy(self.cast<const Runs&>().piece, self); }, "(R,) uint32")
@@ -191,12 +191,20 @@ paths that touch no other line are left out.)");
         [](const ClippedPaths& clipped, const Runs& runs) { return to_numpy(samples_from_runs(clipped, runs)); },
         py::arg("clipped"), py::arg("runs"), "(samples,) float32 share of each atlas sample that the runs cover.");
     m.def(
+        "trim_folds",
+        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {
+            return std::make_shared<Runs>(trim_folds(clipped, runs, paths.of_view, fold_px));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("fold_px"),
+        "Cuts folds of at most fold_px off the ends of contours.");
+    m.def(
         "close_gaps",
-        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, double spur_px) {
-            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spur_px));
+        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {
+            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, borrow<float>(spur_px, "spur_px")));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
-        "Joins runs over gaps shorter than gap_px, drops runs shorter than spur_px inside a piece.");
+        R"(Joins runs over gaps shorter than gap_px, drops runs that are shorter than spur_px and hidden on both sides.
+spur_px: (P,) float32 per path of Paths.)");
 }
 
 }  // namespace fovea::bindings

@@ -1,6 +1,8 @@
 #include "path/extract.h"
 
+#include <algorithm>
 #include <bit>
+#include <glm/gtc/constants.hpp>
 #include <numeric>
 
 #include "base/hash.h"
@@ -146,7 +148,9 @@ Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& l
 PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
                                  bool view_dependent) {
     const Surface& surface = seen.surface;
-    std::vector<double> corner_angles;
+    // Contours of a mesh fold back on themselves where they end on a smooth surface: one path through all folds, so
+    // that what is seen of them can be told from a line.
+    std::vector<double> corner_angles, never(sets.size(), glm::pi<double>());
     for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
@@ -160,7 +164,7 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     PlacementPaths paths;
     paths.kept = surface.cache().get<Chains>(
         chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
-    paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, corner_angles);
+    paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, never);
     paths.kept_kinds = kinds_of(*paths.kept, labelled.kinds);
     paths.seen_kinds = kinds_of(paths.seen, labelled.kinds);
     const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
@@ -169,9 +173,10 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     return paths;
 }
 
-/// Where one placement's chains go in the result.
+/// Where one placement's chains go in the result, and whether they are those of this view alone.
 struct Slot {
     Index placement, path, point;
+    bool of_view;
 };
 
 void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, const Array<std::uint8_t>& free,
@@ -184,6 +189,7 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
         paths.closed[p] = chains.closed[c];
         paths.line_set[p] = chains.label[c];
         paths.free_ends[p] = free[c];
+        paths.of_view[p] = slot.of_view;
         paths.placement[p] = slot.placement;
         paths.id[p] = hash_numbers(placement.id, chains.anchor[c]);
     });
@@ -205,6 +211,7 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     paths.placement.resize(path_count);
     paths.line_set.resize(path_count);
     paths.free_ends.resize(path_count);
+    paths.of_view.resize(path_count);
     paths.points_obj.resize(point_count);
     paths.edge.resize(point_count);
     paths.edge_t.resize(point_count);
@@ -234,10 +241,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     std::vector<std::pair<Slot, Slot>> slots(drawn.size());
     Index path = 0, point = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        slots[i].first = {drawn[i], path, point};
+        slots[i].first = {drawn[i], path, point, false};
         path += found[i].kept->rows.count();
         point += static_cast<Index>(found[i].kept->vertex.size());
-        slots[i].second = {drawn[i], path, point};
+        slots[i].second = {drawn[i], path, point, true};
         path += found[i].seen.rows.count();
         point += static_cast<Index>(found[i].seen.vertex.size());
     }

@@ -18,6 +18,7 @@ struct Paths {
     Array<Index> placement;
     Array<std::uint8_t> line_set;  ///< the first line set that wants the path
     Array<std::uint8_t> free_ends; ///< FreeEnds bits
+    Array<std::uint8_t> of_view;   ///< 1 where no definition of the surface alone finds it: the path changes with the view
     // Per point.
     Array<vec3> points_obj;
     Array<Index> edge;             ///< the edge that the segment from this point lies on (the last: as before)

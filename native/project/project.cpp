@@ -35,7 +35,7 @@ class Projector {
         if (outside()) return;
         measure();
         if (!std::isfinite(p_.arc_px.back() + p_.middle_px)) return;  // a placement that is nowhere
-        if (is_speck(path)) return;
+        if (is_speck(path) || is_sliver(path)) return;
         clip(path, begin, end);
     }
 
@@ -68,11 +68,27 @@ class Projector {
         return false;
     }
 
-    /// Too short a path, all by itself.
+    /// A short path that leads nowhere.
     bool is_speck(Index path) const {
         const std::size_t set = paths_.line_set[path];
-        return set < options_.least_length_px.size() && paths_.free_ends[path] == (free_start | free_end) &&
+        return set < options_.least_length_px.size() && paths_.free_ends[path] != 0 &&
                p_.arc_px.back() < options_.least_length_px[set];
+    }
+
+    /// A short contour around nothing: noise of the mesh where a smooth surface is seen at a grazing angle.
+    bool is_sliver(Index path) const {
+        constexpr double roundness = 0.02;  // area / perimeter^2; a circle has 0.08
+        const std::size_t set = paths_.line_set[path];
+        const double perimeter = p_.arc_px.back();
+        if (set >= options_.least_length_px.size() || !paths_.of_view[path] || !paths_.closed[path] ||
+            perimeter > 2.0 * options_.least_length_px[set])
+            return false;
+        double area = 0.0;
+        for (std::size_t i = 0; i + 1 < p_.clip.size(); ++i) {
+            const dvec2 a = pixels_at(i, 0.0), b = pixels_at(i, 1.0);
+            area += 0.5 * (a.x * b.y - a.y * b.x);
+        }
+        return std::abs(area) < roundness * perimeter * perimeter;
     }
 
     /// Arc length in pixels of what lies in front of the near plane, and where the path's middle (in space) falls.

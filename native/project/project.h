@@ -12,7 +12,8 @@ struct ProjectOptions {
     double sample_step_px = 2.0;
     /// Room kept around the frame, as a share of its half size, so that strokes do not end where one can see it.
     double margin = 0.1;
-    /// Per line set: paths that touch no other line and are shorter than this in the image are left out. May be empty.
+    /// Per line set: paths with an end that touches no other line are left out when shorter than this in the image,
+    /// and so are closed contours twice as long that enclose next to nothing. May be empty: nothing is left out.
     std::vector<double> least_length_px{};
 };
 
