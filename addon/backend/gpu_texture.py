@@ -1,0 +1,66 @@
+"""Textures and targets: numpy in, numpy out."""
+
+from contextlib import contextmanager
+
+import gpu
+import numpy as np
+
+ROW_WIDTH = 2048  # as in shaders/row_lib.glsl
+_FORMATS = {1: "R32F", 2: "RG32F", 4: "RGBA32F"}
+
+
+def upload(pixels, format=None):
+    """Texture of an array (height, width) or (height, width, channels), float32, first row at the bottom."""
+    height, width = pixels.shape[:2]
+    channels = pixels.shape[2] if pixels.ndim == 3 else 1
+    flat = np.ascontiguousarray(pixels, dtype=np.float32).reshape(-1)
+    data = gpu.types.Buffer("FLOAT", flat.size, flat)
+    return gpu.types.GPUTexture((width, height), format=format or _FORMATS[channels], data=data)
+
+
+def upload_row(entries):
+    """Texture of one long row of entries, (n,) or (n, channels), wrapped over rows of ROW_WIDTH."""
+    entries = entries.reshape(len(entries), -1)
+    rows = max(1, -(-len(entries) // ROW_WIDTH))
+    pixels = np.zeros((rows * ROW_WIDTH, entries.shape[1]), np.float32)
+    pixels[: len(entries)] = entries
+    return upload(pixels.reshape(rows, ROW_WIDTH, -1))
+
+
+class Target:
+    """Something to draw into: one colour texture, with a depth texture where asked for.
+
+    The textures live as long as this object; framebuffers alone do not keep them."""
+
+    def __init__(self, width, height, format, depth=False):
+        self.width, self.height = width, height
+        self.color = gpu.types.GPUTexture((width, height), format=format)
+        self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F") if depth else None
+        slots = {"color_slots": self.color}
+        if depth:
+            slots["depth_slot"] = self.depth
+        self._framebuffer = gpu.types.GPUFrameBuffer(**slots)
+
+    @contextmanager
+    def bind(self):
+        """Draws inside go into the target; state and framebuffer are as before afterwards."""
+        depth_test, depth_mask, blend = gpu.state.depth_test_get(), gpu.state.depth_mask_get(), gpu.state.blend_get()
+        try:
+            with self._framebuffer.bind():
+                gpu.state.depth_test_set("NONE")
+                gpu.state.depth_mask_set(False)
+                gpu.state.blend_set("NONE")
+                gpu.state.face_culling_set("NONE")
+                yield self._framebuffer
+        finally:
+            gpu.state.depth_test_set(depth_test)
+            gpu.state.depth_mask_set(depth_mask)
+            gpu.state.blend_set(blend)
+
+    def read(self, channels):
+        """(height, width, channels) float32; waits until everything is drawn."""
+        count = self.width * self.height * channels
+        with self._framebuffer.bind():
+            data = self._framebuffer.read_color(0, 0, self.width, self.height, channels, 0, "FLOAT")
+        data.dimensions = count  # 4.3 scrambles the strides of buffers of several dimensions
+        return np.asarray(data, dtype=np.float32).reshape(self.height, self.width, channels)

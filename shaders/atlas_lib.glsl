@@ -1,0 +1,25 @@
+// The segment atlas (native/atlas/layout.h): one row of samples, wrapped over rows of the target.
+#define OWNER_STRIDE 64
+
+// Place of this fragment in the row.
+int atlas_index()
+{
+  return int(gl_FragCoord.y) * ROW_WIDTH + int(gl_FragCoord.x);
+}
+
+// Segment that owns a sample: the last one whose first own sample is not beyond it.
+int atlas_owner(int index)
+{
+  int low = int(fetch_row(owners, index / OWNER_STRIDE).x);
+  int high = int(fetch_row(owners, index / OWNER_STRIDE + 1).x);
+  while (low < high) {
+    int middle = (low + high + 1) / 2;
+    if (fetch_row(segments, 3 * middle + 2).z <= float(index)) {
+      low = middle;
+    }
+    else {
+      high = middle - 1;
+    }
+  }
+  return low;
+}

@@ -1,0 +1,5 @@
+// One triangle that covers the target.
+void main()
+{
+  gl_Position = vec4(corner, 0.0, 1.0);
+}

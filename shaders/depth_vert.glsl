@@ -1,0 +1,9 @@
+// Depth pass: occluders as depth over the image (native/atlas/depth.h).
+void main()
+{
+  // (x w, y w, depth w, w): depth is 1 at the near plane, where clipping cuts, and falls to 0; there is no far plane.
+  gl_Position = object_to_depth_clip * vec4(position, 1.0);
+  depth_w = gl_Position.z;
+  // Kept modulo 2^24, which a float holds exactly.
+  facet_number = float((int(facet) + facet_base) & 0xFFFFFF);
+}

@@ -1,0 +1,7 @@
+// A long row of table entries, wrapped over the rows of a texture.
+#define ROW_WIDTH 2048
+
+vec4 fetch_row(sampler2D table, int index)
+{
+  return texelFetch(table, ivec2(index % ROW_WIDTH, index / ROW_WIDTH), 0);
+}
