@@ -44,11 +44,20 @@ def compile_program(name):
         info.sampler(slot, kind, sampler)
     for constant, kind in description.get("constants", {}).items():
         info.push_constant(kind, constant)
-    if "depth_write" in description:
-        info.depth_write(description["depth_write"])
+    if description.get("writes_depth"):
+        _declare_depth(info)
     info.vertex_source(_source(description["vertex"]))
     info.fragment_source(_source(description["fragment"]))
     return gpu.shader.create_from_info(info)
+
+
+def _declare_depth(info):
+    """Lets the fragment stage write gl_FragDepth. Blender 4.3 cannot declare it; only its OpenGL does without."""
+    if hasattr(info, "depth_write"):
+        info.depth_write("ANY")
+    elif gpu.platform.backend_type_get() != "OPENGL":
+        return
+    info.define("WRITES_DEPTH")
 
 
 def _source(files):
