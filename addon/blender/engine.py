@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import preferences, session
+from . import gpu_context, session
 
 
 class FoveaEngine(bpy.types.RenderEngine):
@@ -12,7 +12,8 @@ class FoveaEngine(bpy.types.RenderEngine):
     bl_use_eevee_viewport = True  # the material preview is EEVEE's
     bl_use_shading_nodes_custom = False
 
-    drawing = None  # of this viewport, made when first drawn
+    backend = None  # made when first needed
+    drawing = None  # what this viewport shows
 
     def update_render_passes(self, scene=None, renderlayer=None):
         session.register_passes(self, scene, renderlayer)
@@ -28,12 +29,10 @@ class FoveaEngine(bpy.types.RenderEngine):
 
 
 def register():
-    # Read when the class is registered, and only then.
-    FoveaEngine.bl_use_gpu_context = preferences.gl_renderer() is not None
-    bpy.utils.register_class(FoveaEngine)
+    gpu_context.register(FoveaEngine)
     session.register()
 
 
 def unregister():
     session.unregister()
-    bpy.utils.unregister_class(FoveaEngine)
+    gpu_context.unregister()

@@ -12,6 +12,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
 
 from .. import catalogue, native, style
+from . import gpu_context
 
 PEN = {"pen_opacity": "opacity", "pen_width": "width", "pen_length_scale": "length_scale", "pen_taper": "taper"}
 
@@ -95,6 +96,12 @@ def _style_chosen(settings, context):
     _redraw(settings, context)
 
 
+def _backend_chosen(settings, context):
+    if settings.backend == "GPU":
+        gpu_context.demand()
+    _redraw(settings, context)
+
+
 def _names(names):
     """Items of an enum over file names, numbered by name so that saved files survive new ones."""
     return [(n, n.replace("_", " ").title(), "", "NONE", zlib.crc32(n.encode()) & 0x7FFFFFFF) for n in names]
@@ -153,7 +160,7 @@ def _color(name, default, description):
 BACKENDS = [
     ("AUTO", "Automatic", "GPU where it is hardware, else CPU"),
     ("CPU", "CPU", "The same picture on every machine"),
-    ("GPU", "GPU", "OpenGL through Blender, in software if need be"),
+    ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
 ]
 VISIBILITY = [
     ("AUTO", "Automatic", "Exact in renders and on software OpenGL, sampled in viewports"),
@@ -181,7 +188,7 @@ def _scene_group():
     chosen = style.load(style.DEFAULT, definitions() or None)
     last = chosen.line_sets[-1]
     annotations = {
-        "backend": EnumProperty(name="Device", items=BACKENDS, update=_redraw),
+        "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
         "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=_redraw),
         "style": EnumProperty(name="Style", items=_names(style.names()), default=style.DEFAULT, update=_style_chosen),
         "corner_angle": FloatProperty(

@@ -48,10 +48,11 @@ def register_passes(engine, scene_, layer):
 def render(engine, depsgraph):
     """Draws one view layer of a final render. Without a result Blender writes no file."""
     with _reported(lambda message: engine.report({"ERROR"}, message)):
-        view = camera.of_render(engine, depsgraph)
-        image = _draw(engine, depsgraph, view)
+        image = _draw(engine, depsgraph, camera.of_render(engine, depsgraph))
         if image is not None:
-            _hand_over(engine, depsgraph.view_layer, image)
+            passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
+            del image
+            _hand_over(engine, depsgraph.view_layer, passes)
 
 
 def view_update(engine):
@@ -98,7 +99,7 @@ def _draw(engine, depsgraph, view, viewport=None):
     ingest = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt)
-    chosen_backend, visibility = methods.choose(depsgraph.scene.fovea, in_viewport=viewport is not None)
+    chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     options = pipeline.Options(visibility=visibility, with_depth=with_depth)
     cancel = core.Cancel()
@@ -161,18 +162,19 @@ def _note_statistics(ingest, snapshot, image):
     )
 
 
-def _hand_over(engine, layer, image):
-    """Gives the passes of one view layer to Blender."""
-    passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
+def _hand_over(engine, layer, passes):
+    """Gives the passes {name: (H, W) or (H, W, 4)} of one view layer to Blender. Empties the dict as it goes: Blender
+    holds each pass twice until it has merged them."""
     engine.add_pass("Lines", 4, "RGBA", layer=layer.name)
     if layer.use_pass_z:
         engine.add_pass("Depth", 1, "Z", layer=layer.name)
-    height, width = image.combined.shape[:2]
+    height, width = passes["Combined"].shape[:2]
     result = engine.begin_result(0, 0, width, height, layer=layer.name)
     for render_pass in result.layers[0].passes:
-        pixels = passes.get(render_pass.name)
+        pixels = passes.pop(render_pass.name, None)
         if pixels is not None:
             render_pass.rect.foreach_set(np.ascontiguousarray(pixels, np.float32).ravel())
+    del pixels
     engine.end_result(result)
 
 

@@ -255,6 +255,8 @@ def test_what_was_left_out_is_said_once():
 class StoppedEngine:
     """An engine whose user pressed Escape."""
 
+    backend = None
+
     def __init__(self):
         self.asked = 0
 
