@@ -37,7 +37,8 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
         const double step = clipped.sample_count[i] ? (clipped.arc_px[i + 1] - clipped.arc_px[i]) / clipped.sample_count[i] : 0.0;
         for (Index j = 0; j < clipped.sample_count[i]; ++j) {
             const double here = clipped.arc_px[i] + (j + 0.5) * step;
-            const float value = visibility[clipped.sample_start[i] + j];
+            const float read = visibility[clipped.sample_start[i] + j];
+            const float value = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // also what is not a number
             const bool visible = value >= threshold;
             if (visible != open) {
                 const double t = first ? 0.0 : (threshold - value_before) / (value - value_before);

@@ -30,12 +30,14 @@ inline View cropped(const View& view, int x0, int y0, int x1, int y1) {
     return crop;
 }
 
-/// Polylines as paths of one placement; a polyline whose last point equals its first is closed.
+/// Polylines as paths of placement 0; a polyline whose last point equals its first is closed. Other placements may
+/// stand before them.
 struct Wires {
     Scene scene;
     Paths paths;
 
-    explicit Wires(const std::vector<std::vector<dvec3>>& lines, dmat4 object_to_world = dmat4(1.0)) {
+    explicit Wires(const std::vector<std::vector<dvec3>>& lines, dmat4 object_to_world = dmat4(1.0),
+                   const std::vector<Placement>& others = {}) {
         meshes::Mesh mesh("wires", {});
         for (const auto& line : lines) {
             const int begin = static_cast<int>(mesh.positions.size());
@@ -55,13 +57,16 @@ struct Wires {
             paths.placement.push_back(0);
             paths.line_set.push_back(0);
             paths.free_ends.push_back(0);
+            paths.of_view.push_back(0);
             paths.rows.offsets.push_back(Index(paths.points_obj.size()));
         }
         if (mesh.edge_verts.empty()) {  // a path of one point still names an edge
             mesh.positions.resize(std::max<std::size_t>(mesh.positions.size(), 1));
             mesh.edge(0, 0);
         }
-        scene = Scene({drawing::place(mesh, object_to_world)});
+        std::vector<Placement> placements{drawing::place(mesh, object_to_world)};
+        placements.insert(placements.end(), others.begin(), others.end());
+        scene = Scene(std::move(placements));
     }
 
     ClippedPaths project(const View& view, const ProjectOptions& options = {}) const {

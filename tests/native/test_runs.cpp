@@ -1,0 +1,163 @@
+// Runs, atlas samples, and the way between them.
+#include "atlas/runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "wires.h"
+
+using namespace fovea;
+using namespace fovea::wires;
+
+namespace {
+
+/// Straight horizontal pieces of the given lengths in pixels, one sample each 2 px.
+ClippedPaths pieces_of(const std::vector<std::vector<double>>& lengths) {
+    std::vector<std::vector<dvec3>> lines;
+    for (std::size_t q = 0; q < lengths.size(); ++q) {
+        const double y = 2.4 * ((10.0 + 7.0 * q) / 240.0 - 1.0);
+        double x = 10.0;
+        lines.push_back({});
+        const auto add = [&] { lines[q].push_back({3.2 * (x / 320.0 - 1.0), y, -4}); };
+        add();
+        for (double length : lengths[q]) {
+            x += length;
+            add();
+        }
+    }
+    return Wires(lines).project(camera());
+}
+
+void add_run(Runs& runs, Index piece, double start, double end) {
+    runs.piece.push_back(piece);
+    runs.start_px.push_back(start);
+    runs.end_px.push_back(end);
+}
+
+Runs closed(const ClippedPaths& clipped, const Runs& runs, double gap, float spur) {
+    return close_gaps(clipped, runs, gap, std::vector<float>(clipped.path.empty() ? 0 : clipped.path.back() + 1, spur));
+}
+
+}  // namespace
+
+TEST(Runs, ToSamplesAndBack) {
+    const ClippedPaths clipped = pieces_of({{400}, {60, 40, 100}, {30}, {7}});
+    ASSERT_EQ(clipped.pieces.count(), 4u);
+    Runs runs;
+    add_run(runs, 0, -200, -120.5);  // from the beginning
+    add_run(runs, 0, -33.3, 41.7);
+    add_run(runs, 0, 100, 200);  // to the end
+    add_run(runs, 1, -50.2, 55.5);
+    add_run(runs, 3, -3.5, 3.5);  // all of it; piece 2 has none
+    const Array<float> samples = samples_from_runs(clipped, runs);
+    ASSERT_EQ(samples.size(), clipped.samples);
+    for (float v : samples) EXPECT_TRUE(v >= 0.0f && v <= 1.0f);
+    const Runs back = runs_from_samples(clipped, samples);
+    ASSERT_EQ(back.piece.size(), runs.piece.size());
+    for (std::size_t r = 0; r < runs.piece.size(); ++r) {
+        EXPECT_EQ(back.piece[r], runs.piece[r]);
+        EXPECT_NEAR(back.start_px[r], runs.start_px[r], 0.6) << r;
+        EXPECT_NEAR(back.end_px[r], runs.end_px[r], 0.6) << r;
+    }
+    EXPECT_NEAR(back.start_px[0], -200.0, 1e-3) << "whole ends stay whole";
+    EXPECT_NEAR(back.end_px[2], 200.0, 1e-3);
+}
+
+TEST(Runs, ASampleHoldsTheShareThatIsCovered) {
+    const ClippedPaths clipped = pieces_of({{100}});
+    Runs runs;
+    add_run(runs, 0, -41.5, -39.0);  // samples lie at -50 + 2 j
+    add_run(runs, 0, -38.5, 10.0);   // a second run in the same sample
+    const Array<float> samples = samples_from_runs(clipped, runs);
+    const Index start = clipped.sample_start[0];
+    EXPECT_NEAR(samples[start + 3], 0.0f, 1e-3f);
+    EXPECT_NEAR(samples[start + 4], 0.75f, 1e-3f) << "-42 .. -40";
+    EXPECT_NEAR(samples[start + 5], 0.75f, 1e-3f) << "-40 .. -38, but for half a pixel";
+    EXPECT_NEAR(samples[start + 6], 1.0f, 1e-3f);
+    EXPECT_NEAR(samples[start + 29], 1.0f, 1e-3f);
+    EXPECT_NEAR(samples[start + 30], 0.0f, 1e-3f);
+}
+
+TEST(Runs, PaddingRepeatsTheEndsOfItsPiece) {
+    const ClippedPaths clipped = pieces_of({{100}, {10}, {80, 20}});
+    Runs runs;
+    add_run(runs, 0, -50, 0);
+    add_run(runs, 2, -10, 50);
+    const Array<float> samples = samples_from_runs(clipped, runs);
+    const auto padding = [&](Index piece, bool before) {
+        Index low = none, high = 0;
+        for (Index i = first_of(clipped, piece); i < last_of(clipped, piece); ++i) {
+            low = std::min(low, clipped.sample_start[i]);
+            high = clipped.sample_start[i] + clipped.sample_count[i];
+        }
+        const Index count = padding_of(high - low);
+        EXPECT_GT(count, 0u);
+        return std::vector<float>(samples.begin() + (before ? low - count : high), samples.begin() + (before ? low : high + count));
+    };
+    for (float v : padding(0, true)) EXPECT_EQ(v, 1.0f);
+    for (float v : padding(0, false)) EXPECT_EQ(v, 0.0f);
+    for (float v : padding(1, true)) EXPECT_EQ(v, 0.0f);
+    for (float v : padding(2, true)) EXPECT_EQ(v, 0.0f);
+    for (float v : padding(2, false)) EXPECT_NEAR(v, 1.0f, 1e-3f);
+}
+
+TEST(Runs, EndWhereTheSamplesCrossTheThreshold) {
+    const ClippedPaths clipped = pieces_of({{100}});
+    Array<float> samples(clipped.samples, 0.0f);
+    const Index start = clipped.sample_start[0];
+    samples[start + 10] = 0.25f;  // at -29
+    samples[start + 11] = 0.75f;  // at -27
+    samples[start + 12] = 1.0f;
+    samples[start + 13] = 0.5f;   // at -23: still seen
+    const Runs runs = runs_from_samples(clipped, samples);
+    ASSERT_EQ(runs.piece.size(), 1u);
+    EXPECT_NEAR(runs.start_px[0], -28.0, 1e-3);
+    EXPECT_NEAR(runs.end_px[0], -23.0, 1e-3);
+    EXPECT_EQ(runs_from_samples(clipped, samples, 0.2f).piece.size(), 1u);
+    EXPECT_TRUE(runs_from_samples(clipped, samples, 1.0f).piece.empty()) << "a single point has no length";
+    EXPECT_TRUE(runs_from_samples(clipped, Array<float>(clipped.samples, 0.0f)).piece.empty());
+    EXPECT_EQ(runs_from_samples(clipped, Array<float>(clipped.samples, 1.0f)).piece.size(), 1u);
+}
+
+TEST(Runs, AreFiniteWhateverTheSamples) {
+    const ClippedPaths clipped = pieces_of({{100}, {50, 3}});
+    std::mt19937 random(9);
+    const float values[] = {0.0f, 1.0f, 0.5f, std::numeric_limits<float>::quiet_NaN(), 2.0f, -1.0f};
+    for (int k = 0; k < 50; ++k) {
+        Array<float> samples(clipped.samples);
+        for (float& v : samples) v = values[random() % 6];
+        const Runs runs = runs_from_samples(clipped, samples);
+        for (std::size_t r = 0; r < runs.piece.size(); ++r) {
+            EXPECT_TRUE(std::isfinite(runs.start_px[r]) && std::isfinite(runs.end_px[r]));
+            EXPECT_LT(runs.start_px[r], runs.end_px[r]);
+        }
+    }
+    EXPECT_THROW(runs_from_samples(clipped, Array<float>(clipped.samples - 1, 0.0f)), std::invalid_argument);
+}
+
+TEST(CloseGaps, JoinsShortGapsAndDropsShortSpurs) {
+    const ClippedPaths clipped = pieces_of({{100}, {100}});
+    Runs runs;
+    add_run(runs, 0, -50, -49.5);  // short, but at the beginning
+    add_run(runs, 0, -40, -30);
+    add_run(runs, 0, -28.5, -20);  // gap of 1.5
+    add_run(runs, 0, 0, 0.5);      // a spur
+    add_run(runs, 0, 10, 10.4);    // two spurs that make a line together
+    add_run(runs, 0, 10.8, 11.4);
+    add_run(runs, 0, 49.8, 50);    // at the end
+    add_run(runs, 1, -50, 50);     // another piece is never joined
+    const Runs kept = closed(clipped, runs, 2.0, 1.0f);
+    const std::vector<std::pair<double, double>> expected{{-50, -49.5}, {-40, -20}, {10, 11.4}, {49.8, 50}, {-50, 50}};
+    ASSERT_EQ(kept.piece.size(), expected.size());
+    for (std::size_t r = 0; r < expected.size(); ++r)
+        EXPECT_EQ(std::pair(kept.start_px[r], kept.end_px[r]), expected[r]) << r;
+    EXPECT_EQ(kept.piece.back(), 1u);
+
+    const Runs same = closed(clipped, runs, 0.0, 0.0f);
+    EXPECT_EQ(same.start_px, runs.start_px);
+    EXPECT_EQ(closed(clipped, kept, 2.0, 1.0f).start_px, kept.start_px) << "done twice, nothing more changes";
+    EXPECT_TRUE(closed(clipped, Runs(), 2.0, 1.0f).piece.empty());
+}
