@@ -1,0 +1,81 @@
+// The shadow of a triangle against the definition: is the point behind the triangle, as the eye sees it?
+#include "atlas/shadow.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace fovea;
+
+namespace {
+
+/// Does the ray from the eye (the origin, or along -z) to the point pass through the triangle before the point?
+bool hidden(const dvec3 corners[3], bool orthographic, const dvec3& p, double margin) {
+    const dvec3 origin = orthographic ? dvec3(p.x, p.y, 0.0) : dvec3(0.0), direction = p - origin;
+    const dvec3 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
+    const dvec3 n = glm::cross(direction, e2);
+    const double det = glm::dot(e1, n);
+    const double u = glm::dot(origin - corners[0], n) / det;
+    const dvec3 q = glm::cross(origin - corners[0], e1);
+    const double v = glm::dot(direction, q) / det, t = glm::dot(e2, q) / det;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < 1.0 - margin;
+}
+
+}  // namespace
+
+TEST(Shadow, IsWhereTheTriangleHides) {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> side(-2, 2), deep(-8, -1);
+    const auto any = [&] { return dvec3(side(random), side(random), deep(random)); };
+    int inside = 0, outside = 0, segments = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const bool orthographic = k % 2;
+        const dvec3 corners[3] = {any(), any(), any()};
+        const Shadow shadow(corners, orthographic, 0.5, 1e-9);
+        ASSERT_TRUE(shadow.usable());
+        const dvec3 a = any(), b = any();
+        const Interval found = shadow.hides(a, b);
+        segments += found.begin <= found.end;
+        for (int i = 0; i <= 40; ++i) {
+            const double t = i / 40.0;
+            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
+            EXPECT_EQ(found.holds(t), hidden(corners, orthographic, glm::mix(a, b, t), 1e-9)) << k << " at " << t;
+            ++(found.holds(t) ? inside : outside);
+        }
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_GT(outside, 1000);
+    EXPECT_GT(segments, 200);
+}
+
+TEST(Shadow, BeginsBehindTheTriangleByTheMargin) {
+    const dvec3 corners[3] = {{-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}};
+    for (const bool orthographic : {false, true}) {
+        const Shadow shadow(corners, orthographic, 0.1, 1e-2);
+        // Straight away from the viewer through the triangle.
+        const dvec3 a = orthographic ? dvec3(0, 0, -3) : dvec3(0.3, 0.3, -3), b = orthographic ? dvec3(0, 0, -5) : a * 5.0 / 3.0;
+        const Interval found = shadow.hides(a, b);
+        EXPECT_EQ(found.end, 1.0);
+        EXPECT_NEAR(-3 - 2 * found.begin, -4 * 1.01, orthographic ? 0.02 : 1e-9);
+    }
+}
+
+TEST(Shadow, SaysNothingOfTrianglesAtTheNearPlaneOrEdgeOn) {
+    const dvec3 a(-1, -1, -2), b(1, -1, -2), c(0, 1, -2);
+    const auto usable = [](dvec3 p, dvec3 q, dvec3 r, bool orthographic) {
+        const dvec3 corners[3] = {p, q, r};
+        const Shadow shadow(corners, orthographic, 0.5, 1e-5);
+        const Interval found = shadow.hides({-3, -0.5, -3}, {3, -0.5, -3});
+        EXPECT_EQ(shadow.usable(), found.begin <= found.end);
+        return shadow.usable();
+    };
+    for (const bool orthographic : {false, true}) {
+        EXPECT_TRUE(usable(a, b, c, orthographic));
+        EXPECT_FALSE(usable(a, b, {0, 1, -0.4}, orthographic)) << "before the near plane";
+        EXPECT_FALSE(usable(a, b, {0, 1, 3}, orthographic)) << "behind the viewer";
+        EXPECT_FALSE(usable(a, a, c, orthographic)) << "no triangle";
+        EXPECT_FALSE(usable({0, -1, -2}, {0, 1, -2}, {0, 1, -4}, orthographic)) << "seen edge on";
+    }
+    EXPECT_FALSE(Shadow().usable());
+    EXPECT_GT(Shadow().hides(a, b).begin, Shadow().hides(a, b).end);
+}

@@ -1,0 +1,170 @@
+// Rays against spheres and planes, whose answers are known; the depth pass and the holes of holdouts.
+#include "scene/tracer.h"
+
+#include <gtest/gtest.h>
+
+#include "drawing.h"
+#include "scene/seen.h"
+
+using namespace fovea;
+using namespace fovea::meshes;
+using namespace fovea::drawing;
+
+namespace {
+
+const Ignore nothing;
+
+/// Distance along a ray (unit direction) to the unit sphere around `center`; negative: missed.
+double to_sphere(dvec3 origin, dvec3 direction, dvec3 center) {
+    const double b = glm::dot(direction, center - origin), c = glm::dot(center - origin, center - origin) - 1.0;
+    return b * b < c ? -1.0 : b - std::sqrt(b * b - c);
+}
+
+vec3 in_view(const View& view, dvec3 world) { return vec3(view.world_to_view * dvec4(world, 1.0)); }
+
+}  // namespace
+
+TEST(Tracer, SeesASphereWhereItIs) {
+    const Scene scene({place(sphere(64), moved({0.3, 0, 0}))});
+    const dvec3 eye(0, -6, 0);
+    const View view = perspective(eye, {0, 0, 0});
+    const Tracer tracer(scene, view);
+    int seen = 0;
+    for (int y = 5; y < 480; y += 23)
+        for (int x = 5; x < 640; x += 31) {
+            const dvec2 px(x + 0.5, y + 0.5);
+            const dvec3 direction = glm::normalize(dvec3((px.x / 320 - 1) * 0.36, 1.0, (px.y / 240 - 1) * 0.27));
+            const double expected = to_sphere(eye, direction, {0.3, 0, 0});
+            const double beside = glm::length(glm::cross(dvec3(0.3, 6, 0), direction));  // the ray passes the centre at
+            if (std::abs(beside - 1.0) < 0.01) continue;
+            const auto hit = tracer.seen(px);
+            ASSERT_EQ(hit.has_value(), expected > 0.0) << x << " " << y;
+            if (!hit) continue;
+            EXPECT_NEAR(hit->t, expected * direction.y, 0.01 / (1.01 - beside)) << "distance along the view";
+            ++seen;
+        }
+    EXPECT_GT(seen, 20);
+}
+
+TEST(Tracer, OccluderIsTheNearestThatHides) {
+    const Scene scene({place(grid(1), moved({0, 0, -3})), place(grid(1), moved({0, 0, -5}), 2), place(grid(1), moved({0, 0, -7}), 3)});
+    for (const bool ortho : {false, true}) {
+        const View view = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 4) : perspective({0, 0, 0}, {0, 0, -1}, 36);
+        const Tracer tracer(scene, view);
+        const auto hides = [&](double z) {
+            const auto hit = tracer.occluder(in_view(view, {0.1, 0.2, z}), nothing);
+            return hit ? int(hit->placement) : -1;
+        };
+        EXPECT_EQ(hides(-2), -1);
+        EXPECT_EQ(hides(-3), -1) << "on the first";
+        EXPECT_EQ(hides(-4), 0);
+        EXPECT_EQ(hides(-5), 0) << "on the second, behind the first";
+        EXPECT_EQ(hides(-9), 0);
+        EXPECT_NEAR(tracer.occluder(in_view(view, {0.1, 0.2, -6}), nothing)->t, ortho ? (3 - 0.1) / (6 - 0.1) : 0.5, 1e-5);
+        const auto behind = [&](double z) {
+            const auto hit = tracer.behind(in_view(view, {0.1, 0.2, z}), nothing);
+            return hit ? int(hit->placement) : -1;
+        };
+        EXPECT_EQ(behind(-2), 0);
+        EXPECT_EQ(behind(-3), 1);
+        EXPECT_EQ(behind(-6), 2);
+        EXPECT_EQ(behind(-7), -1);
+    }
+}
+
+TEST(Tracer, IgnoredFacetsLetTheRayThrough) {
+    const Scene scene({place(grid(2), moved({0, 0, -3})), place(grid(2), moved({0, 0, -3.5}), 2)});
+    const View view = perspective({0, 0, 0}, {0, 0, -1}, 36);
+    const Tracer tracer(scene, view);
+    const vec3 point(0.3f, 0.3f, -9.0f);  // through polygon 3 of either grid
+    ASSERT_EQ(tracer.occluder(point, nothing)->placement, 0u);
+    EXPECT_EQ(tracer.facet(*tracer.occluder(point, nothing)), 3u);
+    const EdgeSide sides[] = {EdgeSide(1, true), EdgeSide(3, false)};
+    EXPECT_EQ(tracer.occluder(point, {0, sides, sides + 1})->placement, 0u) << "another facet";
+    EXPECT_EQ(tracer.occluder(point, {0, sides, sides + 2})->placement, 1u);
+    EXPECT_EQ(tracer.occluder(point, {1, sides, sides + 2})->placement, 0u) << "of the other placement";
+}
+
+TEST(Tracer, CornersAreWhereThePlacementPutsThem) {
+    const Scene scene({place(bent_quad(0), moved({-0.5, -0.5, -4}) * scaled({1, -1, 2}) * moved({0, -1, 0}))});
+    const View view = perspective({0, 0, 0}, {0, 0, -1}, 36);
+    const Tracer tracer(scene, view);
+    const auto hit = tracer.seen(pixel_of(view, {0.1, 0.2, -4}));
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->t, 4.0f, 1e-5f);
+    dvec3 corners[3];
+    tracer.corners(*hit, corners);
+    for (const dvec3& corner : corners) {
+        EXPECT_NEAR(std::abs(corner.x), 0.5, 1e-12);
+        EXPECT_NEAR(std::abs(corner.y), 0.5, 1e-12);
+        EXPECT_NEAR(corner.z, -4.0, 1e-12);
+    }
+}
+
+TEST(Tracer, TheNearPlaneCutsAway) {
+    const Scene scene({place(grid(1), moved({0, 0, -0.5})), place(grid(1), moved({0, 0, -2}), 2)});
+    for (const bool ortho : {false, true}) {
+        const View base = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 1) : perspective({0, 0, 0}, {0, 0, -1}, 36);
+        const Tracer near_tracer(scene, with_near(base, 0.4)), far_tracer(scene, with_near(base, 0.6));
+        EXPECT_EQ(near_tracer.seen({321, 241})->placement, 0u);
+        EXPECT_EQ(far_tracer.seen({321, 241})->placement, 1u);
+        EXPECT_EQ(near_tracer.occluder({0, 0, -1.5}, nothing)->placement, 0u);
+        EXPECT_FALSE(far_tracer.occluder({0, 0, -1.5}, nothing).has_value());
+        EXPECT_FALSE(far_tracer.occluder({0, 0, -0.6f}, nothing).has_value()) << "a point on the near plane";
+        EXPECT_FALSE(far_tracer.occluder({0, 0, -0.2f}, nothing).has_value()) << "and one before it";
+    }
+}
+
+TEST(Tracer, AViewKeepsItsDistanceToHugeAndTinyObjects) {
+    for (const double unit : {1e-4, 1.0, 1e4}) {
+        const Scene scene({place(sphere(48), scaled(dvec3(unit)))});
+        View view = perspective({0, -6 * unit, 0}, {0, 0, 0});
+        view.far_clip *= unit;
+        view = with_near(view, 0.1 * unit);
+        const auto hit = Tracer(scene, view).seen({320.5, 240.5});
+        ASSERT_TRUE(hit.has_value());
+        EXPECT_NEAR(hit->t / unit, 5.0, 0.01);
+    }
+}
+
+TEST(Seen, DepthIsTheDistanceAlongTheView) {
+    const Scene scene({place(grid(1), moved({0, 0, -4}) * scaled({1, 2, 1}))});
+    for (const bool ortho : {false, true}) {
+        const View view = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 8, 64, 48) : perspective({0, 0, 0}, {0, 0, -1}, 18, 64, 48);
+        const Tracer tracer(scene, view);
+        const Array<float> depth = depth_image(tracer, Cancel());
+        ASSERT_EQ(depth.size(), 64u * 48u);
+        // The frame is 8 x 6 at distance 4; the grid spans the quarter of its width, and two thirds of its height.
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const bool inside = x >= 24 && x < 40 && y >= 8 && y < 40;
+                const float expected = inside ? 4.0f : background_depth;
+                EXPECT_NEAR(depth[64 * y + x], expected, 1e-5f) << x << " " << y;
+            }
+    }
+}
+
+TEST(Seen, HoldoutsCutTheirShareOfThePixels) {
+    const Placement hole = place(grid(1), moved({0, 0, -4}), 1, usage_holdout);
+    const View view = perspective({0, 0, 0}, {0, 0, -1}, 18, 64, 48);
+    EXPECT_TRUE(holdout_image(Tracer(Scene({place(grid(1))}), view), Cancel()).empty());
+    const Scene alone({hole});
+    const Array<float> cut = holdout_image(Tracer(alone, view), Cancel());
+    ASSERT_EQ(cut.size(), 64u * 48u);
+    double sum = 0.0;
+    for (float share : cut) sum += share;
+    EXPECT_NEAR(sum, 16.0 * 16.0, 1e-3);
+    // A box before it covers a quarter; what lies behind it makes no difference.
+    const Scene covered({hole, place(grid(1), moved({0.25, 0.25, -2}) * scaled(dvec3(0.25)), 2), place(grid(1), moved({0, 0, -9}), 3)});
+    sum = 0.0;
+    for (float share : holdout_image(Tracer(covered, view), Cancel())) sum += share;
+    EXPECT_NEAR(sum, 16.0 * 16.0 * 0.75, 1e-3);
+}
+
+TEST(Seen, CanBeCancelled) {
+    const Scene scene({place(box())});
+    const Tracer tracer(scene, perspective({4, -5, 3}, {0, 0, 0}));
+    Cancel cancel;
+    cancel.requested = true;
+    EXPECT_THROW(depth_image(tracer, cancel), Cancelled);
+}
