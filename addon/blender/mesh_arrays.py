@@ -1,5 +1,6 @@
 """Blender's mesh arrays as numpy arrays: whole attributes at once into buffers that are used again for every mesh."""
 
+import math
 from dataclasses import dataclass
 
 import bpy
@@ -29,7 +30,7 @@ class Buffers:
 
     def take(self, name, shape, dtype):
         """An uninitialized array of that shape; the one taken last under the name is void."""
-        size = int(np.prod(shape))
+        size = math.prod(shape)
         array = self._arrays.get(name)
         if array is None or array.size < size:
             array = self._arrays[name] = np.empty(size + size // 8, dtype)
@@ -40,7 +41,7 @@ def read(mesh, buffers, *, with_marks):
     """The arrays of an evaluated mesh. Freestyle marks are slow to read before Blender 5.0: only `with_marks`."""
     vertices, edges, corners = len(mesh.vertices), len(mesh.edges), len(mesh.loops)
     polygons = len(mesh.polygons)
-    offsets = buffers.take("offsets", polygons + 1, np.int32)
+    offsets = buffers.take("offsets", (polygons + 1,), np.int32)
     mesh.polygons.foreach_get("loop_start", offsets[:-1])
     offsets[-1] = corners
     flag = (edges,)
@@ -68,7 +69,7 @@ def ngon_triangles(mesh, polygon_offsets, buffers):
         return None, None
     mesh.calc_loop_triangles()
     count = len(mesh.loop_triangles)
-    polygon = buffers.take("triangle_polygon", count, np.int32)
+    polygon = buffers.take("triangle_polygon", (count,), np.int32)
     mesh.loop_triangles.foreach_get("polygon_index", polygon)
     vertices = buffers.take("triangle_vertices", (count, 3), np.int32)
     mesh.loop_triangles.foreach_get("vertices", vertices.ravel())
@@ -97,6 +98,6 @@ def _freestyle_marks(mesh, buffers):
     """Freestyle's edge marks: an edge property up to Blender 4.5, an attribute from 5.0."""
     if "use_freestyle_mark" not in bpy.types.MeshEdge.bl_rna.properties:
         return _optional(mesh, "freestyle_edge", buffers, (len(mesh.edges),), np.bool_)
-    array = buffers.take("freestyle_edge", len(mesh.edges), np.bool_)
+    array = buffers.take("freestyle_edge", (len(mesh.edges),), np.bool_)
     mesh.edges.foreach_get("use_freestyle_mark", array)
     return array if array.any() else None
