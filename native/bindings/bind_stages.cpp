@@ -134,6 +134,7 @@ void bind_stages(py::module_& m) {
             "(Q + 1,) uint32: points of piece q")
         .def_property_readonly("path", array(&ClippedPaths::path), "(Q,) uint32 path it comes from")
         .def_property_readonly("closed", array(&ClippedPaths::closed), "(Q,) uint8")
+        .def_property_readonly("free_ends", array(&ClippedPaths::free_ends), "(Q,) uint8: 1 free start, 2 free end")
         .def_property_readonly("px", array(&ClippedPaths::px), "(M, 2) float32")
         .def_property_readonly("depth", array(&ClippedPaths::depth), "(M,) float32, reversed and screen-linear")
         .def_property_readonly("position_view", array(&ClippedPaths::position_view), "(M, 3) float32")

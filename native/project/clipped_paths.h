@@ -21,6 +21,8 @@ struct ClippedPaths {
     Array<Index> path;
     /// Per piece: 1 where a whole closed path lies inside the frame (first and last point coincide).
     Array<std::uint8_t> closed;
+    /// Per piece: 1 where it starts, 2 where it ends with an end of the path that touches no other line: there pens taper.
+    Array<std::uint8_t> free_ends;
     /// Per point: pixels (screen), reversed screen-linear depth (base/view.h), view space.
     Array<vec2> px;
     Array<float> depth;

@@ -146,12 +146,14 @@ class Projector {
         }
         if (open) finish_piece();
         if (whole && paths_.closed[path] && out.path.size() == first_piece + 1) close_piece();
+        if (out.path.size() > first_piece) mark_free_ends(path, begin, end, first_piece);
     }
 
     void start_piece(Index path, Index begin, Index segment, double t) {
         piece_begin_ = static_cast<Index>(out.px.size());
         out.path.push_back(path);
         out.closed.push_back(0);
+        out.free_ends.push_back(0);
         add_point(begin, segment, t);
     }
 
@@ -209,6 +211,7 @@ class Projector {
     void drop_piece() {
         out.path.pop_back();
         out.closed.pop_back();
+        out.free_ends.pop_back();
         truncate(out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
                  out.sample_start, out.sample_count);
     }
@@ -218,6 +221,15 @@ class Projector {
     }
 
     void close_piece() { out.closed.back() = 1; }
+
+    /// A piece has a free end where it reaches one of its path.
+    void mark_free_ends(Index path, Index begin, Index end, std::size_t first_piece) {
+        const int free = path < paths_.free_ends.size() ? paths_.free_ends[path] : 0;
+        const Index first = out.pieces.begin(static_cast<Index>(first_piece)), last = out.pieces.offsets.back() - 1;
+        if ((free & free_start) && out.source[first] == begin && out.source_t[first] == 0.0f)
+            out.free_ends[first_piece] |= free_start;
+        if ((free & free_end) && out.source[last] == end - 1) out.free_ends.back() |= free_end;
+    }
 
     const Paths& paths_;
     const Scene& scene_;
@@ -241,6 +253,7 @@ void append(const ClippedPaths& part, Start at, ClippedPaths& all) {
     for (Index q = 0; q < part.path.size(); ++q) all.pieces.offsets[at.piece + q] = at.point + part.pieces.begin(q);
     copy(part.path, all.path, at.piece);
     copy(part.closed, all.closed, at.piece);
+    copy(part.free_ends, all.free_ends, at.piece);
     copy(part.px, all.px, at.point);
     copy(part.depth, all.depth, at.point);
     copy(part.position_view, all.position_view, at.point);
@@ -268,7 +281,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
     all.pieces.offsets[piece] = Index(point);
     all.samples = Index(sample);
     const auto resize = [](std::size_t count, auto&... arrays) { (arrays.resize(count), ...); };
-    resize(piece, all.path, all.closed);
+    resize(piece, all.path, all.closed, all.free_ends);
     resize(point, all.px, all.depth, all.position_view, all.arc_px, all.source, all.source_t, all.facet0, all.facet1,
            all.sample_start, all.sample_count);
     parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) { append(parts[b], starts[b], all); });

@@ -138,10 +138,11 @@ void simplify(CentreLine& line) {
     line.resize(kept);
 }
 
-void shape(CentreLine& line, const Pen& pen, bool closed) {
+void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered) {
     if (line.size() < 2) return;
     const double start = line.front().arc, end = line.back().arc;
-    const double taper = closed ? 0.0 : std::min<double>(pen.taper_px, (end - start) / 2.0);
+    const bool any = tapered.start || tapered.end;
+    const double taper = any ? std::min<double>(pen.taper_px, (end - start) / 2.0) : 0.0;
     if (taper > 0.0) {
         double arcs[2 * taper_steps];
         for (int k = 1; k <= taper_steps; ++k) {
@@ -153,9 +154,11 @@ void shape(CentreLine& line, const Pen& pen, bool closed) {
     // A line too short to taper in full keeps its width: a row of short ones shall not look like
     // beads.
     const double thinning = taper > 0.0 ? (1.0 - tip_width) * (taper / double(pen.taper_px)) : 0.0;
+    const auto along = [&](bool tapers, double distance) {
+        return tapers && taper > 0.0 ? std::clamp(distance / taper, 0.0, 1.0) : 1.0;
+    };
     for (CentrePoint& p : line) {
-        const double x =
-            taper > 0.0 ? std::clamp(std::min(p.arc - start, end - p.arc) / taper, 0.0, 1.0) : 1.0;
+        const double x = std::min(along(tapered.start, p.arc - start), along(tapered.end, end - p.arc));
         const float width = pen.width_px * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
         p.half_width = std::max(width, 1.0f) / 2.0f;
         p.opacity *= std::min(width, 1.0f);

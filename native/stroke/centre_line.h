@@ -29,10 +29,15 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
 /// points are left of a line without length.
 void simplify(CentreLine& line);
 
-/// Sets the width: the pen's own, thinning to a fifth of it at the ends over pen.taper_px. A line
-/// shorter than both tapers thins in proportion less. Points are added where the width bends. Less
-/// than a pixel is drawn as a pixel of that much less opacity. Closed lines have no ends.
-void shape(CentreLine& line, const Pen& pen, bool closed);
+/// Which ends of a line taper.
+struct TaperedEnds {
+    bool start, end;
+};
+
+/// Sets the width: the pen's own, thinning to a fifth of it over pen.taper_px at ends that taper. A line too short for
+/// that thins in proportion less. Points are added where the width bends. Less than a pixel is drawn as a pixel of that
+/// much less opacity.
+void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered);
 
 /// Adds a point beyond either end, as far as the cap reaches.
 void extend(CentreLine& line, Cap cap);

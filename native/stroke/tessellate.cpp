@@ -95,7 +95,9 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
                                     stop > last - whole_error;
                 cut(clipped, strength, piece, start, stop, line);
                 simplify(line);
-                shape(line, pens[pen], closed);
+                const int free = clipped.free_ends[piece];
+                shape(line, pens[pen],
+                      {(free & 1) && start < first + whole_error, (free & 2) && stop > last - whole_error});
                 if (!closed) extend(line, pens[pen].cap);
                 if (line.size() < 2) continue;
                 add_strip(line, closed,

@@ -24,6 +24,7 @@ inline void add_piece(ClippedPaths& clipped, const std::vector<vec2>& line, bool
     }
     clipped.path.push_back(clipped.pieces.count());
     clipped.closed.push_back(closed);
+    clipped.free_ends.push_back(closed ? 0 : 3);
     clipped.pieces.offsets.push_back(Index(clipped.px.size()));
 }
 

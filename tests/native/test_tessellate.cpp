@@ -193,6 +193,27 @@ TEST(Tessellate, TapersAtTheEndsOnly) {
         EXPECT_GT(h, 3.6f) << "too short";
 }
 
+TEST(Tessellate, EndsThatTouchOtherLinesKeepTheirWidth) {
+    Pen p = pen(8.0f);
+    p.taper_px = 40.0f;
+    ClippedPaths clipped;
+    add_piece(clipped, {{20.0f, 20.0f}, {220.0f, 20.0f}});
+    clipped.free_ends[0] = 2;
+    Runs runs;
+    add_run(runs, 0, -100.0, 100.0);
+    const Strokes strokes = draw(clipped, runs, p);
+    for (std::size_t i = 0; i < strokes.px.size(); ++i) {
+        if (strokes.px[i].x < 120.0f) {
+            EXPECT_EQ(strokes.half_width[i], 4.0f);
+        }
+        if (strokes.px[i].x > 219.0f) {
+            EXPECT_LT(strokes.half_width[i], 1.0f);
+        }
+    }
+    runs.end_px[0] = 50.0;  // hidden from there on: something stands before it
+    for (const float h : draw(clipped, runs, p).half_width) EXPECT_EQ(h, 4.0f);
+}
+
 TEST(Tessellate, StrengthIsOpacityAlongThePath) {
     ClippedPaths clipped;
     add_piece(clipped, {{10.0f, 20.0f}, {60.0f, 20.0f}, {110.0f, 20.0f}});
