@@ -73,7 +73,7 @@ def load(name, definitions=None):
 
 
 def parse(text, definitions=None):
-    """A style from JSON. `definitions`: those of the catalogue, to check lines and parameters against; None: unchecked."""
+    """A style from JSON. `definitions`: those of the catalogue, to check lines and parameters against, or None."""
     try:
         data = json.loads(text)
     except json.JSONDecodeError as error:

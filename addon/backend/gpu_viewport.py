@@ -11,7 +11,8 @@ class Picture:
     def __init__(self, pixels):
         height, width = pixels.shape[:2]
         flat = np.ascontiguousarray(pixels, np.float32).ravel()
-        self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=gpu.types.Buffer("FLOAT", flat.size, flat))
+        data = gpu.types.Buffer("FLOAT", flat.size, flat)
+        self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=data)
 
     def show(self, engine, scene):
         """Fills the region, in the scene's display space."""

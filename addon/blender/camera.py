@@ -95,7 +95,7 @@ def _frame_share(camera, depsgraph, view_to_clip):
 
 
 def _in_front(world_to_view, view_to_clip):
-    """An orthographic viewport sees behind its eye, too: moves the eye back to the near plane. Near becomes positive."""
+    """An orthographic viewport sees behind its eye, too: moves the eye back, so that near becomes positive."""
     depth, offset = view_to_clip[2, 2], view_to_clip[2, 3]
     near, far = (offset + 1.0) / depth, (offset - 1.0) / depth
     start = 1e-3 * (far - near)

@@ -1,4 +1,4 @@
-"""Whether renders get a GPU context. Blender reads that when the engine is registered, so asking for one registers it anew.
+"""Whether renders get a GPU context. Blender reads that when it registers the engine: asking for one registers it anew.
 
 A context costs memory and time, in software OpenGL (which runs on the CPU) more than it is worth: there only a scene
 that wants the GPU, or FOVEA_BACKEND=gpu, brings one.

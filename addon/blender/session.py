@@ -33,8 +33,8 @@ REMARKS = {  # what a surface's report counts
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, backend, strokes, triangles, and lines_s, the seconds from Blender's evaluated
-    meshes (reading them and building what rays need included) to visible runs."""
+    """Of the last picture: stages {name: ms}, backend, strokes, triangles, and lines_s: the seconds from Blender's
+    evaluated meshes (reading them and building what rays need included) to visible runs."""
     return dict(_statistics)
 
 

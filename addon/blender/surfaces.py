@@ -1,4 +1,4 @@
-"""Native surfaces of meshes, kept from frame to frame and told apart by content: never by a pointer or an update flag."""
+"""Native surfaces of meshes, kept from frame to frame; content tells them apart, never a pointer or an update flag."""
 
 from dataclasses import dataclass
 

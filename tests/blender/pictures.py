@@ -1,0 +1,67 @@
+"""A scene to render, and the pictures that renders of it write."""
+
+import subprocess
+
+import bpy
+import numpy as np
+from the_addon import add_camera, box_mesh, empty_scene, new_object
+
+SIZE = (160, 90)
+
+
+def box_scene():
+    """A box before a camera, drawn with a plain pen."""
+    scene = empty_scene()
+    new_object(box_mesh(), "Box")
+    add_camera()
+    render = scene.render
+    render.engine, render.resolution_x, render.resolution_y = "FOVEA", *SIZE
+    render.dither_intensity = 0.0
+    scene.view_settings.view_transform = "Standard"
+    scene.fovea.style = "technical"
+    scene.fovea.backend, scene.fovea.pen_width = "CPU", 30.0
+    return scene
+
+
+def drawn(scene, path):
+    """(H, W, 4) of a PNG still, top row last."""
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.color_mode = "RGBA"
+    scene.render.filepath = str(path)
+    bpy.ops.render.render(write_still=True)
+    return pixels_of(path)
+
+
+def pixels_of(path):
+    image = bpy.data.images.load(str(path))
+    image.colorspace_settings.name = "Non-Color"
+    pixels = np.empty(len(image.pixels), np.float32)
+    image.pixels.foreach_get(pixels)
+    width, height = image.size
+    bpy.data.images.remove(image)
+    return pixels.reshape(height, width, -1)
+
+
+def ink(picture):
+    """(H, W) how dark each pixel is."""
+    return 1 - picture[..., :3].mean(axis=2)
+
+
+def layered(scene, path):
+    """Renders a multilayer EXR; {channel: (H, W)}, top row last."""
+    settings = scene.render.image_settings
+    if hasattr(settings, "media_type"):
+        settings.media_type = "MULTI_LAYER_IMAGE"
+    settings.file_format, settings.color_depth = "OPEN_EXR_MULTILAYER", "32"
+    scene.render.filepath = str(path)
+    bpy.ops.render.render(write_still=True)
+    # Blender 5 writes each pass as a part of its own.
+    info = subprocess.run(["oiiotool", "--info", "-v", "-a", str(path)], capture_output=True, text=True, check=True)
+    lists = [line.split(":", 1)[1] for line in info.stdout.splitlines() if "channel list:" in line]
+    found, one = {}, path.with_name("channel.exr")
+    for index, names in enumerate(lists):
+        for name in (name.split("(")[0].strip() for name in names.split(",")):
+            pick = ["--subimage", str(index), "--ch", name, "--chnames", "R"]
+            subprocess.run(["oiiotool", str(path), *pick, "-o", str(one)], check=True)
+            found[name] = pixels_of(one)[..., 0]
+    return found

@@ -1,0 +1,76 @@
+"""Snapshots of the scene as viewports and renders see it, and a stand-in for native surfaces that keeps its arrays."""
+
+from types import SimpleNamespace
+
+import bpy
+import pytest
+from the_addon import add_camera, empty_scene, part
+
+scene = part("blender.scene")
+surfaces = part("blender.surfaces")
+NATIVE = part("native").load()
+ARRAYS = "positions edge_verts corner_verts corner_edges polygon_offsets ngon_triangles ngon_polygon material occluding"
+ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks"]
+
+
+class RecordedSurface(SimpleNamespace):
+    """Keeps what a native surface was made of."""
+
+    def __init__(self, name, *arrays):
+        super().__init__(name=name, **{k: None if a is None else a.copy() for k, a in zip(ARRAYS, arrays)})
+
+    def set_positions(self, positions):
+        self.positions = positions.copy()
+
+
+RECORDING = SimpleNamespace(Surface=RecordedSurface, content_hash=NATIVE.content_hash)
+
+
+class Capture(bpy.types.RenderEngine):
+    """Takes what a final render sees instead of drawing it."""
+
+    bl_idname = "FOVEA_TEST_CAPTURE"
+    bl_label = "Capture"
+    cache = None
+    taken = {}
+
+    def render(self, depsgraph):
+        self.taken[depsgraph.view_layer.name] = scene.gather(depsgraph, Capture.cache)
+
+
+@pytest.fixture(scope="module")
+def capture_engine():
+    bpy.utils.register_class(Capture)
+    yield
+    bpy.utils.unregister_class(Capture)
+
+
+@pytest.fixture
+def fresh_scene():
+    empty_scene()
+
+
+def new_cache(core=RECORDING):
+    return surfaces.SurfaceCache(core)
+
+
+def in_viewport(cache=None):
+    """The Snapshot of the scene as the viewport would show it."""
+    bpy.context.view_layer.update()
+    return scene.gather(bpy.context.evaluated_depsgraph_get(), cache or new_cache())
+
+
+def in_render():
+    """{view layer: Snapshot} of the scene as a final render sees it."""
+    if bpy.context.scene.camera is None:
+        add_camera()
+    render = bpy.context.scene.render
+    render.engine, render.resolution_x, render.resolution_y = Capture.bl_idname, 16, 16
+    Capture.cache, Capture.taken = new_cache(), {}
+    taken = Capture.taken
+    bpy.ops.render.render()
+    return taken
+
+
+def usage_of(snapshot):
+    return dict(zip(snapshot.objects, snapshot.usage.tolist()))
