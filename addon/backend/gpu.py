@@ -14,6 +14,7 @@ class Backend:
     """Keeps programs and meshes on the GPU; live no longer than the context it is used in."""
 
     name = "gpu"
+    batch_samples = 1 << 22  # an atlas texture holds as many, or one path
 
     def __init__(self):
         self._programs = Programs()
@@ -23,7 +24,7 @@ class Backend:
         """(samples,) float32 in [0, 1] of a Frame's atlas."""
         core, clipped = native.load(), frame.clipped
         result = np.zeros(clipped.samples, np.float32)
-        batches = core.atlas_batches(clipped)
+        batches = core.atlas_batches(clipped, self.batch_samples)
         if not batches:
             return result
         layout = core.DepthLayout(frame.view, frame.depth_scale)

@@ -20,11 +20,11 @@ def upload(pixels, format=None):
 
 def upload_row(entries):
     """Texture of one long row of entries, (n,) or (n, channels), wrapped over rows of ROW_WIDTH."""
-    entries = entries.reshape(len(entries), -1)
+    channels = entries.shape[1] if entries.ndim == 2 else 1
     rows = max(1, -(-len(entries) // ROW_WIDTH))
-    pixels = np.zeros((rows * ROW_WIDTH, entries.shape[1]), np.float32)
-    pixels[: len(entries)] = entries
-    return upload(pixels.reshape(rows, ROW_WIDTH, -1))
+    pixels = np.zeros((rows * ROW_WIDTH, channels), np.float32)
+    pixels[: len(entries)] = entries.reshape(-1, channels)
+    return upload(pixels.reshape(rows, ROW_WIDTH, channels))
 
 
 class Target:

@@ -17,6 +17,7 @@ struct FacetTriangles {
 /// What all facets of a placement share.
 struct PlacedSurface {
     const Surface* surface = nullptr;
+    bool occludes = false;
     std::shared_ptr<const FacetTriangles> triangles;
     dvec4 eye_obj;         // homogeneous; for an orthographic view the direction towards the viewer
     dmat4 plane_to_depth;  // object-space planes to planes over (pixels, depth)
@@ -40,6 +41,7 @@ std::vector<PlacedSurface> place(const Scene& scene, const View& view) {
         const Placement& placement = scene.placements[i];
         const dmat4 object_to_view = view.world_to_view * placement.object_to_world;
         placed[i].surface = placement.surface.get();
+        placed[i].occludes = placement.usage & usage_occlude;
         placed[i].triangles = placement.surface->cache().get<FacetTriangles>(
             0, [&] { return facet_triangles(*placement.surface); });
         placed[i].eye_obj = glm::inverse(object_to_view) * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1));
@@ -56,6 +58,8 @@ struct Facet {
         const vec4 p = placed->surface->facet_plane[number];
         return dvec4(p.x, p.y, p.z, -p.w);
     }
+    Index triangle() const { return placed->triangles->triangle[number]; }
+    bool occludes() const { return placed->occludes && triangle() < placed->surface->occluding_triangles; }
     bool faces_viewer() const { return glm::dot(plane(), placed->eye_obj) >= 0.0; }
     float slope() const {
         const dvec4 p = placed->plane_to_depth * plane();
@@ -76,11 +80,10 @@ Facet find_facet(const Scene& scene, const std::vector<PlacedSurface>& placed, I
 /// True where `b` rises in front of `a`: their edge is a groove, not a ridge.
 bool groove(const Facet& a, const Facet& b) {
     const Surface& surface = *b.placed->surface;
-    const Index t = b.placed->triangles->triangle[b.number];
-    if (t == none) return false;
     double farthest = 0.0;
     for (int k = 0; k < 3; ++k) {
-        const double away = glm::dot(a.plane(), dvec4(dvec3(surface.positions[surface.triangles[t][k]]), 1.0));
+        const vec3 corner = surface.positions[surface.triangles[b.triangle()][k]];
+        const double away = glm::dot(a.plane(), dvec4(dvec3(corner), 1.0));
         if (std::abs(away) > std::abs(farthest)) farthest = away;
     }
     return farthest > 0.0;
@@ -97,7 +100,7 @@ OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& 
         const Facet a = find_facet(scene, placed, clipped.facet0[i]), b = find_facet(scene, placed, clipped.facet1[i]);
         sides.steepness[i] = std::max(a.placed ? a.slope() : 0.0f, b.placed ? b.slope() : 0.0f);
         sides.inner[i] = 0;
-        if (!a.placed || !b.placed) return;
+        if (!a.placed || !b.placed || !a.occludes() || !b.occludes()) return;
         const int facing = int(a.faces_viewer()) + int(b.faces_viewer());
         sides.inner[i] = facing == 0 || (facing == 1 && groove(a, b));
     });

@@ -13,7 +13,7 @@ struct OwnSides {
     /// on like its own can rise above the line next to it. At most max_depth_slope (depth.h), reached edge on.
     Array<float> steepness;
     /// 1 where an opaque body would hide the line itself: both facets turn away from the viewer, or one does and the
-    /// edge is a groove. Such a line is seen only on open surfaces, next to its own facets.
+    /// edge is a groove. Such a line is seen only on open surfaces, next to its own facets. 0 where they hide nothing.
     Array<std::uint8_t> inner;
 };
 

@@ -1,0 +1,94 @@
+"""The gpu backend's strokes are those of the cpu backend."""
+
+import numpy as np
+import pytest
+from native_frames import core, cpu, frame_of, room, style, view_of
+from the_addon import part
+
+pytestmark = pytest.mark.gpu
+
+Textures = part("textures").Textures
+
+
+class NoTextures:
+    native = ()
+
+
+def on_gpu(strokes, pens, textures, view):
+    return part("backend.gpu").Backend().draw(strokes, pens, textures, view)
+
+
+def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0):
+    """A stroke of one segment, as `tessellate` would make it."""
+    a, b = np.array(start), np.array(end)
+    length = np.linalg.norm(b - a)
+    along = (b - a) / length
+    left = np.array((-along[1], along[0]))
+    room_px = half_width + 0.5
+    corners = [(-room_px, room_px), (-room_px, -room_px), (length + room_px, room_px), (length + room_px, -room_px)]
+    px = np.array([a + u * along + v * left for u, v in corners], np.float32)
+    arc = np.array([(u, v, 0, length) for u, v in corners], np.float32)
+    same = np.ones(4, np.float32)
+    triangles = np.array([(0, 1, 2), (2, 1, 3)], np.uint32)
+    return core.Strokes(px, arc, half_width * same, 0.8 * same, np.full(4, pen, np.uint32), triangles, 1)
+
+
+@pytest.mark.parametrize("name", style.names())
+def test_every_style(name):
+    chosen, view = style.load(name), view_of(480, 300)
+    frame = frame_of(room(), view, sample_step=2.0, line_style=chosen)
+    textures = Textures(chosen)
+    pens = cpu.pens_of(chosen, textures, 1.0)
+    strokes = cpu.shape(frame, cpu.exact(frame, core.Cancel()), pens)
+    drawn, reference = (backend(strokes, pens, textures, view) for backend in (on_gpu, cpu.Backend().draw))
+    assert drawn.shape == reference.shape == (300, 480, 4) and drawn.dtype == np.float32
+    assert reference[..., 3].mean() > 0.01
+    assert np.abs(drawn - reference).max() < 0.02
+    assert np.abs(drawn - reference).mean() < 5e-4
+
+
+@pytest.mark.parametrize("cap", ["round", "butt"])
+@pytest.mark.parametrize("textured", [False, True])
+def test_caps_and_textures(cap, textured):
+    ink = np.random.default_rng(1).uniform(0.2, 1, (5, 40)).astype(np.float32)
+    pens = [
+        core.Pen(color=(0.2, 0.4, 0.9), width_px=6, texture_length_px=31, cap=cap, texture=i if textured else None)
+        for i in range(2)
+    ]
+
+    class TwoTextures:
+        native = [core.PenTexture(ink), core.PenTexture(ink[:, ::-1].copy())]
+
+    view = view_of(160, 100)
+    for number in range(2):
+        stroke = straight(number)
+        drawn = on_gpu(stroke, pens, TwoTextures, view)
+        np.testing.assert_allclose(drawn, core.raster(stroke, pens, TwoTextures.native, 160, 100), atol=0.01)
+        assert 0.5 < drawn[..., 3].max() <= 0.8001
+
+
+def test_later_strokes_lie_over_earlier_ones():
+    pens = [core.Pen(color=(1, 0, 0)), core.Pen(color=(0, 0, 1), opacity=0.5)]
+    a, b = straight(0), straight(1, (10, 80), (150, 20))
+    both = core.Strokes(
+        np.r_[a.px, b.px],
+        np.r_[a.arc, b.arc],
+        np.r_[a.half_width, b.half_width],
+        np.r_[a.opacity, b.opacity],
+        np.r_[a.pen, b.pen],
+        np.r_[a.triangles, b.triangles + 4],
+        2,
+    )
+    view = view_of(160, 100)
+    drawn = on_gpu(both, pens, NoTextures, view)
+    np.testing.assert_allclose(drawn, core.raster(both, pens, [], 160, 100), atol=0.01)
+    crossed = drawn[(drawn[..., 0] > 0.3) & (drawn[..., 2] > 0.3)]
+    assert len(crossed) > 4 and np.allclose(np.median(crossed, 0), (0.48, 0, 0.4, 0.88), atol=0.01)
+
+
+def test_no_strokes():
+    empty = np.zeros(0, np.float32)
+    none = core.Strokes(
+        empty.reshape(0, 2), empty.reshape(0, 4), empty, empty, np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32)
+    )
+    assert not on_gpu(none, [core.Pen()], NoTextures, view_of(8, 6)).any()

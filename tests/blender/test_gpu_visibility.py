@@ -1,0 +1,106 @@
+"""The gpu backend's depth and visibility are those of the cpu backend."""
+
+import numpy as np
+import pytest
+from native_frames import box, core, cpu, frame_of, moved, room, scene_of, view_of
+from the_addon import part
+
+pytestmark = pytest.mark.gpu
+
+NEITHER = 0xFFFFFFFF
+
+
+def gpu_backend():
+    return part("backend.gpu").Backend()  # imported late: not every Blender that runs the other tests has a GPU
+
+
+def both(frame):
+    return gpu_backend().visibility(frame), cpu.Backend().visibility(frame)
+
+
+@pytest.mark.parametrize("orthographic", [False, True])
+@pytest.mark.parametrize("scale", [1, 2])
+def test_depth(orthographic, scale):
+    scene, view = room(), view_of(orthographic=orthographic)
+    texels = core.draw_depth(scene, view, scale).texels
+    drawn = gpu_backend().draw_depth(scene, view, core.DepthLayout(view, scale)).read(4)
+    assert drawn.shape[:2] == texels.shape
+    facets = np.where(texels["facet"] == NEITHER, -1, texels["facet"].astype(np.int64))
+    same = facets == drawn[..., 3]
+    assert np.mean(same) > 0.9995
+    seen = same & (facets >= 0)
+    assert 0.2 < np.mean(seen) < 1
+    np.testing.assert_allclose(drawn[seen, 0], texels["depth"][seen], rtol=1e-4)
+    for slot, slope in ((1, "ddx"), (2, "ddy")):
+        error = np.abs(drawn[seen, slot] - texels[slope][seen]) / texels["depth"][seen]
+        assert np.quantile(error, 0.999) < 1e-5
+
+
+@pytest.mark.parametrize("orthographic", [False, True])
+@pytest.mark.parametrize("scale, probes", [(1, 1), (2, 1), (2, 4)])
+def test_visibility(orthographic, scale, probes):
+    frame = frame_of(room(), view_of(orthographic=orthographic), scale, probes)
+    on_gpu, on_cpu = both(frame)
+    assert on_gpu.dtype == np.float32 and on_gpu.shape == (frame.clipped.samples,)
+    assert np.mean(on_gpu == on_cpu) > 0.999
+    assert 0.2 < np.mean(on_gpu) < 0.9
+
+
+def test_agrees_with_exact_visibility():
+    frame = frame_of(room(), view_of(960, 600))
+    exact = core.samples_from_runs(frame.clipped, cpu.exact(frame, core.Cancel()))
+    assert np.mean((gpu_backend().visibility(frame) >= 0.5) == (exact >= 0.5)) > 0.97
+
+
+def test_paths_longer_than_a_row_and_many_batches():
+    frame = frame_of(room(), view_of(1000, 600), sample_step=0.25)
+    counts = np.add.reduceat(frame.clipped.sample_count, frame.clipped.offsets[:-1])
+    assert counts.max() > 2048
+    backend = gpu_backend()
+    whole = backend.visibility(frame)
+    backend.batch_samples = 3000
+    assert len(core.atlas_batches(frame.clipped, 3000)) > 20
+    np.testing.assert_array_equal(backend.visibility(frame), whole)
+    assert np.mean(whole == cpu.Backend().visibility(frame)) > 0.999
+
+
+def test_nothing_hides_in_front_of_the_near_plane():
+    scene = scene_of([(box(), moved((0, 0, 0))), (box((0.5, 0.5, 0.5)), moved((4.4, -5.3, 2.2), scale=0.3))])
+    far, near = (frame_of(scene, view_of(near=near)) for near in (1.5, 0.1))
+    cut, whole = both(far), both(near)
+    assert np.mean(cut[0] == cut[1]) > 0.999 and np.mean(whole[0] == whole[1]) > 0.999
+    assert np.mean(cut[0]) > np.mean(whole[0])
+
+
+def test_lines_without_occluders():
+    frame = frame_of(scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW]), view_of())
+    assert frame.clipped.samples > 0 and np.all(gpu_backend().visibility(frame) == 1)
+
+
+def test_nothing_to_see():
+    frame = frame_of(scene_of([(box(), moved((0, 0, 900)))]), view_of())
+    assert gpu_backend().visibility(frame).shape == (0,)
+
+
+def test_surfaces_stay_on_the_gpu_until_they_are_gone():
+    backend, crate = gpu_backend(), box()
+    layout = core.DepthLayout(view_of(), 1)
+    two = scene_of([(crate, moved((0, 0, 0))), (crate, moved((1, 2, 0)))])
+    backend.draw_depth(two, view_of(), layout)
+    (batch,) = backend._surfaces.values()
+    backend.draw_depth(two, view_of(eye=(3, 3, 3)), layout)
+    assert list(backend._surfaces.values()) == [batch]
+    crate.set_positions(crate.positions * 2)
+    backend.draw_depth(two, view_of(), layout)
+    (other,) = backend._surfaces.values()
+    assert other is not batch
+    backend.draw_depth(scene_of([(box(), moved((0, 0, 0)))]), view_of(), layout)
+    assert other not in backend._surfaces.values()
+
+
+def test_state_is_left_as_it_was():
+    import gpu
+
+    before = gpu.state.depth_test_get(), gpu.state.depth_mask_get(), gpu.state.blend_get()
+    gpu_backend().visibility(frame_of(room(), view_of()))
+    assert (gpu.state.depth_test_get(), gpu.state.depth_mask_get(), gpu.state.blend_get()) == before
