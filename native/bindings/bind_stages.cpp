@@ -33,6 +33,7 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
               object_to_world.shape(2) == 4,
           "object_to_world: expected shape (n, 4, 4)");
     check(std::size_t(ids.size()) == count && std::size_t(usage.size()) == count, "ids and usage: expected shape (n,)");
+    for (const auto& surface : surfaces) check(surface != nullptr, "surfaces: None is no surface");
     std::vector<Placement> placements(count);
     for (std::size_t i = 0; i < count; ++i) {
         const int surface = surface_of_placement.data()[i];

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t paths_per_block = 512;
 constexpr const char* too_many_samples = "the drawing has more than four billion samples; raise the sample step";
+/// Coordinates beyond it are nobody's scene, and Embree drops them.
+constexpr double farthest = 1e18;
 /// Finer steps would only fill memory.
 constexpr double least_sample_step_px = 1e-3;
 
@@ -32,9 +34,8 @@ class Projector {
         const Index begin = paths_.rows.begin(path), end = paths_.rows.end(path);
         if (end - begin < 2) return;
         transform(path, begin, end);
-        if (outside()) return;
+        if (!reachable() || outside()) return;
         measure();
-        if (!std::isfinite(p_.arc_px.back() + p_.middle_px)) return;  // a placement that is nowhere
         if (is_speck(path) || is_sliver(path)) return;
         clip(path, begin, end);
     }
@@ -55,6 +56,13 @@ class Projector {
             p_.view[i] = dvec3(object_to_view_ * dvec4(dvec3(paths_.points_obj[begin + i]), 1.0));
             p_.clip[i] = view_.view_to_clip * dvec4(p_.view[i], 1.0);
         }
+    }
+
+    /// False where a placement puts the path nowhere, or farther than rays reach.
+    bool reachable() const {
+        return std::all_of(p_.view.begin(), p_.view.end(), [](const dvec3& p) {
+            return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
+        });
     }
 
     /// All points beyond one side of the frame.
