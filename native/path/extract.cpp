@@ -192,6 +192,12 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
         paths.of_view[p] = slot.of_view;
         paths.placement[p] = slot.placement;
         paths.id[p] = hash_numbers(placement.id, chains.anchor[c]);
+        double arc = 0.0;
+        for (Index i = chains.rows.begin(c); i < chains.rows.end(c); ++i) {
+            if (i > chains.rows.begin(c))
+                arc += glm::distance(dvec3(surface.positions[chains.vertex[i - 1]]), dvec3(surface.positions[chains.vertex[i]]));
+            paths.arc_obj[slot.point + i] = arc;
+        }
     });
     parallel_for(chains.vertex.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
@@ -213,6 +219,7 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     paths.free_ends.resize(path_count);
     paths.of_view.resize(path_count);
     paths.points_obj.resize(point_count);
+    paths.arc_obj.resize(point_count);
     paths.edge.resize(point_count);
     paths.edge_t.resize(point_count);
     paths.kinds.resize(point_count);

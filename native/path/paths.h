@@ -21,6 +21,7 @@ struct Paths {
     Array<std::uint8_t> of_view;   ///< 1 where no definition of the surface alone finds it: the path changes with the view
     // Per point.
     Array<vec3> points_obj;
+    Array<double> arc_obj;         ///< arc length from the path's start, object units
     Array<Index> edge;             ///< the edge that the segment from this point lies on (the last: as before)
     Array<float> edge_t;           ///< where on that edge the point is: 0 at its first vertex, 1 at its second
     Array<Kinds> kinds;            ///< what the segment from this point is
