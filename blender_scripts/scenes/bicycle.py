@@ -27,7 +27,7 @@ def ring(radius: float, thick: float, segments: int = 96):
 
 def wheel(x: float):
     """Tyre, rim and hub; spokes are single slivers, so thin that their two edges draw one line."""
-    spokes = 20
+    spokes = 14
     angle = np.arange(spokes) * 2 * math.pi / spokes
     foot, tip = 0.024, WHEEL - 0.024
     skew = angle + np.where(np.arange(spokes) % 2, 0.9, -0.9)
@@ -62,10 +62,10 @@ def saddle():
 def basket():
     """A wicker basket: hoops and stakes."""
     parts = []
-    for z, r in ((0, 0.105), (0.055, 0.115), (0.11, 0.127), (0.165, 0.138), (0.22, 0.15)):
+    for z, r in ((0, 0.105), (0.075, 0.12), (0.15, 0.135), (0.22, 0.15)):
         parts.append(moved(ring(r, 0.013 if z == 0.22 else 0.009, 64), (0, 0, z), (math.pi / 2, 0, 0)))
-    for k in range(16):
-        a = 2 * math.pi * k / 16
+    for k in range(10):
+        a = 2 * math.pi * k / 10
         parts.append(tube([(0.103 * math.cos(a), 0.103 * math.sin(a), 0), (0.15 * math.cos(a), 0.15 * math.sin(a), 0.22)], 0.005, 14))
     return parts
 

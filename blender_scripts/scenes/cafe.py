@@ -11,7 +11,7 @@ from .solid import Solid, bars
 RADIUS = 1.7  # of the tower, whose axis is the z axis
 WALL = 0.3
 DOOR = 251.0  # where the door looks, degrees from +x
-SILL = 0.45  # of the door, three steps up
+SILL = 0.47  # of the door, a hand above three steps
 FRONT = -0.95  # the wing's wall in y
 EAVE = 3.5  # of the wing
 PITCH = math.tan(math.radians(30))
@@ -86,6 +86,8 @@ def joinery():
         head("Window", 0.72, 1.3, 2.15, DOOR + side, 0.05)
         casement = shapes.moved(bars(0.616, 0.79, 2, 2, 0.03, 0.05).mesh("Casement"), (-0.308, 0.035, 1.305))
         stage.put(radial(casement, DOOR + side, RADIUS - 0.16), wood)
+        blind = Solid().add((-0.33, 0.33), (0.12, 0.13), (1.31, 2.46)).mesh("Blind")  # inside is nothing to see
+        stage.put(radial(blind, DOOR + side, RADIUS - 0.16), stage.material("Cloth", (0.93, 0.9, 0.84)))
         sill = Solid().add((-0.41, 0.41), (-0.11, 0.05), (1.2, 1.297)).mesh("Sill")
         stage.put(radial(sill, DOOR + side), stage.material("Trim", TRIM))
     for side in (-44, 0, 44):
@@ -122,7 +124,7 @@ def roofs():
     for row in range(rows):
         count = 44 if row < 6 else 22 if row < 11 else 11
         low, high = row / rows, min((row + 2) / rows, 0.985)
-        shapes_of_rows.append(shapes.sheet("Row", scales(cone(low), cone(high), count, 0.26, row % 2 / 2, np.array([0, 0, 0.03]))))
+        shapes_of_rows.append(shapes.sheet("Row", scales(cone(low), cone(high), count, 0.26, row % 2 / 2, np.array([0, 0, 0.022]))))
     stage.put(shapes.joined("Cone", shapes_of_rows), tile)
     under = [(rim * (1 - t) ** 1.12 - 0.03, base + (top - base) * t - 0.01) for t in np.linspace(0, 0.95, 16)]
     stage.put(revolve("Cone boards", under), tile)
@@ -136,7 +138,7 @@ def roofs():
 
     edge, rows = FRONT - 0.3, 8
     lines = edge + np.arange(rows + 1) * (RIDGE - edge) / rows
-    sheets = [shapes.sheet("Row", scales(slope(low), slope(low + 2 * (RIDGE - edge) / rows), 52, 0.26, row % 2 / 2, np.array([0, -0.015, 0.03])))
+    sheets = [shapes.sheet("Row", scales(slope(low), slope(low + 2 * (RIDGE - edge) / rows), 52, 0.26, row % 2 / 2, np.array([0, -0.015, 0.025])))
               for row, low in enumerate(lines[:-1])]
     stage.put(shapes.joined("Roof", sheets), tile)
     height = EAVE + (RIDGE - edge) * PITCH
@@ -144,7 +146,7 @@ def roofs():
     boards = shapes.prism("Roof boards", [(edge + 0.03, EAVE - 0.02), (RIDGE, height - 0.04), (2 * RIDGE - edge, EAVE)], 0.8, LENGTH)
     stage.put(shapes.moved(boards, turn=(math.pi / 2, 0, math.pi / 2)), tile)
     stage.pipe("Ridge", [(x, RIDGE, height + 0.03) for x in (0.8, LENGTH)], 0.09, tile)
-    y = np.linspace(edge + 0.1, RIDGE, 40)
+    y = np.linspace(edge + 0.32, RIDGE, 40)
     stage.pipe("Flashing", [(math.sqrt(RADIUS ** 2 - v * v) + 0.01, v, EAVE + (v - edge) * PITCH + 0.05) for v in y], 0.05, trim)
     stage.pipe("Gutter", [(1.42, edge - 0.06, EAVE - 0.05), (LENGTH, edge - 0.06, EAVE - 0.05)], 0.06, iron)
 

@@ -28,17 +28,17 @@ def foreground():
 
 def middle():
     cafe.build()
-    terrace.board(seen(2.75, 7.6), -2)
+    terrace.board(seen(3.3, 8.2), -4)
     bicycle.bicycle((3.05, -1.42, 0), 0, 6)
     for side, seed in ((-1, 5), (1, 8)):
         angle = math.radians(cafe.DOOR + side * 66)
         plants.clipped((2.35 * math.cos(angle), 2.35 * math.sin(angle), 0), 0.52, seed)
     street.lamp(seen(-4.2, 7.6))
-    street.garden_wall((-1.45, 0.55, 0), 162, 12)
+    street.garden_wall((-1.3, 1.0, 0), 162, 12)
     street.ground()
-    street.manhole(seen(0.75, 6.9))
-    street.cobbles(seen(0.1, 5.4), -27, 5, 9, 1)
-    street.cobbles(seen(-3.6, 5.9), -20, 5, 7, 2)
+    street.manhole(seen(1.9, 7.3))
+    street.cobbles(seen(0.3, 6.35), -27, 6, 11, 1)
+    street.cobbles(seen(-3.3, 6.3), -20, 5, 8, 2)
     street.cobbles(seen(3.9, 7.2), -35, 4, 9, 4)
     around = [math.radians(a) for a in range(160, 271, 3)]
     street.edging([(4.1 * math.cos(a), 4.1 * math.sin(a)) for a in around] + [(16, -4.1)], 6)

@@ -138,7 +138,7 @@ def surroundings():
     stone = stage.material(*STONE)
     stage.put(Solid().add((-5, WIDTH + 3.5), (-2.6, DEPTH + 2.5), (-0.35, -0.001)).mesh("Base"), stone)
     for x, y, height, radius, seed in ((-3.2, 6.6, 2.3, 1.5, 2), (-3.4, -1.0, 1.6, 1.0, 5), (19.0, 2.4, 2.1, 1.2, 9)):
-        plants.tree((x, y, 0), height, radius, seed, fine=4)
+        plants.tree((x, y, 0), height, radius, seed, segments=20)
     top = level(len(FLOORS))
     unit = Solid().add((0, 1.6), (0, 0.9), (0, 0.9)).cut((0.1, 1.5), (-0.1, 0.05), (0.15, 0.8))
     for slat in np.arange(0.2, 0.78, 0.1):
@@ -159,5 +159,5 @@ def build(argument, shared):
     stairs()
     furnish(shared)
     surroundings()
-    stage.camera((-11.5, -31, 15), (7.6, 3.2, 7.3), lens=42)
+    stage.camera((-11.5, -31, 15), (7.6, 3.2, 7.1), lens=41)
     stage.sun(-130, 45)

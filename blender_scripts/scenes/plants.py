@@ -3,8 +3,6 @@
 import math
 import random
 
-import bmesh
-import bpy
 import numpy as np
 
 from . import shapes, stage
@@ -15,7 +13,6 @@ CLAY = (0.68, 0.36, 0.24)
 SOIL = (0.2, 0.15, 0.12)
 BARK = (0.36, 0.28, 0.22)
 GOLDEN = math.pi * (3 - math.sqrt(5))  # turns that never line up
-SHARP = 40  # how narrow the valleys between the balls of a crown are
 
 
 def leaf(length: float, width: float, rise: float, droop: float):
@@ -41,30 +38,23 @@ def rosette(name: str, count: int, length: float, width: float, seed: int, rise=
     return shapes.joined(name, leaves)
 
 
-def crown(name: str, radius: float, lumps: int, seed: int, size: float = 0.4, fine: int = 5):
-    """A cloud of balls that flow into each other, as one surface around its middle."""
+def ball(radius: float, segments: int):
+    angle = np.linspace(-math.pi / 2, math.pi / 2, segments // 2 + 1)
+    return revolve("Ball", np.stack([radius * np.cos(angle).clip(0), radius * np.sin(angle)], axis=1), segments)
+
+
+def crown(name: str, radius: float, lumps: int, size: float, seed: int, segments: int):
+    """Foliage as a cloud of balls, `size` radii big on average. They run into each other, and need no lines there: the round
+    outlines that stay in sight are how one draws a tree."""
     draw = random.Random(seed)
-    work = bmesh.new()
-    bmesh.ops.create_icosphere(work, subdivisions=fine, radius=1)
-    made = bpy.data.meshes.new(name)
-    work.to_mesh(made)
-    work.free()
-    along = np.empty(len(made.vertices) * 3, dtype=np.float32)
-    made.vertices.foreach_get("co", along)
-    along = along.reshape(-1, 3)
-    reach = np.full(len(along), math.exp(0.6 * SHARP))  # how far one sees from the middle before leaving all balls
+    balls = [ball(radius * 0.8, segments)]
     for i in range(lumps):
         z = 1 - 2 * (i + 0.5) / lumps
         around, out = i * GOLDEN, math.sqrt(1 - z * z)
         r = size * draw.uniform(0.7, 1.25)
-        place = np.array([out * math.cos(around), out * math.sin(around), z * 0.9]) * (1 - r) * draw.uniform(0.92, 1.08)
-        nearest = along @ place
-        inside = r * r - place @ place + nearest ** 2
-        reach += np.where(inside > 0, np.exp(SHARP * (nearest + np.sqrt(inside.clip(0)))), 0)
-    along *= (radius * np.log(reach) / SHARP)[:, None]
-    made.vertices.foreach_set("co", along.ravel())
-    made.shade_smooth()
-    return made
+        place = radius * (1 - r) * draw.uniform(0.95, 1.12) * np.array([out * math.cos(around), out * math.sin(around), z])
+        balls.append(shapes.moved(ball(radius * r, segments), place, (draw.uniform(0, 6), draw.uniform(0, 6), 0)))
+    return shapes.joined(name, balls)
 
 
 def pot(location, size: float, tall: float = 1.0):
@@ -86,11 +76,12 @@ def clipped(location, size: float, seed: int):
     soil = pot(location, size, 0.85)
     stem = shapes.sweep("Stem", smooth([(0, 0, 0), (0.01, 0.01, size * 0.5), (0, 0, size * 1.3)], 6), size * 0.05, 16)
     stage.put(stem, stage.material("Bark", BARK), (*location[:2], soil))
-    ball_of_leaves = crown("Clipped ball", size * 0.62, 40, seed, 0.26, 5)
-    stage.put(ball_of_leaves, stage.material("Leaf", LEAF), (*location[:2], soil + size * 1.55))
+    leaves = crown("Clipped ball", size * 0.62, 44, 0.26, seed, 24)
+    stage.put(leaves, stage.material("Leaf", LEAF), (*location[:2], soil + size * 1.55))
 
 
-def tree(location, height: float, radius: float, seed: int, fine: int = 6):
+def tree(location, height: float, radius: float, seed: int, segments: int = 48):
     trunk = smooth([(0, 0, 0), (0.05, 0, height * 0.3), (-0.04, 0.05, height * 0.6), (0, 0, height)], 8)
     stage.put(shapes.sweep("Trunk", trunk, np.linspace(0.24, 0.12, len(trunk)) * radius / 2, 24), stage.material("Bark", BARK), location)
-    stage.put(crown("Crown", radius, 64, seed, 0.29, fine), stage.material("Leaf", LEAF), (*location[:2], location[2] + height + radius * 0.45))
+    leaves = crown("Crown", radius, 40, 0.32, seed, segments)
+    stage.put(leaves, stage.material("Leaf", LEAF), (*location[:2], location[2] + height + radius * 0.45))

@@ -87,9 +87,9 @@ def edging(path, seed: int):
         x, y = (np.interp(at, length, path[:, k]) for k in range(2))
         k = min(np.searchsorted(length, at, side="right"), len(path) - 1)
         dx, dy = path[k] - path[k - 1]
-        places.append((x, y, math.atan2(dy, dx) + draw.uniform(-0.05, 0.05), draw.uniform(0.9, 1.04)))
+        places.append((x, y, math.atan2(dy, dx) + draw.uniform(-0.05, 0.05), draw.uniform(1.2, 1.4)))
         left -= 1
-        at += 0.2 if left > 0 else draw.uniform(0.4, 2.2)
+        at += 0.27 if left > 0 else draw.uniform(0.5, 2.2)
         left = left if left > 0 else draw.randint(5, 16)
     setts("Edging", places)
 

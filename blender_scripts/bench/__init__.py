@@ -1,0 +1,1 @@
+"""Benchmarks: `fovea bench NAME`. They print numbers and judge nothing; tests do that elsewhere."""

@@ -1,0 +1,111 @@
+"""`fovea bench peers`: Fovea beside Workbench, Freestyle and Line Art, on the same scenes, with the same lines.
+
+One process per scene and renderer, one after the other; needs plain Python only."""
+
+import argparse
+import json
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import scenes
+
+SCENES = ("boxes:100", "suzanne:5", "boxes:30")
+RENDERERS = ("workbench", "freestyle", "lineart", "fovea-cpu", "fovea-gpu")
+WORKER = Path(__file__).with_name("worker.py")
+
+
+def parse(words):
+    def several(known, check):
+        def split(text):
+            for word in text.split(","):
+                check(word) if check else known.index(word)
+            return text.split(",")
+
+        return split
+
+    parser = argparse.ArgumentParser("fovea bench peers", description=__doc__)
+    parser.add_argument("--scenes", type=several(None, scenes.parse), default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
+    parser.add_argument("--renderers", type=several(RENDERERS, None), metavar="A,B", help=", ".join(RENDERERS))
+    parser.add_argument("--quick", action="store_true", help="without Freestyle, medians of 3 instead of 5")
+    parser.add_argument("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
+    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
+    options = parser.parse_args(words)
+    options.renderers = options.renderers or [r for r in RENDERERS if not (options.quick and r == "freestyle")]
+    return options
+
+
+def main(words, blender, environment, shared: Path | None) -> int:
+    """`environment`: of a Blender that has the extension installed."""
+    options = parse(words)
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for spec in options.scenes:
+            for renderer in options.renderers:
+                print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
+                repeats = 1 if renderer == "freestyle" else 3 if options.quick else 5
+                out = Path(folder) / f"{spec}-{renderer}.json".replace(":", "-")
+                command = [blender, "-b", "--python-exit-code", "1", "-P", WORKER, "--", spec, renderer, repeats, shared or "", out]
+                problem = run([str(word) for word in command], environment, options.timeout)
+                record = json.loads(out.read_text()) if out.is_file() else {}
+                rows.append(row(spec, renderer, record, problem))
+    print(as_json(rows) if options.json else table(rows))
+    return 1 if any("problem" in row for row in rows) else 0
+
+
+def run(command, environment, timeout):
+    """None, or a sentence about what went wrong."""
+    try:
+        done = subprocess.run(command, env=environment, timeout=timeout, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    except subprocess.TimeoutExpired:
+        return f"stopped after {timeout:.0f} s"
+    if done.returncode == 0:
+        return None
+    lines = (done.stdout + done.stderr).splitlines()
+    said = [line for line in lines if line.startswith("Error: ")] or lines[-5:]
+    return " ".join(said) or f"ended with {done.returncode}"
+
+
+def row(spec, renderer, record, problem):
+    """What the table and the JSON show of one process; None where it was not measured."""
+    first, moved = record.get("first", []), record.get("moved", [])
+    made = {
+        "scene": spec,
+        "renderer": renderer,
+        "triangles": record.get("triangles"),
+        "first_s": median(first, "wall_s"),
+        "moved_s": median(moved, "wall_s"),
+        "peak_mb": round(record["peak_mb"], 1) if "peak_mb" in record else None,
+        "strokes": first[0].get("strokes") if first else None,
+    }
+    if renderer.startswith("fovea"):
+        stages = [frame["stages"] for frame in first]
+        made["stages"] = {name: median(stages, name) for name in (stages[0] if stages else ())}
+        made["lines_s"], made["lines_moved_s"] = median(first, "lines_s"), median(moved, "lines_s")
+    if problem:
+        made["problem"] = problem
+    return made
+
+
+def median(frames, field):
+    return round(statistics.median(frame[field] for frame in frames), 4) if frames else None
+
+
+def as_json(rows):
+    return "[" + ",\n ".join(json.dumps(row) for row in rows) + "]"
+
+
+def table(rows):
+    columns = ("scene", "renderer", "triangles", "first_s", "moved_s", "peak_mb", "strokes", "lines_s", "lines_moved_s")
+    cells = [columns] + [tuple("" if row.get(name) is None else str(row[name]) for name in columns) for row in rows]
+    widths = [max(len(line[k]) for line in cells) for k in range(len(columns))]
+    lines = ["  ".join(cell.ljust(w) if k < 2 else cell.rjust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip() for line in cells]
+    for row in rows:
+        if row.get("stages"):
+            stages = ", ".join(f"{name} {ms:.1f}" for name, ms in row["stages"].items())
+            lines.append(f"{row['scene']} {row['renderer']}, ms of the first frame: {stages}")
+        if "problem" in row:
+            lines.append(f"{row['scene']} {row['renderer']}: {row['problem']}")
+    return "\n".join(lines)

@@ -1,0 +1,110 @@
+"""The renderers that are compared, each told to draw the same lines: contours, creases of 30 degrees, borders.
+
+A renderer is set up once per scene; `frame` draws one picture (Line Art: evaluates its modifier once) and returns what
+there is to tell about it: {} or strokes, and for Fovea stages and lines_s. Runs inside Blender."""
+
+import math
+
+import bpy
+
+CREASE = math.radians(30)  # between the normals of two faces
+LINES = ("contour", "crease", "border")
+
+
+class Workbench:
+    """Blender's own shading, as it comes: 8 samples of antialiasing. What a frame costs without lines."""
+
+    def __init__(self, scene):
+        scene.render.engine = "BLENDER_WORKBENCH"
+
+    def frame(self):
+        bpy.ops.render.render()
+        return {}
+
+
+class Freestyle(Workbench):
+    def __init__(self, scene):
+        super().__init__(scene)
+        scene.render.use_freestyle = True
+        settings = bpy.context.view_layer.freestyle_settings
+        settings.crease_angle = math.pi - CREASE  # it measures between the faces
+        lines = settings.linesets[0]  # of the startup file: one made here would lack a line style
+        for kind in ("silhouette", "crease", "border", "contour", "external_contour", "edge_mark", "material_boundary",
+                     "ridge_valley", "suggestive_contour"):
+            setattr(lines, f"select_{kind}", kind in ("silhouette", "crease", "border"))  # its silhouettes are our contours
+
+    def frame(self):
+        import parameter_editor  # of Freestyle, on Blender's own path
+        from freestyle.types import Operators
+
+        strokes = []
+
+        def count(*_arguments):
+            strokes.append(Operators.get_strokes_size())
+
+        parameter_editor.callbacks_lineset_post.append(count)
+        try:
+            super().frame()
+        finally:
+            parameter_editor.callbacks_lineset_post.remove(count)
+        return {"strokes": sum(strokes)}
+
+
+class LineArt:
+    """Its evaluation alone, without a picture: moving the camera and one update is one evaluation."""
+
+    def __init__(self, scene):
+        pencils = "grease_pencils_v3" if hasattr(bpy.data, "grease_pencils_v3") else "grease_pencils"  # from 5.0 on
+        drawing = getattr(bpy.data, pencils).new("Line Art")
+        layer = drawing.layers.new("Lines")
+        layer.frames.new(scene.frame_current)
+        material = bpy.data.materials.new("Line Art")
+        bpy.data.materials.create_gpencil_data(material)
+        drawing.materials.append(material)
+        self.drawer = bpy.data.objects.new("Line Art", drawing)
+        scene.collection.objects.link(self.drawer)
+        self.modifier = self.drawer.modifiers.new("Line Art", "LINEART")
+        self.modifier.show_viewport = False
+        self.modifier.source_type = "SCENE"
+        self.modifier.target_layer = layer.name
+        self.modifier.target_material = material
+        self.modifier.crease_threshold = math.pi - CREASE  # it measures between the faces
+        for kind in ("contour", "crease", "intersection", "material", "edge_mark", "loose", "light_contour", "shadow"):
+            setattr(self.modifier, f"use_{kind}", kind in ("contour", "crease"))  # its contours hold the borders
+        bpy.context.view_layer.update()
+
+    def frame(self):
+        self.modifier.show_viewport = True  # before the first frame it was off, so that the first one is timed whole
+        bpy.context.view_layer.update()
+        drawn = self.drawer.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.layers[0].current_frame()
+        return {"strokes": len(drawn.drawing.strokes) if drawn else 0}
+
+
+class Fovea:
+    backend = "CPU"
+
+    def __init__(self, scene):
+        scene.render.engine = "FOVEA"
+        settings = scene.fovea
+        settings.backend = self.backend
+        from bl_ext.user_default.fovea import catalogue
+
+        for definition in catalogue.definitions():
+            setattr(settings, definition["name"], definition["name"] in LINES)
+        settings.crease_angle = CREASE
+
+    def frame(self):
+        from bl_ext.user_default.fovea.blender import session
+
+        bpy.ops.render.render()
+        told = session.last_statistics()
+        if told.get("backend", "").upper() != self.backend:
+            raise RuntimeError(f"Fovea drew with the backend {told.get('backend')} instead of {self.backend}")
+        return {"strokes": told["strokes"], "stages": told["stages"], "lines_s": told["lines_s"]}
+
+
+class FoveaGpu(Fovea):
+    backend = "GPU"
+
+
+BY_NAME = {"workbench": Workbench, "freestyle": Freestyle, "lineart": LineArt, "fovea-cpu": Fovea, "fovea-gpu": FoveaGpu}

@@ -1,0 +1,79 @@
+"""One renderer on one scene, in a Blender of its own: blender -b -P worker.py -- SCENE RENDERER REPEATS SHARED OUT.json
+
+Each repeat starts from an empty file: the first frame, then one after a small turn of the camera. Warm are only the
+shaders, by one picture of a cube. OUT.json is written after every frame, so that a time-out loses only what came after."""
+
+import json
+import math
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+import bpy
+import scenes
+from bench import renderers
+from mathutils import Matrix
+
+STEP = math.radians(1)
+
+
+def main(spec, name, repeats, shared, out):
+    shared, out = Path(shared) if shared else None, Path(out)
+    if name != "lineart":
+        warm(renderers.BY_NAME[name])
+    record = {"first": [], "moved": []}
+    for repeat in range(int(repeats)):
+        bpy.ops.wm.read_homefile()  # renderers that keep things between frames let go of them here
+        scenes.build(spec, shared)
+        scene = bpy.context.scene
+        renderer = renderers.BY_NAME[name](scene)
+        if repeat == 0:
+            record["triangles"] = triangles()
+            reset_peak()
+            before = memory("VmRSS")
+        for kind in ("first", "moved"):
+            if kind == "moved":
+                scene.camera.matrix_world = Matrix.Rotation(STEP, 4, "Z") @ scene.camera.matrix_world
+            start = time.perf_counter()
+            told = renderer.frame()
+            record[kind].append({"wall_s": time.perf_counter() - start, **told})
+            if repeat == 0:
+                record["peak_mb"] = (memory("VmHWM") - before) / 1024
+            out.write_text(json.dumps(record))
+
+
+def warm(renderer):
+    """Compiles what is compiled once per process."""
+    bpy.ops.wm.read_homefile()
+    scenes.build("boxes:1", None)
+    renderer(bpy.context.scene).frame()
+
+
+def triangles() -> int:
+    """Of everything that is placed in the scene, instances counted each time."""
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    meshes = (instance.object.data for instance in depsgraph.object_instances if instance.object.type == "MESH")
+    return sum(len(mesh.loop_triangles) for mesh in meshes)
+
+
+def memory(field: str) -> int:
+    """kB, from the kernel."""
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith(field + ":"))
+
+
+def reset_peak():
+    """Lets VmHWM start anew. Where the kernel refuses, the peak of building the scene may hide that of the renderer."""
+    try:
+        Path("/proc/self/clear_refs").write_text("5")
+    except OSError as refusal:
+        print(f"peak memory includes building the scene: {refusal}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[sys.argv.index("--") + 1 :])
+    except (RuntimeError, ImportError, AttributeError, TypeError) as error:  # what a Blender lacks; said in the table
+        sys.exit(f"Error: {error}")
