@@ -20,7 +20,7 @@ Array<float> per_pixel(const View& view, const Cancel& cancel, const Value& valu
 Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
     return per_pixel(tracer.view(), cancel, [&](const dvec2& px) {
         const auto hit = tracer.seen(px);
-        return hit ? hit->t : background_depth;
+        return hit ? std::min(hit->t, background_depth) : background_depth;  // rays overflow at huge distances
     });
 }
 

@@ -1,0 +1,130 @@
+"""The native module under plain Python, and the whole way from a mesh's arrays to a picture."""
+
+import hashlib
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytest
+
+
+def load():
+    """The staged add-on's module, or one on the path."""
+    try:
+        from addon import native
+
+        return native.load()
+    except (ImportError, RuntimeError):
+        return pytest.importorskip("_native", reason="the native module is not built")
+
+
+core = load()
+SIZE = (96, 64)
+ALL_LINES = {d["name"]: {} for d in core.line_definitions()}
+
+
+@dataclass
+class Mesh:
+    """A mesh as Blender holds it."""
+
+    name: str
+    positions: np.ndarray
+    polygons: list
+    loose: list = field(default_factory=list)  # edges without polygons
+    extra: dict = field(default_factory=dict)  # optional arguments of Surface
+
+    def arrays(self):
+        """The arguments of Surface."""
+        verts = np.array([v for polygon in self.polygons for v in polygon], np.int32)
+        offsets = np.cumsum([0, *map(len, self.polygons)], dtype=np.int32)
+        edges, corner_edges = core.polygon_edges(offsets, verts)
+        edges = np.concatenate([edges, np.array(self.loose, np.int32).reshape(-1, 2)])
+        arrays = {"positions": np.asarray(self.positions, np.float32).reshape(-1, 3), "edge_verts": edges}
+        return arrays | {"corner_verts": verts, "corner_edges": corner_edges, "polygon_offsets": offsets} | self.extra
+
+    def surface(self):
+        return core.Surface(self.name, **self.arrays())
+
+
+def box(low=(-1, -1, -1), high=(1, 1, 1)):
+    corners = [[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
+    faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return Mesh("box", np.array(corners, np.float32), faces)
+
+
+def sphere(n):
+    """2 n segments around z, n rings."""
+    t, p = np.meshgrid(np.pi * np.arange(1, n) / n, np.pi * np.arange(2 * n) / n, indexing="ij")
+    rings = np.stack([np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)], -1).reshape(-1, 3)
+
+    def at(j, i):
+        return 2 + (j - 1) * 2 * n + i % (2 * n)
+
+    faces = []
+    for i in range(2 * n):
+        faces.append((0, at(1, i), at(1, i + 1)))
+        faces += [(at(j, i), at(j + 1, i), at(j + 1, i + 1), at(j, i + 1)) for j in range(1, n - 1)]
+        faces.append((1, at(n - 1, i + 1), at(n - 1, i)))
+    return Mesh("sphere", np.concatenate([[(0, 0, 1), (0, 0, -1)], rings]), faces)
+
+
+def view(eye, target, *, orthographic=False, near=0.1, far=1000.0, size=SIZE):
+    """Looks from eye to target; as wide as far away, or half of that when orthographic."""
+    eye, target = np.asarray(eye, float), np.asarray(target, float)
+    back = (eye - target) / np.linalg.norm(eye - target)
+    right = np.cross((0, 0, 1), back)
+    right = right / np.linalg.norm(right) if np.linalg.norm(right) > 1e-9 else np.array([1.0, 0, 0])
+    rotation = np.stack([right, np.cross(back, right), back])
+    world_to_view = np.eye(4)
+    world_to_view[:3, :3], world_to_view[:3, 3] = rotation, -rotation @ eye
+    sx, sy = 2.0, 2.0 * size[0] / size[1]
+    if orthographic:
+        reach = np.linalg.norm(eye - target) / 2
+        depth = [0, 0, -2 / (far - near), -(far + near) / (far - near)]
+        clip = np.array([[1 / reach, 0, 0, 0], [0, size[0] / size[1] / reach, 0, 0], depth, [0, 0, 0, 1]])
+    else:
+        depth = [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)]
+        clip = np.array([[sx, 0, 0, 0], [0, sy, 0, 0], depth, [0, 0, -1, 0]])
+    return core.View(world_to_view, clip, *size, orthographic, near, far)
+
+
+def scene(surfaces, matrices=None, usage=None):
+    """One placement per surface."""
+    count = len(surfaces)
+    matrices = np.array([np.eye(4)] * count if matrices is None else matrices, float).reshape(count, 4, 4)
+    usage = np.full(count, core.DRAW | core.OCCLUDE, np.uint8) if usage is None else np.array(usage, np.uint8)
+    return core.Scene(surfaces, np.arange(count, dtype=np.int32), matrices, np.arange(count, dtype=np.uint64), usage)
+
+
+def members(stage, owner, names):
+    """Arrays of a stage, by "stage.name"."""
+    return {f"{stage}.{name}": getattr(owner, name) for name in names.split()}
+
+
+def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
+    """Every stage's arrays by name."""
+    tracer = core.Tracer(placed, seen)
+    paths = core.extract_paths(tracer, list(line_sets))
+    clipped = core.project(paths, tracer, 2.0)
+    runs = core.exact_visibility(clipped, paths, tracer)
+    closed = core.close_gaps(clipped, runs, 2.0, np.ones(len(paths), np.float32))
+    trimmed = core.trim_folds(clipped, closed, paths, 8.0)
+    pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
+    strokes = core.tessellate(clipped, trimmed, np.zeros(len(paths), np.uint32), paths.strength, pens)
+    arrays = members("paths", paths, "offsets points_obj edge kinds closed ids")
+    arrays |= members("clipped", clipped, "offsets path px depth position_view arc_px sample_start sample_count")
+    for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed)):
+        arrays |= members(stage, visible, "piece start_px end_px")
+    arrays |= members("strokes", strokes, "px arc half_width opacity triangles")
+    arrays["samples"] = core.samples_from_runs(clipped, runs)
+    arrays["image"] = core.raster(strokes, pens, [], *size)
+    arrays["depth_image"] = core.depth_image(tracer)
+    arrays["holdout_image"] = core.holdout_image(tracer)
+    return arrays
+
+
+def digest(arrays):
+    """One hash of all bytes."""
+    total = hashlib.sha256()
+    for name in sorted(arrays):
+        total.update(name.encode() + np.ascontiguousarray(arrays[name]).tobytes())
+    return total.hexdigest()
