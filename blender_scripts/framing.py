@@ -25,6 +25,8 @@ def frame(scene, azimuth, elevation, lens, margin):
     place = nearest_place(local, half_width * (1 - 2 * margin), half_height * (1 - 2 * margin))
     camera.location = axes @ place
     depths = place[2] - local[:, 2]
+    if not depths.max() > 0:
+        raise ValueError("what the scene shows has no size to frame")
     camera.data.clip_start = max(depths.min() * 0.5, depths.max() * 1e-4)
     camera.data.clip_end = depths.max() * 2
 
@@ -48,7 +50,8 @@ def visible_points(depsgraph):
     found = [np.empty((0, 3))]
     for instance in depsgraph.object_instances:
         mesh = instance.object.data
-        if not isinstance(mesh, bpy.types.Mesh) or not instance.show_self or not len(mesh.vertices):
+        hidden = not instance.show_self or (instance.parent or instance.object).original.hide_render
+        if hidden or not isinstance(mesh, bpy.types.Mesh) or not len(mesh.vertices):
             continue
         positions = np.empty(len(mesh.vertices) * 3, np.float32)
         mesh.vertices.foreach_get("co", positions)

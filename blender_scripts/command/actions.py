@@ -5,8 +5,6 @@ import os
 import shutil
 from pathlib import Path
 
-from bench import peers
-
 from . import build as native
 from . import draw_options
 from . import package as extension
@@ -59,6 +57,8 @@ def scene(target, words):
 
 def bench(target, words):
     """`bench peers`, or the name of a scene: the same for that scene alone."""
+    from bench import peers
+
     name, *rest = words or ["peers"]
     if name != "peers":
         rest = ["--scenes", name, *rest]

@@ -12,21 +12,18 @@ from .target import say
 
 
 def lines(target, words):
-    options = _parse(words)
+    options = parse(words)
     package.stage(target)
     sys.path.insert(0, str(package.importable(target)))
-    native = importlib.import_module("addon.native").load()
-    polygons = obj.read(options.model)
-    surface = _surface(native, options.model.stem, polygons)
-    paths = _extract(native, surface, polygons.positions, options)
-    np.savez_compressed(options.output, **_arrays(paths, surface, polygons.positions), definition=options.definition)
-    skipped = {name: count for name, count in surface.report.items() if count}
-    say(f"{len(polygons.offsets) - 1} polygons, {len(paths)} paths" + (f"; {skipped}" if skipped else ""))
+    arrays, report = extract(importlib.import_module("addon.native").load(), options)
+    np.savez_compressed(options.output, **arrays)
+    skipped = "".join(f", {count} {name.replace('_', ' ')}" for name, count in report.items() if count)
+    say(f"{len(arrays['closed'])} paths{skipped}")
     print(options.output)
     return 0
 
 
-def _parse(words):
+def parse(words):
     parser = argparse.ArgumentParser("fovea lines")
     parser.add_argument("model", type=Path, metavar="MODEL.obj")
     parser.add_argument("--definition", required=True, metavar="NAME")
@@ -34,10 +31,26 @@ def _parse(words):
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
     parser.add_argument("--parameter", action="append", type=_parameter, default=[], metavar="NAME=VALUE")
     parser.add_argument("--corner-angle", type=float, default=60.0, metavar="DEG", help="paths end at sharper turns")
-    parser.add_argument("-o", "--output", type=lambda text: Path(text).absolute(), required=True, metavar="OUT.npz")
+    parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
     # argparse would take "-1,2,3" for an option.
-    words = [f"--eye={words[i]}" if i and words[i - 1] == "--eye" else words[i] for i in range(len(words))]
-    return parser.parse_args([word for word in words if word != "--eye"])
+    eyes = [f"--eye={value}" for word, value in zip(words, words[1:]) if word == "--eye"]
+    others = [word for before, word in zip(["", *words], words) if "--eye" not in (before, word)]
+    return parser.parse_args(eyes + others)
+
+
+def extract(native, options):
+    """The arrays of the file, and the counts of what was skipped in the model."""
+    polygons = obj.read(options.model)
+    surface = _surface(native, options.model.stem, polygons)
+    paths = _paths(native, surface, polygons.positions, options)
+    return {**_arrays(paths, surface, polygons.positions), "definition": np.array(options.definition)}, surface.report
+
+
+def _output(text):
+    path = Path(text).absolute()
+    if path.suffix != ".npz" or not path.parent.is_dir():
+        raise argparse.ArgumentTypeError(f"'{text}' is no .npz file in a folder that exists")
+    return path
 
 
 def _vector(text):
@@ -61,7 +74,7 @@ def _surface(native, name, polygons):
     )
 
 
-def _extract(native, surface, positions, options):
+def _paths(native, surface, positions, options):
     """The model alone in a scene, seen by a view that has all of it in its frame."""
     usage = native.DRAW | native.OCCLUDE
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))

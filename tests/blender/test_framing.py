@@ -1,0 +1,63 @@
+"""The camera that `fovea draw` puts before a model sees all of it and is as near as the margin allows."""
+
+import math
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from bpy_extras.object_utils import world_to_camera_view
+from mathutils import Vector
+from the_addon import box_mesh, empty_scene, new_mesh, new_object
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+import framing
+
+
+def framed(scene, azimuth=35.0, elevation=25.0, lens=50.0, margin=0.05):
+    """Where the visible points lie in the frame: (n, 3), the frame is [0, 1], depth in the last column."""
+    framing.frame(scene, azimuth, elevation, lens, margin)
+    bpy.context.view_layer.update()
+    points = framing.visible_points(bpy.context.evaluated_depsgraph_get())
+    return np.array([world_to_camera_view(scene, scene.camera, Vector(point)) for point in points])
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (600, 900)])
+@pytest.mark.parametrize("azimuth, elevation", [(35, 25), (-120, 80), (0, 0)])
+def test_all_is_seen_and_the_margin_is_met(size, azimuth, elevation):
+    scene = empty_scene()
+    scene.render.resolution_x, scene.render.resolution_y = size
+    new_object(box_mesh(2.0), location=(100, -3, 7))
+    new_object(box_mesh(0.5), location=(103, 1, 4))
+    seen = framed(scene, azimuth, elevation)
+    low, high = seen[:, :2].min(axis=0), seen[:, :2].max(axis=0)
+    tight = min(range(2), key=lambda axis: low[axis])
+    assert low[tight] == pytest.approx(0.05, abs=1e-4) and high[tight] == pytest.approx(0.95, abs=1e-4)
+    assert (low >= 0.05 - 1e-4).all() and (high <= 0.95 + 1e-4).all()
+    camera = scene.camera.data
+    assert (seen[:, 2] > camera.clip_start).all() and (seen[:, 2] < camera.clip_end).all()
+
+
+def test_the_view_is_from_the_front_left_and_above():
+    scene = empty_scene()
+    new_object(box_mesh())
+    framed(scene)
+    assert scene.camera.location.x < 0 and scene.camera.location.y < 0 and scene.camera.location.z > 0
+    assert math.degrees(math.atan2(-scene.camera.location.x, -scene.camera.location.y)) == pytest.approx(35, abs=3)
+
+
+def test_only_what_renders_is_framed():
+    scene = empty_scene()
+    new_object(box_mesh())
+    new_object(box_mesh(), location=(50, 0, 0)).hide_render = True
+    near = framed(scene)[:, 2].max()
+    assert near < 20
+
+
+def test_nothing_to_frame_is_said():
+    scene = empty_scene()
+    new_object(new_mesh([], [], []))
+    with pytest.raises(ValueError, match="no mesh"):
+        framing.frame(scene, 35, 25, 50, 0.05)

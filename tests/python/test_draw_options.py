@@ -1,0 +1,46 @@
+"""The words of `fovea draw`: what they mean, and what is refused before anything is built."""
+
+from pathlib import Path
+
+import pytest
+from command import draw_options
+
+
+def refused(capsys, *words):
+    with pytest.raises(SystemExit):
+        draw_options.parse(words)
+    return capsys.readouterr().err
+
+
+def test_nothing_named_is_the_demo_in_the_current_folder():
+    options = draw_options.parse([])
+    assert options.scene == "demo" and options.output == Path.cwd() / "demo-fovea.png"
+
+
+def test_the_picture_of_a_model_never_replaces_one_of_the_users(tmp_path):
+    model = tmp_path / "my model.obj"
+    model.touch()
+    assert draw_options.parse([str(model)]).output == Path.cwd() / "my model-fovea.png"
+    assert draw_options.parse(["boxes:10"]).output.name == "boxes-10-fovea.png"
+
+
+def test_frames_are_numbered_files(tmp_path):
+    options = draw_options.parse(["boxes:2", "--frames", "9-10", "-o", str(tmp_path / "out.exr")])
+    assert [path.name for path in draw_options.pictures(options)] == ["out_0009.exr", "out_0010.exr"]
+
+
+@pytest.mark.parametrize(
+    "words, reason",
+    [
+        (["missing.obj"], "no file missing.obj"),
+        (["model.stl"], ".obj or .blend"),
+        (["nowhere"], "no scene is called 'nowhere'"),
+        (["-o", "picture.jpg"], ".png or .exr"),
+        (["-o", "no/such/folder/x.png"], "no folder"),
+        (["--size", "100"], "WIDTHxHEIGHT"),
+        (["--frames", "5-3"], "FIRST-LAST"),
+        (["--margin", "50"], "leaves no picture"),
+    ],
+)
+def test_mistakes_are_named(capsys, words, reason):
+    assert reason in refused(capsys, *words)

@@ -1,0 +1,68 @@
+"""`fovea lines` on shapes whose lines are known."""
+
+import numpy as np
+import pytest
+from addon import native
+from command import lines
+
+CUBE = """v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1
+f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"""
+
+
+@pytest.fixture
+def extract(tmp_path):
+    def from_cube(*words):
+        model = tmp_path / "cube.obj"
+        model.write_text(CUBE)
+        options = lines.parse([str(model), "-o", str(tmp_path / "out.npz"), *words])
+        return lines.extract(native.load(), options)[0]
+
+    return from_cube
+
+
+def segments(found):
+    """Each once, as a sorted pair of points."""
+    points, ends = found["points"], found["offsets"][1:] - 1
+    starts = np.setdiff1d(np.arange(len(points)), ends)
+    return {tuple(sorted((tuple(points[i]), tuple(points[i + 1])))) for i in starts}
+
+
+def test_the_file_holds_what_it_promises(extract):
+    found = extract("--definition", "crease", "--eye", "3,4,5")
+    assert {name: array.dtype.kind + str(array.dtype.itemsize) for name, array in found.items() if name != "definition"} == {
+        "points": "f8", "offsets": "i8", "closed": "b1", "path_id": "u8", "strength": "f4"
+    }  # fmt: skip
+    paths = len(found["closed"])
+    assert found["offsets"][0] == 0 and found["offsets"][-1] == len(found["points"]) == len(found["strength"])
+    assert len(found["path_id"]) == len(np.unique(found["path_id"])) == len(found["offsets"]) - 1 == paths
+    assert str(found["definition"]) == "crease"
+
+
+def test_a_cube_has_twelve_creases(extract):
+    assert len(segments(extract("--definition", "crease", "--eye", "3,4,5"))) == 12
+    assert not segments(extract("--definition", "crease", "--parameter", "angle=91", "--eye", "3,4,5"))
+
+
+@pytest.mark.parametrize("eye", ["3,4,5", "-3,4,5"])
+def test_a_cube_from_a_corner_has_six_contour_edges_in_a_ring(extract, eye):
+    found = extract("--definition", "contour", "--eye", eye, "--corner-angle", "180")
+    assert len(segments(found)) == 6
+    (start, *_), (_, end, *_) = found["offsets"], found["offsets"]
+    assert found["closed"].tolist() == [True] and (found["points"][start] == found["points"][end - 1]).all()
+
+
+def test_the_eye_is_a_point_and_with_ortho_a_direction(extract):
+    # So near that three faces are seen in any case; along the axis the far corner does not matter.
+    assert len(segments(extract("--definition", "contour", "--eye", "0,0,3"))) == 4
+    assert len(segments(extract("--definition", "contour", "--eye", "1.1,1.2,1.3", "--ortho"))) == 6
+    assert len(segments(extract("--definition", "contour", "--eye", "0.5,0.5,1.3"))) == 4
+    assert len(segments(extract("--definition", "contour", "--eye", "0.5,0.5,1.3", "--ortho"))) == 6
+
+
+def test_from_inside_there_is_no_contour(extract):
+    assert not segments(extract("--definition", "contour", "--eye", "0,0,0"))
+
+
+def test_an_unknown_definition_is_named(extract):
+    with pytest.raises(ValueError, match="no line definition is called 'ridgy'"):
+        extract("--definition", "ridgy", "--eye", "3,4,5")
