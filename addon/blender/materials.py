@@ -37,7 +37,10 @@ def _slot(material, known):
 
 def _surface_shader(material):
     """The shader node at the material's surface output, or None."""
-    output = material.node_tree.get_output_node("ALL") if material.use_nodes and material.node_tree else None
+    # From Blender 5 on every material uses nodes, and the switch is going away.
+    if material.node_tree is None or not getattr(material, "use_nodes", True):
+        return None
+    output = material.node_tree.get_output_node("ALL")
     return _source(output.inputs["Surface"]) if output else None
 
 

@@ -169,7 +169,7 @@ def _hand_over(engine, layer, passes):
     if layer.use_pass_z:
         engine.add_pass("Depth", 1, "Z", layer=layer.name)
     height, width = passes["Combined"].shape[:2]
-    result = engine.begin_result(0, 0, width, height, layer=layer.name)
+    result = engine.begin_result(0, 0, width, height, layer=layer.name, view=engine.active_view_get())
     for render_pass in result.layers[0].passes:
         pixels = passes.pop(render_pass.name, None)
         if pixels is not None:

@@ -114,6 +114,30 @@ def test_passes_in_a_multilayer_exr(scene, tmp_path):
     assert np.allclose(named["Combined.R"], 0.5 * (1 - lines) + named["Lines.R"], atol=1e-3)
 
 
+@pytest.mark.parametrize("visibility", ["EXACT", "ATLAS"])
+def test_a_scene_that_wants_the_gpu_gets_it(scene, tmp_path, visibility):
+    if part("blender.preferences").gl_renderer() is None:
+        pytest.skip("OpenGL is unusable here")
+    scene.fovea.visibility = visibility
+    by_cpu = drawn(scene, tmp_path / "cpu.png")
+    scene.fovea.backend = "GPU"
+    by_gpu = drawn(scene, tmp_path / "gpu.png")
+    assert session.last_statistics()["backend"] == "gpu"
+    assert np.abs(by_gpu - by_cpu).mean() < 0.005
+    scene.frame_start, scene.frame_end, scene.render.filepath = 1, 2, str(tmp_path / "frame_")
+    bpy.ops.render.render(animation=True)
+    assert np.abs(pixels_of(tmp_path / "frame_0002.png") - by_gpu).max() < 0.01
+
+
+def test_both_views_of_a_stereo_pair_are_drawn(scene, tmp_path):
+    scene.render.use_multiview = True
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.filepath = str(tmp_path / "pair.png")
+    bpy.ops.render.render(write_still=True)
+    left, right = (pixels_of(tmp_path / f"pair_{side}.png") for side in "LR")
+    assert ink(left).max() > 0.9 and ink(right).max() > 0.9 and not np.array_equal(left, right)
+
+
 def test_every_view_layer_is_drawn(scene, tmp_path):
     bpy.ops.scene.view_layer_add()
     collection = bpy.data.collections.new("Second")
