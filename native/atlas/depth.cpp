@@ -132,26 +132,35 @@ float slope(double value) {
     return static_cast<float>(std::clamp(value, -double(max_depth_slope), double(max_depth_slope)));
 }
 
+bool covers(const ScreenTriangle& t, dvec2 p) {
+    for (int i = 0; i < 3; ++i)
+        if (edge_function(t.corner[i], t.corner[(i + 1) % 3], p) < 0.0) return false;
+    return true;
+}
+
 void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
-    // The part of the row inside all three edges, a texel wider for rounding; every texel is then tested.
-    double x0 = t.x0, x1 = t.x1;
+    // The part of the row inside all three edges, a texel or two wider for rounding: texels near its ends are tested.
+    constexpr int unsure = 4;
+    double left = t.x0, right = t.x1;
     for (int i = 0; i < 3; ++i) {
         const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
         if (a.y == b.y) continue;
         const double x = a.x + (b.x - a.x) * ((y + 0.5 - a.y) / (b.y - a.y)) - 0.5;
         if (a.y > b.y)
-            x0 = std::max(x0, std::floor(x) - 1.0);
+            left = std::max(left, std::floor(x) - 1.0);
         else
-            x1 = std::min(x1, std::ceil(x) + 2.0);
+            right = std::min(right, std::ceil(x) + 2.0);
     }
+    const int x0 = static_cast<int>(std::min(left, double(t.x1))), x1 = static_cast<int>(std::max(right, double(t.x0)));
+    const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), t.facet};
+    const double depth_y = t.plane.y * (y + 0.5) + t.plane.z;
     DepthTexel* row = &buffer.texels[std::size_t(y) * buffer.width];
-    for (int x = static_cast<int>(std::min(x0, double(t.x1))); x < x1; ++x) {
-        const dvec2 p(x + 0.5, y + 0.5);
-        const float depth = static_cast<float>(glm::dot(t.plane, dvec3(p, 1.0)));
+    for (int x = x0; x < x1; ++x) {
+        const float depth = static_cast<float>(t.plane.x * (x + 0.5) + depth_y);
         if (!in_front(depth, t.facet, row[x])) continue;
-        bool inside = true;
-        for (int i = 0; i < 3; ++i) inside = inside && edge_function(t.corner[i], t.corner[(i + 1) % 3], p) >= 0.0;
-        if (inside) row[x] = {depth, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), t.facet};
+        if ((x < x0 + unsure || x >= x1 - unsure) && !covers(t, dvec2(x + 0.5, y + 0.5))) continue;
+        row[x] = plane;
+        row[x].depth = depth;
     }
 }
 
