@@ -44,10 +44,9 @@ inline View with_near(View view, double near_clip) {
     const dmat4& old = view.view_to_clip;
     const double right = near_clip / old[0][0], top = near_clip / old[1][1];
     view.near_clip = near_clip;
-    view.view_to_clip = view.orthographic
-                            ? glm::ortho(-1.0 / old[0][0], 1.0 / old[0][0], -1.0 / old[1][1], 1.0 / old[1][1], near_clip,
-                                         view.far_clip)
-                            : glm::frustum(-right, right, -top, top, near_clip, view.far_clip);
+    view.view_to_clip = view.orthographic ? glm::ortho(-1.0 / old[0][0], 1.0 / old[0][0], -1.0 / old[1][1],
+                                                       1.0 / old[1][1], near_clip, view.far_clip)
+                                          : glm::frustum(-right, right, -top, top, near_clip, view.far_clip);
     return view;
 }
 
@@ -128,7 +127,8 @@ struct Drawing {
                 length.all += to - from;
                 for (std::size_t r = 0; r < runs.piece.size(); ++r)
                     if (runs.piece[r] == q)
-                        length.visible += std::max(0.0, std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]));
+                        length.visible +=
+                            std::max(0.0, std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]));
             }
         }
         return length;

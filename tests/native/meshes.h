@@ -24,8 +24,8 @@ struct Mesh {
     Mesh(std::string called, std::vector<vec3> points) : name(std::move(called)), positions(std::move(points)) {}
 
     MeshArrays arrays() const {
-        return {positions,    edge_verts,   corner_verts, corner_edges, polygon_offsets, ngon_triangles,
-                ngon_polygon, material,     occluding,    sharp,        seam,            edge_mark};
+        return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
+                material,  occluding,  sharp,        seam,         edge_mark};
     }
     std::shared_ptr<Surface> surface() const { return std::make_shared<Surface>(name, arrays()); }
 
@@ -82,8 +82,7 @@ Mesh flipped(const Mesh& mesh, const Flip& flip) {
 inline Mesh box(vec3 low = vec3(-1), vec3 high = vec3(1)) {
     std::vector<vec3> p;
     for (int i = 0; i < 8; ++i) p.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-    return of_polygons("box", p,
-                       {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+    return of_polygons("box", p, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
 inline Mesh tetrahedron() {

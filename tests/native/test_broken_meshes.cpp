@@ -90,8 +90,7 @@ TEST(BrokenMesh, DuplicateFacesCountOnce) {
 TEST(BrokenMesh, TheSameVerticesInAnotherOrderAreADuplicate) {
     // The second polygon crosses itself.
     const auto surface =
-        of_polygons("crossed", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0.5f, 1, 0}}, {{0, 1, 2, 3}, {0, 1, 3, 2}})
-            .surface();
+        of_polygons("crossed", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0.5f, 1, 0}}, {{0, 1, 2, 3}, {0, 1, 3, 2}}).surface();
     EXPECT_EQ(surface->report().duplicate_polygons, 1u);
     EXPECT_EQ(surface->facet_polygon[0], 0u);
 }

@@ -1,9 +1,8 @@
 // Edges chained into paths: corners, junctions, loops, and who is first.
-#include "path/chain.h"
-
 #include <gtest/gtest.h>
 
 #include "drawing.h"
+#include "path/chain.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -37,7 +36,8 @@ Chains chain_all(const Mesh& mesh, double corner_degrees, std::vector<std::uint8
 std::set<std::set<Index>> groups(const Chains& chains) {
     std::set<std::set<Index>> result;
     for (Index c = 0; c < chains.rows.count(); ++c)
-        result.insert(std::set<Index>(chains.edge.begin() + chains.rows.begin(c), chains.edge.begin() + chains.rows.end(c)));
+        result.insert(
+            std::set<Index>(chains.edge.begin() + chains.rows.begin(c), chains.edge.begin() + chains.rows.end(c)));
     return result;
 }
 
@@ -152,7 +152,8 @@ TEST(Chain, MoreThanThirtyTwoLinesAllEndAtTheirVertex) {
             star.positions.push_back(on_circle(360.0 * i / n));
             star.edge(0, i + 1);
         }
-        EXPECT_EQ(chain_all(star, 1).rows.count(), n <= 32 ? n / 2u : Index(n)) << n << ": straight on in pairs, or not";
+        EXPECT_EQ(chain_all(star, 1).rows.count(), n <= 32 ? n / 2u : Index(n))
+            << n << ": straight on in pairs, or not";
     }
 }
 

@@ -52,7 +52,8 @@ TEST(Clip, AtEachBorderAndItsMargin) {
             const double bottom = -0.5 * margin * view.height, top = view.height - bottom;
             const struct {
                 dvec2 towards, end;
-            } cases[] = {{{-9, 0}, {left, 240}}, {{9, 0}, {right, 240}}, {{0, -9}, {320, bottom}}, {{0, 9}, {320, top}}};
+            } cases[] = {
+                {{-9, 0}, {left, 240}}, {{9, 0}, {right, 240}}, {{0, -9}, {320, bottom}}, {{0, 9}, {320, top}}};
             for (const auto& [towards, end] : cases) {
                 const Piece piece({{0, 0, -3}, dvec3(towards * distance, -3)}, view, margin);
                 EXPECT_NEAR(piece.clipped.px[piece.last].x, end.x, px_tolerance);

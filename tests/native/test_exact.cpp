@@ -1,8 +1,7 @@
 // Exact visibility where the answer is known.
-#include "atlas/exact.h"
-
 #include <gtest/gtest.h>
 
+#include "atlas/exact.h"
 #include "wires.h"
 
 using namespace fovea;
@@ -73,7 +72,8 @@ TEST(Exact, NineOfTwelveEdgesOfABoxAreSeenFromItsCorner) {
 }
 
 TEST(Exact, MirroredAndStretchedBoxesToo) {
-    for (const dvec3 size : {dvec3(-1, 1, 1), dvec3(1, 1, -1), dvec3(-1, -1, -1), dvec3(0.2, 1.4, 0.6), dvec3(-1, 0.3, 1)})
+    for (const dvec3 size :
+         {dvec3(-1, 1, 1), dvec3(1, 1, -1), dvec3(-1, -1, -1), dvec3(0.2, 1.4, 0.6), dvec3(-1, 0.3, 1)})
         EXPECT_EQ(visible_edges(box(), corner_view, scaled(size)), 9u);
     EXPECT_EQ(visible_edges(flipped(box(), [](int) { return true; }), corner_view), 9u) << "turned inside out";
 }
@@ -81,14 +81,18 @@ TEST(Exact, MirroredAndStretchedBoxesToo) {
 TEST(Exact, ATetrahedronBehindABoxIsHidden) {
     const dvec3 way = glm::normalize(dvec3(4, -5, 3));
     for (const double apart : {-2.2, -8.0}) {
-        const Drawing behind({place(box()), place(tetrahedron(), moved(apart * way) * scaled(dvec3(0.3)), 2)}, corner_view, {all_edges});
+        const Drawing behind({place(box()), place(tetrahedron(), moved(apart * way) * scaled(dvec3(0.3)), 2)},
+                             corner_view, {all_edges});
         EXPECT_GT(behind.total_px(1), 50.0);
         EXPECT_EQ(behind.visible_px(1), 0.0);
         EXPECT_EQ(behind.visible_edges(0).size(), 9u);
     }
-    const Drawing before({place(box()), place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)), 2)}, corner_view, {all_edges});
+    const Drawing before({place(box()), place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)), 2)}, corner_view,
+                         {all_edges});
     EXPECT_GE(before.visible_edges(1).size(), 3u);
-    EXPECT_EQ(before.visible_edges(1), Drawing({place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)))}, corner_view, {all_edges}).visible_edges(0));
+    EXPECT_EQ(before.visible_edges(1),
+              Drawing({place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)))}, corner_view, {all_edges})
+                  .visible_edges(0));
 }
 
 TEST(Exact, AnEdgeThroughAFaceChangesAtTheAnalyticPixel) {
@@ -140,8 +144,9 @@ TEST(Exact, NoLineShowsThroughTheSeamsOfASurface) {
         const auto behind = [&](double x, double y) { return dvec3(scale * x, scale * y, -8); };
         for (int i = -8; i <= 8; ++i) {
             const double at = 3.0 * i / 8;
-            for (const auto& [from, to] : {std::pair(behind(at, -3), behind(at, 3)), std::pair(behind(-3, at), behind(3, at)),
-                                           std::pair(behind(-3, at), behind(3, at + 6)), std::pair(behind(-3, at), behind(3, at - 6))}) {
+            for (const auto& [from, to] :
+                 {std::pair(behind(at, -3), behind(at, 3)), std::pair(behind(-3, at), behind(3, at)),
+                  std::pair(behind(-3, at), behind(3, at + 6)), std::pair(behind(-3, at), behind(3, at - 6))}) {
                 const Wires wires({{from, to}}, dmat4(1.0), {curtain});
                 const ClippedPaths clipped = wires.project(view);
                 const Tracer tracer(wires.scene, view);
@@ -202,15 +207,17 @@ TEST(Exact, ABoxOnAFloorKeepsItsBottomEdges) {
             for (const bool ortho : {false, true}) {
                 const dvec3 eye(6, -7, height);
                 const View view = ortho ? orthographic(eye, {0, 0, 0}, 5) : perspective(eye, {0, 0, 0});
-                const Drawing drawing({place(box(vec3(-1, -1, 0), vec3(1, 1, 2))), place(grid(1, floor), dmat4(1.0), 2)},
-                                      view, {all_edges});
+                const Drawing drawing(
+                    {place(box(vec3(-1, -1, 0), vec3(1, 1, 2))), place(grid(1, floor), dmat4(1.0), 2)}, view,
+                    {all_edges});
                 // Bottom edges towards the viewer: 0-1 and 1-3.
                 for (Index e = 0; e < 12; ++e) {
                     const Edge edge = drawing.scene.placements[0].surface->edges[e];
                     const Index low = std::min(edge.x, edge.y), high = std::max(edge.x, edge.y);
                     if ((low == 0 && high == 1) || (low == 1 && high == 3)) {
                         const auto [all, visible] = drawing.length_of(e);
-                        EXPECT_NEAR(visible, all, 0.13) << "floor " << floor << ", eye at " << height << (ortho ? " ortho" : "");
+                        EXPECT_NEAR(visible, all, 0.13)
+                            << "floor " << floor << ", eye at " << height << (ortho ? " ortho" : "");
                     }
                 }
             }

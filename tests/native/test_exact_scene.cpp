@@ -29,7 +29,8 @@ std::vector<Placement> heap(unsigned seed, int count) {
     const std::shared_ptr<const Surface> shapes[] = {box().surface(), sphere(6).surface(), cylinder(9).surface(),
                                                      moebius(12).surface(), bent_quad(0.7f).surface()};
     std::vector<Placement> placements;
-    for (int i = 0; i < count; ++i) placements.push_back({shapes[i % 5], random_motion(random, 2.5, 0.7), std::uint64_t(i)});
+    for (int i = 0; i < count; ++i)
+        placements.push_back({shapes[i % 5], random_motion(random, 2.5, 0.7), std::uint64_t(i)});
     return placements;
 }
 
@@ -123,7 +124,8 @@ TEST(ExactScene, RunsEndWhereVisibilityChanges) {
                 if (end - from < 0.5 || from + length - end < 0.5) continue;  // not inside this segment
                 const double inwards = end == drawing.runs.start_px[r] ? near_px : -near_px;
                 ++ends;
-                off += !judge.sees(q, i, (end + inwards - from) / length) || judge.sees(q, i, (end - inwards - from) / length);
+                off += !judge.sees(q, i, (end + inwards - from) / length) ||
+                       judge.sees(q, i, (end - inwards - from) / length);
             }
         }
     }
@@ -149,7 +151,8 @@ TEST(ExactScene, RunsAreSortedDisjointAndInsideTheirPieces) {
 TEST(ExactScene, WhatHidesIsUpToUsageAndMaterial) {
     const View view = perspective({0, -8, 0}, {0, 0, 0});
     const auto visible = [&](const Mesh& before, int usage) {
-        const Drawing drawing({place(tetrahedron()), place(before, moved({0, -3, 0}) * scaled({2, 0.1, 2}), 2, usage)}, view, {all_edges});
+        const Drawing drawing({place(tetrahedron()), place(before, moved({0, -3, 0}) * scaled({2, 0.1, 2}), 2, usage)},
+                              view, {all_edges});
         return drawing.visible_px(0);
     };
     EXPECT_EQ(visible(box(), usage_draw | usage_occlude), 0.0);
@@ -188,7 +191,8 @@ TEST(ExactScene, InstancesHideLikeOneMesh) {
 }
 
 TEST(ExactScene, NothingSeenGivesNoRuns) {
-    const Drawing hidden({place(tetrahedron()), place(box(), scaled(dvec3(2)), 2, usage_occlude)}, perspective({4, -5, 3}, {0, 0, 0}), {all_edges});
+    const Drawing hidden({place(tetrahedron()), place(box(), scaled(dvec3(2)), 2, usage_occlude)},
+                         perspective({4, -5, 3}, {0, 0, 0}), {all_edges});
     EXPECT_GT(hidden.clipped.samples, 0u);
     EXPECT_TRUE(hidden.runs.piece.empty());
     const Drawing empty({}, perspective({4, -5, 3}, {0, 0, 0}), {all_edges});
@@ -200,7 +204,9 @@ TEST(ExactScene, IsTheSameWithOneThreadAndMany) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         std::vector<Placement> placements = heap(21, 120);
         placements.push_back(place(sphere(200), moved({0, 2, 0}), 99));
-        return Drawing(placements, perspective({5, -6, 4}, {0, 0, 0}, 50, 1280, 960), {all_edges, line_set({"contour"})}).runs;
+        return Drawing(placements, perspective({5, -6, 4}, {0, 0, 0}, 50, 1280, 960),
+                       {all_edges, line_set({"contour"})})
+            .runs;
     };
     const Runs one = run(1);
     ASSERT_GT(one.piece.size(), 1000u);

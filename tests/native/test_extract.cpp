@@ -23,7 +23,8 @@ Paths extract(const Scene& scene, const View& view, const std::vector<LineSet>& 
 std::map<Index, std::uint64_t> ids(const Paths& paths) {
     std::map<Index, std::uint64_t> result;
     for (Index p = 0; p < paths.count(); ++p)
-        result[*std::min_element(paths.edge.begin() + paths.rows.begin(p), paths.edge.begin() + paths.rows.end(p))] = paths.id[p];
+        result[*std::min_element(paths.edge.begin() + paths.rows.begin(p), paths.edge.begin() + paths.rows.end(p))] =
+            paths.id[p];
     return result;
 }
 
@@ -135,7 +136,9 @@ TEST(Extract, IsTheSameWithOneThreadAndMany) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         std::vector<Placement> placements;
         const auto surface = mesh.surface();
-        for (int i = 0; i < 9; ++i) placements.push_back({surface, moved({i % 3 - 1.0, i / 3 - 1.0, 0}) * scaled(dvec3(0.6)), std::uint64_t(i)});
+        for (int i = 0; i < 9; ++i)
+            placements.push_back(
+                {surface, moved({i % 3 - 1.0, i / 3 - 1.0, 0}) * scaled(dvec3(0.6)), std::uint64_t(i)});
         return extract(Scene(placements), corner_view,
                        {line_set({"contour", "silhouette"}), line_set({"material_boundary", "border"}, 30)});
     };

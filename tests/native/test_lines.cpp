@@ -83,7 +83,8 @@ TEST(Contour, IsTheSameWhicheverWayFacesAreTurned) {
         const auto expected = edges_of(shape, corner_view, line_set({"contour"}));
         const Mesh mixed = flipped(shape, [&](int) { return random() % 2 == 0; });
         EXPECT_EQ(edges_of(mixed, corner_view, line_set({"contour"})), expected) << shape.name;
-        EXPECT_EQ(edges_of(mixed, corner_view, line_set({"crease"})), edges_of(shape, corner_view, line_set({"crease"})));
+        EXPECT_EQ(edges_of(mixed, corner_view, line_set({"crease"})),
+                  edges_of(shape, corner_view, line_set({"crease"})));
         EXPECT_FALSE(expected.empty());
     }
 }
@@ -93,7 +94,9 @@ TEST(Contour, RunsAlongADiagonalOnlyWhereABentPolygonTurnsAway) {
     const Mesh mesh = bent_quad(1.0f);
     const auto surface = mesh.surface();
     const Index diagonal = surface->mesh_edges;
-    const auto seen_from = [&](dvec3 eye) { return edges_of(mesh, perspective(eye, {0.5, 0.5, 0}), line_set({"contour"})); };
+    const auto seen_from = [&](dvec3 eye) {
+        return edges_of(mesh, perspective(eye, {0.5, 0.5, 0}), line_set({"contour"}));
+    };
     EXPECT_EQ(seen_from({0.5, 0.5, 9}), std::set<Index>()) << "both halves face the viewer";
     const dvec3 n0(surface->facet_plane[0]), n1(surface->facet_plane[1]);
     const dvec3 between = glm::normalize(n0 - n1);  // one half faces it, the other does not
@@ -174,7 +177,8 @@ TEST(Silhouette, IsTheOuterBoundaryOnly) {
     for (const vec3& p : back.positions) both.positions.push_back(3.0f * p + vec3(0, 6, 0));
     for (std::size_t f = 0; f + 1 < back.polygon_offsets.size(); ++f) {
         std::vector<int> verts;
-        for (int c = back.polygon_offsets[f]; c < back.polygon_offsets[f + 1]; ++c) verts.push_back(base + back.corner_verts[c]);
+        for (int c = back.polygon_offsets[f]; c < back.polygon_offsets[f + 1]; ++c)
+            verts.push_back(base + back.corner_verts[c]);
         both.add_polygon(verts);
     }
     const auto contours = edges_of(both, view, line_set({"contour"}));
@@ -213,7 +217,8 @@ TEST(Lines, MoveWithTheObjectAndTheCamera) {
         const auto expected = edges_of(mesh, corner_view, set);
         for (const double size : {1e-3, 1.0, 1e3}) {
             const dmat4 motion = moved(size * dvec3(3, -2, 1)) *
-                                 glm::mat4_cast(glm::angleAxis(1.1, glm::normalize(dvec3(1, 2, -1)))) * scaled(dvec3(size));
+                                 glm::mat4_cast(glm::angleAxis(1.1, glm::normalize(dvec3(1, 2, -1)))) *
+                                 scaled(dvec3(size));
             View view = corner_view;
             view.world_to_view = scaled(dvec3(size)) * corner_view.world_to_view * glm::inverse(motion);
             view = with_near(view, 0.1 * size);

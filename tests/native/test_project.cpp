@@ -1,6 +1,4 @@
 // Projection: samples, their layout, arc length.
-#include "project/project.h"
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -8,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "project/project.h"
 #include "wires.h"
 
 using namespace fovea;
@@ -41,7 +40,8 @@ std::map<Index, double> arc_at_points(const ClippedPaths& clipped) {
 TEST(Project, SamplesAreTheLengthOverTheStepRoundedUp) {
     for (const double step : {0.5, 1.0, 2.0, 3.7})
         for (const double length : {10.25, 98.7, 100.1, 399.3}) {
-            const ClippedPaths clipped = project_line({at_px(50, 100), at_px(50 + length, 100)}, camera(), {.sample_step_px = step});
+            const ClippedPaths clipped =
+                project_line({at_px(50, 100), at_px(50 + length, 100)}, camera(), {.sample_step_px = step});
             ASSERT_EQ(clipped.px.size(), 2u);
             EXPECT_NEAR(clipped.arc_px[1] - clipped.arc_px[0], length, 1e-3);
             EXPECT_EQ(clipped.sample_count[0], Index(std::ceil(length / step))) << length << " / " << step;
@@ -120,7 +120,8 @@ TEST(Project, ArcLengthIsZeroAtTheMiddleInSpace) {
     // A middle that is a point of the path, and one in the second of three segments.
     const auto arcs = arc_at_points(project_line({at_px(100, 50), at_px(200, 50), at_px(200, 150)}, camera()));
     EXPECT_NEAR(arcs.at(1), 0.0, 1e-3);
-    const auto three = arc_at_points(project_line({at_px(100, 50), at_px(150, 50), at_px(350, 50), at_px(360, 50)}, camera()));
+    const auto three =
+        arc_at_points(project_line({at_px(100, 50), at_px(150, 50), at_px(350, 50), at_px(360, 50)}, camera()));
     EXPECT_NEAR(three.at(0), -130.0, 1e-3);
     EXPECT_NEAR(three.at(3), 130.0, 1e-3);
 }
@@ -141,7 +142,8 @@ TEST(Project, ArcLengthGrowsByThePixelsOfEachSegment) {
     ASSERT_GE(clipped.pieces.count(), 1u);
     for (Index q = 0; q < clipped.pieces.count(); ++q)
         for (Index i = first_of(clipped, q); i < last_of(clipped, q); ++i)
-            EXPECT_NEAR(clipped.arc_px[i + 1] - clipped.arc_px[i], glm::distance(clipped.px[i], clipped.px[i + 1]), 1e-3);
+            EXPECT_NEAR(clipped.arc_px[i + 1] - clipped.arc_px[i], glm::distance(clipped.px[i], clipped.px[i + 1]),
+                        1e-3);
 }
 
 TEST(Project, KnowsNoUnits) {
@@ -178,9 +180,11 @@ TEST(Project, OrthographicIsPerspectiveFromFarAway) {
 }
 
 TEST(Project, PlacementsThatAreNoPlaceLeaveNothing) {
-    const double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
     for (const double bad : {not_a_number, infinity, 1e300})
-        for (const dmat4& at : {drawing::moved({bad, 0, 0}), drawing::moved({0, 0, bad}), drawing::scaled({1, bad, 1}), dmat4(bad)}) {
+        for (const dmat4& at :
+             {drawing::moved({bad, 0, 0}), drawing::moved({0, 0, bad}), drawing::scaled({1, bad, 1}), dmat4(bad)}) {
             const ClippedPaths clipped = Wires({{{-1, 0, -3}, {1, 0.5, -3}}}, at).project(camera());
             for (const vec2& px : clipped.px) EXPECT_TRUE(std::isfinite(px.x) && std::isfinite(px.y));
             for (const double arc : clipped.arc_px) EXPECT_TRUE(std::isfinite(arc));
@@ -190,7 +194,8 @@ TEST(Project, PlacementsThatAreNoPlaceLeaveNothing) {
 
 TEST(Project, RefusesASampleStepThatIsNone) {
     for (const double step : {0.0, -1.0, 1e-30, std::numeric_limits<double>::quiet_NaN()})
-        EXPECT_THROW(project_line({at_px(0, 0), at_px(99, 99)}, camera(), {.sample_step_px = step}), std::invalid_argument);
+        EXPECT_THROW(project_line({at_px(0, 0), at_px(99, 99)}, camera(), {.sample_step_px = step}),
+                     std::invalid_argument);
 }
 
 TEST(Project, IsTheSameWithOneThreadAndMany) {
@@ -209,6 +214,7 @@ TEST(Project, IsTheSameWithOneThreadAndMany) {
         return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
     };
     EXPECT_GT(one.pieces.count(), 3000u);
-    EXPECT_TRUE(same(one.pieces.offsets, many.pieces.offsets) && same(one.px, many.px) && same(one.arc_px, many.arc_px) &&
-                same(one.sample_start, many.sample_start) && same(one.position_view, many.position_view));
+    EXPECT_TRUE(same(one.pieces.offsets, many.pieces.offsets) && same(one.px, many.px) &&
+                same(one.arc_px, many.arc_px) && same(one.sample_start, many.sample_start) &&
+                same(one.position_view, many.position_view));
 }

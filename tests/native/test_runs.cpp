@@ -1,12 +1,11 @@
 // Runs, atlas samples, and the way between them.
-#include "atlas/runs.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "atlas/runs.h"
 #include "wires.h"
 
 using namespace fovea;
@@ -95,7 +94,8 @@ TEST(Runs, PaddingRepeatsTheEndsOfItsPiece) {
         }
         const Index count = padding_of(high - low);
         EXPECT_GT(count, 0u);
-        return std::vector<float>(samples.begin() + (before ? low - count : high), samples.begin() + (before ? low : high + count));
+        return std::vector<float>(samples.begin() + (before ? low - count : high),
+                                  samples.begin() + (before ? low : high + count));
     };
     for (float v : padding(0, true)) EXPECT_EQ(v, 1.0f);
     for (float v : padding(0, false)) EXPECT_EQ(v, 0.0f);
@@ -111,7 +111,7 @@ TEST(Runs, EndWhereTheSamplesCrossTheThreshold) {
     samples[start + 10] = 0.25f;  // at -29
     samples[start + 11] = 0.75f;  // at -27
     samples[start + 12] = 1.0f;
-    samples[start + 13] = 0.5f;   // at -23: still seen
+    samples[start + 13] = 0.5f;  // at -23: still seen
     const Runs runs = runs_from_samples(clipped, samples);
     ASSERT_EQ(runs.piece.size(), 1u);
     EXPECT_NEAR(runs.start_px[0], -28.0, 1e-3);
@@ -147,8 +147,8 @@ TEST(CloseGaps, JoinsShortGapsAndDropsShortSpurs) {
     add_run(runs, 0, 0, 0.5);      // a spur
     add_run(runs, 0, 10, 10.4);    // two spurs that make a line together
     add_run(runs, 0, 10.8, 11.4);
-    add_run(runs, 0, 49.8, 50);    // at the end
-    add_run(runs, 1, -50, 50);     // another piece is never joined
+    add_run(runs, 0, 49.8, 50);  // at the end
+    add_run(runs, 1, -50, 50);   // another piece is never joined
     const Runs kept = closed(clipped, runs, 2.0, 1.0f);
     const std::vector<std::pair<double, double>> expected{{-50, -49.5}, {-40, -20}, {10, 11.4}, {49.8, 50}, {-50, 50}};
     ASSERT_EQ(kept.piece.size(), expected.size());

@@ -1,9 +1,9 @@
 // The shadow of a triangle against the definition: is the point behind the triangle, as the eye sees it?
-#include "atlas/shadow.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "atlas/shadow.h"
 
 using namespace fovea;
 
@@ -53,7 +53,8 @@ TEST(Shadow, BeginsBehindTheTriangleByTheMargin) {
     for (const bool orthographic : {false, true}) {
         const Shadow shadow(corners, orthographic, 0.1, 1e-2);
         // Straight away from the viewer through the triangle.
-        const dvec3 a = orthographic ? dvec3(0, 0, -3) : dvec3(0.3, 0.3, -3), b = orthographic ? dvec3(0, 0, -5) : a * 5.0 / 3.0;
+        const dvec3 a = orthographic ? dvec3(0, 0, -3) : dvec3(0.3, 0.3, -3),
+                    b = orthographic ? dvec3(0, 0, -5) : a * 5.0 / 3.0;
         const Interval found = shadow.hides(a, b);
         EXPECT_EQ(found.end, 1.0);
         EXPECT_NEAR(-3 - 2 * found.begin, -4 * 1.01, orthographic ? 0.02 : 1e-9);

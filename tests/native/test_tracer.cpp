@@ -1,10 +1,9 @@
 // Rays against spheres and planes, whose answers are known; the depth pass and the holes of holdouts.
-#include "scene/tracer.h"
-
 #include <gtest/gtest.h>
 
 #include "drawing.h"
 #include "scene/seen.h"
+#include "scene/tracer.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -47,7 +46,8 @@ TEST(Tracer, SeesASphereWhereItIs) {
 }
 
 TEST(Tracer, OccluderIsTheNearestThatHides) {
-    const Scene scene({place(grid(1), moved({0, 0, -3})), place(grid(1), moved({0, 0, -5}), 2), place(grid(1), moved({0, 0, -7}), 3)});
+    const Scene scene({place(grid(1), moved({0, 0, -3})), place(grid(1), moved({0, 0, -5}), 2),
+                       place(grid(1), moved({0, 0, -7}), 3)});
     for (const bool ortho : {false, true}) {
         const View view = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 4) : perspective({0, 0, 0}, {0, 0, -1}, 36);
         const Tracer tracer(scene, view);
@@ -60,7 +60,8 @@ TEST(Tracer, OccluderIsTheNearestThatHides) {
         EXPECT_EQ(hides(-4), 0);
         EXPECT_EQ(hides(-5), 0) << "on the second, behind the first";
         EXPECT_EQ(hides(-9), 0);
-        EXPECT_NEAR(tracer.occluder(in_view(view, {0.1, 0.2, -6}), nothing)->t, ortho ? (3 - 0.1) / (6 - 0.1) : 0.5, 1e-5);
+        EXPECT_NEAR(tracer.occluder(in_view(view, {0.1, 0.2, -6}), nothing)->t, ortho ? (3 - 0.1) / (6 - 0.1) : 0.5,
+                    1e-5);
         const auto behind = [&](double z) {
             const auto hit = tracer.behind(in_view(view, {0.1, 0.2, z}), nothing);
             return hit ? int(hit->placement) : -1;
@@ -130,7 +131,8 @@ TEST(Tracer, AViewKeepsItsDistanceToHugeAndTinyObjects) {
 TEST(Seen, DepthIsTheDistanceAlongTheView) {
     const Scene scene({place(grid(1), moved({0, 0, -4}) * scaled({1, 2, 1}))});
     for (const bool ortho : {false, true}) {
-        const View view = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 8, 64, 48) : perspective({0, 0, 0}, {0, 0, -1}, 18, 64, 48);
+        const View view =
+            ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 8, 64, 48) : perspective({0, 0, 0}, {0, 0, -1}, 18, 64, 48);
         const Tracer tracer(scene, view);
         const Array<float> depth = depth_image(tracer, Cancel());
         ASSERT_EQ(depth.size(), 64u * 48u);
@@ -155,7 +157,8 @@ TEST(Seen, HoldoutsCutTheirShareOfThePixels) {
     for (float share : cut) sum += share;
     EXPECT_NEAR(sum, 16.0 * 16.0, 1e-3);
     // A box before it covers a quarter; what lies behind it makes no difference.
-    const Scene covered({hole, place(grid(1), moved({0.25, 0.25, -2}) * scaled(dvec3(0.25)), 2), place(grid(1), moved({0, 0, -9}), 3)});
+    const Scene covered(
+        {hole, place(grid(1), moved({0.25, 0.25, -2}) * scaled(dvec3(0.25)), 2), place(grid(1), moved({0, 0, -9}), 3)});
     sum = 0.0;
     for (float share : holdout_image(Tracer(covered, view), Cancel())) sum += share;
     EXPECT_NEAR(sum, 16.0 * 16.0 * 0.75, 1e-3);

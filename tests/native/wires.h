@@ -25,8 +25,8 @@ inline View cropped(const View& view, int x0, int y0, int x1, int y1) {
     crop.height = y1 - y0;
     const double sx = double(view.width) / crop.width, sy = double(view.height) / crop.height;
     const dvec2 middle((x0 + x1) / double(view.width) - 1.0, (y0 + y1) / double(view.height) - 1.0);
-    crop.view_to_clip = glm::scale(dmat4(1.0), dvec3(sx, sy, 1)) *
-                        glm::translate(dmat4(1.0), dvec3(-middle, 0)) * view.view_to_clip;
+    crop.view_to_clip =
+        glm::scale(dmat4(1.0), dvec3(sx, sy, 1)) * glm::translate(dmat4(1.0), dvec3(-middle, 0)) * view.view_to_clip;
     return crop;
 }
 
