@@ -27,7 +27,9 @@ def parse(words):
         return split
 
     parser = argparse.ArgumentParser("fovea bench peers", description=__doc__)
-    parser.add_argument("--scenes", type=several(None, scenes.parse), default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
+    parser.add_argument(
+        "--scenes", type=several(None, scenes.parse), default=list(SCENES), metavar="A,B", help=", ".join(SCENES)
+    )
     parser.add_argument("--renderers", type=several(RENDERERS, None), metavar="A,B", help=", ".join(RENDERERS))
     parser.add_argument("--quick", action="store_true", help="without Freestyle, medians of 3 instead of 5")
     parser.add_argument("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
@@ -47,7 +49,20 @@ def main(words, blender, environment, shared: Path | None) -> int:
                 print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
                 repeats = 1 if renderer == "freestyle" else 3 if options.quick else 5
                 out = Path(folder) / f"{spec}-{renderer}.json".replace(":", "-")
-                command = [blender, "-b", "--python-exit-code", "1", "-P", WORKER, "--", spec, renderer, repeats, shared or "", out]
+                command = [
+                    blender,
+                    "-b",
+                    "--python-exit-code",
+                    "1",
+                    "-P",
+                    WORKER,
+                    "--",
+                    spec,
+                    renderer,
+                    repeats,
+                    shared or "",
+                    out,
+                ]
                 problem = run([str(word) for word in command], environment, options.timeout)
                 record = json.loads(out.read_text()) if out.is_file() else {}
                 rows.append(row(spec, renderer, record, problem))
@@ -58,7 +73,15 @@ def main(words, blender, environment, shared: Path | None) -> int:
 def run(command, environment, timeout):
     """None, or a sentence about what went wrong."""
     try:
-        done = subprocess.run(command, env=environment, timeout=timeout, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+        done = subprocess.run(
+            command,
+            env=environment,
+            timeout=timeout,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+        )
     except subprocess.TimeoutExpired:
         return f"stopped after {timeout:.0f} s"
     if done.returncode == 0:
@@ -101,7 +124,10 @@ def table(rows):
     columns = ("scene", "renderer", "triangles", "first_s", "moved_s", "peak_mb", "strokes", "lines_s", "lines_moved_s")
     cells = [columns] + [tuple("" if row.get(name) is None else str(row[name]) for name in columns) for row in rows]
     widths = [max(len(line[k]) for line in cells) for k in range(len(columns))]
-    lines = ["  ".join(cell.ljust(w) if k < 2 else cell.rjust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip() for line in cells]
+    lines = [
+        "  ".join(cell.ljust(w) if k < 2 else cell.rjust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip()
+        for line in cells
+    ]
     for row in rows:
         if row.get("stages"):
             stages = ", ".join(f"{name} {ms:.1f}" for name, ms in row["stages"].items())

@@ -29,9 +29,20 @@ class Freestyle(Workbench):
         settings = bpy.context.view_layer.freestyle_settings
         settings.crease_angle = math.pi - CREASE  # it measures between the faces
         lines = settings.linesets[0]  # of the startup file: one made here would lack a line style
-        for kind in ("silhouette", "crease", "border", "contour", "external_contour", "edge_mark", "material_boundary",
-                     "ridge_valley", "suggestive_contour"):
-            setattr(lines, f"select_{kind}", kind in ("silhouette", "crease", "border"))  # its silhouettes are our contours
+        for kind in (
+            "silhouette",
+            "crease",
+            "border",
+            "contour",
+            "external_contour",
+            "edge_mark",
+            "material_boundary",
+            "ridge_valley",
+            "suggestive_contour",
+        ):
+            setattr(
+                lines, f"select_{kind}", kind in ("silhouette", "crease", "border")
+            )  # its silhouettes are our contours
 
     def frame(self):
         import parameter_editor  # of Freestyle, on Blender's own path
@@ -107,4 +118,10 @@ class FoveaGpu(Fovea):
     backend = "GPU"
 
 
-BY_NAME = {"workbench": Workbench, "freestyle": Freestyle, "lineart": LineArt, "fovea-cpu": Fovea, "fovea-gpu": FoveaGpu}
+BY_NAME = {
+    "workbench": Workbench,
+    "freestyle": Freestyle,
+    "lineart": LineArt,
+    "fovea-cpu": Fovea,
+    "fovea-gpu": FoveaGpu,
+}

@@ -1,7 +1,7 @@
 """One renderer on one scene, in a Blender of its own: blender -b -P worker.py -- SCENE RENDERER REPEATS SHARED OUT.json
 
-Each repeat starts from an empty file: the first frame, then one after a small turn of the camera. Warm are only the
-shaders, by one picture of a cube. OUT.json is written after every frame, so that a time-out loses only what came after."""
+Each repeat starts from a new file: the first frame, then one after a small turn of the camera. Only the shaders are
+warm, by one picture of a box. OUT.json is written after every frame, so that a time-out loses only what came after."""
 
 import json
 import math

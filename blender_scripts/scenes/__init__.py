@@ -3,7 +3,7 @@
 import importlib
 from pathlib import Path
 
-# Name -> what stands after the colon when nothing does. None: the scene takes no argument.
+# Name -> its argument when none is given. None: the scene takes no argument.
 DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5}
 
 
@@ -19,11 +19,12 @@ def parse(spec: str) -> tuple[str, int | None]:
     if not colon:
         return name, DEFAULTS[name]
     if DEFAULTS[name] is None or not argument.isdecimal():
-        raise ValueError(f"'{spec}' is no scene; try '{name}{'' if DEFAULTS[name] is None else f':{DEFAULTS[name]}'}'")
+        example = name if DEFAULTS[name] is None else f"{name}:{DEFAULTS[name]}"
+        raise ValueError(f"'{spec}' is no scene; try '{example}'")
     return name, int(argument)
 
 
 def build(spec: str, shared: Path | None = None):
-    """Builds the scene in the open Blender file, replacing what is there. `shared` holds the models that are not in the project."""
+    """Builds the scene in the open Blender file, replacing what is there. `shared`: models not in the project."""
     name, argument = parse(spec)
     importlib.import_module(f"{__name__}.{name}").build(argument, shared)

@@ -2,7 +2,8 @@
 
 import math
 
-from . import bicycle, cafe, plants, stage, street, terrace
+from . import bicycle, cafe, crockery, plants, skyline, stage, street, terrace
+from .cafe.plan import DOOR
 
 EYE = (-5.3, -11.7, 1.75)
 LOOK = math.radians(27)  # from +y towards +x
@@ -10,17 +11,21 @@ LOOK = math.radians(27)  # from +y towards +x
 
 def seen(right: float, ahead: float, up: float = 0.0):
     """A place in the world, given from the camera's."""
-    return (EYE[0] + right * math.cos(LOOK) + ahead * math.sin(LOOK), EYE[1] - right * math.sin(LOOK) + ahead * math.cos(LOOK), up)
+    return (
+        EYE[0] + right * math.cos(LOOK) + ahead * math.sin(LOOK),
+        EYE[1] - right * math.sin(LOOK) + ahead * math.cos(LOOK),
+        up,
+    )
 
 
 def foreground():
     x, y, _ = place = seen(-1.8, 6.1)
     terrace.table(place, 0.42)
-    top = 0.742
-    terrace.teapot((x + 0.03, y + 0.1, top), 200, 1.4)
-    terrace.cup((x - 0.25, y + 0.02, top), 150, 1.4)
-    terrace.cup((x + 0.24, y - 0.1, top), -40, 1.4)
-    terrace.cake((x - 0.06, y - 0.24, top), 160, 1.1)
+    top = terrace.TABLE
+    crockery.teapot((x + 0.03, y + 0.1, top), 200, 1.4)
+    crockery.cup((x - 0.25, y + 0.02, top), 150, 1.4)
+    crockery.cup((x + 0.24, y - 0.1, top), -40, 1.4)
+    crockery.cake((x - 0.06, y - 0.24, top), 160, 1.1)
     terrace.chair(seen(-2.55, 6.3), 100)
     terrace.chair(seen(-1.0, 6.55), -70)
     plants.potted(seen(3.0, 4.75), 0.62, 3, leaves=30, length=1.35, width=0.26)
@@ -31,7 +36,7 @@ def middle():
     terrace.board(seen(3.3, 8.2), -4)
     bicycle.bicycle((3.05, -1.42, 0), 0, 6)
     for side, seed in ((-1, 5), (1, 8)):
-        angle = math.radians(cafe.DOOR + side * 66)
+        angle = math.radians(DOOR + side * 66)
         plants.clipped((2.35 * math.cos(angle), 2.35 * math.sin(angle), 0), 0.52, seed)
     street.lamp(seen(-4.2, 7.6))
     street.garden_wall((-1.3, 1.0, 0), 162, 12)
@@ -46,9 +51,9 @@ def middle():
 
 def far():
     plants.tree((-5.4, 5.0, 0), 2.9, 1.9, 11)
-    street.house((-4.2, 17, 0), -8, 6.5, 4.2, 1.9)
-    street.house((-12.5, 19, 0), 4, 6.5, 4.6, 3.0)
-    street.church(seen(-13.6, 50))
+    skyline.house((-4.2, 17, 0), -8, 6.5, 4.2, 1.9)
+    skyline.house((-12.5, 19, 0), 4, 6.5, 4.6, 3.0)
+    skyline.church(seen(-13.6, 50))
 
 
 def build(argument, shared):

@@ -1,4 +1,4 @@
-"""A small modelling vocabulary: functions that return meshes, metres, z up, standing on z = 0 unless they say otherwise.
+"""A small modelling vocabulary: functions that return meshes; metres, z up, on z = 0 unless they say otherwise.
 
 Lines come from mesh edges, so round things get steps well under 30 degrees, hard rims more than that, and whatever runs
 into something else is joined by `combine`, which makes an edge where two surfaces meet."""
@@ -18,7 +18,11 @@ CREASE = math.radians(30)
 def mesh(name: str, points, faces):
     """`faces`: an (F, k) array, or a list of index lists."""
     made = bpy.data.meshes.new(name)
-    made.from_pydata(np.asarray(points, dtype=float).tolist(), [], np.asarray(faces).tolist() if isinstance(faces, np.ndarray) else faces)
+    made.from_pydata(
+        np.asarray(points, dtype=float).tolist(),
+        [],
+        np.asarray(faces).tolist() if isinstance(faces, np.ndarray) else faces,
+    )
     return made
 
 
@@ -69,9 +73,16 @@ def revolve(name: str, profile, segments: int = 96, start: float = 0.0, turn: fl
     profile = np.asarray(profile, dtype=float)
     whole = turn >= 2 * math.pi - 1e-9
     angle = start + np.linspace(0, turn, segments + (not whole), endpoint=not whole)
-    points = np.stack([profile[:, :1] * np.cos(angle), profile[:, :1] * np.sin(angle),
-                       np.repeat(profile[:, 1:], len(angle), axis=1)], axis=-1)
+    points = np.stack(
+        [profile[:, :1] * np.cos(angle), profile[:, :1] * np.sin(angle), np.repeat(profile[:, 1:], len(angle), axis=1)],
+        axis=-1,
+    )
     return sheet(name, points, wrap_columns=whole)
+
+
+def ball(name: str, radius: float, segments: int):
+    angle = np.linspace(-math.pi / 2, math.pi / 2, segments // 2 + 1)
+    return revolve(name, np.stack([radius * np.cos(angle).clip(0), radius * np.sin(angle)], axis=1), segments)
 
 
 def sweep(name: str, path, radius, sides: int = 16, closed: bool = False):
@@ -97,7 +108,9 @@ def prism(name: str, outline, low: float, high: float):
     outline = np.asarray(outline, dtype=float)
     n = len(outline)
     points = np.concatenate([np.insert(outline, 2, z, axis=1) for z in (low, high)])
-    return finished(mesh(name, points, quads(2, n, wrap_columns=True).tolist() + [list(range(n)), list(range(n, 2 * n))]))
+    return finished(
+        mesh(name, points, quads(2, n, wrap_columns=True).tolist() + [list(range(n)), list(range(n, 2 * n))])
+    )
 
 
 def upright(name: str, outline, front: float, back: float):
@@ -113,7 +126,7 @@ def arch(width: float, base: float, spring: float, steps: int = 32) -> np.ndarra
 
 
 def box(name: str, size, base=(0, 0, 0), rounding: float = 0.0, segments: int = 4):
-    """`base` is the middle of the underside. Rounded edges in four steps carry no crease: only their outline is drawn."""
+    """`base` is the middle of the underside. Edges rounded in four steps are no creases: only their outline is drawn."""
     x, y, z = size
     shape = prism(name, [(-x / 2, -y / 2), (x / 2, -y / 2), (x / 2, y / 2), (-x / 2, y / 2)], 0, z)
     if rounding:

@@ -1,8 +1,7 @@
-"""Solids whose faces all lie along the axes: walls, slabs, frames, steps. Boxes are added and cut away in any order, and the
-mesh is the surface of what is left: it meets itself in edges everywhere, so that every joint has its line."""
+"""Solids whose faces all lie along the axes: walls, slabs, frames, steps. Boxes are added and cut away in order; the mesh
+is the surface of what is left: it meets itself in edges everywhere, so that every joint has its line."""
 
 import bmesh
-import bpy
 import numpy as np
 
 from . import shapes
@@ -63,7 +62,9 @@ def _merged(shape):
     return shape
 
 
-def bars(width: float, height: float, columns: int, rows: int, thick: float = 0.05, deep: float = 0.06, inner: float = 0.03):
+def bars(
+    width: float, height: float, columns: int, rows: int, thick: float = 0.05, deep: float = 0.06, inner: float = 0.03
+):
     """A window frame with mullions in the x, z plane: from x = 0 and z = 0, its middle at y = 0."""
     made = Solid().add((0, width), (-deep / 2, deep / 2), (0, height))
     x = np.linspace(thick - inner / 2, width - thick + inner / 2, columns + 1)

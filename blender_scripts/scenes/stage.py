@@ -8,8 +8,16 @@ from mathutils import Vector
 
 def clear():
     """Empties the file without reading another one, which would switch add-ons off."""
-    blocks = [bpy.data.objects, bpy.data.collections, bpy.data.meshes, bpy.data.curves, bpy.data.metaballs, bpy.data.cameras,
-              bpy.data.lights, bpy.data.materials]
+    blocks = [
+        bpy.data.objects,
+        bpy.data.collections,
+        bpy.data.meshes,
+        bpy.data.curves,
+        bpy.data.metaballs,
+        bpy.data.cameras,
+        bpy.data.lights,
+        bpy.data.materials,
+    ]
     bpy.data.batch_remove([block for kind in blocks for block in kind])
 
 
@@ -55,7 +63,7 @@ def sun(azimuth: float, elevation: float, strength: float = 3.0):
 
 
 def material(name: str, colour: tuple[float, float, float]):
-    """The material of that name, made on first use; `colour` is scene-linear, for Workbench and for the shader alike."""
+    """The material of that name, made on first use; `colour` is scene-linear, the same in Workbench and in shaders."""
     found = bpy.data.materials.get(name)
     if found:
         return found
@@ -68,42 +76,4 @@ def material(name: str, colour: tuple[float, float, float]):
     if shader:
         shader.inputs["Base Color"].default_value = made.diffuse_color
         shader.inputs["Roughness"].default_value = made.roughness
-    return made
-
-
-def put(shape, paint, location=(0, 0, 0), turn: float = 0.0, scale: float = 1.0, name: str = ""):
-    """An object of a mesh (or another object's mesh again), turned about z by degrees. `paint`: a material, or None to keep."""
-    if paint and not shape.materials:
-        shape.materials.append(paint)
-    made = link(name or shape.name, shape)
-    made.location = location
-    made.rotation_euler.z = math.radians(turn)
-    made.scale = (scale,) * 3
-    return made
-
-
-def pipe(name: str, points, radius: float, paint, closed: bool = False, location=(0, 0, 0), turn: float = 0.0):
-    """A curve object: a round bar through the points."""
-    data = bpy.data.curves.new(name, "CURVE")
-    data.dimensions = "3D"
-    data.bevel_depth, data.use_fill_caps = radius, not closed
-    data.bevel_resolution = 8  # 20 sides: steps of 18 degrees are no creases
-    line = data.splines.new("POLY")
-    line.points.add(len(points) - 1)
-    line.points.foreach_set("co", [x for point in points for x in (*point, 1.0)])
-    line.use_cyclic_u = closed
-    data.materials.append(paint)
-    made = link(name, data)
-    made.location, made.rotation_euler.z = location, math.radians(turn)
-    return made
-
-
-def lettering(name: str, body: str, height: float, paint, location, turn: float = 0.0):
-    """A flat text object that stands upright, centred, readable from -y when not turned."""
-    data = bpy.data.curves.new(name, "FONT")
-    data.body, data.size = body, height
-    data.align_x, data.align_y = "CENTER", "CENTER"
-    data.materials.append(paint)
-    made = link(name, data)
-    made.location, made.rotation_euler = location, (math.pi / 2, 0, math.radians(turn))
     return made

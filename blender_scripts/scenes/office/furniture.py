@@ -3,11 +3,10 @@ its middle over the origin, looking to -y, in metres."""
 
 from pathlib import Path
 
-import bmesh
 import bpy
 from mathutils import Matrix, Vector
 
-from . import modelled, shapes
+from . import modelled
 
 CENTIMETRES = 0.01
 
@@ -30,7 +29,9 @@ def imported(model: Path):
     known = set(bpy.data.objects)
     bpy.ops.wm.obj_import(filepath=str(model))
     parts = [part for part in bpy.data.objects if part not in known]
-    with bpy.context.temp_override(active_object=parts[0], object=parts[0], selected_objects=parts, selected_editable_objects=parts):
+    with bpy.context.temp_override(
+        active_object=parts[0], object=parts[0], selected_objects=parts, selected_editable_objects=parts
+    ):
         if len(parts) > 1:
             bpy.ops.object.join()
     made = parts[0].data
