@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "atlas/shadow.h"
+#include "base/check.h"
 
 namespace fovea {
 namespace {
@@ -36,7 +37,10 @@ class Marcher {
         bool was_hidden = false;
         for (Index i = 0; i < samples; ++i) {
             const double s = (i + 0.5) * step;
-            if (was_hidden && hidden.back().end >= s) continue;
+            if (was_hidden && hidden.back().end >= s) {
+                i = std::max(i, static_cast<Index>(std::min(hidden.back().end * samples - 0.5, samples - 1.0)));
+                continue;
+            }
             const Interval by = hidden_at(s);
             if (by.begin > by.end) {
                 if (was_hidden) narrow_end(hidden.back(), s, tolerance);
@@ -185,9 +189,11 @@ class Runner {
             s.wa = -s.a.z;
             s.wb = -s.b.z;
         }
-        const Index placement = paths_.placement[clipped_.path[piece_]];
-        const Surface& surface = *tracer_.scene().placements[placement].surface;
-        const Index edge = paths_.edge[clipped_.source[i]];
+        const Index placement = paths_.placement[clipped_.path[piece_]], edge = paths_.edge[clipped_.source[i]];
+        const auto& placements = tracer_.scene().placements;
+        check(placement < placements.size() && edge < placements[placement].surface->edge_rows.count(),
+              "exact_visibility: the paths are not of this scene");
+        const Surface& surface = *placements[placement].surface;
         s.ignore = {placement, surface.edge_sides.data() + surface.edge_rows.begin(edge),
                     surface.edge_sides.data() + surface.edge_rows.end(edge)};
         return s;
@@ -227,6 +233,9 @@ class Runner {
 
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel) {
     const std::size_t pieces = clipped.path.size();
+    check(pieces == 0 || (clipped.path.back() < paths.count() && clipped.source.back() < paths.edge.size()),
+          "exact_visibility: these are not the paths that were clipped");
+    tracer.check_current();
     std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);
     parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         cancel.poll();

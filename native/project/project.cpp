@@ -30,6 +30,14 @@ class Projector {
     Projector(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options)
         : paths_(paths), scene_(scene), view_(view), options_(options) {}
 
+    /// Room for so many pieces and points, so that arrays do not grow step by step.
+    void reserve(std::size_t pieces, std::size_t points) {
+        const auto each = [](std::size_t count, auto&... arrays) { (arrays.reserve(count), ...); };
+        each(pieces, out.path, out.closed, out.free_ends, out.pieces.offsets);
+        each(points, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
+             out.sample_start, out.sample_count);
+    }
+
     void add(Index path) {
         const Index begin = paths_.rows.begin(path), end = paths_.rows.end(path);
         if (end - begin < 2) return;
@@ -46,6 +54,7 @@ class Projector {
     void transform(Index path, Index begin, Index end) {
         const Index placement = paths_.placement[path];
         if (placement != placement_) {
+            check(placement < scene_.placements.size(), "project: the paths are not of this scene");
             placement_ = placement;
             object_to_view_ = view_.world_to_view * scene_.placements[placement].object_to_world;
         }
@@ -133,6 +142,14 @@ class Projector {
         return glm::length(pixels_at(segment, t1) - pixels_at(segment, t0));
     }
 
+    /// Pixels of path before a place in front of the near plane.
+    double arc_at(std::size_t segment, double t) const {
+        const ClipRange& range = p_.near_range[segment];
+        if (t <= range.begin) return p_.arc_px[segment];
+        if (t >= range.end) return p_.arc_px[segment + 1];
+        return p_.arc_px[segment] + pixel_length(segment, range.begin, t);
+    }
+
     void clip(Index path, Index begin, Index end) {
         const Index segments = end - begin - 1;
         bool open = false;  // the last segment reached its end, so the piece goes on
@@ -170,8 +187,7 @@ class Projector {
         out.px.push_back(vec2(pixels_at(segment, t)));
         out.depth.push_back(static_cast<float>(screen_depth(view_, position.z)));
         out.position_view.push_back(vec3(position));
-        const double from = p_.near_range[segment].begin;
-        out.arc_px.push_back(p_.arc_px[segment] + (t > from ? pixel_length(segment, from, t) : 0.0) - p_.middle_px);
+        out.arc_px.push_back(arc_at(segment, t) - p_.middle_px);
         out.source.push_back(t < 1.0 ? begin + segment : begin + segment + 1);
         out.source_t.push_back(t < 1.0 ? static_cast<float>(t) : 0.0f);
         out.facet0.push_back(none);
@@ -186,11 +202,12 @@ class Projector {
         const Index placement = paths_.placement[path];
         const Surface& surface = *scene_.placements[placement].surface;
         const Index edge = paths_.edge[begin + segment];
+        check(edge < surface.edge_rows.count(), "project: the paths are not of this scene");
         const Index side = surface.edge_rows.begin(edge), sides = surface.edge_rows.size(edge);
         const Index base = scene_.facet_base[placement];
         out.facet0[here] = sides > 0 ? base + surface.edge_sides[side].facet() : none;
         out.facet1[here] = sides > 1 ? base + surface.edge_sides[side + 1].facet() : none;
-        const double length = pixel_length(segment, range.begin, range.end);
+        const double length = arc_at(segment, range.end) - arc_at(segment, range.begin);
         out.sample_count[here] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
         add_point(begin, segment, range.end);
     }
@@ -305,6 +322,7 @@ ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, c
     parallel_blocks(paths.count(), paths_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         cancel.poll();
         Projector projector(paths, scene, view, options);
+        projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
         for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
         parts[b] = std::move(projector.out);
     });
