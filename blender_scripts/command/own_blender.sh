@@ -15,7 +15,7 @@ use_own_blender() {
         reason="Fovea's module cannot be built for $blender (Blender $version, Python $python_version), missing: $missing"
         return 1
     }
-    target_name=own-$(short_hash "$(readlink -f "$blender") $version")
+    target_name=own-$version-$(short_hash "$(readlink -f "$blender") $version")
 }
 
 is_new_enough() {
