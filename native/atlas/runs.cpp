@@ -55,8 +55,14 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
     if (open) push(runs, piece, start, clipped.arc_px[last]);
 }
 
+/// Runs and paths of pieces ascend, so the last one tells.
+void check_pieces(const ClippedPaths& clipped, const Runs& runs) {
+    check(runs.piece.empty() || runs.piece.back() < clipped.path.size(), "runs: they are not of these clipped paths");
+}
+
 /// Index of the first run of each piece (pieces + 1 entries).
 Array<Index> runs_of_pieces(const ClippedPaths& clipped, const Runs& runs) {
+    check_pieces(clipped, runs);
     Array<Index> offsets(clipped.path.size(), 0);
     for (Index piece : runs.piece) ++offsets[piece];
     counts_to_offsets(offsets);
@@ -151,6 +157,7 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
 }
 
 Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px) {
+    check_pieces(clipped, runs);
     for (Index path : clipped.path) check(path < spur_px.size(), "spur_px: one value per path expected");
     Runs joined;
     for (std::size_t r = 0; r < runs.piece.size(); ++r) {
@@ -173,6 +180,8 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
 }
 
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px) {
+    check_pieces(clipped, runs);
+    check(clipped.path.empty() || clipped.path.back() < of_view.size(), "of_view: one value per path expected");
     Runs trimmed = runs;
     const std::size_t count = runs.piece.size();
     parallel_for(count, [&](std::size_t r) {

@@ -10,5 +10,8 @@ namespace fovea {
 inline void check(bool condition, const std::string& message) {
     if (!condition) throw std::invalid_argument(message);
 }
+inline void check(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
 
 }  // namespace fovea

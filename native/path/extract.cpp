@@ -233,6 +233,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     check(sets.size() < unlabelled, "a style holds at most 254 line sets");
     Paths paths;
     if (sets.empty()) return paths;
+    tracer.check_current();
     const std::uint64_t sets_hash = hash_sets(sets);
     const bool view_dependent = any_of_scope(sets, Scope::view);
     std::vector<Index> drawn;

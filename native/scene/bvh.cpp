@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/check.h"
 #include "scene/tracer.h"
 
 namespace fovea {
@@ -71,7 +72,8 @@ void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
 struct Tracer::Bvh {
     RTCScene top = nullptr;
     Array<Index> placement_of_instance;
-    Array<dmat4> object_to_view;  // per placement
+    Array<std::uint64_t> versions;  // of the surfaces, per instance
+    Array<dmat4> object_to_view;    // per placement
     std::vector<std::shared_ptr<const SurfaceBvh>> surfaces;
 
     ~Bvh() {
@@ -90,6 +92,7 @@ struct Tracer::Bvh {
         rtcAttachGeometryByID(top, instance, static_cast<unsigned>(placement_of_instance.size()));
         rtcReleaseGeometry(instance);
         placement_of_instance.push_back(index);
+        versions.push_back(surface.version());
     }
 
     std::optional<Hit> trace(const Scene& scene, const vec3& origin, const vec3& direction, float near_t, float far_t,
@@ -172,6 +175,14 @@ std::optional<Hit> Tracer::seen(const dvec2& px) const {
         return bvh_->trace(scene_, vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity, nothing);
     // Scaled so that the parameter is the distance along -z.
     return bvh_->trace(scene_, vec3(0.0f), vec3(point / -point.z), near_distance, infinity, nothing);
+}
+
+void Tracer::check_current() const {
+    for (std::size_t i = 0; i < bvh_->versions.size(); ++i) {
+        const Surface& surface = *scene_.placements[bvh_->placement_of_instance[i]].surface;
+        if (surface.version() != bvh_->versions[i])
+            check(false, surface.name() + ": moved after its tracer was made; make a new one");
+    }
 }
 
 void Tracer::corners(const Hit& hit, dvec3 out[3]) const {

@@ -6,7 +6,9 @@ namespace fovea {
 namespace {
 
 template <typename Value>
-Array<float> per_pixel(const View& view, const Cancel& cancel, const Value& value) {
+Array<float> per_pixel(const Tracer& tracer, const Cancel& cancel, const Value& value) {
+    tracer.check_current();
+    const View& view = tracer.view();
     Array<float> image(std::size_t(view.width) * view.height);
     parallel_blocks(view.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
         cancel.poll();
@@ -18,7 +20,7 @@ Array<float> per_pixel(const View& view, const Cancel& cancel, const Value& valu
 }  // namespace
 
 Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
-    return per_pixel(tracer.view(), cancel, [&](const dvec2& px) {
+    return per_pixel(tracer, cancel, [&](const dvec2& px) {
         const auto hit = tracer.seen(px);
         return hit ? std::min(hit->t, background_depth) : background_depth;  // rays overflow at huge distances
     });
@@ -28,7 +30,7 @@ Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
     const auto& placements = tracer.scene().placements;
     if (std::none_of(placements.begin(), placements.end(), [](const Placement& p) { return p.usage & usage_holdout; }))
         return {};
-    return per_pixel(tracer.view(), cancel, [&](const dvec2& px) {
+    return per_pixel(tracer, cancel, [&](const dvec2& px) {
         // A rotated grid: no two samples share a row or a column.
         static constexpr double offsets[4][2] = {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}};
         int cut = 0;

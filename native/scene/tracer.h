@@ -51,6 +51,9 @@ class Tracer {
     /// The first surface seen at a pixel position, with t as view-space distance along -z.
     std::optional<Hit> seen(const dvec2& px) const;
 
+    /// Throws std::invalid_argument where a surface has moved since: its triangles are no longer those of the rays.
+    void check_current() const;
+
     const View& view() const { return view_; }
     const Scene& scene() const { return scene_; }
     /// Corners of a triangle in view space.

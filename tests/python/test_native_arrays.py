@@ -195,3 +195,46 @@ def test_bytes_do_not_depend_on_the_number_of_threads():
         return subprocess.check_output([sys.executable, "-c", HASH, threads], env=environment, text=True)
 
     assert bytes_with("one") == bytes_with("all") == bytes_with("all")
+
+
+@pytest.fixture
+def stages():
+    """Stages of a scene with much in it, and of one with little."""
+
+    def run(surface):
+        tracer = core.Tracer(scene([surface]), view(*CORNER))
+        paths = core.extract_paths(tracer, [({"crease": {"angle": 0.0}}, 10.0)])
+        clipped = core.project(paths, tracer)
+        return surface, tracer, paths, clipped, core.exact_visibility(clipped, paths, tracer)
+
+    return run(sphere(16).surface()), run(box().surface())
+
+
+def test_stages_of_different_scenes_are_not_mixed(stages):
+    (_, _, paths, clipped, runs), (_, tracer, few_paths, few_clipped, _) = stages
+    for mixed in (
+        lambda: core.project(paths, tracer),
+        lambda: core.exact_visibility(clipped, few_paths, tracer),
+        lambda: core.exact_visibility(clipped, paths, tracer),
+        lambda: core.samples_from_runs(few_clipped, runs),
+        lambda: core.close_gaps(few_clipped, runs, 1.0, np.ones(len(paths), np.float32)),
+        lambda: core.close_gaps(clipped, runs, 1.0, np.ones(len(few_paths), np.float32)),
+        lambda: core.trim_folds(few_clipped, runs, few_paths, 5.0),
+        lambda: core.trim_folds(clipped, runs, few_paths, 5.0),
+        lambda: core.tessellate(few_clipped, runs, np.zeros(len(paths), np.uint32), None, [core.Pen()]),
+        lambda: core.tessellate(clipped, runs, np.zeros(len(few_paths), np.uint32), None, [core.Pen()]),
+    ):
+        with pytest.raises(ValueError):
+            mixed()
+
+
+def test_a_tracer_of_moved_surfaces_is_refused(stages):
+    surface, tracer, paths, clipped, _ = stages[0]
+    surface.set_positions(np.full_like(surface.positions, np.nan))
+    for late in (
+        lambda: core.extract_paths(tracer, [({"crease": {}}, 60.0)]),
+        lambda: core.exact_visibility(clipped, paths, tracer),
+        lambda: core.depth_image(tracer),
+    ):
+        with pytest.raises(ValueError, match="sphere"):
+            late()
