@@ -7,6 +7,9 @@ in_suite() {
     suite_root=$cache/$1/root
     work=$2
     shift 2
+    for place in "$project" "$cache"; do
+        ! is_system "$place" || fail "$place cannot be seen inside Debian $target_name: move it out of /usr, /etc and the like"
+    done
     mkdir -p "$work/home" "$cache/ccache"
     options=$(mktemp "$work/sandbox.XXXXXX")
     # bubblewrap lets later places cover earlier ones, so what is writable comes last.
@@ -43,7 +46,8 @@ system_options() {
 # Places that are the sandbox's own, whatever the machine has there.
 is_system() {
     case $1 in
-    / | /usr | /usr/* | /etc | /etc/* | /bin* | /sbin* | /lib* | /boot | /dev | /dev/* | /proc | /proc/* | /run | /tmp) ;;
+    / | /usr | /usr/* | /etc | /etc/* | /dev | /dev/* | /proc | /proc/* | /run | /tmp) ;;
+    /bin | /bin/* | /sbin | /sbin/* | /lib | /lib/* | /lib32 | /lib64 | /libx32 | /boot) ;;
     *) return 1 ;;
     esac
 }
