@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/parallel.h"
 
@@ -18,7 +19,9 @@ class Links {
    public:
     Links(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad)
         : seen_(seen), surface_(seen.surface), in_image_(in_image), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
-        for (double angle : corner_angle_rad) least_cosine_.push_back(static_cast<float>(std::cos(angle)));
+        // Cosines of unit vectors may come out a little below -1, so that half a turn needs room.
+        for (double angle : corner_angle_rad)
+            least_cosine_.push_back(angle < std::numbers::pi ? static_cast<float>(std::cos(angle)) : -2.0f);
         gather_ends();
         parallel_for(surface_.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
     }

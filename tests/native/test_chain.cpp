@@ -54,6 +54,14 @@ TEST(Chain, SplitsWhereItTurnsByMoreThanTheCornerAngle) {
     }
 }
 
+TEST(Chain, AtACornerAngleOf180DegreesNothingSplitsIt) {
+    for (int k = 0; k < 200; ++k) {
+        const vec3 way(std::cos(3.7f * k), std::sin(2.3f * k), std::cos(1.1f * k));
+        const Mesh back = wire({{0, 0, 0}, way, 0.3f * way}, {{0, 1}, {1, 2}});
+        EXPECT_EQ(chain_all(back, 180).rows.count(), 1u) << k;
+    }
+}
+
 TEST(Chain, GoesStraightOnThroughACrossing) {
     const Mesh x = wire({{0, 0, 0}, on_circle(0), on_circle(80), on_circle(185), on_circle(260)},
                         {{0, 1}, {2, 0}, {0, 3}, {4, 0}});
