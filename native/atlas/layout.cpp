@@ -1,6 +1,6 @@
 #include "atlas/layout.h"
 
-#include "base/parallel.h"
+#include "base/check.h"
 
 namespace fovea {
 namespace {
@@ -44,6 +44,9 @@ Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit) {
 }
 
 AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, const AtlasBatch& batch) {
+    check(sides.inner.size() == clipped.px.size() && sides.steepness.size() == clipped.px.size() &&
+              batch.piece_end <= clipped.pieces.count() && batch.sample_end <= clipped.samples,
+          "segment atlas: a batch or own sides of other paths");
     const Array<Index> points = segments_of(clipped, batch);
     const Index segments = static_cast<Index>(points.size());
     const Rows samples = piece_samples(clipped);

@@ -38,6 +38,7 @@ struct AtlasTables {
     Array<float> owners;
 };
 
+/// Throws std::invalid_argument where batch or sides belong to other paths.
 AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, const AtlasBatch& batch);
 
 }  // namespace fovea

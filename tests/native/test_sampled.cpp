@@ -216,6 +216,17 @@ TEST(Layout, BatchesHoldWholePiecesAndTablesFindTheOwner) {
     EXPECT_TRUE(atlas_batches(ClippedPaths(), 1).empty());
 }
 
+TEST(Layout, BatchesOfOtherPathsAreRefused) {
+    const View view = test_view();
+    ClippedPaths clipped, other;
+    for (int i = 0; i < 2; ++i) add_piece(view, clipped, {{-1, -1, -5}, {1, 1, -4}});
+    add_piece(view, other, {{-1, -1, -5}, {1, 1, -4}, {1, 0, -4}});
+    const AtlasBatch batch = atlas_batches(clipped)[0];
+    EXPECT_THROW(atlas_tables(other, flat_sides(other), batch), std::invalid_argument);
+    EXPECT_THROW(atlas_tables(clipped, flat_sides(other), batch), std::invalid_argument);
+    EXPECT_THROW(sampled_visibility(clipped, flat_sides(other), draw_depth(view, {}, {}), {}), std::invalid_argument);
+}
+
 TEST(Layout, FacetNumbersStayExactInFloats) {
     const View view = test_view();
     ClippedPaths clipped;
