@@ -5,7 +5,7 @@ import numpy as np
 
 from .. import native
 from .gpu_program import Programs, draw_triangles, vertex_buffer
-from .gpu_texture import ROW_WIDTH, Target, upload_row
+from .gpu_texture import ROW_WIDTH, Target, size_limit, upload_row
 
 _BACKGROUND = (0.0, 0.0, 0.0, -1.0)  # depth, slopes, facet
 
@@ -27,7 +27,7 @@ class Backend:
         batches = core.atlas_batches(clipped, self.batch_samples)
         if not batches:
             return result
-        layout = core.DepthLayout(frame.view, frame.depth_scale)
+        layout = depth_layout(frame.view, frame.depth_scale)
         depth = self.draw_depth(frame.scene, frame.view, layout)
         sides = core.OwnSides(clipped, frame.scene, frame.view)
         for batch in batches:
@@ -104,3 +104,10 @@ class Backend:
             }
             draw_triangles(program, attributes, strokes.triangles)
         return target.read(4)
+
+
+def depth_layout(view, scale):
+    """The DepthLayout of a View; coarser than asked for where the GPU's textures are not as large."""
+    layout = native.load().DepthLayout(view, scale)
+    too_large = max(layout.width, layout.height) > size_limit()
+    return depth_layout(view, scale - 1) if too_large and scale > 1 else layout

@@ -9,6 +9,11 @@ ROW_WIDTH = 2048  # as in shaders/row_lib.glsl
 _FORMATS = {1: "R32F", 2: "RG32F", 4: "RGBA32F"}
 
 
+def size_limit():
+    """Most texels a texture has along an axis."""
+    return gpu.capabilities.max_texture_size_get()
+
+
 def upload(pixels, format=None):
     """Texture of an array (height, width) or (height, width, channels), float32, first row at the bottom."""
     height, width = pixels.shape[:2]
@@ -33,6 +38,8 @@ class Target:
     The textures live as long as this object; framebuffers alone do not keep them."""
 
     def __init__(self, width, height, format, depth=False):
+        if max(width, height) > size_limit():
+            raise ValueError(f"{width} x {height} pixels are more than this GPU draws at once; use the CPU")
         self.width, self.height = width, height
         self.color = gpu.types.GPUTexture((width, height), format=format)
         self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F") if depth else None

@@ -72,6 +72,16 @@ def test_nothing_hides_in_front_of_the_near_plane():
     assert np.mean(cut[0]) > np.mean(whole[0])
 
 
+def test_pictures_larger_than_textures(monkeypatch):
+    frame, backend = frame_of(room(), view_of()), gpu_backend()
+    fine, coarse = backend.visibility(frame), backend.visibility(frame_of(room(), view_of(), depth_scale=1))
+    monkeypatch.setattr(part("backend.gpu"), "size_limit", lambda: 500)  # 2 x 352 texels are too many, 352 are not
+    assert np.mean(backend.visibility(frame) == coarse) == 1 > np.mean(fine == coarse)
+    monkeypatch.setattr(part("backend.gpu_texture"), "size_limit", lambda: 300)
+    with pytest.raises(ValueError, match="use the CPU"):
+        backend.visibility(frame)
+
+
 def test_lines_without_occluders():
     frame = frame_of(scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW]), view_of())
     assert frame.clipped.samples > 0 and np.all(gpu_backend().visibility(frame) == 1)
