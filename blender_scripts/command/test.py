@@ -23,6 +23,7 @@ def test(target, words):
         done = [task.result() for task in running]
     total = sum(done, Counter())
     (results / "counts").write_text(f"{total['passed']} {total['failed']} {total['skipped']}\n")
+    say(f"{target.name}: logs and reports are in {target.work / 'log'}")
     return 1 if total["failed"] else 0
 
 
@@ -72,7 +73,7 @@ def _python(target, report, words):
 def _blender(target, report, words):
     package.install(target)
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", TESTS / "blender" / "run.py"]
-    return [*command, "--", "-v", f"--junitxml={report}", *words], {}
+    return [*command, "--", "-v", f"--junitxml={report}", *words], {"FOVEA_REPORTS": str(target.work / "log")}
 
 
 def _counts(report):

@@ -31,6 +31,10 @@ def gpu_engine():
     bpy.utils.unregister_class(InsideRender)
 
 
+def pytest_addoption(parser):
+    parser.addoption("--update-references", action="store_true", help="renew the golden images that do not pass")
+
+
 def pytest_collection_modifyitems(items):
     for item in items:
         if item.get_closest_marker("gpu"):
