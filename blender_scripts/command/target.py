@@ -80,6 +80,8 @@ class Target:
             yield
 
 
-def tail(log, count):
+def tail(log, count, without=None):
+    """The last lines of a log, indented; lines that match `without` are left out."""
     lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
+    lines = [line for line in lines if not (without and without.match(line))]
     return "\n".join("    " + line for line in lines[-count:])

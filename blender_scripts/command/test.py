@@ -1,5 +1,6 @@
 """Every test on one target: native, native under sanitizers, Python without Blender, and inside Blender."""
 
+import re
 import shutil
 import sys
 import xml.etree.ElementTree as xml
@@ -10,6 +11,7 @@ from . import build, package
 from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
+PASSING = re.compile(r"\[ +(RUN|OK) +\]|\[-+\]|.* PASSED +\[|\s*$")  # lines that say nothing about a failure
 
 
 def test(target, words):
@@ -47,7 +49,7 @@ def _part(target, part, report, words):
         if status != 0 and not counts["failed"] or not counts:
             counts["failed"] += 1  # crashed, or found no tests
         if counts["failed"]:
-            print(f"{target.name}: {part} tests FAILED; {log}:\n{tail(log, 400)}", flush=True)
+            print(f"{target.name}: {part} tests FAILED; all of it is in {log}:\n{tail(log, 400, PASSING)}", flush=True)
     say(f"{target.name}: {part} tests: {', '.join(f'{counts[kind]} {kind}' for kind in ('passed', 'failed', 'skipped'))}")
     return counts
 
