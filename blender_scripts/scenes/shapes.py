@@ -126,7 +126,7 @@ def arch(width: float, base: float, spring: float, steps: int = 32) -> np.ndarra
 
 
 def box(name: str, size, base=(0, 0, 0), rounding: float = 0.0, segments: int = 4):
-    """`base` is the middle of the underside. Edges rounded in four steps are no creases: only their outline is drawn."""
+    """`base` is the middle of the underside. Edges rounded in four steps are no creases: only outlines are drawn."""
     x, y, z = size
     shape = prism(name, [(-x / 2, -y / 2), (x / 2, -y / 2), (x / 2, y / 2), (-x / 2, y / 2)], 0, z)
     if rounding:

@@ -1,5 +1,5 @@
-"""Solids whose faces all lie along the axes: walls, slabs, frames, steps. Boxes are added and cut away in order; the mesh
-is the surface of what is left: it meets itself in edges everywhere, so that every joint has its line."""
+"""Solids whose faces all lie along the axes: walls, slabs, frames, steps. Boxes are added and cut away in order;
+the mesh is the surface of what is left: it meets itself in edges everywhere, so that every joint has its line."""
 
 import bmesh
 import numpy as np
