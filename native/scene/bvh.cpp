@@ -1,6 +1,7 @@
 // Embree: one BVH per surface, instanced under one per view.
 #include <embree4/rtcore.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -149,10 +150,30 @@ std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) con
         const float near_z = static_cast<float>(-view_.near_clip), length = near_z - point.z;
         const float margin = static_cast<float>(ray_margin) * std::max(std::abs(point.z), glm::length(vec2(point)));
         if (length <= margin) return {};
-        return bvh_->trace(scene_, vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f, 1.0f - margin / length, ignore);
+        return first_hit(vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f, 1.0f - margin / length, ignore);
     }
-    return bvh_->trace(scene_, vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z,
-                       static_cast<float>(1.0 - ray_margin), ignore);
+    return first_hit(vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z,
+                     static_cast<float>(1.0 - ray_margin), ignore);
+}
+
+std::optional<Hit> Tracer::first_hit(const vec3& origin, const vec3& direction, float near_t, float far_t,
+                                     const Ignore& ignore) const {
+    // Single precision may put a large surface that the point lies on, a floor, before the point: hits so near to the
+    // end are measured again.
+    constexpr float surely_before = 0.98f;
+    for (int tries = 0; tries < 8; ++tries) {
+        const auto hit = bvh_->trace(scene_, origin, direction, near_t, far_t, ignore);
+        if (!hit || hit->t < surely_before || plane_share(*hit, origin, direction) < far_t) return hit;
+        near_t = std::nextafter(hit->t, 2.0f);
+    }
+    return {};
+}
+
+double Tracer::plane_share(const Hit& hit, const dvec3& origin, const dvec3& direction) const {
+    dvec3 corner[3];
+    corners(hit, corner);
+    const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    return glm::dot(normal, corner[0] - origin) / glm::dot(normal, direction);
 }
 
 std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {

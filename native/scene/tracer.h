@@ -61,6 +61,12 @@ class Tracer {
     Index facet(const Hit& hit) const;
 
    private:
+    /// The first surface between the two shares of the way along `direction`.
+    std::optional<Hit> first_hit(const vec3& origin, const vec3& direction, float near_t, float far_t,
+                                 const Ignore& ignore) const;
+    /// Share of the way along `direction` at which it meets the plane of the triangle hit.
+    double plane_share(const Hit& hit, const dvec3& origin, const dvec3& direction) const;
+
     struct Bvh;
     const Scene& scene_;
     View view_;

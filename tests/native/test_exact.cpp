@@ -1,6 +1,9 @@
 // Exact visibility where the answer is known.
 #include <gtest/gtest.h>
 
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
 #include "atlas/exact.h"
 #include "wires.h"
 
@@ -222,6 +225,26 @@ TEST(Exact, ABoxOnAFloorKeepsItsBottomEdges) {
                 }
             }
         }
+}
+
+TEST(Exact, AFloorOfAnySizeAndSlantHidesNothingThatStandsOnIt) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int k = 0; k < 60; ++k) {
+        const dvec3 axis = glm::normalize(dvec3(any(random), any(random), any(random)));
+        const dmat4 turn = glm::mat4_cast(glm::angleAxis(3.0 * any(random), axis));
+        const dvec3 eye(8.0 * glm::normalize(dvec2(any(random), any(random))), 0.1 + 3.0 * std::abs(any(random)));
+        const View view = perspective(dvec3(turn * dvec4(eye, 1.0)), {0, 0, 0});
+        const auto turned = [&](Mesh mesh) {
+            for (vec3& p : mesh.positions) p = vec3(turn * dvec4(dvec3(p), 1.0));
+            return mesh;
+        };
+        const Placement standing = place(turned(box(vec3(-1, -1, 0), vec3(1, 1, 2))));
+        const Drawing alone({standing}, view, {all_edges});
+        const Drawing on_floor({standing, place(turned(grid(1, k % 2 ? 300.0f : 3000.0f)), dmat4(1.0), 2)}, view,
+                               {all_edges});
+        EXPECT_NEAR(on_floor.visible_px(0), alone.visible_px(0), 0.2) << k;
+    }
 }
 
 TEST(Exact, BoxesThatTouchKeepTheirSharedEdges) {
