@@ -19,7 +19,7 @@ class Options:
     sample_step: float = 2.0  # reference pixels between visibility samples
     depth_scale: int = 2  # texels of the depth buffer per pixel, along each axis
     probes: int = 1  # looks into the depth buffer per sample
-    gap: float = 2.0  # reference pixels of hidden line that are drawn over
+    gap: float = 3.0  # reference pixels of hidden line that are drawn over; more than one sample
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
     contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off

@@ -82,7 +82,7 @@ vec2 place(const ClippedPaths& clipped, Index piece, double arc) {
 /// Where a run of a contour that ends at `end` should end instead, looking back over at most fold_px along `way` (+1
 /// or -1): before a fold, from which the rest runs backwards.
 double trim_end(const ClippedPaths& clipped, Index piece, double start, double end, int way, double fold_px) {
-    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.5;
+    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // back within 30 degrees of the way it came
     double result = end;
     const vec2 tip = place(clipped, piece, end);
     for (Index i = clipped.pieces.begin(piece); i < clipped.pieces.end(piece); ++i) {
