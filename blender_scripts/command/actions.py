@@ -56,15 +56,27 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone."""
+    """`bench peers`, or the name of a scene: the same for that scene alone. `bench agreement [SCENE]`."""
     from bench import peers
 
     name, *rest = words or ["peers"]
+    if name == "agreement":
+        return agreement(target, *(rest or ["office"]))
     if name != "peers":
         rest = ["--scenes", name, *rest]
     peers.parse(rest)  # mistakes show before anything is built
     extension.install(target)
     return peers.main(rest, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+
+
+def agreement(target, scene):
+    """Prints, as JSON, how far depth-buffer visibility agrees with exact visibility on a scene."""
+    extension.install(target)
+    out = target.work / "agreement.json"
+    script = PROJECT / "blender_scripts" / "bench" / "agreement.py"
+    in_blender(target, f"comparing visibility on {scene}", script, [scene, SHARED if SHARED.is_dir() else "", out])
+    print(out.read_text())
+    return 0
 
 
 def in_blender(target, sentence, script, words):
