@@ -85,7 +85,10 @@ double trim_end(const ClippedPaths& clipped, Index piece, double start, double e
     constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // back within 30 degrees of the way it came
     double result = end;
     const vec2 tip = place(clipped, piece, end);
-    for (Index i = clipped.pieces.begin(piece); i < clipped.pieces.end(piece); ++i) {
+    const auto arcs = clipped.arc_px.begin();
+    const double low = way > 0 ? end - fold_px : end, high = way > 0 ? end : end + fold_px;
+    const auto first = std::lower_bound(arcs + clipped.pieces.begin(piece), arcs + clipped.pieces.end(piece), low) - arcs;
+    for (auto i = static_cast<Index>(first); i < clipped.pieces.end(piece) && clipped.arc_px[i] <= high; ++i) {
         const double arc = clipped.arc_px[i], left = (end - arc) * way;
         if (left <= 0.0 || left > fold_px || (arc - start) * way <= before_px || left <= (end - result) * way) continue;
         const vec2 onward = clipped.px[i] - place(clipped, piece, arc - way * before_px), rest = tip - clipped.px[i];

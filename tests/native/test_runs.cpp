@@ -1,6 +1,7 @@
 // Runs, atlas samples, and the way between them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -136,6 +137,31 @@ TEST(Runs, AreFiniteWhateverTheSamples) {
         }
     }
     EXPECT_THROW(runs_from_samples(clipped, Array<float>(clipped.samples - 1, 0.0f)), std::invalid_argument);
+}
+
+TEST(TrimFolds, CutsTheWayBackOffTheEndsOfContours) {
+    // 100 px to the right, back by 20 px a little above, and away; and the same from its other end.
+    const auto at = [](double x, double y) { return dvec3(3.2 * (x / 320.0 - 1.0), 2.4 * (y / 240.0 - 1.0), -4); };
+    std::vector<dvec3> way{at(100, 100), at(200, 100), at(180, 102), at(180, 160)};
+    for (int turned = 0; turned < 2; ++turned) {
+        const ClippedPaths clipped = Wires({way}).project(camera());
+        const double first = clipped.arc_px[0], last = clipped.arc_px[3], fold = clipped.arc_px[turned ? 2 : 1];
+        const auto trimmed = [&](double seen_back, double fold_px, std::uint8_t of_view) {
+            Runs runs;
+            if (turned) {
+                add_run(runs, 0, fold - seen_back, last);
+            } else {
+                add_run(runs, 0, first, fold + seen_back);
+            }
+            const Runs result = trim_folds(clipped, runs, std::vector<std::uint8_t>{of_view}, fold_px);
+            return turned ? fold - result.start_px[0] : result.end_px[0] - fold;
+        };
+        EXPECT_NEAR(trimmed(8, 12, 1), 0.0, 1e-9);
+        EXPECT_NEAR(trimmed(8, 12, 0), 8.0, 1e-9) << "not a line of the view";
+        EXPECT_NEAR(trimmed(8, 5, 1), 8.0, 1e-9) << "too long a way back";
+        EXPECT_NEAR(trimmed(60, 80, 1), 60.0, 1e-9) << "it goes on elsewhere";
+        std::reverse(way.begin(), way.end());
+    }
 }
 
 TEST(CloseGaps, JoinsShortGapsAndDropsShortSpurs) {
