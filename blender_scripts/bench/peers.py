@@ -18,25 +18,28 @@ WORKER = Path(__file__).with_name("worker.py")
 
 
 def parse(words):
-    def several(known, check):
-        def split(text):
-            for word in text.split(","):
-                check(word) if check else known.index(word)
-            return text.split(",")
-
-        return split
-
     parser = argparse.ArgumentParser("fovea bench peers", description=__doc__)
-    parser.add_argument(
-        "--scenes", type=several(None, scenes.parse), default=list(SCENES), metavar="A,B", help=", ".join(SCENES)
-    )
-    parser.add_argument("--renderers", type=several(RENDERERS, None), metavar="A,B", help=", ".join(RENDERERS))
-    parser.add_argument("--quick", action="store_true", help="without Freestyle, medians of 3 instead of 5")
-    parser.add_argument("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
-    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
+    add = parser.add_argument
+    add("--scenes", type=scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
+    add("--renderers", type=renderer_list, metavar="A,B", help=", ".join(RENDERERS))
+    add("--quick", action="store_true", help="without Freestyle, medians of 3 instead of 5")
+    add("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
+    add("--json", action="store_true", help="print JSON instead of a table")
     options = parser.parse_args(words)
     options.renderers = options.renderers or [r for r in RENDERERS if not (options.quick and r == "freestyle")]
     return options
+
+
+def scene_list(text):
+    for spec in text.split(","):
+        scenes.parse(spec)
+    return text.split(",")
+
+
+def renderer_list(text):
+    for name in text.split(","):
+        RENDERERS.index(name)
+    return text.split(",")
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
@@ -48,22 +51,10 @@ def main(words, blender, environment, shared: Path | None) -> int:
             for renderer in options.renderers:
                 print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
                 repeats = 1 if renderer == "freestyle" else 3 if options.quick else 5
-                out = Path(folder) / f"{spec}-{renderer}.json".replace(":", "-")
-                command = [
-                    blender,
-                    "-b",
-                    "--python-exit-code",
-                    "1",
-                    "-P",
-                    WORKER,
-                    "--",
-                    spec,
-                    renderer,
-                    repeats,
-                    shared or "",
-                    out,
-                ]
-                problem = run([str(word) for word in command], environment, options.timeout)
+                out = Path(folder) / f"{len(rows)}.json"
+                work = [spec, renderer, str(repeats), str(shared or ""), str(out)]
+                command = [blender, "-b", "--python-exit-code", "1", "-P", str(WORKER), "--", *work]
+                problem = run(command, environment, options.timeout)
                 record = json.loads(out.read_text()) if out.is_file() else {}
                 rows.append(row(spec, renderer, record, problem))
     print(as_json(rows) if options.json else table(rows))
@@ -72,23 +63,16 @@ def main(words, blender, environment, shared: Path | None) -> int:
 
 def run(command, environment, timeout):
     """None, or a sentence about what went wrong."""
+    captured = {"stdin": subprocess.DEVNULL, "capture_output": True, "text": True, "errors": "replace"}
     try:
-        done = subprocess.run(
-            command,
-            env=environment,
-            timeout=timeout,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            errors="replace",
-        )
+        done = subprocess.run(command, env=environment, timeout=timeout, **captured)
     except subprocess.TimeoutExpired:
         return f"stopped after {timeout:.0f} s"
     if done.returncode == 0:
         return None
     lines = (done.stdout + done.stderr).splitlines()
-    said = [line for line in lines if line.startswith("Error: ")] or lines[-5:]
-    return " ".join(said) or f"ended with {done.returncode}"
+    said = [line for line in lines if line.startswith("Error: ")] or lines[-3:]
+    return f"ended with {done.returncode}: {' '.join(said)}"
 
 
 def row(spec, renderer, record, problem):

@@ -1,7 +1,7 @@
 """The renderers that are compared, each told to draw the same lines: contours, creases of 30 degrees, borders.
 
-A renderer is set up once per scene; `frame` draws one picture (Line Art: evaluates its modifier once) and returns what
-there is to tell about it: {} or strokes, and for Fovea stages and lines_s. Runs inside Blender."""
+A renderer is set up once per scene; `frame` draws one picture (Line Art: evaluates its modifier once), and is what is
+timed; `told` gives what there is to tell of it: strokes, and for Fovea stages and lines_s. Runs inside Blender."""
 
 import math
 
@@ -11,54 +11,57 @@ CREASE = math.radians(30)  # between the normals of two faces
 LINES = ("contour", "crease", "border")
 
 
-class Workbench:
-    """Blender's own shading, as it comes: 8 samples of antialiasing. What a frame costs without lines."""
+class Picture:
+    """A render engine; a frame is a whole render."""
+
+    engine = "BLENDER_WORKBENCH"
 
     def __init__(self, scene):
-        scene.render.engine = "BLENDER_WORKBENCH"
+        scene.render.engine = self.engine
 
     def frame(self):
         bpy.ops.render.render()
+
+    def told(self):
         return {}
 
 
-class Freestyle(Workbench):
+class Workbench(Picture):
+    """Blender's own shading, as it comes: 8 samples of antialiasing. What a frame costs without lines."""
+
+
+class Freestyle(Picture):
+    """Over Workbench. Its silhouettes are our contours."""
+
+    kinds = {"silhouette", "crease", "border"}
+    others = {"contour", "external_contour", "edge_mark", "material_boundary", "ridge_valley", "suggestive_contour"}
+
     def __init__(self, scene):
         super().__init__(scene)
         scene.render.use_freestyle = True
         settings = bpy.context.view_layer.freestyle_settings
         settings.crease_angle = math.pi - CREASE  # it measures between the faces
         lines = settings.linesets[0]  # of the startup file: one made here would lack a line style
-        for kind in (
-            "silhouette",
-            "crease",
-            "border",
-            "contour",
-            "external_contour",
-            "edge_mark",
-            "material_boundary",
-            "ridge_valley",
-            "suggestive_contour",
-        ):
-            setattr(
-                lines, f"select_{kind}", kind in ("silhouette", "crease", "border")
-            )  # its silhouettes are our contours
+        for kind in self.kinds | self.others:
+            setattr(lines, f"select_{kind}", kind in self.kinds)
 
     def frame(self):
         import parameter_editor  # of Freestyle, on Blender's own path
-        from freestyle.types import Operators
 
-        strokes = []
-
-        def count(*_arguments):
-            strokes.append(Operators.get_strokes_size())
-
-        parameter_editor.callbacks_lineset_post.append(count)
+        self.strokes = 0
+        parameter_editor.callbacks_lineset_post.append(self.count)
         try:
             super().frame()
         finally:
-            parameter_editor.callbacks_lineset_post.remove(count)
-        return {"strokes": sum(strokes)}
+            parameter_editor.callbacks_lineset_post.remove(self.count)
+
+    def count(self, *_arguments):
+        from freestyle.types import Operators
+
+        self.strokes += Operators.get_strokes_size()
+
+    def told(self):
+        return {"strokes": self.strokes}
 
 
 class LineArt:
@@ -87,15 +90,18 @@ class LineArt:
     def frame(self):
         self.modifier.show_viewport = True  # before the first frame it was off, so that the first one is timed whole
         bpy.context.view_layer.update()
+
+    def told(self):
         drawn = self.drawer.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.layers[0].current_frame()
         return {"strokes": len(drawn.drawing.strokes) if drawn else 0}
 
 
-class Fovea:
+class Fovea(Picture):
+    engine = "FOVEA"
     backend = "CPU"
 
     def __init__(self, scene):
-        scene.render.engine = "FOVEA"
+        super().__init__(scene)
         settings = scene.fovea
         settings.backend = self.backend
         from bl_ext.user_default.fovea import catalogue
@@ -104,14 +110,13 @@ class Fovea:
             setattr(settings, definition["name"], definition["name"] in LINES)
         settings.crease_angle = CREASE
 
-    def frame(self):
+    def told(self):
         from bl_ext.user_default.fovea.blender import session
 
-        bpy.ops.render.render()
-        told = session.last_statistics()
-        if told.get("backend", "").upper() != self.backend:
-            raise RuntimeError(f"Fovea drew with the backend {told.get('backend')} instead of {self.backend}")
-        return {"strokes": told["strokes"], "stages": told["stages"], "lines_s": told["lines_s"]}
+        known = session.last_statistics()
+        if known.get("backend", "").upper() != self.backend:
+            raise RuntimeError(f"Fovea drew with the backend {known.get('backend')} instead of {self.backend}")
+        return {"strokes": known["strokes"], "stages": known["stages"], "lines_s": known["lines_s"]}
 
 
 class FoveaGpu(Fovea):

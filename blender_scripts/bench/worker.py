@@ -1,7 +1,8 @@
 """One renderer on one scene, in a Blender of its own: blender -b -P worker.py -- SCENE RENDERER REPEATS SHARED OUT.json
 
-Each repeat starts from a new file: the first frame, then one after a small turn of the camera. Only the shaders are
-warm, by one picture of a box. OUT.json is written after every frame, so that a time-out loses only what came after."""
+Each repeat starts from a new file: the first frame, then one after a small turn of the camera. A cold round goes first:
+it tells the memory, and compiles what is compiled once per process. OUT.json is written after every frame, so that a
+time-out loses only what came after."""
 
 import json
 import math
@@ -20,28 +21,34 @@ STEP = math.radians(1)
 
 
 def main(spec, name, repeats, shared, out):
-    shared, out = Path(shared) if shared else None, Path(out)
-    if name != "lineart":
+    repeats, shared, out = int(repeats), Path(shared) if shared else None, Path(out)
+    if repeats == 1:  # too slow to be done twice
         warm(renderers.BY_NAME[name])
     record = {"first": [], "moved": []}
-    for repeat in range(int(repeats)):
+    for cold in (True, *[False] * repeats) if repeats > 1 else (True,):
         bpy.ops.wm.read_homefile()  # renderers that keep things between frames let go of them here
         scenes.build(spec, shared)
-        scene = bpy.context.scene
-        renderer = renderers.BY_NAME[name](scene)
-        if repeat == 0:
+        renderer = renderers.BY_NAME[name](bpy.context.scene)
+        if cold:
             record["triangles"] = triangles()
             reset_peak()
             before = memory("VmRSS")
         for kind in ("first", "moved"):
-            if kind == "moved":
-                scene.camera.matrix_world = Matrix.Rotation(STEP, 4, "Z") @ scene.camera.matrix_world
-            start = time.perf_counter()
-            told = renderer.frame()
-            record[kind].append({"wall_s": time.perf_counter() - start, **told})
-            if repeat == 0:
+            told = frame(renderer, moved=kind == "moved")
+            if repeats == 1 or not cold:
+                record[kind].append(told)
+            if cold:
                 record["peak_mb"] = (memory("VmHWM") - before) / 1024
             out.write_text(json.dumps(record))
+
+
+def frame(renderer, moved: bool):
+    camera = bpy.context.scene.camera
+    if moved:
+        camera.matrix_world = Matrix.Rotation(STEP, 4, "Z") @ camera.matrix_world
+    start = time.perf_counter()
+    renderer.frame()
+    return {"wall_s": time.perf_counter() - start, **renderer.told()}
 
 
 def warm(renderer):
