@@ -31,14 +31,18 @@ def parse(words):
 
 
 def scene_list(text):
-    for spec in text.split(","):
-        scenes.parse(spec)
+    try:
+        for spec in text.split(","):
+            scenes.parse(spec)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
     return text.split(",")
 
 
 def renderer_list(text):
-    for name in text.split(","):
-        RENDERERS.index(name)
+    unknown = set(text.split(",")) - set(RENDERERS)
+    if unknown:
+        raise argparse.ArgumentTypeError(f"{', '.join(unknown)} is none of {', '.join(RENDERERS)}")
     return text.split(",")
 
 
