@@ -1,5 +1,6 @@
 #include "atlas/exact.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "atlas/shadow.h"
@@ -8,9 +9,9 @@
 namespace fovea {
 namespace {
 
-constexpr std::size_t pieces_per_block = 128;
+constexpr std::size_t pieces_per_block = 256;
 /// Shadows remembered from segment to segment: neighbours are mostly hidden by the same triangles.
-constexpr int remembered = 4;
+constexpr int remembered = 8;
 
 /// One segment of a piece between its ends in view space. Positions along it are screen fractions s in [0,1].
 struct Segment {
@@ -70,16 +71,15 @@ class Marcher {
     /// The interval around s that one triangle hides; empty where s is visible.
     Interval hidden_at(double s) {
         for (int i = 0; i < remembered; ++i) {
-            Known& known = known_[i];
+            Known& known = known_[order_[i]];
             if (!known.shadow.usable()) continue;
             if (!known.interval_known) {
                 known.interval = interval_of(known);
                 known.interval_known = true;
             }
-            if (known.interval.holds(s)) {
-                if (i > 0) std::swap(known_[i], known_[i - 1]);
-                return known_[i > 0 ? i - 1 : 0].interval;
-            }
+            if (!known.interval.holds(s)) continue;
+            if (i > 0) std::swap(order_[i], order_[i - 1]);
+            return known.interval;
         }
         const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
         if (!hit) return {};
@@ -90,7 +90,8 @@ class Marcher {
         dvec3 corners[3];
         tracer_.corners(hit, corners);
         const View& view = tracer_.view();
-        Known known;
+        std::rotate(order_, order_ + remembered - 1, order_ + remembered);
+        Known& known = known_[order_[0]];
         known.shadow = Shadow(corners, view.orthographic, view.near_clip, ray_margin);
         known.placement = hit.placement;
         known.facet = tracer_.facet(hit);
@@ -99,8 +100,6 @@ class Marcher {
         // The ray is the judge: at its own sample the triangle hides, whatever rounding says.
         Interval interval = known.interval;
         if (!interval.holds(s)) interval = {s, s};
-        std::move_backward(known_, known_ + remembered - 1, known_ + remembered);
-        known_[0] = known;
         return interval;
     }
 
@@ -151,6 +150,7 @@ class Marcher {
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
     Known known_[remembered];
+    std::uint8_t order_[remembered] = {0, 1, 2, 3, 4, 5, 6, 7};  // of known_, those that hid last before the others
 };
 
 /// Runs of a range of pieces.

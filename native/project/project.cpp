@@ -19,9 +19,20 @@ constexpr double least_sample_step_px = 1e-3;
 struct Projected {
     std::vector<dvec3> view;
     std::vector<dvec4> clip;
+    std::vector<dvec2> px;              // of points in front of the near plane
+    std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it lies beyond
+    std::uint8_t outside_all = 0, outside_any = 0;
     std::vector<ClipRange> near_range;  // per segment: the part in front of the near plane
+    std::vector<double> length;         // per segment, in space
     std::vector<double> arc_px;         // per point: pixels of path in front of the near plane before it
     double middle_px = 0.0;
+};
+
+/// A point of a piece: a place on a segment of its path, and the pixels of path before it.
+struct Stop {
+    Index segment;
+    double t;
+    double arc;
 };
 
 /// Projects paths one after the other into its own ClippedPaths.
@@ -42,7 +53,7 @@ class Projector {
         const Index begin = paths_.rows.begin(path), end = paths_.rows.end(path);
         if (end - begin < 2) return;
         transform(path, begin, end);
-        if (!reachable() || outside()) return;
+        if (!reachable() || p_.outside_all) return;
         measure();
         if (is_speck(path) || is_sliver(path)) return;
         clip(path, begin, end);
@@ -57,14 +68,32 @@ class Projector {
             check(placement < scene_.placements.size(), "project: the paths are not of this scene");
             placement_ = placement;
             object_to_view_ = view_.world_to_view * scene_.placements[placement].object_to_world;
+            object_to_clip_ = view_.view_to_clip * object_to_view_;
         }
         const std::size_t count = end - begin;
         p_.view.resize(count);
         p_.clip.resize(count);
+        p_.px.resize(count);
+        p_.outside.resize(count);
+        p_.outside_all = 0xff;
+        p_.outside_any = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            p_.view[i] = dvec3(object_to_view_ * dvec4(dvec3(paths_.points_obj[begin + i]), 1.0));
-            p_.clip[i] = view_.view_to_clip * dvec4(p_.view[i], 1.0);
+            const dvec4 point(dvec3(paths_.points_obj[begin + i]), 1.0);
+            p_.view[i] = dvec3(object_to_view_ * point);
+            p_.clip[i] = object_to_clip_ * point;
+            p_.outside[i] = beyond(p_.view[i], p_.clip[i]);
+            p_.outside_all &= p_.outside[i];
+            p_.outside_any |= p_.outside[i];
+            if (!(p_.outside[i] & 1)) p_.px[i] = to_pixels(view_, p_.clip[i]);
         }
+    }
+
+    /// A bit per clip plane.
+    std::uint8_t beyond(const dvec3& position, const dvec4& clip) const {
+        int bits = 0;
+        for (int plane = 0; plane < clip_planes; ++plane)
+            bits |= (plane_distance(plane, position, clip, view_, options_.margin) < 0.0) << plane;
+        return static_cast<std::uint8_t>(bits);
     }
 
     /// False where a placement puts the path nowhere, or farther than rays reach.
@@ -72,17 +101,6 @@ class Projector {
         return std::all_of(p_.view.begin(), p_.view.end(), [](const dvec3& p) {
             return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
         });
-    }
-
-    /// All points beyond one side of the frame.
-    bool outside() const {
-        for (int plane = 0; plane < clip_planes; ++plane) {
-            bool all = true;
-            for (std::size_t i = 0; i < p_.clip.size() && all; ++i)
-                all = plane_distance(plane, p_.view[i], p_.clip[i], view_, options_.margin) < 0.0;
-            if (all) return true;
-        }
-        return false;
     }
 
     /// A short path that leads nowhere.
@@ -113,15 +131,18 @@ class Projector {
         const std::size_t segments = p_.clip.size() - 1;
         p_.near_range.resize(segments);
         p_.arc_px.resize(segments + 1);
+        p_.length.resize(segments);
         double total_space = 0.0;
-        for (std::size_t i = 0; i < segments; ++i) total_space += glm::length(p_.view[i + 1] - p_.view[i]);
+        for (std::size_t i = 0; i < segments; ++i)
+            total_space += p_.length[i] = glm::length(p_.view[i + 1] - p_.view[i]);
         double space = 0.0, px = 0.0;
         bool middle_found = false;
         for (std::size_t i = 0; i < segments; ++i) {
             p_.arc_px[i] = px;
-            const ClipRange range = clip_near(p_.view[i], p_.view[i + 1], view_);
+            ClipRange range;
+            if (p_.outside_any & 1) range = clip_near(p_.view[i], p_.view[i + 1], view_);
             p_.near_range[i] = range;
-            const double length = glm::length(p_.view[i + 1] - p_.view[i]);
+            const double length = p_.length[i];
             const double to_middle = 0.5 * total_space - space;
             if (!middle_found && (to_middle <= length || i + 1 == segments)) {
                 const double t = length > 0.0 ? std::min(1.0, to_middle / length) : 0.0;
@@ -136,6 +157,8 @@ class Projector {
     }
 
     dvec2 pixels_at(std::size_t segment, double t) const {
+        if (t == 0.0 && !(p_.outside[segment] & 1)) return p_.px[segment];
+        if (t == 1.0 && !(p_.outside[segment + 1] & 1)) return p_.px[segment + 1];
         return to_pixels(view_, glm::mix(p_.clip[segment], p_.clip[segment + 1], t));
     }
     double pixel_length(std::size_t segment, double t0, double t1) const {
@@ -152,100 +175,91 @@ class Projector {
 
     void clip(Index path, Index begin, Index end) {
         const Index segments = end - begin - 1;
-        bool open = false;  // the last segment reached its end, so the piece goes on
         bool whole = true;
         const std::size_t first_piece = out.path.size();
+        stops_.clear();
         for (Index i = 0; i < segments; ++i) {
-            const ClipRange range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
+            ClipRange range;
+            if (p_.outside[i] | p_.outside[i + 1])
+                range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
             const bool visible = range.begin < range.end;
             whole = whole && range.begin == 0.0 && range.end == 1.0;
-            if (open && (!visible || range.begin > 0.0)) finish_piece();
-            if (!visible) {
-                open = false;
-                continue;
-            }
-            if (!open || range.begin > 0.0) start_piece(path, begin, i, range.begin);
-            add_segment(path, begin, i, range);
-            open = range.end == 1.0;
-            if (!open) finish_piece();
+            if (!visible || range.begin > 0.0) finish_piece(path, begin);
+            if (!visible) continue;
+            if (stops_.empty()) stops_.push_back({i, range.begin, arc_at(i, range.begin)});
+            stops_.push_back({i, range.end, arc_at(i, range.end)});
+            if (range.end < 1.0) finish_piece(path, begin);
         }
-        if (open) finish_piece();
-        if (whole && paths_.closed[path] && out.path.size() == first_piece + 1) close_piece();
-        if (out.path.size() > first_piece) mark_free_ends(path, begin, end, first_piece);
+        finish_piece(path, begin);
+        if (out.path.size() == first_piece) return;
+        if (whole && paths_.closed[path] && out.path.size() == first_piece + 1) out.closed.back() = 1;
+        mark_free_ends(path, begin, end, first_piece);
     }
 
-    void start_piece(Index path, Index begin, Index segment, double t) {
-        piece_begin_ = static_cast<Index>(out.px.size());
-        out.path.push_back(path);
-        out.closed.push_back(0);
-        out.free_ends.push_back(0);
-        add_point(begin, segment, t);
-    }
-
-    void add_point(Index begin, Index segment, double t) {
-        const dvec3 position = glm::mix(p_.view[segment], p_.view[segment + 1], t);
-        out.px.push_back(vec2(pixels_at(segment, t)));
-        out.depth.push_back(static_cast<float>(screen_depth(view_, position.z)));
-        out.position_view.push_back(vec3(position));
-        out.arc_px.push_back(arc_at(segment, t) - p_.middle_px);
-        out.source.push_back(t < 1.0 ? begin + segment : begin + segment + 1);
-        out.source_t.push_back(t < 1.0 ? static_cast<float>(t) : 0.0f);
-        out.facet0.push_back(none);
-        out.facet1.push_back(none);
-        out.sample_start.push_back(0);
-        out.sample_count.push_back(0);
-    }
-
-    /// The segment from the point added last, and its other end.
-    void add_segment(Index path, Index begin, Index segment, const ClipRange& range) {
-        const std::size_t here = out.px.size() - 1;
-        const Index placement = paths_.placement[path];
-        const Surface& surface = *scene_.placements[placement].surface;
-        const Index edge = paths_.edge[begin + segment];
-        check(edge < surface.edge_rows.count(), "project: the paths are not of this scene");
-        const Index side = surface.edge_rows.begin(edge), sides = surface.edge_rows.size(edge);
-        const Index base = scene_.facet_base[placement];
-        out.facet0[here] = sides > 0 ? base + surface.edge_sides[side].facet() : none;
-        out.facet1[here] = sides > 1 ? base + surface.edge_sides[side + 1].facet() : none;
-        const double length = arc_at(segment, range.end) - arc_at(segment, range.begin);
-        out.sample_count[here] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
-        add_point(begin, segment, range.end);
-    }
-
-    void finish_piece() {
-        const Index end = static_cast<Index>(out.px.size());
+    /// Writes the piece through the stops, if there is one.
+    void finish_piece(Index path, Index begin) {
+        if (stops_.empty()) return;
+        const std::size_t count = stops_.size(), first = out.px.size();
+        grow(count, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
+             out.sample_start, out.sample_count);
         std::uint64_t total = 0;
-        for (Index i = piece_begin_; i < end; ++i) total += out.sample_count[i];
+        for (std::size_t k = 0; k < count; ++k) {
+            write_point(first + k, begin, stops_[k]);
+            if (k + 1 < count)
+                write_segment(first + k, path, begin + stops_[k + 1].segment, stops_[k + 1].arc - stops_[k].arc);
+            total += out.sample_count[first + k];
+        }
         check(out.samples + total + 2 * most_padding < none, too_many_samples);
-        const auto samples = static_cast<Index>(total);
-        const bool single = end - piece_begin_ == 2 && samples <= 1;
-        if (samples == 0 || single) {
-            drop_piece();
+        stops_.clear();
+        if (total == 0 || (count == 2 && total == 1)) {
+            grow(-count, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0,
+                 out.facet1, out.sample_start, out.sample_count);
             return;
         }
-        const Index padding = padding_of(samples);
+        const Index padding = padding_of(static_cast<Index>(total));
         out.samples += padding;
-        for (Index i = piece_begin_; i < end; ++i) {
+        for (std::size_t i = first; i < first + count; ++i) {
             out.sample_start[i] = out.samples;
             out.samples += out.sample_count[i];
         }
         out.samples += padding;
-        out.pieces.offsets.push_back(end);
+        out.path.push_back(path);
+        out.closed.push_back(0);
+        out.free_ends.push_back(0);
+        out.pieces.offsets.push_back(static_cast<Index>(first + count));
     }
 
-    void drop_piece() {
-        out.path.pop_back();
-        out.closed.pop_back();
-        out.free_ends.pop_back();
-        truncate(out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
-                 out.sample_start, out.sample_count);
-    }
     template <typename... T>
-    void truncate(Array<T>&... arrays) {
-        (arrays.resize(piece_begin_), ...);
+    static void grow(std::size_t by, Array<T>&... arrays) {
+        (arrays.resize(arrays.size() + by), ...);
     }
 
-    void close_piece() { out.closed.back() = 1; }
+    void write_point(std::size_t at, Index begin, const Stop& stop) {
+        const auto [segment, t, arc] = stop;
+        const dvec3 position = t == 0.0   ? p_.view[segment]
+                               : t == 1.0 ? p_.view[segment + 1]
+                                          : glm::mix(p_.view[segment], p_.view[segment + 1], t);
+        out.px[at] = vec2(pixels_at(segment, t));
+        out.depth[at] = static_cast<float>(screen_depth(view_, position.z));
+        out.position_view[at] = vec3(position);
+        out.arc_px[at] = arc - p_.middle_px;
+        out.source[at] = t < 1.0 ? begin + segment : begin + segment + 1;
+        out.source_t[at] = t < 1.0 ? static_cast<float>(t) : 0.0f;
+        out.facet0[at] = out.facet1[at] = none;
+        out.sample_count[at] = 0;
+    }
+
+    /// The segment that starts at a point.
+    void write_segment(std::size_t at, Index path, Index source, double length) {
+        const Index placement = paths_.placement[path], edge = paths_.edge[source];
+        const Surface& surface = *scene_.placements[placement].surface;
+        check(edge < surface.edge_rows.count(), "project: the paths are not of this scene");
+        const Index side = surface.edge_rows.begin(edge), sides = surface.edge_rows.size(edge);
+        const Index base = scene_.facet_base[placement];
+        if (sides > 0) out.facet0[at] = base + surface.edge_sides[side].facet();
+        if (sides > 1) out.facet1[at] = base + surface.edge_sides[side + 1].facet();
+        out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
+    }
 
     /// A piece has a free end where it reaches one of its path.
     void mark_free_ends(Index path, Index begin, Index end, std::size_t first_piece) {
@@ -262,8 +276,8 @@ class Projector {
     const ProjectOptions& options_;
     Projected p_;
     Index placement_ = none;
-    dmat4 object_to_view_{1.0};
-    Index piece_begin_ = 0;
+    dmat4 object_to_view_{1.0}, object_to_clip_{1.0};
+    std::vector<Stop> stops_;  // of the piece that is being clipped
 };
 
 /// Where each block's pieces, points and samples start in the joined result.
