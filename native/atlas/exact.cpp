@@ -87,12 +87,11 @@ class Marcher {
     }
 
     Interval remember(const Hit& hit, double s) {
-        dvec3 corners[3];
-        tracer_.corners(hit, corners);
+        const Outline outline = tracer_.outline(hit);
         const View& view = tracer_.view();
         std::rotate(order_, order_ + remembered - 1, order_ + remembered);
         Known& known = known_[order_[0]];
-        known.shadow = Shadow(corners, view.orthographic, view.near_clip, ray_margin);
+        known.shadow = Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
         known.placement = hit.placement;
         known.facet = tracer_.facet(hit);
         known.interval = interval_of(known);

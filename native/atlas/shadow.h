@@ -1,4 +1,4 @@
-// The shadow volume of a triangle: what it hides from the eye.
+// The shadow volume of a polygon: what it hides from the eye.
 #pragma once
 
 #include "base/types.h"
@@ -11,22 +11,23 @@ struct Interval {
     bool holds(double t) const { return begin <= t && t <= end; }
 };
 
-/// Bounded by the three planes through the eye (view-space origin; along z for an orthographic camera) and the sides
-/// of a triangle, and by the triangle's own plane. Convex, so it cuts an interval out of a segment.
+/// Bounded by the planes through the eye (view-space origin; along z for an orthographic camera) and the sides of a
+/// flat convex polygon of three or four corners, and by the polygon's own plane. Convex, so it cuts an interval out of a segment.
 class Shadow {
    public:
     Shadow() = default;
     /// Corners in view space. `margin`: share of the distance by which a point must lie behind to be hidden.
-    Shadow(const dvec3 corners[3], bool orthographic, double near_clip, double margin);
+    Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin);
 
-    /// False when the triangle is seen edge-on or reaches in front of the near plane: it then hides nothing for sure.
+    /// False when the polygon is seen edge-on or reaches in front of the near plane: it then hides nothing for sure.
     bool usable() const { return usable_; }
 
     /// Part of the segment from a to b that is hidden, as fractions of its length in space.
     Interval hides(const dvec3& a, const dvec3& b) const;
 
    private:
-    dvec4 planes_[4];  // inside where positive
+    dvec4 planes_[5];  // inside where positive; its own first
+    int count_ = 0;
     bool usable_ = false;
 };
 

@@ -68,6 +68,16 @@ void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
     if (context->ignore->holds(surface.triangle_facet[triangle])) arguments->valid[0] = 0;
 }
 
+/// Flat to the margin of rays, so that it hides no more than its two triangles do.
+bool is_flat_and_convex(const Outline& quad) {
+    const dvec3* c = quad.corners;
+    const dvec3 normal = glm::cross(c[1] - c[0], c[3] - c[0]);
+    if (std::abs(glm::dot(normal, c[2] - c[0])) > 0.1 * ray_margin * glm::length(normal) * glm::length(c[2])) return false;
+    for (int i = 0; i < 4; ++i)
+        if (glm::dot(glm::cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[i]), normal) <= 0.0) return false;
+    return true;
+}
+
 }  // namespace
 
 struct Tracer::Bvh {
@@ -171,7 +181,7 @@ std::optional<Hit> Tracer::first_hit(const vec3& origin, const vec3& direction, 
 
 double Tracer::plane_share(const Hit& hit, const dvec3& origin, const dvec3& direction) const {
     dvec3 corner[3];
-    corners(hit, corner);
+    corners(hit.placement, hit.triangle, corner);
     const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
     return glm::dot(normal, corner[0] - origin) / glm::dot(normal, direction);
 }
@@ -206,11 +216,41 @@ void Tracer::check_current() const {
     }
 }
 
-void Tracer::corners(const Hit& hit, dvec3 out[3]) const {
-    const Surface& surface = *scene_.placements[hit.placement].surface;
-    const Triangle& triangle = surface.triangles[hit.triangle];
+void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {
+    const Surface& surface = *scene_.placements[placement].surface;
+    const Triangle& vertices = surface.triangles[triangle];
     for (int i = 0; i < 3; ++i)
-        out[i] = dvec3(bvh_->object_to_view[hit.placement] * dvec4(dvec3(surface.positions[triangle[i]]), 1.0));
+        out[i] = dvec3(bvh_->object_to_view[placement] * dvec4(dvec3(surface.positions[vertices[i]]), 1.0));
+}
+
+Outline Tracer::outline(const Hit& hit) const {
+    Outline triangle;
+    corners(hit.placement, hit.triangle, triangle.corners);
+    const Surface& surface = *scene_.placements[hit.placement].surface;
+    const Triangle& here = surface.triangles[hit.triangle];
+    for (const Index next : {hit.triangle + 1, hit.triangle - 1}) {  // before the first: beyond the last
+        if (next >= surface.occluding_triangles || surface.triangle_facet[next] != surface.triangle_facet[hit.triangle])
+            continue;
+        const Triangle& there = surface.triangles[next];
+        const auto in = [](Index vertex, const Triangle& other) {
+            return vertex == other[0] || vertex == other[1] || vertex == other[2];
+        };
+        int alone = -1, beyond = -1, shared = 0;
+        for (int i = 0; i < 3; ++i) {
+            if (!in(here[i], there)) alone = i;
+            if (in(there[i], here))
+                ++shared;
+            else
+                beyond = i;
+        }
+        if (shared != 2 || alone < 0) continue;
+        dvec3 others[3];
+        corners(hit.placement, next, others);
+        const dvec3* c = triangle.corners;
+        const Outline quad{{c[alone], c[(alone + 1) % 3], others[beyond], c[(alone + 2) % 3]}, 4};
+        if (is_flat_and_convex(quad)) return quad;
+    }
+    return triangle;
 }
 
 Index Tracer::facet(const Hit& hit) const {

@@ -28,6 +28,12 @@ struct Hit {
     float t;
 };
 
+/// A flat convex polygon of three or four corners, in order, in view space.
+struct Outline {
+    dvec3 corners[4];
+    int count = 3;
+};
+
 /// Points count as hidden by surfaces nearer than themselves by more than this share of their distance, so that a
 /// line on a surface, or on two that touch, is not hidden by it.
 inline constexpr double ray_margin = 1e-5;
@@ -56,11 +62,14 @@ class Tracer {
 
     const View& view() const { return view_; }
     const Scene& scene() const { return scene_; }
-    /// Corners of a triangle in view space.
-    void corners(const Hit& hit, dvec3 out[3]) const;
+    /// What a hit hides in one piece: the triangle, or the flat convex quadrilateral that it makes with the next
+    /// triangle of its facet.
+    Outline outline(const Hit& hit) const;
     Index facet(const Hit& hit) const;
 
    private:
+    /// Corners of a triangle in view space.
+    void corners(Index placement, Index triangle, dvec3 out[3]) const;
     /// The first surface between the two shares of the way along `direction`.
     std::optional<Hit> first_hit(const vec3& origin, const vec3& direction, float near_t, float far_t,
                                  const Ignore& ignore) const;

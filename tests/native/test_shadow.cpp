@@ -48,6 +48,34 @@ TEST(Shadow, IsWhereTheTriangleHides) {
     EXPECT_GT(segments, 200);
 }
 
+TEST(Shadow, OfAQuadrilateralIsThatOfItsHalves) {
+    std::mt19937 random(18);
+    std::uniform_real_distribution<double> side(-2, 2), deep(-8, -1), corner(0.2, 1.0);
+    const auto any = [&] { return dvec3(side(random), side(random), deep(random)); };
+    int segments = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const bool orthographic = k % 2;
+        // Corners on the four half axes of a plane: flat and convex.
+        const dvec3 middle = any() - dvec3(0, 0, 2), u = 2.0 * glm::normalize(any()), v = 2.0 * glm::normalize(any());
+        const dvec3 quad[4] = {middle + corner(random) * u, middle + corner(random) * v, middle - corner(random) * u,
+                               middle - corner(random) * v};
+        const dvec3 halves[2][3] = {{quad[0], quad[1], quad[2]}, {quad[0], quad[2], quad[3]}};
+        const Shadow whole(quad, orthographic, 0.5, 1e-9);
+        ASSERT_TRUE(whole.usable());
+        const dvec3 a = any(), b = any();
+        const Interval found = whole.hides(a, b);
+        segments += found.begin <= found.end;
+        for (int i = 0; i <= 40; ++i) {
+            const double t = i / 40.0;
+            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
+            const dvec3 p = glm::mix(a, b, t);
+            EXPECT_EQ(found.holds(t), hidden(halves[0], orthographic, p, 1e-9) || hidden(halves[1], orthographic, p, 1e-9))
+                << k << " at " << t;
+        }
+    }
+    EXPECT_GT(segments, 100);
+}
+
 TEST(Shadow, BeginsBehindTheTriangleByTheMargin) {
     const dvec3 corners[3] = {{-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}};
     for (const bool orthographic : {false, true}) {

@@ -93,13 +93,30 @@ TEST(Tracer, CornersAreWhereThePlacementPutsThem) {
     const auto hit = tracer.seen(pixel_of(view, {0.1, 0.2, -4}));
     ASSERT_TRUE(hit.has_value());
     EXPECT_NEAR(hit->t, 4.0f, 1e-5f);
-    dvec3 corners[3];
-    tracer.corners(*hit, corners);
-    for (const dvec3& corner : corners) {
+    const Outline outline = tracer.outline(*hit);
+    EXPECT_EQ(outline.count, 4) << "both triangles of the flat quad";
+    for (const dvec3& corner : outline.corners) {
         EXPECT_NEAR(std::abs(corner.x), 0.5, 1e-12);
         EXPECT_NEAR(std::abs(corner.y), 0.5, 1e-12);
         EXPECT_NEAR(corner.z, -4.0, 1e-12);
     }
+}
+
+TEST(Tracer, OnlyFlatConvexPairsOfTrianglesAreOneOutline) {
+    const View view = perspective({0, 0, 0}, {0, 0, -1}, 36);
+    const auto count = [&](Mesh mesh, dvec3 at) {
+        const Scene scene({place(mesh, moved({-0.5, -0.5, -4}))});
+        const Tracer tracer(scene, view);
+        return tracer.outline(tracer.seen(pixel_of(view, at)).value()).count;
+    };
+    Mesh quad = bent_quad(0);
+    EXPECT_EQ(count(quad, {0.1, 0.2, -4}), 4);
+    EXPECT_EQ(count(bent_quad(0.2f), {0.1, 0.2, -4}), 3) << "bent";
+    quad.positions[2] = vec3(0.45f, 0.45f, 0);
+    EXPECT_EQ(count(quad, {-0.2, -0.1, -4}), 3) << "concave";
+    quad.positions[2] = quad.positions[1] + quad.positions[3] - quad.positions[0];
+    quad.positions[2].z = 1e-3f;
+    EXPECT_EQ(count(quad, {0.1, 0.2, -4}), 3) << "flat enough for a facet, not for a shadow";
 }
 
 TEST(Tracer, TheNearPlaneCutsAway) {
