@@ -61,7 +61,9 @@ struct Facet {
     Index triangle() const { return placed->triangles->triangle[number]; }
     bool occludes() const { return placed->occludes && triangle() < placed->surface->occluding_triangles; }
     bool faces_viewer() const { return glm::dot(plane(), placed->eye_obj) >= 0.0; }
-    float slope() const {
+    /// Slope of a facet towards the viewer; 0 for others, which rise above no line.
+    float rise() const {
+        if (!placed || !faces_viewer()) return 0.0f;
         const dvec4 p = placed->plane_to_depth * plane();
         const double slope = std::hypot(p.x, p.y) / std::abs(p.z);
         return static_cast<float>(slope < max_depth_slope ? slope : max_depth_slope);  // edge on: 0 / 0 too
@@ -98,7 +100,7 @@ OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& 
     sides.inner.resize(clipped.px.size());
     parallel_for(clipped.px.size(), [&](std::size_t i) {
         const Facet a = find_facet(scene, placed, clipped.facet0[i]), b = find_facet(scene, placed, clipped.facet1[i]);
-        sides.steepness[i] = std::max(a.placed ? a.slope() : 0.0f, b.placed ? b.slope() : 0.0f);
+        sides.steepness[i] = std::max(a.rise(), b.rise());
         sides.inner[i] = 0;
         if (!a.placed || !b.placed || !a.occludes() || !b.occludes()) return;
         const int facing = int(a.faces_viewer()) + int(b.faces_viewer());
