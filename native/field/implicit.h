@@ -1,0 +1,20 @@
+// Curvature of a surface given as F = 0.
+#pragma once
+
+#include "field/curvature.h"
+
+namespace fovea {
+
+/// F's derivatives at a point, F growing outwards.
+struct ImplicitJet {
+    dvec3 gradient{0.0};
+    dmat3 hessian{0.0};
+    /// Third derivatives: third[i] is d H / d x_i.
+    dmat3 third[3] = {dmat3(0.0), dmat3(0.0), dmat3(0.0)};
+};
+
+/// Exact for the jet: h(x, y) = H(x, y) / |g| and C = (T - h H(n, .) summed over its three places) / |g| on tangents.
+/// All zero where the gradient is. Goldman, "Curvature formulas for implicit curves and surfaces", CAGD 2005.
+CurvatureD curvature_of(const ImplicitJet& jet);
+
+}  // namespace fovea
