@@ -30,9 +30,9 @@ class Paths:
 
     offsets: np.ndarray  # (P + 1,) uint32
     points_obj: np.ndarray  # (N, 3) float32
-    edge: np.ndarray  # (N,) uint32, edge of the surface the segment from this point lies on
+    place: np.ndarray  # (N,) uint32, edge of the surface the segment from this point lies on
     edge_t: np.ndarray  # (N,) float32, where on that edge the point is
-    kinds: np.ndarray  # (N,) uint16, bits of the registry: what the segment from this point is
+    kinds: np.ndarray  # (N,) uint32, bits of the registry: what the segment from this point is
     strength: np.ndarray  # (N,) float32 in [0, 1]
     closed: np.ndarray  # (P,) uint8; a closed path repeats its first point at the end
     ids: np.ndarray  # (P,) uint64, stable over frames for static lines

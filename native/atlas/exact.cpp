@@ -63,7 +63,7 @@ class Marcher {
    private:
     struct Known {
         Shadow shadow;
-        Index placement = none, facet = none;
+        Index placement = none, triangle = none, other = none;
         Interval interval;  // on the current segment
         bool interval_known = false;
     };
@@ -93,7 +93,8 @@ class Marcher {
         Known& known = known_[order_[0]];
         known.shadow = Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
         known.placement = hit.placement;
-        known.facet = tracer_.facet(hit);
+        known.triangle = outline.triangle;
+        known.other = outline.other;
         known.interval = interval_of(known);
         known.interval_known = true;
         // The ray is the judge: at its own sample the triangle hides, whatever rounding says.
@@ -103,7 +104,11 @@ class Marcher {
     }
 
     Interval interval_of(const Known& known) const {
-        if (known.placement == segment_->ignore.placement && segment_->ignore.holds(known.facet)) return {};
+        if (known.placement == segment_->ignore.placement) {
+            const Surface& surface = *tracer_.scene().placements[known.placement].surface;
+            if (segment_->ignore.holds(surface, known.triangle)) return {};
+            if (known.other != none && segment_->ignore.holds(surface, known.other)) return {};
+        }
         Interval interval = known.shadow.hides(segment_->a, segment_->b);
         if (interval.begin > interval.end) return {};
         return {segment_->to_screen(interval.begin), segment_->to_screen(interval.end)};
@@ -188,13 +193,11 @@ class Runner {
             s.wa = -s.a.z;
             s.wb = -s.b.z;
         }
-        const Index placement = paths_.placement[clipped_.path[piece_]], edge = paths_.edge[clipped_.source[i]];
+        const Index placement = paths_.placement[clipped_.path[piece_]], place = paths_.place[clipped_.source[i]];
         const auto& placements = tracer_.scene().placements;
-        check(placement < placements.size() && edge < placements[placement].surface->edge_rows.count(),
+        check(placement < placements.size() && place < placements[placement].surface->place_count(),
               "exact_visibility: the paths are not of this scene");
-        const Surface& surface = *placements[placement].surface;
-        s.ignore = {placement, surface.edge_sides.data() + surface.edge_rows.begin(edge),
-                    surface.edge_sides.data() + surface.edge_rows.end(edge)};
+        s.ignore = Ignore::at(placement, *placements[placement].surface, place);
         return s;
     }
 
@@ -232,7 +235,7 @@ class Runner {
 
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel) {
     const std::size_t pieces = clipped.path.size();
-    check(pieces == 0 || (clipped.path.back() < paths.count() && clipped.source.back() < paths.edge.size()),
+    check(pieces == 0 || (clipped.path.back() < paths.count() && clipped.source.back() < paths.place.size()),
           "exact_visibility: these are not the paths that were clipped");
     tracer.check_current();
     std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);

@@ -75,9 +75,10 @@ void bind_line(py::module_& m) {
             "(P + 1,) uint32: points of path p are offsets[p] .. offsets[p + 1]")
         .def_property_readonly("points_obj", array(&Paths::points_obj), "(N, 3) float32")
         .def_property_readonly("arc_obj", array(&Paths::arc_obj), "(N,) float64 arc length from the path's start, object units")
-        .def_property_readonly("edge", array(&Paths::edge), "(N,) uint32 edge the segment from this point lies on")
+        .def_property_readonly("place", array(&Paths::place),
+                               "(N,) uint32 where the segment from this point lies: an edge, or the number of edges + a triangle")
         .def_property_readonly("edge_t", array(&Paths::edge_t), "(N,) float32, where on that edge the point is")
-        .def_property_readonly("kinds", array(&Paths::kinds), "(N,) uint16, registry bits of the segment from this point")
+        .def_property_readonly("kinds", array(&Paths::kinds), "(N,) uint32, registry bits of the segment from this point")
         .def_property_readonly("strength", array(&Paths::strength), "(N,) float32 in [0, 1]")
         .def_property_readonly("closed", array(&Paths::closed), "(P,) uint8; a closed path repeats its first point")
         .def_property_readonly("ids", array(&Paths::id), "(P,) uint64, stable over frames for static lines")

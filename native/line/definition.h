@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/view.h"
+#include "line/curves.h"
 #include "mesh/surface.h"
 #include "scene/tracer.h"
 
@@ -35,10 +36,15 @@ struct SurfaceView {
     Index placement = 0;
     dmat4 object_to_view{1.0};
     const Tracer* tracer = nullptr;
+
+    /// From a vertex towards the viewer, object space; not normalized.
+    vec3 to_viewer(Index vertex) const {
+        return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(surface.positions[vertex]));
+    }
 };
 
 /// What an edge is: bit b is set where the definition with bit b in the registry finds it.
-using Kinds = std::uint16_t;
+using Kinds = std::uint32_t;
 
 /// Which quantities a definition depends on.
 enum class Scope {
@@ -55,8 +61,10 @@ struct LineDefinition {
     Scope scope;
     std::vector<Parameter> parameters;
     bool on_by_default;
-    /// Sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is such a line.
-    void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds);
+    /// Lines along edges: sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is one.
+    void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
+    /// Lines across triangles, instead.
+    Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
 };
 
 }  // namespace fovea

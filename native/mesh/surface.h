@@ -82,6 +82,12 @@ class Surface {
     vec3 center{0.0f};                 ///< of the bounding box
     float radius = 0.0f;               ///< of the sphere around it that holds all vertices
 
+    /// Where a line can lie: on an edge, by its number, or in a triangle, numbered after the edges.
+    Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }
+    bool is_edge(Index place) const { return place < edges.size(); }
+    Index triangle_at(Index place) const { return place - static_cast<Index>(edges.size()); }
+    Index place_count() const { return static_cast<Index>(edges.size() + triangles.size()); }
+
     Index polygon_count() const { return polygons_.count(); }
     Index facet_count() const { return static_cast<Index>(facet_plane.size()); }
 

@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "path/chain.h"
+#include "path/chain_curves.h"
 
 namespace fovea {
 namespace {
@@ -21,12 +22,26 @@ struct StaticLines {
     Array<Index> edges;
 };
 
+/// Curves across triangles that one definition finds for one line set.
+struct FoundCurves {
+    std::uint8_t line_set;
+    Index definition;
+    CurveChains chains;
+};
+
+/// Those of a style that depend on the surface alone.
+struct StaticCurves {
+    std::vector<FoundCurves> found;
+};
+
 /// What one placement contributes: chains kept with the surface, chains of this view, and their kinds by edge.
 struct PlacementPaths {
     std::shared_ptr<const Chains> kept;
     Chains seen;
     Array<Kinds> kept_kinds, seen_kinds;  // per point
     Array<std::uint8_t> kept_free, seen_free;  // per chain: FreeEnds
+    std::shared_ptr<const StaticCurves> kept_curves;
+    std::vector<FoundCurves> seen_curves;
 };
 
 std::uint64_t hash_sets(const std::vector<LineSet>& sets) {
@@ -49,8 +64,8 @@ bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
 void trace_kinds(const LineSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
     for (const LineSet::Kind& kind : set.kinds) {
         const LineDefinition& definition = *line_definitions()[kind.definition];
-        if ((definition.scope == Scope::surface) == of_surface)
-            definition.trace(seen, kind.values, Kinds(1 << kind.definition), kinds);
+        if (definition.trace && (definition.scope == Scope::surface) == of_surface)
+            definition.trace(seen, kind.values, Kinds(1) << kind.definition, kinds);
     }
 }
 
@@ -66,6 +81,21 @@ StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets
     for (Index e = 0; e < any.size(); ++e)
         if (any[e]) lines.edges.push_back(e);
     return lines;
+}
+
+/// The first line set that asks for a definition across triangles has all that it finds.
+std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface) {
+    std::vector<FoundCurves> found;
+    Kinds done = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        for (const LineSet::Kind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const Kinds bit = Kinds(1) << kind.definition;
+            if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
+            done |= bit;
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition, chain_curves(definition.find(seen, kind.values))});
+        }
+    return found;
 }
 
 SurfaceView look_at(const Scene& scene, Index placement, const View& view, const Tracer& tracer) {
@@ -170,6 +200,9 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
     paths.kept_free = free_ends(*paths.kept, lines_at);
     paths.seen_free = free_ends(paths.seen, lines_at);
+    paths.kept_curves = surface.cache().get<StaticCurves>(
+        sets_hash, [&] { return StaticCurves{find_curves({.surface = surface}, sets, true)}; });
+    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false);
     return paths;
 }
 
@@ -202,11 +235,37 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
     parallel_for(chains.vertex.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
         paths.points_obj[n] = surface.positions[chains.vertex[i]];
-        paths.edge[n] = chains.edge[i];
+        paths.place[n] = chains.edge[i];
         paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
         paths.kinds[n] = kinds[i];
         paths.strength[n] = 1.0f;
     });
+}
+
+void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
+    const Placement& placement = scene.placements[slot.placement];
+    const CurveChains& chains = found.chains;
+    for (Index c = 0; c < chains.rows.count(); ++c) {
+        const Index p = slot.path + c;
+        paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
+        paths.closed[p] = chains.closed[c];
+        paths.line_set[p] = found.line_set;
+        paths.free_ends[p] = chains.closed[c] ? 0 : free_start | free_end;
+        paths.of_view[p] = slot.of_view;
+        paths.placement[p] = slot.placement;
+        paths.id[p] = hash_numbers(placement.id, found.definition + 1, chains.anchor[c]);
+        double arc = 0.0;
+        for (Index i = chains.rows.begin(c); i < chains.rows.end(c); ++i) {
+            if (i > chains.rows.begin(c)) arc += glm::distance(dvec3(chains.point[i - 1]), dvec3(chains.point[i]));
+            const Index n = slot.point + i;
+            paths.points_obj[n] = chains.point[i];
+            paths.arc_obj[n] = arc;
+            paths.place[n] = placement.surface->place_of_triangle(chains.triangle[i]);
+            paths.edge_t[n] = 0.0f;
+            paths.kinds[n] = Kinds(1) << found.definition;
+            paths.strength[n] = chains.strength[i];
+        }
+    }
 }
 
 void resize(Paths& paths, Index path_count, Index point_count) {
@@ -220,7 +279,7 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     paths.of_view.resize(path_count);
     paths.points_obj.resize(point_count);
     paths.arc_obj.resize(point_count);
-    paths.edge.resize(point_count);
+    paths.place.resize(point_count);
     paths.edge_t.resize(point_count);
     paths.kinds.resize(point_count);
     paths.strength.resize(point_count);
@@ -246,7 +305,12 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         found[i] = extract_placement(look_at(scene, drawn[i], view, tracer), sets, sets_hash, view_dependent);
     });
 
+    struct CurveSlot {
+        const FoundCurves* found;
+        Slot slot;
+    };
     std::vector<std::pair<Slot, Slot>> slots(drawn.size());
+    std::vector<CurveSlot> curve_slots;
     Index path = 0, point = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         slots[i].first = {drawn[i], path, point, false};
@@ -255,11 +319,23 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         slots[i].second = {drawn[i], path, point, true};
         path += found[i].seen.rows.count();
         point += static_cast<Index>(found[i].seen.vertex.size());
+        const auto add_curves = [&](const std::vector<FoundCurves>& curves, bool of_view) {
+            for (const FoundCurves& c : curves) {
+                curve_slots.push_back({&c, {drawn[i], path, point, of_view}});
+                path += c.chains.rows.count();
+                point += static_cast<Index>(c.chains.point.size());
+            }
+        };
+        add_curves(found[i].kept_curves->found, false);
+        add_curves(found[i].seen_curves, true);
     }
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);
         write_chains(scene, found[i].seen, found[i].seen_kinds, found[i].seen_free, slots[i].second, paths);
+    });
+    parallel_blocks(curve_slots.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+        write_curves(scene, *curve_slots[i].found, curve_slots[i].slot, paths);
     });
     return paths;
 }

@@ -22,8 +22,8 @@ struct Paths {
     // Per point.
     Array<vec3> points_obj;
     Array<double> arc_obj;         ///< arc length from the path's start, object units
-    Array<Index> edge;             ///< the edge that the segment from this point lies on (the last: as before)
-    Array<float> edge_t;           ///< where on that edge the point is: 0 at its first vertex, 1 at its second
+    Array<Index> place;            ///< where the segment from this point lies: Surface::place (the last: as before)
+    Array<float> edge_t;           ///< on an edge, where the point is: 0 at its first vertex, 1 at its second; else 0
     Array<Kinds> kinds;            ///< what the segment from this point is
     Array<float> strength;         ///< in [0,1]
 

@@ -251,13 +251,17 @@ class Projector {
 
     /// The segment that starts at a point.
     void write_segment(std::size_t at, Index path, Index source, double length) {
-        const Index placement = paths_.placement[path], edge = paths_.edge[source];
+        const Index placement = paths_.placement[path], place = paths_.place[source];
         const Surface& surface = *scene_.placements[placement].surface;
-        check(edge < surface.edge_rows.count(), "project: the paths are not of this scene");
-        const Index side = surface.edge_rows.begin(edge), sides = surface.edge_rows.size(edge);
+        check(place < surface.place_count(), "project: the paths are not of this scene");
         const Index base = scene_.facet_base[placement];
-        if (sides > 0) out.facet0[at] = base + surface.edge_sides[side].facet();
-        if (sides > 1) out.facet1[at] = base + surface.edge_sides[side + 1].facet();
+        if (surface.is_edge(place)) {
+            const Index side = surface.edge_rows.begin(place), sides = surface.edge_rows.size(place);
+            if (sides > 0) out.facet0[at] = base + surface.edge_sides[side].facet();
+            if (sides > 1) out.facet1[at] = base + surface.edge_sides[side + 1].facet();
+        } else {
+            out.facet0[at] = base + surface.triangle_facet[surface.triangle_at(place)];
+        }
         out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
     }
 

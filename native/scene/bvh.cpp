@@ -65,7 +65,7 @@ void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
     if (placement != context->ignore->placement) return;
     const Index triangle = RTCHitN_primID(arguments->hit, 1, 0);
     const Surface& surface = *context->scene->placements[placement].surface;
-    if (context->ignore->holds(surface.triangle_facet[triangle])) arguments->valid[0] = 0;
+    if (context->ignore->holds(surface, triangle)) arguments->valid[0] = 0;
 }
 
 /// Flat to the margin of rays, so that it hides no more than its two triangles do.
@@ -226,6 +226,7 @@ void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {
 Outline Tracer::outline(const Hit& hit) const {
     Outline triangle;
     corners(hit.placement, hit.triangle, triangle.corners);
+    triangle.triangle = hit.triangle;
     const Surface& surface = *scene_.placements[hit.placement].surface;
     const Triangle& here = surface.triangles[hit.triangle];
     for (const Index next : {hit.triangle + 1, hit.triangle - 1}) {  // before the first: beyond the last
@@ -247,7 +248,7 @@ Outline Tracer::outline(const Hit& hit) const {
         dvec3 others[3];
         corners(hit.placement, next, others);
         const dvec3* c = triangle.corners;
-        const Outline quad{{c[alone], c[(alone + 1) % 3], others[beyond], c[(alone + 2) % 3]}, 4};
+        const Outline quad{{c[alone], c[(alone + 1) % 3], others[beyond], c[(alone + 2) % 3]}, 4, hit.triangle, next};
         if (is_flat_and_convex(quad)) return quad;
     }
     return triangle;

@@ -8,12 +8,29 @@
 
 namespace fovea {
 
-/// Facets that a ray passes through: those at the mesh edge whose visibility is asked.
+/// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked, or, for a line
+/// across triangles, all that touch its own: a smooth contour runs beside the edges where the mesh turns away.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
     const EdgeSide* end = nullptr;
-    bool holds(Index facet) const {
+    Triangle around{none, none, none};  ///< vertices; `none`: the line lies on an edge
+
+    /// What is ignored at a place of a surface.
+    static Ignore at(Index placement, const Surface& surface, Index place) {
+        if (!surface.is_edge(place)) return {placement, nullptr, nullptr, surface.triangles[surface.triangle_at(place)]};
+        const EdgeSide* sides = surface.edge_sides.data();
+        return {placement, sides + surface.edge_rows.begin(place), sides + surface.edge_rows.end(place)};
+    }
+
+    bool holds(const Surface& surface, Index triangle) const {
+        if (around.x != none) {
+            const Triangle& t = surface.triangles[triangle];
+            for (int i = 0; i < 3; ++i)
+                if (t[i] == around.x || t[i] == around.y || t[i] == around.z) return true;
+            return false;
+        }
+        const Index facet = surface.triangle_facet[triangle];
         for (const EdgeSide* side = begin; side != end; ++side)
             if (side->facet() == facet) return true;
         return false;
@@ -32,6 +49,7 @@ struct Hit {
 struct Outline {
     dvec3 corners[4];
     int count = 3;
+    Index triangle = none, other = none;  ///< those it is made of, in the hit's surface
 };
 
 /// Points count as hidden by surfaces nearer than themselves by more than this share of their distance, so that a

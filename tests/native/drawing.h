@@ -108,7 +108,7 @@ struct Drawing {
         for (Index p = 0; p < paths.count(); ++p) {
             if (paths.placement[p] != placement) continue;
             for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i)
-                if (!found.emplace(paths.edge[i], paths.kinds[i]).second) found[none] = 0;
+                if (!found.emplace(paths.place[i], paths.kinds[i]).second) found[none] = 0;
         }
         return found;
     }
@@ -122,7 +122,7 @@ struct Drawing {
         for (Index q = 0; q < clipped.pieces.count(); ++q) {
             if (paths.placement[clipped.path[q]] != placement) continue;
             for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-                if (paths.edge[clipped.source[i]] != edge) continue;
+                if (paths.place[clipped.source[i]] != edge) continue;
                 const double from = clipped.arc_px[i], to = clipped.arc_px[i + 1];
                 length.all += to - from;
                 for (std::size_t r = 0; r < runs.piece.size(); ++r)

@@ -47,9 +47,7 @@ class Judge {
         const dvec3 point = glm::mix(a, b, s * wa / (wb + s * (wa - wb)));
         const Index placement = drawing_.paths.placement[clipped.path[piece]];
         const Surface& surface = *drawing_.scene.placements[placement].surface;
-        const Index edge = drawing_.paths.edge[clipped.source[i]];
-        const EdgeSide* sides = surface.edge_sides.data();
-        const Ignore own{placement, sides + surface.edge_rows.begin(edge), sides + surface.edge_rows.end(edge)};
+        const Ignore own = Ignore::at(placement, surface, drawing_.paths.place[clipped.source[i]]);
         return !drawing_.tracer.occluder(vec3(point), own);
     }
 

@@ -23,7 +23,7 @@ Paths extract(const Scene& scene, const View& view, const std::vector<LineSet>& 
 std::map<Index, std::uint64_t> ids(const Paths& paths) {
     std::map<Index, std::uint64_t> result;
     for (Index p = 0; p < paths.count(); ++p)
-        result[*std::min_element(paths.edge.begin() + paths.rows.begin(p), paths.edge.begin() + paths.rows.end(p))] =
+        result[*std::min_element(paths.place.begin() + paths.rows.begin(p), paths.place.begin() + paths.rows.end(p))] =
             paths.id[p];
     return result;
 }
@@ -147,7 +147,7 @@ TEST(Extract, IsTheSameWithOneThreadAndMany) {
     expect_same_bits(one.rows.offsets, many.rows.offsets);
     expect_same_bits(one.id, many.id);
     expect_same_bits(one.points_obj, many.points_obj);
-    expect_same_bits(one.edge, many.edge);
+    expect_same_bits(one.place, many.place);
     expect_same_bits(one.edge_t, many.edge_t);
     expect_same_bits(one.kinds, many.kinds);
     expect_same_bits(one.closed, many.closed);

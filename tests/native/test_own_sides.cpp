@@ -28,7 +28,7 @@ struct Seen {
         std::set<Index> edges;
         const ClippedPaths& clipped = drawing.clipped;
         for (Index i = 0; i < clipped.px.size(); ++i)
-            if (sides.inner[i]) edges.insert(drawing.paths.edge[clipped.source[i]]);
+            if (sides.inner[i]) edges.insert(drawing.paths.place[clipped.source[i]]);
         return edges;
     }
 
@@ -64,7 +64,7 @@ TEST(OwnSides, AMirroredBoxIsSeenLikeABox) {
     const OwnSides sides = own_sides(drawing.clipped, drawing.scene, drawing.view);
     std::set<Index> inner;
     for (Index i = 0; i < drawing.clipped.px.size(); ++i)
-        if (sides.inner[i]) inner.insert(drawing.paths.edge[drawing.clipped.source[i]]);
+        if (sides.inner[i]) inner.insert(drawing.paths.place[drawing.clipped.source[i]]);
     EXPECT_EQ(inner.size(), 3u);
 }
 

@@ -47,7 +47,7 @@ struct Wires {
             for (std::size_t i = 0; i < line.size(); ++i) {
                 const int last_edge = static_cast<int>(mesh.edge_verts.size()) - 1;
                 paths.points_obj.push_back(vec3(line[i]));
-                paths.edge.push_back(Index(std::max(0, std::min(first_edge + int(i), last_edge))));
+                paths.place.push_back(Index(std::max(0, std::min(first_edge + int(i), last_edge))));
                 paths.edge_t.push_back(i + 1 == line.size() && i > 0 ? 1.0f : 0.0f);
                 paths.kinds.push_back(1);
                 paths.strength.push_back(1.0f);

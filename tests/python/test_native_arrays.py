@@ -21,7 +21,7 @@ def test_arrays_are_read_only_views():
     runs = core.exact_visibility(clipped, paths, tracer)
     views = [
         *members("surface", surface, "positions triangles triangle_facet edges").values(),
-        *members("paths", paths, "offsets points_obj edge edge_t kinds strength closed ids").values(),
+        *members("paths", paths, "offsets points_obj place edge_t kinds strength closed ids").values(),
         *members("clipped", clipped, "offsets px depth position_view arc_px source facet0").values(),
         *members("runs", runs, "piece start_px end_px").values(),
     ]

@@ -1,0 +1,19 @@
+// Lines that cross triangles: the pieces that field definitions find, one triangle at a time.
+#pragma once
+
+#include "mesh/surface.h"
+
+namespace fovea {
+
+/// A straight piece of a curve in one triangle. An end on a side of the triangle carries the side's number
+/// (mesh/triangle_sides.h), which the piece beyond the side shares; an end inside has `none`: there the curve ends.
+struct CurvePiece {
+    Index triangle;
+    Index side[2];
+    vec3 point[2];      ///< object space
+    float strength[2];  ///< in [0, 1]
+};
+
+using Curves = Array<CurvePiece>;
+
+}  // namespace fovea

@@ -1,0 +1,83 @@
+#include "path/chain_curves.h"
+
+#include <algorithm>
+
+namespace fovea {
+namespace {
+
+/// One end of a piece: 2 piece + end.
+using End = Index;
+
+/// Per end: the end of another piece that goes on from it, or `none`.
+Array<End> link(const Curves& pieces) {
+    Array<End> ends;
+    ends.reserve(2 * pieces.size());
+    const auto side = [&](End e) { return pieces[e / 2].side[e % 2]; };
+    for (End e = 0; e < 2 * pieces.size(); ++e)
+        if (side(e) != none) ends.push_back(e);
+    std::sort(ends.begin(), ends.end(), [&](End a, End b) { return side(a) != side(b) ? side(a) < side(b) : a < b; });
+    Array<End> next(2 * pieces.size(), none);
+    for (std::size_t i = 0; i < ends.size();) {
+        std::size_t j = i + 1;
+        while (j < ends.size() && side(ends[j]) == side(ends[i])) ++j;
+        if (j - i == 2) {
+            next[ends[i]] = ends[i + 1];
+            next[ends[i + 1]] = ends[i];
+        }
+        i = j;
+    }
+    return next;
+}
+
+class Chainer {
+   public:
+    explicit Chainer(const Curves& pieces) : pieces_(pieces), next_(link(pieces)), used_(pieces.size(), 0) {}
+
+    CurveChains run() {
+        for (End e = 0; e < next_.size(); ++e)
+            if (next_[e] == none && !used_[e / 2]) walk(e);
+        for (Index i = 0; i < used_.size(); ++i)
+            if (!used_[i]) walk(2 * i);
+        return std::move(out_);
+    }
+
+   private:
+    /// From an end along all pieces that follow.
+    void walk(End start) {
+        const Index first = static_cast<Index>(out_.point.size());
+        Index lowest = none;
+        End from = start;
+        while (true) {
+            const Index i = from / 2;
+            used_[i] = 1;
+            const CurvePiece& piece = pieces_[i];
+            lowest = std::min({lowest, piece.side[0], piece.side[1]});
+            add(piece, from % 2);
+            const End to = from ^ 1;
+            from = next_[to];
+            if (from != none && !used_[from / 2]) continue;
+            add(piece, to % 2);
+            out_.closed.push_back(from == start && out_.point.size() - first > 2);
+            break;
+        }
+        out_.anchor.push_back(lowest != none ? lowest : pieces_[start / 2].triangle);
+        out_.rows.offsets.push_back(static_cast<Index>(out_.point.size()));
+    }
+
+    void add(const CurvePiece& piece, int end) {
+        out_.point.push_back(piece.point[end]);
+        out_.strength.push_back(piece.strength[end]);
+        out_.triangle.push_back(piece.triangle);
+    }
+
+    const Curves& pieces_;
+    Array<End> next_;
+    std::vector<std::uint8_t> used_;
+    CurveChains out_;
+};
+
+}  // namespace
+
+CurveChains chain_curves(const Curves& pieces) { return Chainer(pieces).run(); }
+
+}  // namespace fovea

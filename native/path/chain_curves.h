@@ -1,0 +1,25 @@
+// Pieces of curves chained into polylines.
+#pragma once
+
+#include "base/types.h"
+#include "line/curves.h"
+
+namespace fovea {
+
+/// Polylines across triangles; points of curve c are rows.begin(c) .. rows.end(c).
+struct CurveChains {
+    Rows rows;
+    // Per curve.
+    Array<std::uint8_t> closed;  ///< the last point repeats the first
+    Array<Index> anchor;         ///< the lowest side it crosses, or its first triangle when it crosses none
+    // Per point.
+    Array<vec3> point;           ///< object space
+    Array<float> strength;
+    Array<Index> triangle;       ///< of the piece from this point; the last repeats the one before
+};
+
+/// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where
+/// three or more pieces end (a non-manifold edge) ends them all. The result depends on the order of the pieces alone.
+CurveChains chain_curves(const Curves& pieces);
+
+}  // namespace fovea
