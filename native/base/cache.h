@@ -13,7 +13,7 @@
 namespace fovea {
 
 /// Store of derived quantities, told apart by their type and a key (a hash of what else they depend on). Keeps the
-/// most recently used few of each type. Thread-safe; a quantity is computed under the lock, once.
+/// most recently used few of each type. Thread-safe; a quantity is computed under the lock, once, and may ask for others.
 class Cache {
    public:
     template <typename T, typename Make>
@@ -51,7 +51,7 @@ class Cache {
         std::shared_ptr<const void> value;
     };
     static constexpr int kept_per_type = 4;
-    std::mutex mutex_;
+    std::recursive_mutex mutex_;
     std::list<Entry> entries_;
 };
 

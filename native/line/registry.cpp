@@ -4,11 +4,13 @@
 
 namespace fovea {
 
-extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark;
+extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
+    suggestive_contour, suggestive_highlight, ridge, valley, apparent_ridge;
 
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {
         &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
+        &smooth_contour, &suggestive_contour, &suggestive_highlight, &ridge, &valley, &apparent_ridge,
     };
     return all;
 }

@@ -1,0 +1,33 @@
+// Vertices of a surface as a view sees them.
+#pragma once
+
+#include "base/parallel.h"
+#include "field/fields.h"
+#include "field/view_curvature.h"
+#include "line/definition.h"
+
+namespace fovea {
+
+inline SeenOf<float> see_vertex(const SurfaceView& seen, const Curvature& c, Index vertex) {
+    const vec3 towards = seen.to_viewer(vertex);
+    const float distance = glm::length(towards);
+    if (!(distance > 0.0f)) return {0.0f, 0.0f, 0.0f, 0.0f};
+    return see(c, towards / distance, seen.orthographic ? 0.0f : 1.0f / distance);
+}
+
+/// One number per vertex.
+template <typename Value>
+Array<float> per_vertex(const SurfaceView& seen, const Value& value) {
+    Array<float> values(seen.surface.vertex_count());
+    parallel_for(values.size(), [&](std::size_t v) { values[v] = value(static_cast<Index>(v)); });
+    return values;
+}
+
+/// Fading of lines by how far they are above their threshold: 0 at it, a half where they are `fade` above it.
+inline auto fading(double fade) {
+    return [fade = static_cast<float>(fade)](float above) {
+        return above > 0.0f ? above / (above + fade) : 0.0f;
+    };
+}
+
+}  // namespace fovea
