@@ -1,0 +1,252 @@
+#include "field/jets.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "field/implicit.h"
+#include "field/normals.h"
+
+namespace fovea {
+namespace {
+
+constexpr int terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
+constexpr int max_degree = 4;
+constexpr int spare_points = 4;  // beyond as many as there are coefficients
+constexpr int extra_rings = 4;   // at most, where there are too few points
+/// Pivot, as a share of its diagonal entry, below which points do not determine a coefficient.
+constexpr double least_pivot = 1e-10;
+
+/// Points around a vertex in its own frame, divided by `scale`, their mean distance.
+struct Surroundings {
+    std::vector<Index> found;  // the vertex itself first
+    std::vector<dvec3> points;
+    dvec3 t, b, n;
+    double scale = 1.0, edge_length = 0.0;
+};
+
+/// Walks in rings around vertices; marks are stamps, so nothing has to be cleared.
+struct Walk {
+    explicit Walk(Index vertices) : seen(vertices, 0) {}
+    Array<Index> seen;
+    Index stamp = 0;
+    Surroundings around;
+
+    void gather(const Neighbours& neighbours, Index v, int rings, std::size_t enough) {
+        if (++stamp == 0) {
+            std::fill(seen.begin(), seen.end(), 0);
+            stamp = 1;
+        }
+        auto& found = around.found;
+        found.clear();
+        found.push_back(v);
+        seen[v] = stamp;
+        std::size_t begin = 0;
+        for (int ring = 0; ring < rings || (ring < rings + extra_rings && found.size() < enough); ++ring) {
+            const std::size_t end = found.size();
+            if (begin == end) return;
+            for (; begin < end; ++begin) {
+                const Index from = found[begin];
+                if (from != v && neighbours.hard[from]) continue;
+                for (Index i = neighbours.vertex_rows.begin(from); i < neighbours.vertex_rows.end(from); ++i) {
+                    const Index to = neighbours.vertices[i];
+                    if (seen[to] == stamp) continue;
+                    seen[to] = stamp;
+                    found.push_back(to);
+                }
+            }
+        }
+    }
+
+    void place(const Surface& surface, const Neighbours& neighbours, const dvec3& normal) {
+        around.n = normal;
+        const dvec3 axis = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : std::abs(normal.y) < 0.6 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
+        around.t = glm::normalize(glm::cross(axis, normal));
+        around.b = glm::cross(normal, around.t);
+        const auto& found = around.found;
+        around.points.resize(found.size());
+        const dvec3 origin(surface.positions[found[0]]);
+        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertex_rows.size(found[0]), found.size() - 1);
+        double sum = 0.0;
+        around.edge_length = 0.0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const dvec3 d = dvec3(surface.positions[found[i]]) - origin;
+            around.points[i] = {glm::dot(d, around.t), glm::dot(d, around.b), glm::dot(d, around.n)};
+            sum += glm::length(d);
+            if (i == first_ring && i > 0) around.edge_length = sum / double(i);
+        }
+        around.scale = found.size() > 1 ? sum / double(found.size() - 1) : 0.0;
+        if (!(around.scale > 0.0)) return;
+        const double inverse = 1.0 / around.scale;
+        for (dvec3& p : around.points) p *= inverse;
+    }
+};
+
+double weight_of(const dvec3& p) {
+    const double d2 = p.x * p.x + p.y * p.y + p.z * p.z;
+    return 1.0 / (0.1 + d2);
+}
+
+/// Monomials x^i y^j up to a degree, by degree, then by j, all times `first`.
+template <int degree>
+void monomials(double x, double y, double first, double* m) {
+    m[0] = first;
+    for (int d = 1; d <= degree; ++d) {
+        const double* lower = m + terms(d - 2);
+        double* own = m + terms(d - 1);
+        for (int j = 0; j < d; ++j) own[j] = x * lower[j];
+        own[d] = y * lower[d - 1];
+    }
+}
+
+/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false when they are not determined.
+/// The normal matrix holds moments only, terms(2 degree) of them.
+template <int degree>
+bool fit(const std::vector<dvec3>& points, double* a) {
+    constexpr int size = terms(degree), moment_count = terms(2 * degree);
+    if (points.size() < std::size_t(size)) return false;
+    double moments[moment_count] = {}, heights[size] = {}, m[moment_count];
+    for (const dvec3& p : points) {
+        monomials<2 * degree>(p.x, p.y, weight_of(p), m);
+        for (int k = 0; k < moment_count; ++k) moments[k] += m[k];
+        for (int k = 0; k < size; ++k) heights[k] += p.z * m[k];
+    }
+    // L D L^T by rows; L below the diagonal, D on it.
+    double l[size][size], inverse[size];
+    int row = 0;
+    for (int d = 0; d <= degree; ++d)
+        for (int j = 0; j <= d; ++j, ++row) {
+            int column = 0;
+            for (int e = 0; e <= d && column <= row; ++e)
+                for (int k = 0; k <= e && column <= row; ++k, ++column) l[row][column] = moments[terms(d + e - 1) + j + k];
+        }
+    for (int r = 0; r < size; ++r) {
+        const double diagonal = l[r][r];
+        double pivot = diagonal;
+        for (int c = 0; c < r; ++c) {
+            double sum = l[r][c];
+            for (int k = 0; k < c; ++k) sum -= l[r][k] * l[c][k];
+            l[r][c] = sum;  // times D still
+        }
+        for (int c = 0; c < r; ++c) {
+            const double scaled = l[r][c] * inverse[c];
+            pivot -= scaled * l[r][c];
+            l[r][c] = scaled;
+        }
+        if (!(pivot > least_pivot * diagonal)) return false;
+        l[r][r] = pivot;
+        inverse[r] = 1.0 / pivot;
+    }
+    for (int r = 0; r < size; ++r) {
+        a[r] = heights[r];
+        for (int c = 0; c < r; ++c) a[r] -= l[r][c] * a[c];
+    }
+    for (int r = size - 1; r >= 0; --r) {
+        a[r] *= inverse[r];
+        for (int k = r + 1; k < size; ++k) a[r] -= l[k][r] * a[k];
+    }
+    return true;
+}
+
+/// Coefficients of the highest degree up to `degree` that the points determine; returns it, 0 when none.
+int fit_up_to(int degree, const std::vector<dvec3>& points, double* a) {
+    std::fill_n(a, terms(max_degree), 0.0);
+    if (degree >= 4 && fit<4>(points, a)) return 4;
+    std::fill_n(a, terms(max_degree), 0.0);
+    if (degree >= 3 && fit<3>(points, a)) return 3;
+    std::fill_n(a, terms(max_degree), 0.0);
+    if (fit<2>(points, a)) return 2;
+    std::fill_n(a, terms(max_degree), 0.0);
+    return 0;
+}
+
+/// Of F = z - f(x, y) at x = y = 0, lengths in units of `scale`.
+ImplicitJet jet_of(const double* a) {
+    ImplicitJet jet;
+    jet.gradient = {-a[1], -a[2], 1.0};
+    const double xx = -2.0 * a[3], xy = -a[4], yy = -2.0 * a[5];
+    jet.hessian = dmat3(xx, xy, 0, xy, yy, 0, 0, 0, 0);
+    const double xxx = -6.0 * a[6], xxy = -2.0 * a[7], xyy = -2.0 * a[8], yyy = -6.0 * a[9];
+    jet.third[0] = dmat3(xxx, xxy, 0, xxy, xyy, 0, 0, 0, 0);
+    jet.third[1] = dmat3(xxy, xyy, 0, xyy, yyy, 0, 0, 0, 0);
+    return jet;
+}
+
+Curvature to_object(CurvatureD c, const Surroundings& around) {
+    const dmat3 frame(around.t, around.b, around.n);
+    c.normal = frame * c.normal;
+    c.e1 = frame * c.e1;
+    c.e2 = frame * c.e2;
+    c.k1 /= around.scale;
+    c.k2 /= around.scale;
+    for (double& third : c.C) third /= around.scale * around.scale;
+    return rounded(c);
+}
+
+void check_options(const JetOptions& options) {
+    check(options.degree >= 2 && options.degree <= max_degree, "jets: degree must be 2, 3 or 4");
+    check(options.rings >= 1 && options.rings <= 32, "jets: rings must be 1 to 32");
+}
+
+/// Surroundings of vertex v, placed; false where v has no normal.
+bool look_around(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, const vec3& normal,
+                 Index v, Walk& walk) {
+    if (normal == vec3(0.0f)) return false;
+    walk.gather(neighbours, v, options.rings, terms(options.degree) + spare_points);
+    walk.place(surface, neighbours, glm::normalize(dvec3(normal)));
+    return walk.around.scale > 0.0;
+}
+
+}  // namespace
+
+Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options) {
+    check_options(options);
+    const auto neighbours = neighbours_of(surface, options.hard_angle);
+    const Array<vec3> normals = vertex_normals(surface, *neighbours);
+    Array<Curvature> result(surface.vertex_count());
+    tbb::enumerable_thread_specific<Walk> walks([&] { return Walk(surface.vertex_count()); });
+    parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+        Walk& walk = walks.local();
+        double a[terms(max_degree)];
+        for (std::size_t v = begin; v < end; ++v) {
+            result[v] = {};
+            if (!look_around(surface, *neighbours, options, normals[v], Index(v), walk)) continue;
+            fit_up_to(options.degree, walk.around.points, a);
+            result[v] = to_object(curvature_of(jet_of(a)), walk.around);
+        }
+    });
+    return result;
+}
+
+double jet_noise(const Surface& surface, const JetOptions& options, Index samples) {
+    check_options(options);
+    const auto neighbours = neighbours_of(surface, options.hard_angle);
+    const Array<vec3> normals = vertex_normals(surface, *neighbours);
+    const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
+    Walk walk(surface.vertex_count());
+    std::vector<double> noise;
+    double a[terms(max_degree)], m[terms(max_degree)];
+    for (Index v = 0; v < surface.vertex_count(); v += step) {
+        if (!look_around(surface, *neighbours, options, normals[v], v, walk)) continue;
+        const Surroundings& around = walk.around;
+        if (around.points.size() < std::size_t(terms(options.degree) + spare_points)) continue;
+        if (fit_up_to(options.degree, around.points, a) != options.degree) continue;
+        double squares = 0.0;
+        for (const dvec3& p : around.points) {
+            monomials<max_degree>(p.x, p.y, 1.0, m);
+            double z = p.z;
+            for (int k = 0; k < terms(max_degree); ++k) z -= a[k] * m[k];
+            squares += z * z;
+        }
+        const double freedom = double(around.points.size()) - terms(options.degree);
+        noise.push_back(std::sqrt(squares / freedom) * around.scale / around.edge_length);
+    }
+    if (noise.empty()) return 0.0;
+    std::nth_element(noise.begin(), noise.begin() + noise.size() / 2, noise.end());
+    return noise[noise.size() / 2];
+}
+
+}  // namespace fovea

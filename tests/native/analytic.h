@@ -1,0 +1,105 @@
+// Surfaces with known derivatives of every order, and meshes of them.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "field/implicit.h"
+#include "meshes.h"
+
+namespace fovea::analytic {
+
+using meshes::Mesh;
+
+/// A mesh whose vertices lie on a surface, and the exact curvature of that surface at a point.
+struct Sample {
+    Mesh mesh;
+    std::function<CurvatureD(const dvec3&)> exact;
+};
+
+struct GridOptions {
+    int n = 64;              ///< cells along each side
+    bool irregular = false;  ///< parameters jittered by .3 cell, random diagonals
+    unsigned seed = 1;
+};
+
+/// point(u, v) over [0,1]^2, closed in both directions or in none; triangles, outward where point_u x point_v is.
+template <typename Point>
+Mesh parameter_grid(const std::string& name, bool closed, const GridOptions& options, const Point& point) {
+    const int n = options.n, side = closed ? n : n + 1;
+    std::mt19937 random(options.seed);
+    std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+    Mesh mesh(name, {});
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const bool border = !closed && (i == 0 || j == 0 || i == n || j == n);
+            const double a = jitter(random), b = jitter(random), move = options.irregular && !border ? 1.0 : 0.0;
+            mesh.positions.push_back(vec3(point((i + move * a) / n, (j + move * b) / n)));
+        }
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const auto at = [&](int x, int y) { return x % side + side * (y % side); };
+            const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+            const bool other = options.irregular && random() % 2;
+            mesh.add_polygon(other ? std::vector{a, b, d} : std::vector{a, b, c});
+            mesh.add_polygon(other ? std::vector{b, c, d} : std::vector{a, c, d});
+        }
+    return mesh;
+}
+
+/// Around z; tube of radius `r` around a circle of radius `R`.
+inline ImplicitJet torus_jet(const dvec3& p, double R, double r) {
+    (void)r;
+    ImplicitJet jet;
+    const double rho = std::hypot(p.x, p.y), x = p.x, y = p.y;
+    // F = (rho - R)^2 + z^2 - r^2 = x^2 + y^2 + z^2 + R^2 - r^2 - 2 R rho
+    const double rho3 = rho * rho * rho, rho5 = rho3 * rho * rho;
+    jet.gradient = 2.0 * p - 2.0 * R * dvec3(x / rho, y / rho, 0.0);
+    jet.hessian = dmat3(2.0);
+    const double hxx = y * y / rho3, hxy = -x * y / rho3, hyy = x * x / rho3;  // of rho
+    jet.hessian -= 2.0 * R * dmat3(hxx, hxy, 0, hxy, hyy, 0, 0, 0, 0);
+    const double xxx = -3.0 * x * y * y / rho5, xxy = y * (2.0 * x * x - y * y) / rho5;
+    const double xyy = x * (2.0 * y * y - x * x) / rho5, yyy = -3.0 * y * x * x / rho5;
+    jet.third[0] = -2.0 * R * dmat3(xxx, xxy, 0, xxy, xyy, 0, 0, 0, 0);
+    jet.third[1] = -2.0 * R * dmat3(xxy, xyy, 0, xyy, yyy, 0, 0, 0, 0);
+    return jet;
+}
+
+inline Sample torus(const GridOptions& options, double R = 1.0, double r = 0.4) {
+    const auto point = [=](double u, double v) {
+        const double a = 2.0 * std::numbers::pi * u, b = 2.0 * std::numbers::pi * v, d = R + r * std::cos(b);
+        return dvec3(d * std::cos(a), d * std::sin(a), r * std::sin(b));
+    };
+    return {parameter_grid("torus", true, options, point),
+            [=](const dvec3& p) { return curvature_of(torus_jet(p, R, r)); }};
+}
+
+/// z = sum of c sin(a x + b y + phase) over [-1,1]^2.
+inline Sample waves(const GridOptions& options) {
+    struct Wave {
+        double c, a, b, phase;
+    };
+    static constexpr Wave all[] = {{.10, 4, 1, .3}, {.08, -1.5, 5, 1.1}, {.05, 3, -4, 2}};
+    const auto point = [](double u, double v) {
+        dvec3 p(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
+        for (const Wave& w : all) p.z += w.c * std::sin(w.a * p.x + w.b * p.y + w.phase);
+        return p;
+    };
+    const auto exact = [](const dvec3& p) {
+        ImplicitJet jet;
+        jet.gradient = dvec3(0, 0, 1);
+        for (const Wave& w : all) {
+            const double angle = w.a * p.x + w.b * p.y + w.phase;
+            const dvec3 k(w.a, w.b, 0);
+            jet.gradient -= w.c * std::cos(angle) * k;
+            jet.hessian += w.c * std::sin(angle) * glm::outerProduct(k, k);
+            for (int i = 0; i < 2; ++i) jet.third[i] += w.c * std::cos(angle) * k[i] * glm::outerProduct(k, k);
+        }
+        return curvature_of(jet);
+    };
+    return {parameter_grid("waves", false, options, point), exact};
+}
+
+}  // namespace fovea::analytic
