@@ -6,7 +6,7 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "field/jets.h"
-#include "field/neighbours.h"
+#include "field/normals.h"
 
 namespace fovea {
 namespace {
@@ -31,20 +31,13 @@ std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptio
 
 float feature_size(const Surface& surface, const Array<Curvature>& curvature) {
     struct Sample {
-        float k;
-        double area;
+        float k, area;
     };
-    const auto around = neighbours(surface);
+    const Array<float> areas = vertex_areas(surface, *neighbours_of(surface, no_hard_edges));
     std::vector<Sample> samples(2 * curvature.size());
     parallel_for(curvature.size(), [&](std::size_t v) {
-        double area = 0.0;
-        for (Index i = around->triangle_rows.begin(Index(v)); i < around->triangle_rows.end(Index(v)); ++i) {
-            const Triangle& t = surface.triangles[around->triangles[i]];
-            const dvec3 a(surface.positions[t.x]), b(surface.positions[t.y]), c(surface.positions[t.z]);
-            area += glm::length(glm::cross(b - a, c - a)) / 6.0;
-        }
-        samples[2 * v] = {std::abs(curvature[v].k1), area};
-        samples[2 * v + 1] = {std::abs(curvature[v].k2), area};
+        samples[2 * v] = {std::abs(curvature[v].k1), areas[v]};
+        samples[2 * v + 1] = {std::abs(curvature[v].k2), areas[v]};
     });
     std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.k < b.k; });
     double total = 0.0, sum = 0.0;

@@ -1,20 +1,17 @@
 // Smooth contour: the contour of the surface that the mesh stands for, across its triangles.
 // Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000, section 4.
-// In   vertex normals
+// In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles), the view
 // Out  where the interpolated n . v is zero
-#include "field/normals.h"
+#include "line/seen_vertices.h"
 #include "line/zero_set.h"
-#include "line/definition.h"
 
 namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values&) {
-    const auto normals = vertex_normals(seen.surface);
-    Array<float> facing(seen.surface.vertex_count());
-    parallel_for(facing.size(), [&](std::size_t v) {
-        facing[v] = glm::dot((*normals)[v], seen.to_viewer(static_cast<Index>(v)));
-    });
+    const auto fields = fields_of(seen.surface, {});
+    const Array<float> facing =
+        per_vertex(seen, [&](Index v) { return glm::dot(fields->curvature[v].normal, seen.to_viewer(v)); });
     const auto all = [](Index) { return true; };
     const auto always = [](Index) { return 1.0f; };
     return trace_zero_set(seen.surface, all, [&](Index v) { return facing[v]; }, always, [](float) { return 1.0f; });
