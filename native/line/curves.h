@@ -12,6 +12,7 @@ struct CurvePiece {
     Index side[2];
     vec3 point[2];      ///< object space
     float strength[2];  ///< in [0, 1]
+    Index level = 0;    ///< pieces of other levels are other curves, though they cross the same sides
 };
 
 using Curves = Array<CurvePiece>;

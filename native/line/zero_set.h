@@ -47,7 +47,7 @@ template <typename Strength>
 void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const float (&margin)[2],
                     const Strength& strength, std::vector<CurvePiece>& out) {
     if (!(margin[0] > 0.0f) && !(margin[1] > 0.0f)) return;
-    CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}};
+    CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}, 0};
     const auto position = [&](Index v) { return surface.positions[v]; };
     for (int k = 0; k < 2; ++k) {
         piece.point[k] = ends[k].mix(position);
@@ -86,6 +86,23 @@ Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value&
         const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
         append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
     });
+}
+
+/// Curves where `value` is first + step, first + 2 step, ..., first + count step; those of one level stand together.
+template <typename Value>
+Curves trace_levels(const Surface& surface, const Value& value, float first, float step, int count) {
+    Curves curves;
+    for (int i = 1; i <= count; ++i) {
+        const float level = first + float(i) * step;
+        const Curves found = trace_zero_set(
+            surface, [](Index) { return true; }, [&](Index v) { return value(v) - level; }, [](Index) { return 1.0f; },
+            [](float) { return 1.0f; });
+        for (CurvePiece piece : found) {
+            piece.level = static_cast<Index>(i);
+            curves.push_back(piece);
+        }
+    }
+    return curves;
 }
 
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity

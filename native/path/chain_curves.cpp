@@ -12,9 +12,9 @@ using End = Index;
 Array<End> link(const Curves& pieces) {
     Array<End> ends;
     ends.reserve(2 * pieces.size());
-    const auto side = [&](End e) { return pieces[e / 2].side[e % 2]; };
+    const auto side = [&](End e) { return std::pair(pieces[e / 2].side[e % 2], pieces[e / 2].level); };
     for (End e = 0; e < 2 * pieces.size(); ++e)
-        if (side(e) != none) ends.push_back(e);
+        if (side(e).first != none) ends.push_back(e);
     std::sort(ends.begin(), ends.end(), [&](End a, End b) { return side(a) != side(b) ? side(a) < side(b) : a < b; });
     Array<End> next(2 * pieces.size(), none);
     for (std::size_t i = 0; i < ends.size();) {

@@ -134,6 +134,27 @@ TEST_P(WavesCurves, ApparentRidge) {
         return v.derivative / glm::length(a);
     }, view, 0.0);
 }
+TEST_P(WavesCurves, Demarcating) {
+    near("demarcating_curve", [&](const dvec3& p, const dvec3&) { return demarcating(sample.exact(p)).curvature; }, view, 0.0);
+}
+TEST_P(WavesCurves, Laplacian) {
+    near("laplacian_line", [&](const dvec3& p, const dvec3&) {
+        const CurvatureD c = sample.exact(p);
+        return laplacian(c, see(c, view, 0.0));
+    });
+}
+TEST_P(WavesCurves, Parabolic) {
+    near("parabolic", [&](const dvec3& p, const dvec3&) {
+        const CurvatureD c = sample.exact(p);
+        return c.k1 * c.k2;
+    });
+}
+TEST_P(WavesCurves, ZeroMeanCurvature) {
+    near("zero_mean_curvature", [&](const dvec3& p, const dvec3&) {
+        const CurvatureD c = sample.exact(p);
+        return c.k1 + c.k2;
+    });
+}
 INSTANTIATE_TEST_SUITE_P(Grids, WavesCurves, testing::Bool(),
                          [](const auto& info) { return info.param ? "Irregular" : "Regular"; });
 

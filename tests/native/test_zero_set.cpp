@@ -100,6 +100,19 @@ TEST(ZeroSet, NaNAndBrokenTrianglesGiveNoLine) {
     for (const vec3& p : part.point) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
 }
 
+TEST(ZeroSet, LevelsAreCurvesOfTheirOwn) {
+    // Three levels may cross the same side; each is one circle.
+    const auto surface = sphere(8).surface();
+    const CurveChains circles = chain_curves(
+        trace_levels(*surface, [&](Index v) { return surface->positions[v].z; }, 0.05f, 0.02f, 3));
+    ASSERT_EQ(circles.rows.count(), 3u);
+    for (Index c = 0; c < 3; ++c) {
+        EXPECT_TRUE(circles.closed[c]);
+        for (Index i = circles.rows.begin(c); i < circles.rows.end(c); ++i)
+            EXPECT_NEAR(circles.point[i].z, circles.point[circles.rows.begin(c)].z, 1e-6);
+    }
+}
+
 TEST(Maxima, OfARidgedFieldIsTheRidgeWhicheverWayItsVectorsTurn) {
     // The quantity -(x - a)^2 grows towards x = a; its derivative along (1,0,0) or (-1,0,0) turns around with it.
     const auto surface = grid(16).surface();

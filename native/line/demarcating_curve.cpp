@@ -1,0 +1,50 @@
+// Demarcating curve: where a valley turns into a ridge.
+// Kolomenkin, Shimshoni & Tal, "Demarcating Curves for Shape Illustration", SIGGRAPH Asia 2008.
+// In   curvature and its derivative
+// Out  where the curvature along g, the direction in which curvature changes most, is zero. Triangles whose corners
+//      disagree about g by more than 45 degrees have no line: there another maximum takes over.
+#include "line/seen_vertices.h"
+#include "line/zero_set.h"
+
+namespace fovea {
+namespace {
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    const Surface& surface = seen.surface;
+    const auto fields = fields_of(surface, {});
+    const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
+    const auto threshold = static_cast<float>(values[0] * unit);
+    Array<vec3> along(surface.vertex_count());
+    Array<float> bend(along.size()), above(along.size());
+    parallel_for(along.size(), [&](std::size_t v) {
+        const Curvature& c = fields->curvature[v];
+        const DemarcatingOf<float> d = demarcating(c);
+        along[v] = d.g1 * c.e1 + d.g2 * c.e2;
+        bend[v] = d.curvature;
+        above[v] = d.strength - threshold;
+    });
+    const auto agreed = [&](Index t) {
+        constexpr float cosine = 0.70710678f;
+        const Triangle& c = surface.triangles[t];
+        return glm::dot(along[c.x], along[c.y]) > cosine && glm::dot(along[c.y], along[c.z]) > cosine &&
+               glm::dot(along[c.z], along[c.x]) > cosine;
+    };
+    return trace_zero_set(surface, agreed, [&](Index v) { return bend[v]; }, [&](Index v) { return above[v]; },
+                          fading(threshold));
+}
+
+}  // namespace
+
+extern const LineDefinition demarcating_curve;
+const LineDefinition demarcating_curve = {
+    .name = "demarcating_curve",
+    .label = "Demarcating Curve",
+    .source = "Kolomenkin, Shimshoni & Tal 2008",
+    .description = "Where a valley turns into a ridge: inflections of the strongest change of curvature",
+    .scope = Scope::surface,
+    .parameters = {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least change of curvature, in units of 1 / feature size squared"}},
+    .on_by_default = false,
+    .find = find,
+};
+
+}  // namespace fovea

@@ -1,0 +1,45 @@
+// Laplacian line: zero crossings of the Laplacian of shading by a lamp at the eye.
+// Zhang et al., "Real-time Feature-based Line Drawing with Laplacian Lines", TVCG 2009.
+// In   curvature and its derivative, the view
+// Out  on the side that faces the viewer, where the Laplacian of n . v is zero and its gradient above the threshold
+#include "line/seen_vertices.h"
+#include "line/zero_set.h"
+
+namespace fovea {
+namespace {
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    const Surface& surface = seen.surface;
+    const auto fields = fields_of(surface, {});
+    const auto threshold = static_cast<float>(values[0] / fields->feature_size);
+    Array<float> value(surface.vertex_count()), above(value.size()), facing(value.size());
+    parallel_for(value.size(), [&](std::size_t v) {
+        const Curvature& c = fields->curvature[v];
+        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
+        value[v] = laplacian(c, s);
+        above[v] = std::sqrt(gradient2(c, s)) - threshold;
+        facing[v] = s.facing;
+    });
+    const auto front = [&](Index t) {
+        const Triangle& c = surface.triangles[t];
+        return facing[c.x] > 0.0f && facing[c.y] > 0.0f && facing[c.z] > 0.0f;
+    };
+    return trace_zero_set(surface, front, [&](Index v) { return value[v]; }, [&](Index v) { return above[v]; },
+                          fading(threshold));
+}
+
+}  // namespace
+
+extern const LineDefinition laplacian_line;
+const LineDefinition laplacian_line = {
+    .name = "laplacian_line",
+    .label = "Laplacian Line",
+    .source = "Zhang et al. 2009",
+    .description = "Where shading by a lamp at the eye turns from bright to dark most quickly",
+    .scope = Scope::view,
+    .parameters = {{"threshold", "Threshold", 0.05, 0.0, 100.0, "", "Least gradient of n . v, in units of 1 / feature size"}},
+    .on_by_default = false,
+    .find = find,
+};
+
+}  // namespace fovea

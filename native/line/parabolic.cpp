@@ -1,0 +1,34 @@
+// Parabolic line: between elliptic and hyperbolic parts of a surface.
+// Koenderink, "What does the occluding contour tell us about solid shape?", Perception 1984.
+// In   curvature
+// Out  where k1 k2 is zero and the greater of the two above the threshold
+#include "line/seen_vertices.h"
+#include "line/zero_set.h"
+
+namespace fovea {
+namespace {
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    const auto fields = fields_of(seen.surface, {});
+    const auto threshold = static_cast<float>(values[0] / fields->feature_size);
+    const auto all = [](Index) { return true; };
+    return trace_zero_set(
+        seen.surface, all, [&](Index v) { return fields->curvature[v].k1 * fields->curvature[v].k2; },
+        [&](Index v) { return std::abs(fields->curvature[v].k1) - threshold; }, fading(threshold));
+}
+
+}  // namespace
+
+extern const LineDefinition parabolic;
+const LineDefinition parabolic = {
+    .name = "parabolic",
+    .label = "Parabolic Line",
+    .source = "Koenderink 1984; Cole 2009, section 2.2",
+    .description = "Between convex or concave and saddle-shaped parts: zero Gaussian curvature",
+    .scope = Scope::surface,
+    .parameters = {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least curvature, in units of 1 / feature size"}},
+    .on_by_default = false,
+    .find = find,
+};
+
+}  // namespace fovea
