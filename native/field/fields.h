@@ -1,29 +1,34 @@
-// Fields of a surface on demand.
+// What lines know of a surface at each vertex: curvature, and the size of its features.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "field/curvature.h"
-#include "mesh/surface.h"
+#include "field/neighbours.h"
 
 namespace fovea {
 
+enum class Estimator { automatic, jets, one_ring };
+
 struct FieldOptions {
-    int degree = 0, rings = 0;  ///< of the jets; 0: chosen by the mesh's noise
+    Estimator estimator = Estimator::automatic;
+    int degree = 0;  ///< of jets, 2 to 4; 0: automatic
+    int rings = 0;   ///< of jets, 1 to 32; 0: automatic
+    double hard_angle = default_hard_angle;
 };
 
-/// What lines of the field are made of.
 struct Fields {
     Array<Curvature> curvature;  ///< per vertex
-    float feature_size = 0.0f;   ///< length that makes thresholds dimensionless: small where curvature is great
-    std::string reason;          ///< why the estimator was chosen, in a sentence
+    /// Length against which curvatures are measured: min(0.01 / q, 0.05 R) with q the 10 % quantile, by area, of |k1|
+    /// and |k2| over all vertices and R the radius of the surface; 0 for a surface without area. As in rtsc
+    /// (DeCarlo et al.), but of all vertices instead of a random sample.
+    float feature_size = 0.0f;
+    std::string reason;          ///< one sentence: which estimator was taken, and why
 };
 
-/// Kept with the surface.
-std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options);
-
-/// The smaller of a hundredth of the radius of curvature that nine tenths of the surface are flatter or rounder than,
-/// and a twentieth of the surface's radius: min(0.01 / q, 0.05 R), q the area-weighted 10 % quantile of all |k1| and |k2|.
-float feature_size(const Surface& surface, const Array<Curvature>& curvature);
+/// Kept with the surface, by the options. Automatic takes jets, of degree 4 over 3 rings where the positions are clean
+/// and of degree 3 over more rings the noisier they are. Throws std::invalid_argument for options out of range.
+std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options = {});
 
 }  // namespace fovea

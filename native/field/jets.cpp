@@ -85,10 +85,8 @@ struct Walk {
     }
 };
 
-double weight_of(const dvec3& p) {
-    const double d2 = p.x * p.x + p.y * p.y + p.z * p.z;
-    return 1.0 / (0.1 + d2);
-}
+/// Near points count more, which is what makes fits exact on clean surfaces; on noisy ones all are needed.
+double weight_of(const dvec3& p, bool even) { return even ? 1.0 : 1.0 / (0.1 + glm::dot(p, p)); }
 
 /// Monomials x^i y^j up to a degree, by degree, then by j, all times `first`.
 template <int degree>
@@ -105,12 +103,12 @@ void monomials(double x, double y, double first, double* m) {
 /// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false when they are not determined.
 /// The normal matrix holds moments only, terms(2 degree) of them.
 template <int degree>
-bool fit(const std::vector<dvec3>& points, double* a) {
+bool fit(const std::vector<dvec3>& points, bool even, double* a) {
     constexpr int size = terms(degree), moment_count = terms(2 * degree);
     if (points.size() < std::size_t(size)) return false;
     double moments[moment_count] = {}, heights[size] = {}, m[moment_count];
     for (const dvec3& p : points) {
-        monomials<2 * degree>(p.x, p.y, weight_of(p), m);
+        monomials<2 * degree>(p.x, p.y, weight_of(p, even), m);
         for (int k = 0; k < moment_count; ++k) moments[k] += m[k];
         for (int k = 0; k < size; ++k) heights[k] += p.z * m[k];
     }
@@ -151,14 +149,14 @@ bool fit(const std::vector<dvec3>& points, double* a) {
     return true;
 }
 
-/// Coefficients of the highest degree up to `degree` that the points determine; returns it, 0 when none.
-int fit_up_to(int degree, const std::vector<dvec3>& points, double* a) {
+/// Coefficients of the highest degree up to options.degree that the points determine; returns it, 0 when none.
+int fit_up_to(const JetOptions& options, const std::vector<dvec3>& points, double* a) {
     std::fill_n(a, terms(max_degree), 0.0);
-    if (degree >= 4 && fit<4>(points, a)) return 4;
+    if (options.degree >= 4 && fit<4>(points, options.even, a)) return 4;
     std::fill_n(a, terms(max_degree), 0.0);
-    if (degree >= 3 && fit<3>(points, a)) return 3;
+    if (options.degree >= 3 && fit<3>(points, options.even, a)) return 3;
     std::fill_n(a, terms(max_degree), 0.0);
-    if (fit<2>(points, a)) return 2;
+    if (fit<2>(points, options.even, a)) return 2;
     std::fill_n(a, terms(max_degree), 0.0);
     return 0;
 }
@@ -203,9 +201,12 @@ bool look_around(const Surface& surface, const Neighbours& neighbours, const Jet
 }  // namespace
 
 Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options) {
+    return jet_curvature(surface, *neighbours_of(surface, options.hard_angle), options);
+}
+
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const JetOptions& options) {
     check_options(options);
-    const auto neighbours = neighbours_of(surface, options.hard_angle);
-    const Array<vec3> normals = vertex_normals(surface, *neighbours);
+    const Array<vec3> normals = vertex_normals(surface, neighbours);
     Array<Curvature> result(surface.vertex_count());
     tbb::enumerable_thread_specific<Walk> walks([&] { return Walk(surface.vertex_count()); });
     parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -213,27 +214,26 @@ Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options
         double a[terms(max_degree)];
         for (std::size_t v = begin; v < end; ++v) {
             result[v] = {};
-            if (!look_around(surface, *neighbours, options, normals[v], Index(v), walk)) continue;
-            fit_up_to(options.degree, walk.around.points, a);
+            if (!look_around(surface, neighbours, options, normals[v], Index(v), walk)) continue;
+            fit_up_to(options, walk.around.points, a);
             result[v] = to_object(curvature_of(jet_of(a)), walk.around);
         }
     });
     return result;
 }
 
-double jet_noise(const Surface& surface, const JetOptions& options, Index samples) {
+double jet_noise(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, Index samples) {
     check_options(options);
-    const auto neighbours = neighbours_of(surface, options.hard_angle);
-    const Array<vec3> normals = vertex_normals(surface, *neighbours);
+    const Array<vec3> normals = vertex_normals(surface, neighbours);
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
     Walk walk(surface.vertex_count());
     std::vector<double> noise;
     double a[terms(max_degree)], m[terms(max_degree)];
     for (Index v = 0; v < surface.vertex_count(); v += step) {
-        if (!look_around(surface, *neighbours, options, normals[v], v, walk)) continue;
+        if (!look_around(surface, neighbours, options, normals[v], v, walk)) continue;
         const Surroundings& around = walk.around;
         if (around.points.size() < std::size_t(terms(options.degree) + spare_points)) continue;
-        if (fit_up_to(options.degree, around.points, a) != options.degree) continue;
+        if (fit_up_to(options, around.points, a) != options.degree) continue;
         double squares = 0.0;
         for (const dvec3& p : around.points) {
             monomials<max_degree>(p.x, p.y, 1.0, m);

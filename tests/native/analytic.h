@@ -20,7 +20,7 @@ struct Sample {
 };
 
 struct GridOptions {
-    int n = 64;              ///< cells along each side
+    int n = 64;              ///< cells along u; along v half as many on closed surfaces (a torus), else as many
     bool irregular = false;  ///< parameters jittered by .3 cell, random diagonals
     unsigned seed = 1;
 };
@@ -28,19 +28,19 @@ struct GridOptions {
 /// point(u, v) over [0,1]^2, closed in both directions or in none; triangles, outward where point_u x point_v is.
 template <typename Point>
 Mesh parameter_grid(const std::string& name, bool closed, const GridOptions& options, const Point& point) {
-    const int n = options.n, side = closed ? n : n + 1;
+    const int n = options.n, m = closed ? n / 2 : n, wide = closed ? n : n + 1, high = closed ? m : m + 1;
     std::mt19937 random(options.seed);
     std::uniform_real_distribution<double> jitter(-0.3, 0.3);
     Mesh mesh(name, {});
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-            const bool border = !closed && (i == 0 || j == 0 || i == n || j == n);
+    for (int j = 0; j < high; ++j)
+        for (int i = 0; i < wide; ++i) {
+            const bool border = !closed && (i == 0 || j == 0 || i == n || j == m);
             const double a = jitter(random), b = jitter(random), move = options.irregular && !border ? 1.0 : 0.0;
-            mesh.positions.push_back(vec3(point((i + move * a) / n, (j + move * b) / n)));
+            mesh.positions.push_back(vec3(point((i + move * a) / n, (j + move * b) / m)));
         }
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
-            const auto at = [&](int x, int y) { return x % side + side * (y % side); };
+            const auto at = [&](int x, int y) { return x % wide + wide * (y % high); };
             const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
             const bool other = options.irregular && random() % 2;
             mesh.add_polygon(other ? std::vector{a, b, d} : std::vector{a, b, c});
@@ -49,9 +49,8 @@ Mesh parameter_grid(const std::string& name, bool closed, const GridOptions& opt
     return mesh;
 }
 
-/// Around z; tube of radius `r` around a circle of radius `R`.
-inline ImplicitJet torus_jet(const dvec3& p, double R, double r) {
-    (void)r;
+/// At a point of any tube around a circle of radius `R` around z.
+inline ImplicitJet torus_jet(const dvec3& p, double R) {
     ImplicitJet jet;
     const double rho = std::hypot(p.x, p.y), x = p.x, y = p.y;
     // F = (rho - R)^2 + z^2 - r^2 = x^2 + y^2 + z^2 + R^2 - r^2 - 2 R rho
@@ -67,13 +66,14 @@ inline ImplicitJet torus_jet(const dvec3& p, double R, double r) {
     return jet;
 }
 
+/// Around z; tube of radius `r` around a circle of radius `R`.
 inline Sample torus(const GridOptions& options, double R = 1.0, double r = 0.4) {
     const auto point = [=](double u, double v) {
         const double a = 2.0 * std::numbers::pi * u, b = 2.0 * std::numbers::pi * v, d = R + r * std::cos(b);
         return dvec3(d * std::cos(a), d * std::sin(a), r * std::sin(b));
     };
     return {parameter_grid("torus", true, options, point),
-            [=](const dvec3& p) { return curvature_of(torus_jet(p, R, r)); }};
+            [=](const dvec3& p) { return curvature_of(torus_jet(p, R)); }};
 }
 
 /// z = sum of c sin(a x + b y + phase) over [-1,1]^2.

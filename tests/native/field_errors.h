@@ -13,7 +13,8 @@ struct Errors {
 };
 
 /// |C| as a tensor.
-inline double norm(const double (&c)[4]) {
+template <typename Real>
+double norm(const Real (&c)[4]) {
     return std::sqrt(c[0] * c[0] + 3 * c[1] * c[1] + 3 * c[2] * c[2] + c[3] * c[3]);
 }
 

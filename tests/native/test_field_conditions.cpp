@@ -1,0 +1,135 @@
+// Curvature under what must not change it, on broken input, and at hard edges.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <limits>
+
+#include "field/fields.h"
+#include "field/jets.h"
+#include "field/one_ring.h"
+#include "field_errors.h"
+
+using namespace fovea;
+using namespace fovea::analytic;
+
+namespace {
+
+using Estimate = Array<Curvature> (*)(const Surface&);
+const Estimate estimates[] = {[](const Surface& s) { return jet_curvature(s); },
+                              [](const Surface& s) { return one_ring_curvature(s); }};
+
+bool finite(const Curvature& c) {
+    float sum = c.k1 + c.k2 + c.C[0] + c.C[1] + c.C[2] + c.C[3];
+    for (int i = 0; i < 3; ++i) sum += c.normal[i] + c.e1[i] + c.e2[i];
+    return std::isfinite(sum);
+}
+
+/// A box of n x n quads on each side, vertices shared.
+Mesh fine_box(int n) {
+    Mesh mesh("fine box", {});
+    std::map<std::array<int, 3>, int> number;
+    const auto at = [&](std::array<int, 3> p) {
+        const auto [it, added] = number.try_emplace(p, int(mesh.positions.size()));
+        if (added) mesh.positions.push_back(vec3(p[0], p[1], p[2]) / float(n));
+        return it->second;
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side : {0, n})
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    const auto corner = [&](int di, int dj) {
+                        std::array<int, 3> p;
+                        p[axis] = side, p[(axis + 1) % 3] = i + di, p[(axis + 2) % 3] = j + dj;
+                        return at(p);
+                    };
+                    std::vector<int> quad{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+                    if (side == 0) std::reverse(quad.begin(), quad.end());
+                    mesh.add_polygon(quad);
+                }
+    return mesh;
+}
+
+}  // namespace
+
+TEST(FieldConditions, SphereIsRoundEverywhere) {
+    Mesh mesh = meshes::sphere(48);
+    for (vec3& p : mesh.positions) p *= 2.0f;
+    const auto surface = mesh.surface();
+    for (const Curvature& c : jet_curvature(*surface)) {
+        EXPECT_NEAR(c.k1, 0.5f, 2e-3f);
+        EXPECT_NEAR(c.k2, 0.5f, 2e-3f);
+        for (float third : c.C) EXPECT_NEAR(third, 0.0f, 2e-2f);
+    }
+}
+
+TEST(FieldConditions, FramesAreRightHandedAndOrdered) {
+    const auto surface = waves({.n = 24, .irregular = true}).mesh.surface();
+    for (const Estimate estimate : estimates)
+        for (const Curvature& c : estimate(*surface)) {
+            EXPECT_NEAR(glm::distance(glm::cross(c.e1, c.e2), c.normal), 0.0f, 1e-5f);
+            EXPECT_GE(std::abs(c.k1), std::abs(c.k2));
+        }
+}
+
+TEST(FieldConditions, ThreadsAndScaleAndRotation) {
+    const Sample sample = torus({.n = 32, .irregular = true});
+    const auto surface = sample.mesh.surface();
+    Mesh turned = sample.mesh;
+    const double angle = 0.7;
+    const dmat3 turn(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle));
+    for (vec3& p : turned.positions) p = vec3(8.0 * (turn * dvec3(p)));
+    const auto other = turned.surface();
+    for (const Estimate estimate : estimates) {
+        const Array<Curvature> all = estimate(*surface), large = estimate(*other);
+        {
+            tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+            const Array<Curvature> alone = estimate(*sample.mesh.surface());
+            EXPECT_EQ(std::memcmp(alone.data(), all.data(), all.size() * sizeof(Curvature)), 0);
+        }
+        for (std::size_t v = 0; v < all.size(); ++v) {
+            EXPECT_NEAR(8.0f * large[v].k1, all[v].k1, 1e-3f * std::abs(all[v].k1));
+            EXPECT_NEAR(8.0f * large[v].k2, all[v].k2, 1e-3f * std::abs(all[v].k1));
+            const double c = norm(all[v].C);
+            EXPECT_NEAR(64.0 * norm(large[v].C), c, 2e-3 * (c + 10.0));
+            EXPECT_NEAR(glm::distance(dvec3(large[v].normal), turn * dvec3(all[v].normal)), 0.0, 1e-5);
+        }
+    }
+}
+
+TEST(FieldConditions, BoxIsFlatUpToItsEdges) {
+    const auto surface = fine_box(8).surface();
+    for (const Estimate estimate : estimates)
+        for (const Curvature& c : estimate(*surface)) {
+            EXPECT_NEAR(c.k1, 0.0f, 1e-4f);
+            EXPECT_NEAR(glm::length(c.normal), 1.0f, 1e-5f);
+            for (float third : c.C) EXPECT_NEAR(third, 0.0f, 1e-3f);
+        }
+}
+
+TEST(FieldConditions, BrokenInputGivesFiniteValues) {
+    Mesh broken = meshes::grid(4);
+    broken.positions[7] = vec3(std::numeric_limits<float>::quiet_NaN());
+    const Mesh sliver = meshes::of_polygons("sliver", {{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-7f, 0}, {0.5f, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+    const Mesh triangle = meshes::of_polygons("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    for (const Mesh& mesh : {broken, sliver, triangle, Mesh("nothing", {}), meshes::two_boxes_at_an_edge(), meshes::moebius(8),
+                             meshes::cylinder(6), meshes::box(), meshes::grid(1)}) {
+        const auto surface = mesh.surface();
+        for (const Estimate estimate : estimates)
+            for (const Curvature& c : estimate(*surface)) EXPECT_TRUE(finite(c)) << mesh.name;
+        EXPECT_TRUE(std::isfinite(fields_of(*surface)->feature_size)) << mesh.name;
+    }
+}
+
+TEST(FieldConditions, AutomaticChoiceFollowsTheNoise) {
+    Sample sample = torus({.n = 64});
+    const auto clean = fields_of(*sample.mesh.surface());
+    EXPECT_NE(clean->reason.find("clean"), std::string::npos) << clean->reason;
+    std::mt19937 random(3);
+    std::normal_distribution<float> offset(0.0f, 0.001f);  // about 1 % of an edge
+    for (vec3& p : sample.mesh.positions) p += offset(random) * vec3(sample.exact(dvec3(p)).normal);
+    const auto surface = sample.mesh.surface();
+    const auto noisy = fields_of(*surface);
+    EXPECT_NE(noisy->reason.find("degree 3 over 4 rings"), std::string::npos) << noisy->reason;
+    EXPECT_EQ(noisy, fields_of(*surface)) << "kept";
+}

@@ -1,0 +1,21 @@
+// Curvature from one-rings, on the regular meshes it is good at.
+#include <gtest/gtest.h>
+
+#include "field/one_ring.h"
+#include "field_errors.h"
+
+using namespace fovea;
+using namespace fovea::analytic;
+
+// Limits: medians and 99th percentiles as first measured, rounded up a little; both fall with the square of the edge.
+TEST(FieldOneRing, TorusRegular) {
+    for (const auto& [n, k, k99, c, c99] : {std::array{64., .0035, .011, .017, .037}, {128., .0009, .003, .0045, .009}}) {
+        const Sample sample = torus({.n = int(n)});
+        expect_below(errors_of(sample, one_ring_curvature(*sample.mesh.surface())), k, k99, c, c99);
+    }
+}
+
+TEST(FieldOneRing, TorusIrregularKeepsTheCurvatureButNotItsDerivative) {
+    const Sample sample = torus({.n = 128, .irregular = true});
+    expect_below(errors_of(sample, one_ring_curvature(*sample.mesh.surface())), .026, .12, .55, 2.2);
+}
