@@ -33,7 +33,8 @@ Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const F
         // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
         JetOptions near = choice.jets;
         near.rings = 2;
-        const double noise = std::min(jet_noise(surface, neighbours, choice.jets), jet_noise(surface, neighbours, near));
+        const double noise =
+            std::min(jet_noise(surface, neighbours, choice.jets), jet_noise(surface, neighbours, near));
         const char* kind = "clean";
         if (noise > clean) {
             choice.jets.even = true;
@@ -42,7 +43,8 @@ Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const F
             kind = noise > noisy ? "very noisy" : noise > slightly_noisy ? "noisy" : "slightly noisy";
         }
         char text[120];
-        std::snprintf(text, sizeof text, "positions are %s (%.2g %% of an edge off a smooth surface): jets", kind, 100.0 * noise);
+        std::snprintf(text, sizeof text, "positions are %s (%.2g %% of an edge off a smooth surface): jets", kind,
+                      100.0 * noise);
         choice.reason = text;
     }
     if (options.degree) choice.jets.degree = options.degree;

@@ -63,7 +63,9 @@ struct Walk {
 
     void place(const Surface& surface, const Neighbours& neighbours, const dvec3& normal) {
         around.n = normal;
-        const dvec3 axis = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : std::abs(normal.y) < 0.6 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
+        const dvec3 axis = std::abs(normal.x) < 0.6   ? dvec3(1, 0, 0)
+                           : std::abs(normal.y) < 0.6 ? dvec3(0, 1, 0)
+                                                      : dvec3(0, 0, 1);
         around.t = glm::normalize(glm::cross(axis, normal));
         around.b = glm::cross(normal, around.t);
         const auto& found = around.found;
@@ -119,7 +121,8 @@ bool fit(const std::vector<dvec3>& points, bool even, double* a) {
         for (int j = 0; j <= d; ++j, ++row) {
             int column = 0;
             for (int e = 0; e <= d && column <= row; ++e)
-                for (int k = 0; k <= e && column <= row; ++k, ++column) l[row][column] = moments[terms(d + e - 1) + j + k];
+                for (int k = 0; k <= e && column <= row; ++k, ++column)
+                    l[row][column] = moments[terms(d + e - 1) + j + k];
         }
     for (int r = 0; r < size; ++r) {
         const double diagonal = l[r][r];

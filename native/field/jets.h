@@ -9,7 +9,8 @@ namespace fovea {
 struct JetOptions {
     int degree = 4;  ///< of the polynomial, 2 to 4; degree 2 leaves C at what the frame alone gives
     int rings = 3;   ///< of neighbours that are fitted, 1 to 32; more rings: smoother, slower
-    bool even = false;  ///< all points weigh the same: for noisy positions; else by 1 / (0.1 + squared distance / mean^2)
+    bool even =
+        false;  ///< all points weigh the same: for noisy positions; else by 1 / (0.1 + squared distance / mean^2)
     double hard_angle = default_hard_angle;  ///< where no neighbours are given
 };
 

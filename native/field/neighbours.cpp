@@ -23,9 +23,8 @@ void sort_into_rows(Index keys, std::size_t count, const Visit& visit, Rows& row
     counts_to_offsets(rows.offsets);
     values.resize(rows.offsets.back());
     Array<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-    parallel_for(count, [&](std::size_t i) {
-        visit(i, [&](Index key, Index value) { values[take_one(next[key])] = value; });
-    });
+    parallel_for(
+        count, [&](std::size_t i) { visit(i, [&](Index key, Index value) { values[take_one(next[key])] = value; }); });
     parallel_for(keys, [&](std::size_t k) {
         std::sort(values.begin() + rows.begin(Index(k)), values.begin() + rows.end(Index(k)));
     });
@@ -84,7 +83,8 @@ class Sectors {
         const Triangle& tri = surface_.triangles[t];
         const int i = tri.x == v ? 0 : tri.y == v ? 1 : 2;
         const dvec3 p(surface_.positions[v]);
-        const dvec3 a = dvec3(surface_.positions[tri[(i + 1) % 3]]) - p, b = dvec3(surface_.positions[tri[(i + 2) % 3]]) - p;
+        const dvec3 a = dvec3(surface_.positions[tri[(i + 1) % 3]]) - p,
+                    b = dvec3(surface_.positions[tri[(i + 2) % 3]]) - p;
         return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
     }
 

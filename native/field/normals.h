@@ -5,8 +5,8 @@
 
 namespace fovea {
 
-/// Unit normals, one per vertex: triangle normals weighted so that they are exact on spheres. Zero where a vertex has no
-/// triangle with an area. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 1999.
+/// Unit normals, one per vertex: triangle normals weighted so that they are exact on spheres. Zero where a vertex has
+/// no triangle with an area. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 1999.
 Array<vec3> vertex_normals(const Surface& surface, const Neighbours& neighbours);
 
 /// Share of each corner of a triangle in its area: Voronoi, cut off at the triangle where it is obtuse. All zero for a

@@ -65,7 +65,8 @@ class OneRing {
 
     Face face_of(Index number) const {
         const Triangle& tri = surface_.triangles[number];
-        const dvec3 p[3] = {dvec3(surface_.positions[tri.x]), dvec3(surface_.positions[tri.y]), dvec3(surface_.positions[tri.z])};
+        const dvec3 p[3] = {dvec3(surface_.positions[tri.x]), dvec3(surface_.positions[tri.y]),
+                            dvec3(surface_.positions[tri.z])};
         Face face;
         const dvec3 e[3] = {p[2] - p[1], p[0] - p[2], p[1] - p[0]};
         const dvec3 across = glm::cross(e[0], e[1]);
@@ -118,7 +119,8 @@ class OneRing {
             const Turn turn(p, q, c.normal, dvec3(face.t), dvec3(face.b));
             const double l = face.form.x, m = face.form.y, n = face.form.z;
             pp += weight * (turn.pt * turn.pt * l + 2 * turn.pt * turn.pb * m + turn.pb * turn.pb * n);
-            pq += weight * (turn.pt * turn.qt * l + (turn.pt * turn.qb + turn.pb * turn.qt) * m + turn.pb * turn.qb * n);
+            pq +=
+                weight * (turn.pt * turn.qt * l + (turn.pt * turn.qb + turn.pb * turn.qt) * m + turn.pb * turn.qb * n);
             qq += weight * (turn.qt * turn.qt * l + 2 * turn.qt * turn.qb * m + turn.qb * turn.qb * n);
             total += weight;
         });
@@ -149,13 +151,15 @@ class OneRing {
             if (!belongs(tri[i], number)) return;
             const Curvature& c = result_[tri[i]];
             const Turn turn(dvec3(c.e1), dvec3(c.e2), dvec3(c.normal), t, b);
-            form[i] = {c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt, c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb,
+            form[i] = {c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt,
+                       c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb,
                        c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb};
         }
         double xx = 0, xy = 0, yy = 0, r[4] = {};
         for (int j = 0; j < 3; ++j) {
             const Index from = (j + 1) % 3, to = (j + 2) % 3;
-            const dvec3 e = dvec3(surface_.positions[tri[to]]) - dvec3(surface_.positions[tri[from]]), d = form[to] - form[from];
+            const dvec3 e = dvec3(surface_.positions[tri[to]]) - dvec3(surface_.positions[tri[from]]),
+                        d = form[to] - form[from];
             const double x = glm::dot(e, t), y = glm::dot(e, b);
             xx += x * x, xy += x * y, yy += y * y;
             r[0] += x * d.x, r[1] += y * d.x + 2 * x * d.y, r[2] += 2 * y * d.y + x * d.z, r[3] += y * d.z;

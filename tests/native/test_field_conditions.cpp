@@ -110,10 +110,11 @@ TEST(FieldConditions, BoxIsFlatUpToItsEdges) {
 TEST(FieldConditions, BrokenInputGivesFiniteValues) {
     Mesh broken = meshes::grid(4);
     broken.positions[7] = vec3(std::numeric_limits<float>::quiet_NaN());
-    const Mesh sliver = meshes::of_polygons("sliver", {{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-7f, 0}, {0.5f, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+    const Mesh sliver =
+        meshes::of_polygons("sliver", {{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-7f, 0}, {0.5f, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
     const Mesh triangle = meshes::of_polygons("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-    for (const Mesh& mesh : {broken, sliver, triangle, Mesh("nothing", {}), meshes::two_boxes_at_an_edge(), meshes::moebius(8),
-                             meshes::cylinder(6), meshes::box(), meshes::grid(1)}) {
+    for (const Mesh& mesh : {broken, sliver, triangle, Mesh("nothing", {}), meshes::two_boxes_at_an_edge(),
+                             meshes::moebius(8), meshes::cylinder(6), meshes::box(), meshes::grid(1)}) {
         const auto surface = mesh.surface();
         for (const Estimate estimate : estimates)
             for (const Curvature& c : estimate(*surface)) EXPECT_TRUE(finite(c)) << mesh.name;

@@ -9,7 +9,8 @@ using namespace fovea::analytic;
 
 // Limits: medians and 99th percentiles as first measured, rounded up a little; both fall with the square of the edge.
 TEST(FieldOneRing, TorusRegular) {
-    for (const auto& [n, k, k99, c, c99] : {std::array{64., .0035, .011, .017, .037}, {128., .0009, .003, .0045, .009}}) {
+    for (const auto& [n, k, k99, c, c99] :
+         {std::array{64., .0035, .011, .017, .037}, {128., .0009, .003, .0045, .009}}) {
         const Sample sample = torus({.n = int(n)});
         expect_below(errors_of(sample, one_ring_curvature(*sample.mesh.surface())), k, k99, c, c99);
     }
