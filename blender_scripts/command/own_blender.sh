@@ -55,7 +55,6 @@ oneapi/tbb/version.h oneTBB (libtbb-dev)
 glm/glm.hpp GLM (libglm-dev)
 xxhash.h xxHash (libxxhash-dev)
 png.h libpng (libpng-dev)
-eigen3/Eigen/Core Eigen (libeigen3-dev)
 OpenMesh/Core/System/config.h OpenMesh (libopenmesh-dev)
 opensubdiv/version.h OpenSubdiv (libosd-dev)
 END
