@@ -106,6 +106,8 @@ class Marcher {
     Interval interval_of(const Known& known) const {
         if (known.placement == segment_->ignore.placement) {
             const Surface& surface = *tracer_.scene().placements[known.placement].surface;
+            // How near a curve's own surface may be, only rays know.
+            if (segment_->ignore.across_triangles()) return {};
             if (segment_->ignore.holds(surface, known.triangle)) return {};
             if (known.other != none && segment_->ignore.holds(surface, known.other)) return {};
         }
@@ -197,7 +199,7 @@ class Runner {
         const auto& placements = tracer_.scene().placements;
         check(placement < placements.size() && place < placements[placement].surface->place_count(),
               "exact_visibility: the paths are not of this scene");
-        s.ignore = Ignore::at(placement, *placements[placement].surface, place);
+        s.ignore = tracer_.ignore_at(placement, place);
         return s;
     }
 

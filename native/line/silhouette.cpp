@@ -21,7 +21,7 @@ void trace(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds
         const dvec3 middle = 0.5 * (dvec3(surface.positions[edge.x]) + dvec3(surface.positions[edge.y]));
         const vec3 point(seen.object_to_view * dvec4(middle, 1.0));
         if (!seen.tracer->view().orthographic && point.z >= 0.0f) return false;
-        const auto behind = seen.tracer->behind(point, Ignore::at(seen.placement, surface, e));
+        const auto behind = seen.tracer->behind(point, seen.tracer->ignore_at(seen.placement, e));
         return !behind || behind->placement != seen.placement;
     });
 }

@@ -1,6 +1,7 @@
 // Embree: one BVH per surface, instanced under one per view.
 #include <embree4/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -57,6 +58,7 @@ struct Context {
     const Scene* scene;
     const Index* placement_of_instance;
     const Ignore* ignore;
+    float reach_t;  // the ignore's reach as a share of the ray
 };
 
 void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
@@ -65,7 +67,8 @@ void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
     if (placement != context->ignore->placement) return;
     const Index triangle = RTCHitN_primID(arguments->hit, 1, 0);
     const Surface& surface = *context->scene->placements[placement].surface;
-    if (context->ignore->holds(surface, triangle)) arguments->valid[0] = 0;
+    const float before = 1.0f - RTCRayN_tfar(arguments->ray, 1, 0);
+    if (std::abs(before) < context->reach_t || context->ignore->holds(surface, triangle)) arguments->valid[0] = 0;
 }
 
 /// Flat to the margin of rays, so that it hides no more than its two triangles do.
@@ -113,6 +116,7 @@ struct Tracer::Bvh {
         context.scene = &scene;
         context.placement_of_instance = placement_of_instance.data();
         context.ignore = &ignore;
+        context.reach_t = ignore.reach > 0.0f ? ignore.reach / glm::length(direction) : 0.0f;
         RTCIntersectArguments arguments;
         rtcInitIntersectArguments(&arguments);
         arguments.context = &context.base;
@@ -214,6 +218,19 @@ void Tracer::check_current() const {
         if (surface.version() != bvh_->versions[i])
             check(false, surface.name() + ": moved after its tracer was made; make a new one");
     }
+}
+
+Ignore Tracer::ignore_at(Index placement, Index place) const {
+    const Surface& surface = *scene_.placements[placement].surface;
+    if (surface.is_edge(place)) {
+        const EdgeSide* sides = surface.edge_sides.data();
+        return {placement, sides + surface.edge_rows.begin(place), sides + surface.edge_rows.end(place)};
+    }
+    const Index triangle = surface.triangle_at(place);
+    dvec3 c[3];
+    corners(placement, triangle, c);
+    const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
+    return {placement, nullptr, nullptr, surface.triangles[triangle], static_cast<float>(2.0 * longest)};
 }
 
 void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {

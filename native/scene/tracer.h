@@ -9,22 +9,18 @@
 namespace fovea {
 
 /// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked, or, for a line
-/// across triangles, all that touch its own: a smooth contour runs beside the edges where the mesh turns away.
+/// across triangles, all of the surface that is as near to it as its own triangle is large: a smooth contour runs beside
+/// the edges where the mesh turns away, before them or behind.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
     const EdgeSide* end = nullptr;
     Triangle around{none, none, none};  ///< vertices; `none`: the line lies on an edge
+    float reach = 0.0f;                 ///< view space
 
-    /// What is ignored at a place of a surface.
-    static Ignore at(Index placement, const Surface& surface, Index place) {
-        if (!surface.is_edge(place)) return {placement, nullptr, nullptr, surface.triangles[surface.triangle_at(place)]};
-        const EdgeSide* sides = surface.edge_sides.data();
-        return {placement, sides + surface.edge_rows.begin(place), sides + surface.edge_rows.end(place)};
-    }
-
+    bool across_triangles() const { return around.x != none; }
     bool holds(const Surface& surface, Index triangle) const {
-        if (around.x != none) {
+        if (across_triangles()) {
             const Triangle& t = surface.triangles[triangle];
             for (int i = 0; i < 3; ++i)
                 if (t[i] == around.x || t[i] == around.y || t[i] == around.z) return true;
@@ -77,6 +73,9 @@ class Tracer {
 
     /// Throws std::invalid_argument where a surface has moved since: its triangles are no longer those of the rays.
     void check_current() const;
+
+    /// What is ignored at a place of a placement's surface (Surface::place).
+    Ignore ignore_at(Index placement, Index place) const;
 
     const View& view() const { return view_; }
     const Scene& scene() const { return scene_; }

@@ -158,6 +158,21 @@ TEST_P(WavesCurves, ZeroMeanCurvature) {
 INSTANTIATE_TEST_SUITE_P(Grids, WavesCurves, testing::Bool(),
                          [](const auto& info) { return info.param ? "Irregular" : "Regular"; });
 
+TEST(Curves, TheSmoothContourOfARoundBodyIsSeenWhole) {
+    // Its points lie before or behind the edges where the mesh turns away, yet its own surface does not hide it.
+    const auto seen_share = [](const meshes::Mesh& mesh, const dvec3& eye) {
+        const Drawing drawing({place(mesh)}, perspective(eye, dvec3(0)), {line_set({"smooth_contour"})});
+        return drawing.visible_px(0) / drawing.total_px(0);
+    };
+    for (const dvec3& eye : {dvec3(4, -5, 3), dvec3(0.3, 6, 1), dvec3(5, 0.2, 0.1)}) {
+        EXPECT_GT(seen_share(meshes::sphere(16), eye), 0.999);
+        EXPECT_GT(seen_share(meshes::sphere(48), eye), 0.999);
+    }
+    // Seen from above at a slant, a torus hides no more than the far part of its inner contour.
+    const double share = seen_share(torus({.n = 96, .irregular = true}).mesh, dvec3(4, -5, 5));
+    EXPECT_GT(share, 0.95);
+}
+
 TEST(Curves, TorusAndSphereHaveNoCrests) {
     for (const bool irregular : {false, true}) {
         const auto surface = torus({.n = 128, .irregular = irregular}).mesh.surface();

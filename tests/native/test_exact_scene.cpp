@@ -46,8 +46,7 @@ class Judge {
         const double wa = flat ? 1.0 : -a.z, wb = flat ? 1.0 : -b.z;
         const dvec3 point = glm::mix(a, b, s * wa / (wb + s * (wa - wb)));
         const Index placement = drawing_.paths.placement[clipped.path[piece]];
-        const Surface& surface = *drawing_.scene.placements[placement].surface;
-        const Ignore own = Ignore::at(placement, surface, drawing_.paths.place[clipped.source[i]]);
+        const Ignore own = drawing_.tracer.ignore_at(placement, drawing_.paths.place[clipped.source[i]]);
         return !drawing_.tracer.occluder(vec3(point), own);
     }
 
