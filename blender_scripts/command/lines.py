@@ -121,11 +121,14 @@ def _orthographic(half, near, far):
 
 
 def _arrays(paths, surface, positions):
-    """What the file holds; points in the model's own double precision, from where they lie on their edges."""
-    ends = positions[surface.edges[paths.edge]]
-    t = paths.edge_t[:, None].astype(np.float64)
+    """What the file holds; points on edges in the model's own double precision, from where they lie on them."""
+    points = paths.points_obj.astype(np.float64)
+    on_edge = paths.place < len(surface.edges)
+    ends = positions[surface.edges[paths.place[on_edge]]]
+    t = paths.edge_t[on_edge, None].astype(np.float64)
+    points[on_edge] = (1 - t) * ends[:, 0] + t * ends[:, 1]
     return {
-        "points": (1 - t) * ends[:, 0] + t * ends[:, 1],
+        "points": points,
         "offsets": paths.offsets.astype(np.int64),
         "closed": paths.closed.astype(bool),
         "path_id": paths.ids,

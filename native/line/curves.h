@@ -7,6 +7,7 @@ namespace fovea {
 
 /// A straight piece of a curve in one triangle. An end on a side of the triangle carries the side's number
 /// (mesh/triangle_sides.h), which the piece beyond the side shares; an end inside has `none`: there the curve ends.
+/// A definition leaves at most one piece of a level in a triangle.
 struct CurvePiece {
     Index triangle;
     Index side[2];

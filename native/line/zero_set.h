@@ -61,7 +61,9 @@ void append_trimmed(const Surface& surface, Index triangle, const Crossing (&end
         piece.side[k] = none;
         piece.strength[k] = strength(0.0f);
     }
-    out.push_back(piece);
+    // On a broken or enormous mesh a field may be beyond all numbers.
+    const vec3 sum = piece.point[0] + piece.point[1];
+    if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1])) out.push_back(piece);
 }
 
 /// Curves where `value` (per vertex) is zero and `margin` (per vertex) positive. Triangles for which `wanted(triangle)`

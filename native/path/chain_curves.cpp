@@ -51,7 +51,7 @@ class Chainer {
             const Index i = from / 2;
             used_[i] = 1;
             const CurvePiece& piece = pieces_[i];
-            lowest = std::min({lowest, piece.side[0], piece.side[1]});
+            lowest = std::min(lowest, piece.triangle);
             add(piece, from % 2);
             const End to = from ^ 1;
             from = next_[to];
@@ -60,7 +60,7 @@ class Chainer {
             out_.closed.push_back(from == start && out_.point.size() - first > 2);
             break;
         }
-        out_.anchor.push_back(lowest != none ? lowest : pieces_[start / 2].triangle);
+        out_.anchor.push_back(std::uint64_t(pieces_[start / 2].level) << 32 | lowest);
         out_.rows.offsets.push_back(static_cast<Index>(out_.point.size()));
     }
 

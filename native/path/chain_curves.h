@@ -11,7 +11,7 @@ struct CurveChains {
     Rows rows;
     // Per curve.
     Array<std::uint8_t> closed;  ///< the last point repeats the first
-    Array<Index> anchor;         ///< the lowest side it crosses, or its first triangle when it crosses none
+    Array<std::uint64_t> anchor; ///< no two have the same: their level (high half) and their lowest triangle
     // Per point.
     Array<vec3> point;           ///< object space
     Array<float> strength;

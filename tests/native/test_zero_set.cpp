@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "line/zero_set.h"
 #include "meshes.h"
@@ -98,6 +99,16 @@ TEST(ZeroSet, NaNAndBrokenTrianglesGiveNoLine) {
     EXPECT_EQ(zero_set(*surface, [&](const vec3&) { return nan; }).rows.count(), 0u);
     const CurveChains part = zero_set(*surface, [&](const vec3& p) { return p.y > 0 ? nan : p.x - 0.01f; });
     for (const vec3& p : part.point) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
+    // Margins and derivatives without bounds.
+    const float infinity = std::numeric_limits<float>::infinity();
+    const auto x = [&](Index v) { return surface->positions[v].x - 0.01f; };
+    const auto margin = [&](Index v) { return surface->positions[v].y > 0 ? infinity : -infinity; };
+    const auto uphill = [&](Index v) { return vec3(x(v) > 0 ? -infinity : infinity, 0, 0); };
+    for (const Curves& curves : {trace_zero_set(*surface, everywhere, x, margin, full),
+                                 trace_maxima(*surface, everywhere, uphill, 0.0f, sure, full)})
+        for (const CurvePiece& p : curves)
+            for (int k = 0; k < 2; ++k)
+                EXPECT_TRUE(std::isfinite(p.point[k].x + p.point[k].y + p.point[k].z + p.strength[k]));
 }
 
 TEST(ZeroSet, LevelsAreCurvesOfTheirOwn) {
@@ -106,6 +117,7 @@ TEST(ZeroSet, LevelsAreCurvesOfTheirOwn) {
     const CurveChains circles = chain_curves(
         trace_levels(*surface, [&](Index v) { return surface->positions[v].z; }, 0.05f, 0.02f, 3));
     ASSERT_EQ(circles.rows.count(), 3u);
+    EXPECT_EQ(std::set(circles.anchor.begin(), circles.anchor.end()).size(), 3u);
     for (Index c = 0; c < 3; ++c) {
         EXPECT_TRUE(circles.closed[c]);
         for (Index i = circles.rows.begin(c); i < circles.rows.end(c); ++i)

@@ -110,7 +110,7 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     trimmed = core.trim_folds(clipped, closed, paths, 8.0)
     pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
     strokes = core.tessellate(clipped, trimmed, np.zeros(len(paths), np.uint32), paths.strength, pens)
-    arrays = members("paths", paths, "offsets points_obj edge kinds closed ids")
+    arrays = members("paths", paths, "offsets points_obj place kinds closed ids")
     arrays |= members("clipped", clipped, "offsets path px depth position_view arc_px sample_start sample_count")
     for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed)):
         arrays |= members(stage, visible, "piece start_px end_px")
