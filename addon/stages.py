@@ -30,8 +30,8 @@ class Paths:
 
     offsets: np.ndarray  # (P + 1,) uint32
     points_obj: np.ndarray  # (N, 3) float32
-    place: np.ndarray  # (N,) uint32, edge of the surface the segment from this point lies on
-    edge_t: np.ndarray  # (N,) float32, where on that edge the point is
+    place: np.ndarray  # (N,) uint32, where the segment from this point lies: edge, or number of edges + triangle
+    edge_t: np.ndarray  # (N,) float32, where on its edge the point is
     kinds: np.ndarray  # (N,) uint32, bits of the registry: what the segment from this point is
     strength: np.ndarray  # (N,) float32 in [0, 1]
     closed: np.ndarray  # (P,) uint8; a closed path repeats its first point at the end

@@ -24,7 +24,8 @@ struct Choice {
     std::string reason;
 };
 
-Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const FieldOptions& options) {
+Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                   const FieldOptions& options) {
     Choice choice;
     choice.jets = {.degree = 4, .rings = 3, .hard_angle = options.hard_angle};
     if (options.degree && options.rings) {
@@ -33,8 +34,8 @@ Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const F
         // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
         JetOptions near = choice.jets;
         near.rings = 2;
-        const double noise =
-            std::min(jet_noise(surface, neighbours, choice.jets), jet_noise(surface, neighbours, near));
+        const double noise = std::min(jet_noise(surface, neighbours, normals, choice.jets),
+                                      jet_noise(surface, neighbours, normals, near));
         const char* kind = "clean";
         if (noise > clean) {
             choice.jets.even = true;
@@ -90,14 +91,17 @@ float feature_size_of(const Surface& surface, const Neighbours& neighbours, cons
     return static_cast<float>(0.01 < cap * k ? 0.01 / k : cap);
 }
 
-Fields make_fields(const Surface& surface, const FieldOptions& options, const Neighbours& neighbours) {
+Fields make_fields(const Surface& surface, const FieldOptions& options) {
+    const auto around = neighbours_of(surface, options.hard_angle);
+    const Neighbours& neighbours = *around;
     Fields fields;
     if (options.estimator == Estimator::one_ring) {
         fields.curvature = one_ring_curvature(surface, neighbours);
         fields.reason = "one-rings as asked for";
     } else {
-        const Choice choice = choose_jets(surface, neighbours, options);
-        fields.curvature = jet_curvature(surface, neighbours, choice.jets);
+        const Array<vec3> normals = vertex_normals(surface, neighbours);
+        const Choice choice = choose_jets(surface, neighbours, normals, options);
+        fields.curvature = jet_curvature(surface, neighbours, normals, choice.jets);
         fields.reason = choice.reason;
     }
     fields.feature_size = feature_size_of(surface, neighbours, fields.curvature);
@@ -109,11 +113,9 @@ Fields make_fields(const Surface& surface, const FieldOptions& options, const Ne
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options) {
     check(options.degree == 0 || (options.degree >= 2 && options.degree <= 4), "fields: degree must be 0, 2, 3 or 4");
     check(options.rings >= 0 && options.rings <= 32, "fields: rings must be 0 to 32");
-    // Before, not inside: the cache computes one quantity at a time.
-    const auto neighbours = neighbours_of(surface, options.hard_angle);
     const std::uint64_t key = hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings,
                                            std::bit_cast<std::uint64_t>(options.hard_angle));
-    return surface.cache().get<Fields>(key, [&] { return make_fields(surface, options, *neighbours); });
+    return surface.cache().get<Fields>(key, [&] { return make_fields(surface, options); });
 }
 
 }  // namespace fovea

@@ -1,6 +1,6 @@
 #include "field/implicit.h"
 
-#include <cmath>
+#include "field/principal.h"
 
 namespace fovea {
 
@@ -12,20 +12,8 @@ CurvatureD curvature_of(const ImplicitJet& jet) {
     const dmat3 hessian = jet.hessian / length;
     const auto h = [&](const dvec3& x, const dvec3& y) { return glm::dot(x, hessian * y); };
 
-    // Any tangent frame, turned by the angle that makes h diagonal.
-    const dvec3 any = std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : std::abs(n.y) < 0.6 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
-    const dvec3 t = glm::normalize(any - n * glm::dot(n, any)), b = glm::cross(n, t);
-    const double angle = 0.5 * std::atan2(2.0 * h(t, b), h(t, t) - h(b, b));
-    c.e1 = std::cos(angle) * t + std::sin(angle) * b;
-    c.e2 = glm::cross(n, c.e1);
-    c.k1 = h(c.e1, c.e1);
-    c.k2 = h(c.e2, c.e2);
-    if (std::abs(c.k1) < std::abs(c.k2)) {
-        std::swap(c.k1, c.k2);
-        const dvec3 first = c.e1;
-        c.e1 = c.e2;
-        c.e2 = -first;
-    }
+    const dvec3 t = any_tangent(n), b = glm::cross(n, t);
+    set_principal(c, t, b, h(t, t), h(t, b), h(b, b));
 
     const auto third = [&](const dvec3& x, const dvec3& y, const dvec3& z) {
         double sum = 0.0;

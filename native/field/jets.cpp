@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "field/implicit.h"
 #include "field/normals.h"
+#include "field/principal.h"
 
 namespace fovea {
 namespace {
@@ -63,10 +64,7 @@ struct Walk {
 
     void place(const Surface& surface, const Neighbours& neighbours, const dvec3& normal) {
         around.n = normal;
-        const dvec3 axis = std::abs(normal.x) < 0.6   ? dvec3(1, 0, 0)
-                           : std::abs(normal.y) < 0.6 ? dvec3(0, 1, 0)
-                                                      : dvec3(0, 0, 1);
-        around.t = glm::normalize(glm::cross(axis, normal));
+        around.t = any_tangent(normal);
         around.b = glm::cross(normal, around.t);
         const auto& found = around.found;
         around.points.resize(found.size());
@@ -204,12 +202,13 @@ bool look_around(const Surface& surface, const Neighbours& neighbours, const Jet
 }  // namespace
 
 Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options) {
-    return jet_curvature(surface, *neighbours_of(surface, options.hard_angle), options);
+    const auto neighbours = neighbours_of(surface, options.hard_angle);
+    return jet_curvature(surface, *neighbours, vertex_normals(surface, *neighbours), options);
 }
 
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const JetOptions& options) {
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                               const JetOptions& options) {
     check_options(options);
-    const Array<vec3> normals = vertex_normals(surface, neighbours);
     Array<Curvature> result(surface.vertex_count());
     tbb::enumerable_thread_specific<Walk> walks([&] { return Walk(surface.vertex_count()); });
     parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -225,9 +224,9 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
     return result;
 }
 
-double jet_noise(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, Index samples) {
+double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                 const JetOptions& options, Index samples) {
     check_options(options);
-    const Array<vec3> normals = vertex_normals(surface, neighbours);
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
     Walk walk(surface.vertex_count());
     std::vector<double> noise;

@@ -18,11 +18,14 @@ struct JetOptions {
 /// taken, then a lower degree; where no degree 2 fits (fewer than 6 points, or all on one line or conic) k and C are
 /// zero and the frame is arbitrary; without any triangle all is zero. Does not look across hard edges.
 /// Cazals & Pouget, "Estimating Differential Quantities Using Polynomial Fitting of Osculating Jets", CAGD 2005.
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const JetOptions& options);
+/// `normals`: those of the vertices with these neighbours.
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                               const JetOptions& options);
 Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options = {});
 
 /// Root mean square of the residuals of these fits over mean edge lengths, median over about `samples` vertices spread
 /// evenly over the surface's numbering: how noisy the positions are. Zero when nothing can be fitted.
-double jet_noise(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, Index samples = 500);
+double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                 const JetOptions& options, Index samples = 500);
 
 }  // namespace fovea

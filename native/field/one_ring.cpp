@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "field/normals.h"
+#include "field/principal.h"
 
 namespace fovea {
 namespace {
@@ -32,11 +33,6 @@ struct Turn {
         pt = glm::dot(p1, t), pb = glm::dot(p1, b), qt = glm::dot(q1, t), qb = glm::dot(q1, b);
     }
 };
-
-dvec3 any_tangent(const dvec3& n) {
-    const dvec3 axis = std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : std::abs(n.y) < 0.6 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
-    return glm::normalize(glm::cross(axis, n));
-}
 
 class OneRing {
    public:
@@ -125,17 +121,7 @@ class OneRing {
             total += weight;
         });
         if (total > 0.0) pp /= total, pq /= total, qq /= total;
-        const double angle = 0.5 * std::atan2(2.0 * pq, pp - qq), cosine = std::cos(angle), sine = std::sin(angle);
-        c.k1 = cosine * cosine * pp + 2 * cosine * sine * pq + sine * sine * qq;
-        c.k2 = sine * sine * pp - 2 * cosine * sine * pq + cosine * cosine * qq;
-        c.e1 = cosine * p + sine * q;
-        c.e2 = cosine * q - sine * p;
-        if (std::abs(c.k1) < std::abs(c.k2)) {
-            std::swap(c.k1, c.k2);
-            const dvec3 first = c.e1;
-            c.e1 = c.e2;
-            c.e2 = -first;
-        }
+        set_principal(c, p, q, pp, pq, qq);
         return rounded(c);
     }
 

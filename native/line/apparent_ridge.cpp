@@ -29,12 +29,9 @@ Curves find(const SurfaceView& seen, const Values& values) {
         uphill[v] = along * (view.derivative / glm::length(along));
         above[v] = view.squared - threshold;
     });
-    const auto front = [&](Index t) {
-        const Triangle& c = surface.triangles[t];
-        return facing[c.x] > contour_near && facing[c.y] > contour_near && facing[c.z] > contour_near;
-    };
-    return trace_maxima(surface, front, [&](Index v) { return uphill[v]; }, 0.0f, [&](Index v) { return above[v]; },
-                        fading(threshold));
+    return trace_maxima(
+        surface, facing_above(surface, facing, contour_near), [&](Index v) { return uphill[v]; }, 0.0f,
+        [&](Index v) { return above[v]; }, fading(threshold));
 }
 
 }  // namespace

@@ -20,12 +20,9 @@ Curves find(const SurfaceView& seen, const Values& values) {
         above[v] = std::sqrt(gradient2(c, s)) - threshold;
         facing[v] = s.facing;
     });
-    const auto front = [&](Index t) {
-        const Triangle& c = surface.triangles[t];
-        return facing[c.x] > 0.0f && facing[c.y] > 0.0f && facing[c.z] > 0.0f;
-    };
-    return trace_zero_set(surface, front, [&](Index v) { return value[v]; }, [&](Index v) { return above[v]; },
-                          fading(threshold));
+    return trace_zero_set(
+        surface, facing_above(surface, facing, 0.0f), [&](Index v) { return value[v]; },
+        [&](Index v) { return above[v]; }, fading(threshold));
 }
 
 }  // namespace

@@ -2,19 +2,13 @@
 // Koenderink, "What does the occluding contour tell us about solid shape?", Perception 1984.
 // In   curvature
 // Out  where k1 k2 is zero and the greater of the two above the threshold
-#include "line/seen_vertices.h"
-#include "line/zero_set.h"
+#include "line/zero_curvature.h"
 
 namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values& values) {
-    const auto fields = fields_of(seen.surface, {});
-    const auto threshold = static_cast<float>(values[0] / fields->feature_size);
-    const auto all = [](Index) { return true; };
-    return trace_zero_set(
-        seen.surface, all, [&](Index v) { return fields->curvature[v].k1 * fields->curvature[v].k2; },
-        [&](Index v) { return std::abs(fields->curvature[v].k1) - threshold; }, fading(threshold));
+    return find_zero_curvature(seen, values, [](const Curvature& c) { return c.k1 * c.k2; });
 }
 
 }  // namespace
@@ -26,7 +20,7 @@ const LineDefinition parabolic = {
     .source = "Koenderink 1984; Cole 2009, section 2.2",
     .description = "Between convex or concave and saddle-shaped parts: zero Gaussian curvature",
     .scope = Scope::surface,
-    .parameters = {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least curvature, in units of 1 / feature size"}},
+    .parameters = zero_curvature_parameters(),
     .on_by_default = false,
     .find = find,
 };

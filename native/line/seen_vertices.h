@@ -23,6 +23,14 @@ Array<float> per_vertex(const SurfaceView& seen, const Value& value) {
     return values;
 }
 
+/// Triangles at all of whose corners n . v is above a limit.
+inline auto facing_above(const Surface& surface, const Array<float>& facing, float limit) {
+    return [&surface, &facing, limit](Index t) {
+        const Triangle& c = surface.triangles[t];
+        return facing[c.x] > limit && facing[c.y] > limit && facing[c.z] > limit;
+    };
+}
+
 /// Fading of lines by how far they are above their threshold: 0 at it, a half where they are `fade` above it.
 inline auto fading(double fade) {
     return [fade = static_cast<float>(fade)](float above) {

@@ -1,38 +1,10 @@
 // Suggestive highlight: the bright partner of suggestive contours.
 // DeCarlo & Rusinkiewicz, "Highlight Lines for Conveying Shape", NPAR 2007.
 // In   curvature and its derivative, the view
-// Out  on the side that faces the viewer, where the radial curvature is zero and falls along the view, by more than the
-//      threshold: tan(theta) D_W k_r, in units of 1 / feature size squared. The threshold is asked times n . v, which is
-//      finite at contours.
-#include "line/seen_vertices.h"
-#include "line/zero_set.h"
+// Out  on the side that faces the viewer, where the radial curvature is zero and falls along the view
+#include "line/suggestive.h"
 
 namespace fovea {
-namespace {
-
-Curves find(const SurfaceView& seen, const Values& values) {
-    const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface, {});
-    const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
-    const auto threshold = static_cast<float>(values[0] * unit);
-    Array<float> scaled(surface.vertex_count()), above(scaled.size()), facing(scaled.size());
-    parallel_for(scaled.size(), [&](std::size_t v) {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        const RadialOf<float> r = radial(c, s);
-        scaled[v] = r.scaled;
-        facing[v] = s.facing;
-        above[v] = -r.derivative - threshold * s.facing;
-    });
-    const auto front = [&](Index t) {
-        const Triangle& corners = surface.triangles[t];
-        return facing[corners.x] > 0.0f || facing[corners.y] > 0.0f || facing[corners.z] > 0.0f;
-    };
-    return trace_zero_set(surface, front, [&](Index v) { return scaled[v]; }, [&](Index v) { return above[v]; },
-                          fading(values[1] * unit));
-}
-
-}  // namespace
 
 extern const LineDefinition suggestive_highlight;
 const LineDefinition suggestive_highlight = {
@@ -41,10 +13,9 @@ const LineDefinition suggestive_highlight = {
     .source = "DeCarlo & Rusinkiewicz 2007",
     .description = "Where the surface is turned most towards the viewer along the view: the bright partner of suggestive contours",
     .scope = Scope::view,
-    .parameters = {{"threshold", "Threshold", 0.02, 0.0, 10.0, "", "Least strength, in units of the feature size"},
-                   {"fade", "Fade", 0.03, 0.0, 10.0, "", "How far above the threshold a line has half its strength"}},
+    .parameters = suggestive_parameters(0.02),
     .on_by_default = false,
-    .find = find,
+    .find = [](const SurfaceView& seen, const Values& values) { return find_suggestive(seen, values, -1.0f); },
 };
 
 }  // namespace fovea

@@ -1,8 +1,8 @@
 // Zero sets of fields over the vertices of a surface, as pieces of curves in triangles.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/parallel.h"
 #include "line/curves.h"
@@ -66,6 +66,25 @@ void append_trimmed(const Surface& surface, Index triangle, const Crossing (&end
     if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1])) out.push_back(piece);
 }
 
+/// Appends the piece of the zero set of `value` in one triangle, where there is one.
+template <typename Value, typename Margin, typename Strength>
+void append_zero(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
+                 const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+    const Triangle& t = surface.triangles[triangle];
+    const float f[3] = {value(t.x), value(t.y), value(t.z)};
+    const bool positive[3] = {f[0] >= 0.0f, f[1] >= 0.0f, f[2] >= 0.0f};
+    if (positive[0] == positive[1] && positive[1] == positive[2]) return;
+    if (!std::isfinite(f[0] + f[1] + f[2])) return;
+    const int alone = positive[0] == positive[1] ? 2 : positive[0] == positive[2] ? 1 : 0;
+    const glm::uvec3& of = sides.of_triangle[triangle];
+    const auto cross = [&](Index side) {
+        const Edge e = sides.vertices[side];
+        return crossing(sides, side, value(e.x), value(e.y));
+    };
+    const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
+    append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
+}
+
 /// Curves where `value` (per vertex) is zero and `margin` (per vertex) positive. Triangles for which `wanted(triangle)`
 /// is false are passed over. Zero counts as positive, so that each side is crossed by both of its triangles or by
 /// neither (simulation of simplicity). NaN crosses nothing.
@@ -74,37 +93,26 @@ Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value&
                       const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        const Triangle& t = surface.triangles[triangle];
-        const float f[3] = {value(t.x), value(t.y), value(t.z)};
-        const bool positive[3] = {f[0] >= 0.0f, f[1] >= 0.0f, f[2] >= 0.0f};
-        if (positive[0] == positive[1] && positive[1] == positive[2]) return;
-        if (!std::isfinite(f[0] + f[1] + f[2]) || !wanted(triangle)) return;
-        const int alone = positive[0] == positive[1] ? 2 : positive[0] == positive[2] ? 1 : 0;
-        const glm::uvec3& of = sides->of_triangle[triangle];
-        const auto cross = [&](Index side) {
-            const Edge e = sides->vertices[side];
-            return crossing(*sides, side, value(e.x), value(e.y));
-        };
-        const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
-        append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
+        if (wanted(triangle)) append_zero(surface, *sides, triangle, value, margin, strength, out);
     });
 }
 
-/// Curves where `value` is first + step, first + 2 step, ..., first + count step; those of one level stand together.
+/// Curves where `value` is first + step, first + 2 step, ..., first + count step: a level of pieces for each.
 template <typename Value>
 Curves trace_levels(const Surface& surface, const Value& value, float first, float step, int count) {
-    Curves curves;
-    for (int i = 1; i <= count; ++i) {
-        const float level = first + float(i) * step;
-        const Curves found = trace_zero_set(
-            surface, [](Index) { return true; }, [&](Index v) { return value(v) - level; }, [](Index) { return 1.0f; },
-            [](float) { return 1.0f; });
-        for (CurvePiece piece : found) {
-            piece.level = static_cast<Index>(i);
-            curves.push_back(piece);
+    const auto sides = triangle_sides(surface);
+    const auto always = [](auto) { return 1.0f; };
+    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
+        const Triangle& t = surface.triangles[triangle];
+        const auto [low, high] = std::minmax({value(t.x), value(t.y), value(t.z)});
+        for (int i = 1; i <= count; ++i) {
+            const float level = first + float(i) * step;
+            if (!(low <= level && level <= high)) continue;
+            const std::size_t before = out.size();
+            append_zero(surface, *sides, triangle, [&](Index v) { return value(v) - level; }, always, always, out);
+            if (out.size() > before) out.back().level = static_cast<Index>(i);
         }
-    }
-    return curves;
+    });
 }
 
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity

@@ -212,29 +212,39 @@ struct Slot {
     bool of_view;
 };
 
-void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, const Array<std::uint8_t>& free,
-                  Slot slot, Paths& paths) {
-    const Placement& placement = scene.placements[slot.placement];
-    const Surface& surface = *placement.surface;
+/// What each path of a slot holds: chains of edges and of curves alike. Functions of the chain's number, and of the
+/// number of a point among all of them.
+template <typename Chains, typename LineSet, typename Free, typename Id, typename Point>
+void write_paths(const Chains& chains, Slot slot, const LineSet& line_set, const Free& free, const Id& id,
+                 const Point& point, Paths& paths) {
     parallel_for(chains.rows.count(), [&](std::size_t c) {
         const std::size_t p = slot.path + c;
         paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
         paths.closed[p] = chains.closed[c];
-        paths.line_set[p] = chains.label[c];
-        paths.free_ends[p] = free[c];
+        paths.line_set[p] = line_set(c);
+        paths.free_ends[p] = free(c);
         paths.of_view[p] = slot.of_view;
         paths.placement[p] = slot.placement;
-        paths.id[p] = hash_numbers(placement.id, chains.anchor[c]);
+        paths.id[p] = id(c);
         double arc = 0.0;
         for (Index i = chains.rows.begin(c); i < chains.rows.end(c); ++i) {
-            if (i > chains.rows.begin(c))
-                arc += glm::distance(dvec3(surface.positions[chains.vertex[i - 1]]), dvec3(surface.positions[chains.vertex[i]]));
+            if (i > chains.rows.begin(c)) arc += glm::distance(dvec3(point(i - 1)), dvec3(point(i)));
+            paths.points_obj[slot.point + i] = point(i);
             paths.arc_obj[slot.point + i] = arc;
         }
     });
+}
+
+void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, const Array<std::uint8_t>& free,
+                  Slot slot, Paths& paths) {
+    const Placement& placement = scene.placements[slot.placement];
+    const Surface& surface = *placement.surface;
+    write_paths(
+        chains, slot, [&](std::size_t c) { return chains.label[c]; }, [&](std::size_t c) { return free[c]; },
+        [&](std::size_t c) { return hash_numbers(placement.id, chains.anchor[c]); },
+        [&](Index i) { return surface.positions[chains.vertex[i]]; }, paths);
     parallel_for(chains.vertex.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
-        paths.points_obj[n] = surface.positions[chains.vertex[i]];
         paths.place[n] = chains.edge[i];
         paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
         paths.kinds[n] = kinds[i];
@@ -245,27 +255,18 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
 void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
     const Placement& placement = scene.placements[slot.placement];
     const CurveChains& chains = found.chains;
-    for (Index c = 0; c < chains.rows.count(); ++c) {
-        const Index p = slot.path + c;
-        paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
-        paths.closed[p] = chains.closed[c];
-        paths.line_set[p] = found.line_set;
-        paths.free_ends[p] = chains.closed[c] ? 0 : free_start | free_end;
-        paths.of_view[p] = slot.of_view;
-        paths.placement[p] = slot.placement;
-        paths.id[p] = hash_numbers(placement.id, found.definition + 1, chains.anchor[c]);
-        double arc = 0.0;
-        for (Index i = chains.rows.begin(c); i < chains.rows.end(c); ++i) {
-            if (i > chains.rows.begin(c)) arc += glm::distance(dvec3(chains.point[i - 1]), dvec3(chains.point[i]));
-            const Index n = slot.point + i;
-            paths.points_obj[n] = chains.point[i];
-            paths.arc_obj[n] = arc;
-            paths.place[n] = placement.surface->place_of_triangle(chains.triangle[i]);
-            paths.edge_t[n] = 0.0f;
-            paths.kinds[n] = Kinds(1) << found.definition;
-            paths.strength[n] = chains.strength[i];
-        }
-    }
+    write_paths(
+        chains, slot, [&](std::size_t) { return found.line_set; },
+        [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
+        [&](std::size_t c) { return hash_numbers(placement.id, found.definition + 1, chains.anchor[c]); },
+        [&](Index i) { return chains.point[i]; }, paths);
+    parallel_for(chains.point.size(), [&](std::size_t i) {
+        const std::size_t n = slot.point + i;
+        paths.place[n] = placement.surface->place_of_triangle(chains.triangle[i]);
+        paths.edge_t[n] = 0.0f;
+        paths.kinds[n] = Kinds(1) << found.definition;
+        paths.strength[n] = chains.strength[i];
+    });
 }
 
 void resize(Paths& paths, Index path_count, Index point_count) {

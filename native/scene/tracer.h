@@ -82,7 +82,6 @@ class Tracer {
     /// What a hit hides in one piece: the triangle, or the flat convex quadrilateral that it makes with the next
     /// triangle of its facet.
     Outline outline(const Hit& hit) const;
-    Index facet(const Hit& hit) const;
 
    private:
     /// Corners of a triangle in view space.

@@ -1,0 +1,24 @@
+// What lines of zero curvature share.
+#pragma once
+
+#include "line/seen_vertices.h"
+#include "line/zero_set.h"
+
+namespace fovea {
+
+inline std::vector<Parameter> zero_curvature_parameters() {
+    return {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least curvature, in units of 1 / feature size"}};
+}
+
+/// Where curvature(Curvature) is zero and |k1| above the threshold.
+template <typename Measure>
+Curves find_zero_curvature(const SurfaceView& seen, const Values& values, const Measure& curvature) {
+    const auto fields = fields_of(seen.surface, {});
+    const auto threshold = static_cast<float>(values[0] / fields->feature_size);
+    const auto all = [](Index) { return true; };
+    return trace_zero_set(
+        seen.surface, all, [&](Index v) { return curvature(fields->curvature[v]); },
+        [&](Index v) { return std::abs(fields->curvature[v].k1) - threshold; }, fading(threshold));
+}
+
+}  // namespace fovea
