@@ -16,7 +16,8 @@ namespace {
 RTCDevice device() {
     // Lives as long as the process: Embree's threads may still run when statics are torn down.
     static const RTCDevice shared = [] {
-        const RTCDevice made = rtcNewDevice(nullptr);
+        // The same instructions wherever there are wider ones, too: frames of one film are rendered on many machines.
+        const RTCDevice made = rtcNewDevice("max_isa=avx2");
         if (!made) throw std::runtime_error("Embree could not be started on this machine");
         return made;
     }();
@@ -27,6 +28,9 @@ void check_device(const std::string& what) {
     const RTCError error = rtcGetDeviceError(device());
     if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
 }
+
+/// Robust: no ray slips between two triangles that share a side.
+const RTCSceneFlags scene_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
 
 /// BVH over the occluding triangles of a surface; borrows the surface's arrays, whose cache it lives in.
 struct SurfaceBvh {
@@ -42,7 +46,7 @@ struct SurfaceBvh {
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_COMPACT);
+        rtcSetSceneFlags(scene, scene_flags | RTC_SCENE_FLAG_COMPACT);
         rtcCommitScene(scene);
         check_device(surface.name());
     }
@@ -145,7 +149,7 @@ struct Tracer::Bvh {
 Tracer::Tracer(const Scene& scene, const View& view)
     : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>()) {
     bvh_->top = rtcNewScene(device());
-    rtcSetSceneFlags(bvh_->top, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+    rtcSetSceneFlags(bvh_->top, scene_flags);
     bvh_->object_to_view.resize(scene.placements.size());
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
@@ -269,10 +273,6 @@ Outline Tracer::outline(const Hit& hit) const {
         if (is_flat_and_convex(quad)) return quad;
     }
     return triangle;
-}
-
-Index Tracer::facet(const Hit& hit) const {
-    return scene_.placements[hit.placement].surface->triangle_facet[hit.triangle];
 }
 
 }  // namespace fovea
