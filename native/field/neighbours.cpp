@@ -30,14 +30,46 @@ void sort_into_rows(Index keys, std::size_t count, const Visit& visit, Rows& row
     });
 }
 
-bool is_hard(const Surface& surface, Index edge, double least_cosine) {
-    const Index begin = surface.edge_rows.begin(edge), count = surface.edge_rows.size(edge);
-    if (count < 2) return false;
-    if (count > 2 || (edge < surface.mesh_edges && (surface.edge_marks[edge] & mark_sharp))) return true;
-    const EdgeSide a = surface.edge_sides[begin], b = surface.edge_sides[begin + 1];
-    const double cosine = glm::dot(dvec3(surface.facet_plane[a.facet()]), dvec3(surface.facet_plane[b.facet()]));
-    return (a.forward() == b.forward() ? -cosine : cosine) < least_cosine;
-}
+/// Which edges are hard: between two facets the angle tells, and whether the surface beside the edge is smooth. A fold
+/// that goes on turning beside the edge is a rounded one of few triangles, and neighbourhoods cut there would be torn.
+class HardEdges {
+   public:
+    HardEdges(const Surface& surface, const Rows& rows, const Array<Index>& triangles, double hard_angle)
+        : surface_(surface), rows_(rows), triangles_(triangles), least_cosine_(std::cos(glm::radians(std::min(hard_angle, 180.0)))) {}
+
+    bool operator()(Index edge) const {
+        const Index begin = surface_.edge_rows.begin(edge), count = surface_.edge_rows.size(edge);
+        if (count < 2) return false;
+        if (count > 2 || (edge < surface_.mesh_edges && (surface_.edge_marks[edge] & mark_sharp))) return true;
+        const EdgeSide a = surface_.edge_sides[begin], b = surface_.edge_sides[begin + 1];
+        const dvec3 first = normal(a.facet()), second = normal(b.facet());
+        const double cosine = glm::dot(first, second) * (a.forward() == b.forward() ? -1.0 : 1.0);
+        if (!(cosine < least_cosine_)) return false;
+        const double turn = std::acos(std::max(cosine, -1.0));
+        return turn > always_hard || turn > outlier * mean_turn_beside(surface_.edges[edge], first, second);
+    }
+
+   private:
+    static constexpr double always_hard = glm::radians(75.0), outlier = 4.0;
+
+    dvec3 normal(Index facet) const { return dvec3(surface_.facet_plane[facet]); }
+    /// Angle by which the triangles around both ends turn away from the nearer of the edge's two facets.
+    double mean_turn_beside(Edge edge, const dvec3& first, const dvec3& second) const {
+        double sum = 0.0;
+        Index count = 0;
+        for (const Index v : {edge.x, edge.y})
+            for (Index i = rows_.begin(v); i < rows_.end(v); ++i, ++count) {
+                const dvec3 n = normal(surface_.triangle_facet[triangles_[i]]);
+                sum += std::acos(std::clamp(std::max(glm::dot(n, first), glm::dot(n, second)), -1.0, 1.0));
+            }
+        return count ? sum / count : 0.0;
+    }
+
+    const Surface& surface_;
+    const Rows& rows_;
+    const Array<Index>& triangles_;
+    double least_cosine_;
+};
 
 /// Triangles around a vertex, joined over sides that are not hard; keeps the sector of the largest angle.
 class Sectors {
@@ -106,9 +138,9 @@ Neighbours find_neighbours(const Surface& surface, double hard_angle) {
     Array<Index> kept(count);
     parallel_for(count, [&](std::size_t v) { kept[v] = result.triangle_rows.size(Index(v)); });
     if (hard_angle < no_hard_edges) {
-        const double least_cosine = std::cos(glm::radians(std::min(hard_angle, 180.0)));
+        const HardEdges is_hard(surface, result.triangle_rows, result.triangles, hard_angle);
         const auto hard_ends = [&](std::size_t e, const auto& give) {
-            if (!is_hard(surface, Index(e), least_cosine)) return;
+            if (!is_hard(Index(e))) return;
             give(surface.edges[e].x, surface.edges[e].y);
             give(surface.edges[e].y, surface.edges[e].x);
         };

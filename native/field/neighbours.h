@@ -7,7 +7,7 @@
 
 namespace fovea {
 
-/// Degrees between facet normals above which an edge is hard.
+/// Degrees between facet normals above which an edge may be hard.
 inline constexpr double default_hard_angle = 40.0;
 /// As an angle: no edge is hard, marks and edges of many facets included.
 inline constexpr double no_hard_edges = 1e9;
@@ -27,7 +27,8 @@ struct Neighbours {
 };
 
 /// Kept with the surface. An edge is hard when it is marked sharp, has more than two facets, or its facets' normals
-/// differ by more than `hard_angle` degrees. A border is not hard: nothing lies beyond it.
+/// differ by more than `hard_angle` degrees and by far more than the surface turns beside the edge (or by more than 75
+/// degrees): a rounded edge of few triangles is not hard. A border is not hard: nothing lies beyond it.
 std::shared_ptr<const Neighbours> neighbours_of(const Surface& surface, double hard_angle = default_hard_angle);
 
 }  // namespace fovea

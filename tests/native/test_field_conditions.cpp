@@ -107,6 +107,34 @@ TEST(FieldConditions, BoxIsFlatUpToItsEdges) {
         }
 }
 
+TEST(FieldConditions, AFoldIsHardWhereTheSurfaceBesideItIsSmooth) {
+    const auto hard_vertices = [](const Mesh& mesh) {
+        const auto surface = mesh.surface();
+        const auto neighbours = neighbours_of(*surface);
+        return std::count(neighbours->hard.begin(), neighbours->hard.end(), 1);
+    };
+    Mesh sheet = meshes::grid(8);
+    for (vec3& p : sheet.positions)
+        if (p.x > 0.0f) p = {p.x * std::cos(0.9f), p.y, -p.x * std::sin(0.9f)};  // by 52 degrees along its middle
+    EXPECT_EQ(hard_vertices(sheet), 9);
+
+    // An icosahedron turns by 42 degrees at each edge: few triangles of something round.
+    const float g = 1.618034f;
+    Mesh icosahedron("icosahedron", {{0, 1, g}, {0, 1, -g}, {0, -1, g}, {0, -1, -g}, {1, g, 0}, {1, -g, 0},
+                                     {-1, g, 0}, {-1, -g, 0}, {g, 0, 1}, {g, 0, -1}, {-g, 0, 1}, {-g, 0, -1}});
+    const auto& p = icosahedron.positions;
+    const auto near = [&](int i, int j) { return glm::distance(p[i], p[j]) < 2.1f; };
+    for (int i = 0; i < 12; ++i)
+        for (int j = i + 1; j < 12; ++j)
+            for (int k = j + 1; k < 12; ++k) {
+                if (!near(i, j) || !near(j, k) || !near(k, i)) continue;
+                const bool outward = glm::dot(glm::cross(p[j] - p[i], p[k] - p[i]), p[i]) > 0.0f;
+                icosahedron.add_polygon(outward ? std::vector{i, j, k} : std::vector{i, k, j});
+            }
+    ASSERT_EQ(icosahedron.surface()->triangles.size(), 20u);
+    EXPECT_EQ(hard_vertices(icosahedron), 0);
+}
+
 TEST(FieldConditions, BrokenInputGivesFiniteValues) {
     Mesh broken = meshes::grid(4);
     broken.positions[7] = vec3(std::numeric_limits<float>::quiet_NaN());
