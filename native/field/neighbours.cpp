@@ -37,10 +37,28 @@ class HardEdges {
     HardEdges(const Surface& surface, const Rows& rows, const Array<Index>& triangles, double hard_angle)
         : surface_(surface), rows_(rows), triangles_(triangles), least_cosine_(std::cos(glm::radians(std::min(hard_angle, 180.0)))) {}
 
-    bool operator()(Index edge) const {
-        const Index begin = surface_.edge_rows.begin(edge), count = surface_.edge_rows.size(edge);
-        if (count < 2) return false;
-        if (count > 2 || (edge < surface_.mesh_edges && (surface_.edge_marks[edge] & mark_sharp))) return true;
+    /// Per edge of the surface.
+    Array<std::uint8_t> find() const {
+        Array<std::uint8_t> hard(surface_.edges.size());
+        parallel_for(hard.size(), [&](std::size_t e) { hard[e] = told(Index(e)) || folded(Index(e)); });
+        drop_stray(hard);
+        return hard;
+    }
+
+   private:
+    static constexpr double always_hard = glm::radians(75.0), outlier = 6.0;
+    static constexpr int stray_length = 3;  // edges, from each end
+
+    /// By the artist, or because many facets meet there.
+    bool told(Index edge) const {
+        return surface_.edge_rows.size(edge) > 2 ||
+               (surface_.edge_rows.size(edge) == 2 && edge < surface_.mesh_edges &&
+                (surface_.edge_marks[edge] & mark_sharp));
+    }
+
+    bool folded(Index edge) const {
+        const Index begin = surface_.edge_rows.begin(edge);
+        if (surface_.edge_rows.size(edge) != 2) return false;
         const EdgeSide a = surface_.edge_sides[begin], b = surface_.edge_sides[begin + 1];
         const dvec3 first = normal(a.facet()), second = normal(b.facet());
         const double cosine = glm::dot(first, second) * (a.forward() == b.forward() ? -1.0 : 1.0);
@@ -49,10 +67,28 @@ class HardEdges {
         return turn > always_hard || turn > outlier * mean_turn_beside(surface_.edges[edge], first, second);
     }
 
-   private:
-    static constexpr double always_hard = glm::radians(75.0), outlier = 4.0;
-
     dvec3 normal(Index facet) const { return dvec3(surface_.facet_plane[facet]); }
+    /// Folds of noise go on nowhere. Those that end at a border go on there.
+    void drop_stray(Array<std::uint8_t>& hard) const {
+        std::vector<Index> folds, borders;
+        for (Index e = 0; e < hard.size(); ++e)
+            if (hard[e])
+                folds.push_back(e);
+            else if (surface_.edge_rows.size(e) == 1)
+                borders.push_back(e);
+        for (int pass = 0; pass < stray_length && !folds.empty(); ++pass) {
+            Array<std::uint8_t> more(surface_.vertex_count(), 0);  // 1: one of these edges ends there; 2: several
+            const auto end_at = [&](Index v) { more[v] = more[v] ? 2 : 1; };
+            for (const auto* ending : {&folds, &borders})
+                for (const Index e : *ending) end_at(surface_.edges[e].x), end_at(surface_.edges[e].y);
+            std::erase_if(folds, [&](Index e) {
+                const bool stray = !told(e) && (more[surface_.edges[e].x] < 2 || more[surface_.edges[e].y] < 2);
+                if (stray) hard[e] = 0;
+                return stray;
+            });
+        }
+    }
+
     /// Angle by which the triangles around both ends turn away from the nearer of the edge's two facets.
     double mean_turn_beside(Edge edge, const dvec3& first, const dvec3& second) const {
         double sum = 0.0;
@@ -138,9 +174,10 @@ Neighbours find_neighbours(const Surface& surface, double hard_angle) {
     Array<Index> kept(count);
     parallel_for(count, [&](std::size_t v) { kept[v] = result.triangle_rows.size(Index(v)); });
     if (hard_angle < no_hard_edges) {
-        const HardEdges is_hard(surface, result.triangle_rows, result.triangles, hard_angle);
+        const Array<std::uint8_t> is_hard =
+            HardEdges(surface, result.triangle_rows, result.triangles, hard_angle).find();
         const auto hard_ends = [&](std::size_t e, const auto& give) {
-            if (!is_hard(Index(e))) return;
+            if (!is_hard[e]) return;
             give(surface.edges[e].x, surface.edges[e].y);
             give(surface.edges[e].y, surface.edges[e].x);
         };
