@@ -10,6 +10,7 @@
 #include "field/implicit.h"
 #include "field/normals.h"
 #include "field/principal.h"
+#include "field/walk.h"
 
 namespace fovea {
 namespace {
@@ -28,53 +29,26 @@ constexpr std::size_t lanes = 2, unrolled = 2 * lanes;
 /// Points around a vertex in its own frame, divided by `scale`, their mean distance. By coordinates, filled up with
 /// points of no weight to a multiple of `unrolled`.
 struct Surroundings {
-    std::vector<Index> found;  // the vertex itself first
     std::vector<double> x, y, z, weight;
     dvec3 t, b, n;
     double scale = 1.0, edge_length = 0.0;
-    std::size_t count() const { return found.size(); }
+    std::size_t count = 0;  // the vertex itself first
 };
 
-/// Walks in rings around vertices; marks are stamps, so nothing has to be cleared.
-struct Walk {
-    explicit Walk(Index vertices) : seen(vertices, 0) {}
-    Array<Index> seen;
-    Index stamp = 0;
+/// The surroundings that one thread looks at.
+struct Look {
+    explicit Look(Index vertices) : walk(vertices) {}
+    Walk walk;
     Surroundings around;
-
-    void gather(const Neighbours& neighbours, Index v, int rings, std::size_t enough) {
-        if (++stamp == 0) {
-            std::fill(seen.begin(), seen.end(), 0);
-            stamp = 1;
-        }
-        auto& found = around.found;
-        found.clear();
-        found.push_back(v);
-        seen[v] = stamp;
-        std::size_t begin = 0;
-        for (int ring = 0; ring < rings || (ring < rings + extra_rings && found.size() < enough); ++ring) {
-            const std::size_t end = found.size();
-            if (begin == end) return;
-            for (; begin < end; ++begin) {
-                const Index from = found[begin];
-                if (from != v && neighbours.hard[from]) continue;
-                for (Index i = neighbours.vertex_rows.begin(from); i < neighbours.vertex_rows.end(from); ++i) {
-                    const Index to = neighbours.vertices[i];
-                    if (seen[to] == stamp) continue;
-                    seen[to] = stamp;
-                    found.push_back(to);
-                }
-            }
-        }
-    }
 
     /// `even`: all points weigh the same, which noisy surfaces need; else near points count more, which is what makes
     /// fits exact on clean ones.
-    void place(const Surface& surface, const Neighbours& neighbours, const dvec3& normal, bool even) {
+    void place(const Surface& surface, const Neighbours& neighbours, const std::vector<Index>& found,
+               const dvec3& normal, bool even) {
+        around.count = found.size();
         around.n = normal;
         around.t = any_tangent(normal);
         around.b = glm::cross(normal, around.t);
-        const auto& found = around.found;
         const std::size_t padded = (found.size() + unrolled - 1) / unrolled * unrolled;
         for (auto* values : {&around.x, &around.y, &around.z, &around.weight}) values->assign(padded, 0.0);
         const dvec3 origin(surface.positions[found[0]]);
@@ -134,7 +108,7 @@ void add_up(const Surroundings& points, double* moments, double* heights) {
 template <int degree>
 bool fit(const Surroundings& points, double* a) {
     constexpr int size = terms(degree), moment_count = terms(2 * degree);
-    if (points.count() < std::size_t(size)) return false;
+    if (points.count < std::size_t(size)) return false;
     double moments[moment_count], heights[size];
     add_up<degree>(points, moments, heights);
     // L D L^T by rows; L below the diagonal, D on it.
@@ -210,18 +184,19 @@ Curvature to_object(CurvatureD c, const Surroundings& around) {
     return rounded(c);
 }
 
-void check_options(const JetOptions& options) {
+void check_jets(const JetOptions& options) {
     check(options.degree >= 2 && options.degree <= max_degree, "jets: degree must be 2, 3 or 4");
     check(options.rings >= 1 && options.rings <= 32, "jets: rings must be 1 to 32");
 }
 
 /// Surroundings of vertex v, placed; false where v has no normal.
 bool look_around(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, const vec3& normal,
-                 Index v, Walk& walk) {
+                 Index v, Look& look) {
     if (normal == vec3(0.0f)) return false;
-    walk.gather(neighbours, v, options.rings, terms(options.degree) + spare_points);
-    walk.place(surface, neighbours, glm::normalize(dvec3(normal)), options.even);
-    return walk.around.scale > 0.0;
+    const auto& found =
+        look.walk.gather(neighbours, v, options.rings, terms(options.degree) + spare_points, extra_rings);
+    look.place(surface, neighbours, found, glm::normalize(dvec3(normal)), options.even);
+    return look.around.scale > 0.0;
 }
 
 }  // namespace
@@ -233,17 +208,17 @@ Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options
 
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                                const JetOptions& options) {
-    check_options(options);
+    check_jets(options);
     Array<Curvature> result(surface.vertex_count());
-    tbb::enumerable_thread_specific<Walk> walks([&] { return Walk(surface.vertex_count()); });
+    tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
     parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
-        Walk& walk = walks.local();
+        Look& look = looks.local();
         double a[terms(max_degree)];
         for (std::size_t v = begin; v < end; ++v) {
             result[v] = {};
-            if (!look_around(surface, neighbours, options, normals[v], Index(v), walk)) continue;
-            fit_up_to(options, walk.around, a);
-            result[v] = to_object(curvature_of(jet_of(a)), walk.around);
+            if (!look_around(surface, neighbours, options, normals[v], Index(v), look)) continue;
+            fit_up_to(options, look.around, a);
+            result[v] = to_object(curvature_of(jet_of(a)), look.around);
         }
     });
     return result;
@@ -251,24 +226,24 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
 
 double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                  const JetOptions& options, Index samples) {
-    check_options(options);
+    check_jets(options);
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
-    Walk walk(surface.vertex_count());
+    Look look(surface.vertex_count());
     std::vector<double> noise;
     double a[terms(max_degree)], m[terms(max_degree)];
     for (Index v = 0; v < surface.vertex_count(); v += step) {
-        if (!look_around(surface, neighbours, options, normals[v], v, walk)) continue;
-        const Surroundings& around = walk.around;
-        if (around.count() < std::size_t(terms(options.degree) + spare_points)) continue;
+        if (!look_around(surface, neighbours, options, normals[v], v, look)) continue;
+        const Surroundings& around = look.around;
+        if (around.count < std::size_t(terms(options.degree) + spare_points)) continue;
         if (fit_up_to(options, around, a) != options.degree) continue;
         double squares = 0.0;
-        for (std::size_t i = 0; i < around.count(); ++i) {
+        for (std::size_t i = 0; i < around.count; ++i) {
             monomials<max_degree>(around.x[i], around.y[i], 1.0, m);
             double z = around.z[i];
             for (int k = 0; k < terms(max_degree); ++k) z -= a[k] * m[k];
             squares += z * z;
         }
-        const double freedom = double(around.count()) - terms(options.degree);
+        const double freedom = double(around.count) - terms(options.degree);
         noise.push_back(std::sqrt(squares / freedom) * around.scale / around.edge_length);
     }
     if (noise.empty()) return 0.0;
