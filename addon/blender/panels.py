@@ -3,6 +3,7 @@
 import bpy
 
 from .. import catalogue, native
+from . import session
 
 ENGINE = "FOVEA"
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
@@ -84,6 +85,17 @@ class OBJECT_PT_fovea(_Panel, bpy.types.Panel):
         layout = self.columns()
         layout.prop(context.object.fovea, "usage", text="Usage")
         layout.prop(context.object, "is_holdout")
+        _draw_curvature(layout, context.object)
+
+
+def _draw_curvature(layout, obj):
+    layout.prop(obj.fovea, "curvature_estimator")
+    if obj.fovea.curvature_estimator == "JETS":
+        layout.prop(obj.fovea, "curvature_rings")
+    layout.prop(obj.fovea, "curvature_smoothing")
+    reason = session.last_statistics().get("curvature", {}).get(obj.name)
+    if reason:
+        layout.label(text=reason, icon="INFO")
 
 
 class MATERIAL_PT_fovea(_Panel, bpy.types.Panel):

@@ -9,7 +9,7 @@ import zlib
 from dataclasses import replace
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
 from . import gpu_context
@@ -173,6 +173,11 @@ USAGES = [
     ("DRAW", "Draw Only", "Has lines and hides nothing"),
     ("IGNORE", "Ignore", "Is not there"),
 ]
+ESTIMATORS = [
+    ("AUTOMATIC", "Automatic", "Jets, their degree and rings by how noisy the mesh is"),
+    ("JETS", "Jets", "Polynomials fitted to the surroundings of each vertex"),
+    ("ONE_RING", "One-Ring", "Differences of normals: fast, for regular meshes"),
+]
 OCCLUSIONS = [
     ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is transparent or glass"),
     ("ALWAYS", "Always", "Hides what lies behind"),
@@ -205,15 +210,36 @@ def _scene_group():
     return _group("FoveaSceneSettings", {**annotations, **_pen_properties(last.pen), **_line_properties(chosen)})
 
 
+def _object_group():
+    annotations = {
+        "usage": EnumProperty(name="Line Drawing", items=USAGES, update=_redraw),
+        "curvature_estimator": EnumProperty(name="Curvature", items=ESTIMATORS, update=_redraw),
+        "curvature_rings": IntProperty(
+            name="Rings",
+            description="How far around each vertex jets are fitted, 0: by how noisy the mesh is",
+            min=0,
+            max=32,
+            update=_redraw,
+        ),
+        "curvature_smoothing": FloatProperty(
+            name="Smoothing",
+            description="How far curvature is averaged, in edge lengths; never across hard edges",
+            min=0.0,
+            max=8.0,
+            update=_redraw,
+        ),
+    }
+    return _group("FoveaObjectSettings", annotations)
+
+
 _registered = []  # (type that has the settings, group)
 
 
 def register():
-    usage = EnumProperty(name="Line Drawing", items=USAGES, update=_redraw)
     occlusion = EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=_redraw)
     _registered[:] = [
         (bpy.types.Scene, _scene_group()),
-        (bpy.types.Object, _group("FoveaObjectSettings", {"usage": usage})),
+        (bpy.types.Object, _object_group()),
         (bpy.types.Material, _group("FoveaMaterialSettings", {"occlusion": occlusion})),
     ]
     for owner, group in _registered:

@@ -26,7 +26,7 @@ class Snapshot:
 
 
 class _Gathering:
-    """Placements as they are met; one surface per evaluated mesh and choice of materials."""
+    """Placements as they are met; one surface per evaluated mesh, choice of materials and settings."""
 
     def __init__(self, cache, depsgraph, viewport, with_marks):
         self.cache, self.with_marks = cache, with_marks
@@ -58,6 +58,12 @@ class _Gathering:
         holdout = obj.is_holdout or owner.holdout_get(view_layer=self.layer)
         return OCCLUDE | HOLDOUT if holdout and usage & OCCLUDE else usage
 
+    def curvature(self, obj):
+        """How the curvature of an object's surface is to be estimated, as its native surface takes it."""
+        settings = obj.original.evaluated_get(self.depsgraph).fovea
+        rings = settings.curvature_rings if settings.curvature_estimator == "JETS" else 0
+        return settings.curvature_estimator.lower(), 0, rings, settings.curvature_smoothing
+
     def surface_index(self, obj, mesh):
         # Meshes stay where they are while one depsgraph is walked over, so here a pointer may name one (but not one
         # that is thrown away at once). The object counts because it may bring its own materials.
@@ -65,11 +71,13 @@ class _Gathering:
         met = (place, obj.name_full)
         if met not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
-            shared = (place, slots)
+            curvature = self.curvature(obj)
+            shared = (place, slots, curvature)
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
                 key = (obj.name_full, mesh.name_full, slots)
                 surface = self.cache.surface(key, obj.name, mesh, slots, with_marks=self.with_marks)
+                surface.set_field_options(*curvature)
                 self.surfaces.append(surface)
                 self.slots.append(slots)
             self.index_of[met] = self.index_of[shared]

@@ -33,8 +33,9 @@ REMARKS = {  # what a surface's report counts
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, backend, strokes, triangles, and lines_s: the seconds from Blender's
-    evaluated meshes (reading them and building what rays need included) to visible runs."""
+    """Of the last picture: stages {name: ms}, backend, strokes, triangles, curvature {object: how it was estimated, and
+    why; where a line needed it}, and lines_s: the seconds from Blender's evaluated meshes (reading them and building what
+    rays need included) to visible runs."""
     return dict(_statistics)
 
 
@@ -152,8 +153,11 @@ def _note_statistics(ingest, snapshot, image):
     stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
+    reasons = [surface.fields_reason for surface in snapshot.surfaces]
+    placed = zip(snapshot.objects, snapshot.surface_of_placement)
     _statistics.clear()
     _statistics.update(
+        curvature={name: reasons[i] for name, i in placed if reasons[i]},
         stages=stages,
         strokes=image.statistics["strokes"],
         backend=image.statistics["backend"],

@@ -15,8 +15,10 @@ def lines(target, words):
     options = parse(words)
     package.stage(target)
     sys.path.insert(0, str(package.importable(target)))
-    arrays, report = extract(importlib.import_module("addon.native").load(), options)
+    arrays, report, reason = extract(importlib.import_module("addon.native").load(), options)
     np.savez_compressed(options.output, **arrays)
+    if reason:
+        say(f"curvature: {reason}")
     skipped = "".join(f", {count} {name.replace('_', ' ')}" for name, count in report.items() if count)
     say(f"{len(arrays['closed'])} paths{skipped}")
     print(options.output)
@@ -31,6 +33,10 @@ def parse(words):
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
     parser.add_argument("--parameter", action="append", type=_parameter, default=[], metavar="NAME=VALUE")
     parser.add_argument("--corner-angle", type=float, default=60.0, metavar="DEG", help="paths end at sharper turns")
+    parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic", help="of curvature")
+    parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
+    parser.add_argument("--rings", type=int, default=0, help="of neighbours that jets are fitted to (0: automatic)")
+    parser.add_argument("--smoothing", type=float, default=0.0, metavar="EDGES", help="how far curvature is averaged")
     parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
     # argparse would take "-1,2,3" for an option.
     eyes = [f"--eye={value}" for word, value in zip(words, words[1:]) if word == "--eye"]
@@ -39,11 +45,13 @@ def parse(words):
 
 
 def extract(native, options):
-    """The arrays of the file, and the counts of what was skipped in the model."""
+    """The arrays of the file, the counts of what was skipped in the model, and how curvature was estimated ("": not)."""
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
+    surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
     paths = _paths(native, surface, polygons.positions, options)
-    return {**_arrays(paths, surface, polygons.positions), "definition": np.array(options.definition)}, surface.report
+    arrays = {**_arrays(paths, surface, polygons.positions), "definition": np.array(options.definition)}
+    return arrays, surface.report, surface.fields_reason
 
 
 def _output(text):

@@ -39,6 +39,17 @@ class Cache {
         return value;
     }
 
+    /// What `get` has made and kept, or null; null, too, while something is being computed.
+    template <typename T>
+    std::shared_ptr<const T> find(std::uint64_t key) const {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (!lock) return nullptr;
+        for (const Entry& entry : entries_)
+            if (entry.type == std::type_index(typeid(T)) && entry.key == key)
+                return std::static_pointer_cast<const T>(entry.value);
+        return nullptr;
+    }
+
     void clear() {
         std::lock_guard lock(mutex_);
         entries_.clear();
@@ -51,7 +62,7 @@ class Cache {
         std::shared_ptr<const void> value;
     };
     static constexpr int kept_per_type = 4;
-    std::recursive_mutex mutex_;
+    mutable std::recursive_mutex mutex_;
     std::list<Entry> entries_;
 };
 

@@ -4,6 +4,7 @@
 #include "base/hash.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "field/fields.h"
 #include "mesh/polygon_edges.h"
 #include "mesh/surface.h"
 
@@ -35,6 +36,18 @@ std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& 
     mesh.edge_mark = borrow<std::uint8_t>(edge_marks, "edge_marks");
     py::gil_scoped_release release;
     return std::make_shared<Surface>(name, mesh);
+}
+
+void set_field_options(Surface& surface, const std::string& estimator, int degree, int rings, double smoothing) {
+    FieldOptions options{.degree = degree, .rings = rings, .smoothing = smoothing};
+    if (estimator == "jets")
+        options.estimator = Estimator::jets;
+    else if (estimator == "one_ring")
+        options.estimator = Estimator::one_ring;
+    else
+        check(estimator == "automatic", surface.name() + ": no estimator of curvature is called '" + estimator +
+                                            "'; there are: automatic, jets, one_ring");
+    surface.set_field_options(options);
 }
 
 py::dict report(const Surface& surface) {
@@ -71,6 +84,13 @@ edge_marks (E,) bool. Raises ValueError, naming the object, where sizes or indic
                 surface.set_positions(moved);
             },
             py::arg("positions"), "Moves the vertices, (V, 3) float32; the topology stays.")
+        .def("set_field_options", &set_field_options, py::arg("estimator") = "automatic", py::arg("degree") = 0,
+             py::arg("rings") = 0, py::arg("smoothing") = 0.0,
+             R"(How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and rings
+(1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian that curvature is averaged with.)")
+        .def_property_readonly(
+            "fields_reason", [](const Surface& surface) { return fields_reason(surface); },
+            "How curvature was estimated, and why, in one sentence; empty while no line has asked for it.")
         .def_property_readonly("name", &Surface::name)
         .def_property_readonly("version", &Surface::version, "Changes whenever the positions do.")
         .def_property_readonly("report", &report, "Counts of what was skipped or looked wrong.")

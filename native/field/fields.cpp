@@ -6,11 +6,13 @@
 #include <cstdio>
 #include <vector>
 
-#include "base/check.h"
 #include "base/hash.h"
+#include "base/parallel.h"
+#include "field/implicit.h"
 #include "field/jets.h"
 #include "field/normals.h"
 #include "field/one_ring.h"
+#include "field/smooth.h"
 
 namespace fovea {
 namespace {
@@ -91,6 +93,17 @@ float feature_size_of(const Surface& surface, const Neighbours& neighbours, cons
     return static_cast<float>(0.01 < cap * k ? 0.01 / k : cap);
 }
 
+/// Those of a stretched surface.
+Fields map_fields(const Surface& surface, const Fields& source, const FieldOptions& options) {
+    Fields fields{Array<Curvature>(source.curvature.size()), 0.0f, source.reason};
+    const dmat3 inverse = glm::inverse(surface.stretch());
+    parallel_for(fields.curvature.size(),
+                 [&](std::size_t v) { fields.curvature[v] = rounded(mapped(source.curvature[v], inverse)); });
+    const auto neighbours = neighbours_of(*surface.source(), options.hard_angle);
+    fields.feature_size = feature_size_of(surface, *neighbours, fields.curvature);
+    return fields;
+}
+
 Fields make_fields(const Surface& surface, const FieldOptions& options) {
     const auto around = neighbours_of(surface, options.hard_angle);
     const Neighbours& neighbours = *around;
@@ -104,18 +117,36 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
         fields.curvature = jet_curvature(surface, neighbours, normals, choice.jets);
         fields.reason = choice.reason;
     }
+    if (options.smoothing > 0.0) {
+        fields.curvature = smooth(surface, neighbours, fields.curvature, options.smoothing);
+        char text[60];
+        std::snprintf(text, sizeof text, ", smoothed over %.3g edges", options.smoothing);
+        fields.reason += text;
+    }
     fields.feature_size = feature_size_of(surface, neighbours, fields.curvature);
     return fields;
 }
 
 }  // namespace
 
+std::uint64_t hash_of(const FieldOptions& options) {
+    return hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings,
+                        std::bit_cast<std::uint64_t>(options.smoothing), std::bit_cast<std::uint64_t>(options.hard_angle));
+}
+
+std::shared_ptr<const Fields> fields_of(const Surface& surface) { return fields_of(surface, surface.field_options()); }
+
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options) {
-    check(options.degree == 0 || (options.degree >= 2 && options.degree <= 4), "fields: degree must be 0, 2, 3 or 4");
-    check(options.rings >= 0 && options.rings <= 32, "fields: rings must be 0 to 32");
-    const std::uint64_t key = hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings,
-                                           std::bit_cast<std::uint64_t>(options.hard_angle));
-    return surface.cache().get<Fields>(key, [&] { return make_fields(surface, options); });
+    check_options(options, surface.name());
+    return surface.cache().get<Fields>(hash_of(options), [&] {
+        return surface.source() ? map_fields(surface, *fields_of(*surface.source(), options), options)
+                                : make_fields(surface, options);
+    });
+}
+
+std::string fields_reason(const Surface& surface) {
+    const auto kept = surface.cache().find<Fields>(hash_of(surface.field_options()));
+    return kept ? kept->reason : "";
 }
 
 }  // namespace fovea

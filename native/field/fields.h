@@ -9,15 +9,6 @@
 
 namespace fovea {
 
-enum class Estimator { automatic, jets, one_ring };
-
-struct FieldOptions {
-    Estimator estimator = Estimator::automatic;
-    int degree = 0;  ///< of jets, 2 to 4; 0: automatic
-    int rings = 0;   ///< of jets, 1 to 32; 0: automatic
-    double hard_angle = default_hard_angle;
-};
-
 struct Fields {
     Array<Curvature> curvature;  ///< per vertex
     /// Length against which curvatures are measured: min(0.01 / q, 0.05 R) with q the 10 % quantile, by area, of |k1|
@@ -27,8 +18,17 @@ struct Fields {
     std::string reason;          ///< one sentence: which estimator was taken, and why
 };
 
-/// Kept with the surface, by the options. Automatic takes jets, of degree 4 over 3 rings where the positions are clean
-/// and of degree 3 over more rings the noisier they are. Throws std::invalid_argument for options out of range.
-std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options = {});
+/// With the surface's own options, and with others. Kept with the surface, by the options. Automatic takes jets, of degree 4 over 3 rings where the positions are clean
+/// and of degree 3 over more rings the noisier they are. Throws std::invalid_argument for options out of range. A
+/// stretched surface has the fields of its source, mapped in closed form, and the source's hard edges.
+std::shared_ptr<const Fields> fields_of(const Surface& surface);
+std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options);
+
+/// The reason of the fields that the surface's own options gave; empty where nobody has asked for them yet (and while
+/// something else is being computed).
+std::string fields_reason(const Surface& surface);
+
+/// Hash of all options.
+std::uint64_t hash_of(const FieldOptions& options);
 
 }  // namespace fovea

@@ -27,4 +27,20 @@ CurvatureD curvature_of(const ImplicitJet& jet) {
     return c;
 }
 
+CurvatureD mapped(const Curvature& c, const dmat3& inverse) {
+    if (c.normal == vec3(0.0f)) return {};
+    // F = z + h(x, x) / 2 + C(x, x, x) / 6 over the tangent plane, its derivatives along the columns of `to_frame`:
+    // what a step of each coordinate of the image is in the frame (e1, e2, n).
+    const dmat3 to_frame = glm::transpose(dmat3(c.e1, c.e2, c.normal)) * inverse, back = glm::transpose(to_frame);
+    const auto form = [&](double xx, double xy, double yy) {
+        return back * dmat3(xx, xy, 0, xy, yy, 0, 0, 0, 0) * to_frame;
+    };
+    ImplicitJet jet;
+    jet.gradient = back[2];
+    jet.hessian = form(c.k1, 0.0, c.k2);
+    const dmat3 along_e1 = form(c.C[0], c.C[1], c.C[2]), along_e2 = form(c.C[1], c.C[2], c.C[3]);
+    for (int i = 0; i < 3; ++i) jet.third[i] = to_frame[i].x * along_e1 + to_frame[i].y * along_e2;
+    return curvature_of(jet);
+}
+
 }  // namespace fovea

@@ -17,4 +17,8 @@ struct ImplicitJet {
 /// All zero where the gradient is. Goldman, "Curvature formulas for implicit curves and surfaces", CAGD 2005.
 CurvatureD curvature_of(const ImplicitJet& jet);
 
+/// Of the image of a surface under a linear map, at the image of a point where the surface has the curvature `c`;
+/// `inverse`: that of the map. Exact: it is the image of the point's osculating jet. What was outside stays outside.
+CurvatureD mapped(const Curvature& c, const dmat3& inverse);
+
 }  // namespace fovea

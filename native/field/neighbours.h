@@ -7,8 +7,6 @@
 
 namespace fovea {
 
-/// Degrees between facet normals above which an edge may be hard.
-inline constexpr double default_hard_angle = 40.0;
 /// As an angle: no edge is hard, marks and edges of many facets included.
 inline constexpr double no_hard_edges = 1e9;
 

@@ -59,12 +59,20 @@ dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {
 }
 
 Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours) {
+    // By triangle first: each has three corners that would ask for the same.
+    Array<vec3> corners(surface.triangles.size());
+    parallel_for(corners.size(), [&](std::size_t t) {
+        const Triangle& tri = surface.triangles[t];
+        const auto at = [&](Index v) { return dvec3(surface.positions[v]); };
+        corners[t] = vec3(corner_areas(at(tri.x), at(tri.y), at(tri.z)));
+    });
     Array<float> areas(surface.vertex_count());
     parallel_for(areas.size(), [&](std::size_t v) {
         double sum = 0.0;
         for (Index i = neighbours.triangle_rows.begin(Index(v)); i < neighbours.triangle_rows.end(Index(v)); ++i) {
-            const Turned tri(surface, neighbours.triangles[i], Index(v));
-            sum += corner_areas(tri.p, tri.q, tri.r)[0];
+            const Index t = neighbours.triangles[i];
+            const Triangle& tri = surface.triangles[t];
+            sum += corners[t][tri.x == v ? 0 : tri.y == v ? 1 : 2];
         }
         areas[v] = static_cast<float>(sum);
     });

@@ -16,7 +16,7 @@ inline std::vector<Parameter> crest_parameters() {
 /// there is no crest but noise: the sharpness.
 inline Curves find_crests(const SurfaceView& seen, const Values& values, float sign) {
     const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface, {});
+    const auto fields = fields_of(surface);
     const double unit = 1.0 / fields->feature_size;
     const auto threshold = static_cast<float>(values[0] * unit);
     const auto k1 = [&](Index v) { return sign * fields->curvature[v].k1; };

@@ -11,7 +11,7 @@ namespace fovea {
 struct CurvePiece {
     Index triangle;
     Index side[2];
-    vec3 point[2];      ///< object space
+    vec3 point[2];      ///< in the surface's space
     float strength[2];  ///< in [0, 1]
     Index level = 0;    ///< pieces of other levels are other curves, though they cross the same sides
 };

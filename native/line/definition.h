@@ -24,20 +24,21 @@ struct Parameter {
 /// Values of a definition's parameters, in the order they are declared.
 using Values = std::vector<double>;
 
-/// A surface as one placement of it is seen.
+/// A surface as one placement of it is seen. Its space is that of the object where the placement keeps angles, else the
+/// stretched one of mesh/stretch.h, so that definitions never see a scale that is uneven.
 struct SurfaceView {
     const Surface& surface;
-    /// Eye in object space; for an orthographic camera the direction towards it.
+    /// Eye in the surface's space; for an orthographic camera the direction towards it.
     dvec3 eye_obj{0.0};
     bool orthographic = false;
     /// Per facet: 1 where it faces the viewer (zero counts as facing). Empty when no definition asked for it.
     Array<std::uint8_t> facing{};
     /// For definitions of the scene: the placement and rays through the view; null for definitions of a surface.
     Index placement = 0;
-    dmat4 object_to_view{1.0};
+    dmat4 object_to_view{1.0};  ///< from the surface's space
     const Tracer* tracer = nullptr;
 
-    /// From a vertex towards the viewer, object space; not normalized.
+    /// From a vertex towards the viewer, in the surface's space; not normalized.
     vec3 to_viewer(Index vertex) const {
         return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(surface.positions[vertex]));
     }

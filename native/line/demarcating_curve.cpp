@@ -11,7 +11,7 @@ namespace {
 
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface, {});
+    const auto fields = fields_of(surface);
     const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
     const auto threshold = static_cast<float>(values[0] * unit);
     Array<vec3> along(surface.vertex_count());

@@ -9,7 +9,7 @@ namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values& values) {
-    const auto fields = fields_of(seen.surface, {});
+    const auto fields = fields_of(seen.surface);
     const Array<float> facing =
         per_vertex(seen, [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; });
     const int count = std::max(1, static_cast<int>(values[0]));

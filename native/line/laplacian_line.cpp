@@ -10,7 +10,7 @@ namespace {
 
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface, {});
+    const auto fields = fields_of(surface);
     const auto threshold = static_cast<float>(values[0] / fields->feature_size);
     Array<float> value(surface.vertex_count()), above(value.size()), facing(value.size());
     parallel_for(value.size(), [&](std::size_t v) {

@@ -9,7 +9,7 @@ namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values&) {
-    const auto fields = fields_of(seen.surface, {});
+    const auto fields = fields_of(seen.surface);
     const Array<float> facing =
         per_vertex(seen, [&](Index v) { return glm::dot(fields->curvature[v].normal, seen.to_viewer(v)); });
     const auto all = [](Index) { return true; };

@@ -16,7 +16,7 @@ inline std::vector<Parameter> suggestive_parameters(double threshold) {
 /// times n . v, which is finite at contours.
 inline Curves find_suggestive(const SurfaceView& seen, const Values& values, float sign) {
     const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface, {});
+    const auto fields = fields_of(surface);
     const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
     const auto threshold = static_cast<float>(values[0] * unit);
     Array<float> scaled(surface.vertex_count()), above(scaled.size()), facing(scaled.size());

@@ -13,7 +13,7 @@ inline std::vector<Parameter> zero_curvature_parameters() {
 /// Where curvature(Curvature) is zero and |k1| above the threshold.
 template <typename Measure>
 Curves find_zero_curvature(const SurfaceView& seen, const Values& values, const Measure& curvature) {
-    const auto fields = fields_of(seen.surface, {});
+    const auto fields = fields_of(seen.surface);
     const auto threshold = static_cast<float>(values[0] / fields->feature_size);
     const auto all = [](Index) { return true; };
     return trace_zero_set(

@@ -60,6 +60,11 @@ void Surface::set_positions(In<vec3> moved) {
     build_geometry();
 }
 
+void Surface::set_field_options(const FieldOptions& options) {
+    check_options(options, name_);
+    field_options_ = options;
+}
+
 void Surface::take_topology(const MeshArrays& mesh) {
     const std::size_t corners = mesh.corner_verts.size(), edge_count = mesh.edge_verts.size();
     const std::size_t polygon_total = mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1;

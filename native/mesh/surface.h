@@ -6,6 +6,7 @@
 
 #include "base/cache.h"
 #include "base/types.h"
+#include "mesh/field_options.h"
 
 namespace fovea {
 
@@ -57,10 +58,22 @@ class Surface {
     /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
     Surface(std::string name, const MeshArrays& mesh);
 
+    /// `source` with its vertices moved by a linear map (see mesh/stretch.h), for reading alone: its topology cannot be
+    /// told from the source's, and it must not outlive it.
+    Surface(const Surface& source, const dmat3& stretch);
+
     /// Moves the vertices; topology stays. Everything derived from positions is dropped.
     void set_positions(In<vec3> positions);
 
+    /// How fields are to be estimated; other options, other fields. Throws std::invalid_argument, naming the object,
+    /// for options out of range.
+    void set_field_options(const FieldOptions& options);
+    const FieldOptions& field_options() const { return source_ ? source_->field_options() : field_options_; }
+
     const std::string& name() const { return name_; }
+    /// What this was stretched from, and how; null and the identity for a mesh as it is.
+    const Surface* source() const { return source_; }
+    const dmat3& stretch() const { return stretch_; }
     const SurfaceReport& report() const { return report_; }
 
     // Topology, as given. Polygons that were skipped keep their number and have no facets.
@@ -105,6 +118,7 @@ class Surface {
     void triangulate(const Array<std::uint8_t>& skip);
     void build_facets(const Array<std::uint8_t>& skip);
     void build_edge_sides(const Array<std::uint8_t>& skip);
+    void sort_occluding();
     void bound();
 
     /// A diagonal of a bent polygon with the triangles on both sides.
@@ -132,6 +146,9 @@ class Surface {
 
     Rows polygon_triangles_;
     SurfaceReport report_;
+    FieldOptions field_options_;
+    const Surface* source_ = nullptr;
+    dmat3 stretch_{1.0};
     std::unique_ptr<Cache> cache_ = std::make_unique<Cache>();
     std::uint64_t version_ = 0;
 };

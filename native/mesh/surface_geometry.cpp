@@ -51,6 +51,35 @@ void Surface::build_geometry() {
     triangulate(skip);
     build_facets(skip);
     build_edge_sides(skip);
+    sort_occluding();
+    bound();
+}
+
+Surface::Surface(const Surface& source, const dmat3& stretch)
+    : edges(source.edges),
+      mesh_edges(source.mesh_edges),
+      edge_marks(source.edge_marks),
+      polygon_material(source.polygon_material),
+      positions(source.positions.size()),
+      triangles(source.triangles),
+      triangle_facet(source.triangle_facet),
+      occluding_triangles(source.occluding_triangles),
+      facet_plane(source.facet_plane.size()),
+      facet_polygon(source.facet_polygon),
+      edge_rows(source.edge_rows),
+      edge_sides(source.edge_sides),
+      name_(source.name_),
+      polygons_(source.polygons_),
+      report_(source.report_),
+      source_(&source),
+      stretch_(stretch),
+      version_(source.version_) {
+    parallel_for(positions.size(), [&](std::size_t v) { positions[v] = vec3(stretch * dvec3(source.positions[v])); });
+    const dmat3 of_planes = glm::transpose(glm::inverse(stretch));
+    parallel_for(facet_plane.size(), [&](std::size_t f) {
+        const dvec3 n = of_planes * dvec3(source.facet_plane[f]);
+        facet_plane[f] = vec4(dvec4(n, source.facet_plane[f].w) / glm::length(n));
+    });
     bound();
 }
 
@@ -259,7 +288,7 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
     }
 }
 
-void Surface::bound() {
+void Surface::sort_occluding() {
     // Triangles that hide what lies behind come first, so that a BVH takes a prefix.
     occluding_triangles = static_cast<Index>(triangles.size());
     if (!polygon_occludes_.empty()) {
@@ -278,6 +307,9 @@ void Surface::bound() {
         triangles.swap(sorted_triangles);
         triangle_facet.swap(sorted_facets);
     }
+}
+
+void Surface::bound() {
     vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
     for (Index v = 0; v < vertex_count(); ++v) {
         if (!finite(positions[v])) continue;

@@ -58,6 +58,7 @@ TriangleSides number_sides(const Surface& surface) {
 }  // namespace
 
 std::shared_ptr<const TriangleSides> triangle_sides(const Surface& surface) {
+    if (surface.source()) return triangle_sides(*surface.source());
     return surface.cache().get<TriangleSides>(0, [&] { return number_sides(surface); });
 }
 

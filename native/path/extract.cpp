@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "base/hash.h"
+#include "field/fields.h"
+#include "mesh/stretch.h"
 #include "path/chain.h"
 #include "path/chain_curves.h"
 
@@ -83,6 +85,11 @@ StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets
     return lines;
 }
 
+void to_object(const dmat3& stretch, Array<vec3>& points) {
+    const dmat3 inverse = glm::inverse(stretch);
+    parallel_for(points.size(), [&](std::size_t i) { points[i] = vec3(inverse * dvec3(points[i])); });
+}
+
 /// The first line set that asks for a definition across triangles has all that it finds.
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface) {
     std::vector<FoundCurves> found;
@@ -93,28 +100,39 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition, chain_curves(definition.find(seen, kind.values))});
+            CurveChains chains = chain_curves(definition.find(seen, kind.values));
+            if (seen.surface.source()) to_object(seen.surface.stretch(), chains.point);
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition, std::move(chains)});
         }
     return found;
 }
 
-SurfaceView look_at(const Scene& scene, Index placement, const View& view, const Tracer& tracer) {
+/// In object space; for an orthographic view the direction towards it.
+dvec3 eye_of(const View& view, const Placement& placed) {
+    const dmat4 view_to_object = glm::inverse(view.world_to_view * placed.object_to_world);
+    return dvec3(view_to_object * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1)));
+}
+
+/// `surface`: the placement's as it is placed.
+SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view, const Tracer& tracer) {
     const Placement& placed = scene.placements[placement];
-    SurfaceView seen{.surface = *placed.surface};
-    seen.object_to_view = view.world_to_view * placed.object_to_world;
+    SurfaceView seen{.surface = surface};
+    seen.object_to_view = view.world_to_view * placed.object_to_world * dmat4(glm::inverse(surface.stretch()));
     seen.orthographic = view.orthographic;
-    const dmat4 view_to_object = glm::inverse(seen.object_to_view);
-    seen.eye_obj = dvec3(view_to_object * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1)));
+    seen.eye_obj = surface.stretch() * eye_of(view, placed);
     seen.placement = placement;
     seen.tracer = &tracer;
     return seen;
 }
 
+/// Asked of the surface as it is, like everywhere else: a stretch changes nothing of it but the last digits.
 void find_facing(SurfaceView& seen) {
-    seen.facing.resize(seen.surface.facet_count());
+    const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
+    const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
+    seen.facing.resize(surface.facet_count());
     parallel_for(seen.facing.size(), [&](std::size_t f) {
-        const dvec4 plane(seen.surface.facet_plane[f]);
-        seen.facing[f] = glm::dot(dvec3(plane), seen.eye_obj) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
+        const dvec4 plane(surface.facet_plane[f]);
+        seen.facing[f] = glm::dot(dvec3(plane), eye) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
     });
 }
 
@@ -303,7 +321,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     std::vector<PlacementPaths> found(drawn.size());
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         cancel.poll();
-        found[i] = extract_placement(look_at(scene, drawn[i], view, tracer), sets, sets_hash, view_dependent);
+        const Placement& placed = scene.placements[drawn[i]];
+        const auto surface = as_placed(placed.surface, placed.object_to_world);
+        const std::uint64_t asked = hash_numbers(sets_hash, hash_of(surface->field_options()));
+        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), sets, asked, view_dependent);
     });
 
     struct CurveSlot {

@@ -19,6 +19,9 @@ class RecordedSurface(SimpleNamespace):
     def __init__(self, name, *arrays):
         super().__init__(name=name, **{k: None if a is None else a.copy() for k, a in zip(ARRAYS, arrays)})
 
+    def set_field_options(self, *options):
+        self.field_options = options
+
     def set_positions(self, positions):
         self.positions = positions.copy()
 

@@ -139,6 +139,23 @@ def test_surfaces_that_are_gone_are_let_go():
     assert not cache._entries
 
 
+def test_objects_ask_for_curvature_of_their_own():
+    mesh = box_mesh()
+    plain, fitted = new_object(mesh, "Plain"), new_object(mesh, "Fitted")
+    fitted.fovea.curvature_estimator, fitted.fovea.curvature_rings = "JETS", 4
+    fitted.fovea.curvature_smoothing = 1.5
+    plain.fovea.curvature_rings = 4  # of jets, which it does not ask for
+    cache = new_cache()
+    snapshot = in_viewport(cache)
+    asked = [snapshot.surfaces[i].field_options for i in snapshot.surface_of_placement]
+    of = dict(zip(snapshot.objects, asked))
+    assert of == {"Plain": ("automatic", 0, 0, 0.0), "Fitted": ("jets", 0, 4, 1.5)}
+    fitted.fovea.curvature_estimator = "ONE_RING"
+    surfaces = in_viewport(cache).surfaces
+    assert {surface.field_options[0] for surface in surfaces} == {"automatic", "one_ring"}
+    assert cache.rebuilt == [], "other settings, the same surface"
+
+
 def test_meshes_in_edit_mode():
     for x in range(2):
         obj = new_object(box_mesh(1.0 + x), f"Box {x}")

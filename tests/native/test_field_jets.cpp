@@ -28,3 +28,10 @@ TEST(FieldJets, TorusIrregular) {
     expect_below(jet_errors(torus({.n = 128, .irregular = true}), 4, 3), .0007, .003, .019, .065);
     expect_below(jet_errors(torus({.n = 128, .irregular = true}), 3, 2), .010, .013, .11, .25);
 }
+
+TEST(FieldJets, Ellipsoid) {
+    expect_below(jet_errors(ellipsoid(6, false), 4, 3), .00003, .0002, .0035, .014);
+    expect_below(jet_errors(ellipsoid(6, false), 3, 2), .0007, .002, .0010, .014);
+    expect_below(jet_errors(ellipsoid(6, true), 4, 3), .00003, .0002, .0035, .015);
+    expect_below(jet_errors(ellipsoid(6, true), 3, 2), .0007, .002, .010, .06);
+}

@@ -16,6 +16,12 @@ TEST(FieldOneRing, TorusRegular) {
     }
 }
 
+TEST(FieldOneRing, Ellipsoid) {
+    const auto errors = [](const Sample& sample) { return errors_of(sample, one_ring_curvature(*sample.mesh.surface())); };
+    expect_below(errors(ellipsoid(6, false)), .0006, .015, .014, .9);
+    expect_below(errors(ellipsoid(6, true)), .012, .085, .45, 3.8);
+}
+
 TEST(FieldOneRing, TorusIrregularKeepsTheCurvatureButNotItsDerivative) {
     const Sample sample = torus({.n = 128, .irregular = true});
     expect_below(errors_of(sample, one_ring_curvature(*sample.mesh.surface())), .026, .12, .55, 2.2);

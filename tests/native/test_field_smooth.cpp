@@ -1,0 +1,108 @@
+// Curvature averaged over its surroundings: what must stay as it is, and noise, which must not.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "field/fields.h"
+#include "field/smooth.h"
+#include "field_errors.h"
+
+using namespace fovea;
+using namespace fovea::analytic;
+
+namespace {
+
+Array<Curvature> exact(const Sample& sample) {
+    Array<Curvature> found;
+    for (const vec3& p : sample.mesh.positions) found.push_back(rounded(sample.exact(dvec3(p))));
+    return found;
+}
+
+Array<Curvature> smoothed(const Surface& surface, const Array<Curvature>& curvature, double deviation) {
+    return smooth(surface, *neighbours_of(surface), curvature, deviation);
+}
+
+Sample noisy_torus(double share_of_edge) {
+    Sample sample = torus({.n = 128});
+    std::mt19937 random(5);
+    std::normal_distribution<float> offset(0.0f, static_cast<float>(share_of_edge * 0.045));
+    for (vec3& p : sample.mesh.positions) p += offset(random) * vec3(sample.exact(dvec3(p)).normal);
+    return sample;
+}
+
+}  // namespace
+
+TEST(FieldSmooth, SpheresAndCylindersStay) {
+    const Sample sphere = ellipsoid(4, true, dvec3(2.0));
+    for (const Curvature& c : smoothed(*sphere.mesh.surface(), exact(sphere), 2.0)) {
+        EXPECT_NEAR(c.k1, 0.5f, 1e-5f);
+        EXPECT_NEAR(c.k2, 0.5f, 1e-5f);
+        for (float third : c.C) EXPECT_NEAR(third, 0.0f, 1e-5f);
+    }
+    Sample cylinder{parameter_grid("cylinder", false, {.n = 40, .irregular = true}, [](double u, double v) {
+        return dvec3(std::cos(3 * v), std::sin(3 * v), 3 * u);
+    }), {}};
+    cylinder.exact = [](const dvec3& p) { return curvature_of(ellipsoid_jet({p.x, p.y, 0}, {1, 1, 1e30})); };
+    const auto before = exact(cylinder);
+    const auto after = smoothed(*cylinder.mesh.surface(), before, 2.0);
+    for (std::size_t v = 0; v < after.size(); ++v) {
+        EXPECT_NEAR(std::abs(after[v].k1), 1.0f, 1e-4f);
+        EXPECT_NEAR(after[v].k2, 0.0f, 1e-4f);
+        EXPECT_NEAR(std::abs(glm::dot(after[v].e1, before[v].e1)), 1.0f, 1e-4f);
+        for (float third : after[v].C) EXPECT_NEAR(third, 0.0f, 1e-3f);
+    }
+}
+
+TEST(FieldSmooth, TakesNoiseAway) {
+    // Estimated as if there were none: jets of degree 4 over 3 rings.
+    const Sample sample = noisy_torus(0.01);
+    const auto surface = sample.mesh.surface();
+    FieldOptions options{.estimator = Estimator::jets, .degree = 4, .rings = 3};
+    const Errors before = errors_of(sample, fields_of(*surface, options)->curvature);
+    options.smoothing = 1.5;
+    const auto fields = fields_of(*surface, options);
+    const Errors after = errors_of(sample, fields->curvature);
+    RecordProperty("k_before", std::to_string(before.k_median));
+    RecordProperty("k_after", std::to_string(after.k_median));
+    RecordProperty("c_before", std::to_string(before.c_median));
+    RecordProperty("c_after", std::to_string(after.c_median));
+    std::printf("k %g -> %g, C %g -> %g\n", before.k_median, after.k_median, before.c_median, after.c_median);
+    EXPECT_LT(after.k_median, 0.5 * before.k_median);
+    EXPECT_LT(after.c_median, 0.4 * before.c_median);
+    EXPECT_NE(fields->reason.find("smoothed over 1.5 edges"), std::string::npos) << fields->reason;
+}
+
+TEST(FieldSmooth, MovesAndGrowsWithTheSurface) {
+    const Sample sample = waves({.n = 24, .irregular = true});
+    Mesh moved = sample.mesh;
+    const glm::dquat turn = glm::angleAxis(1.1, glm::normalize(dvec3(1, 2, -1)));
+    for (vec3& p : moved.positions) p = vec3(2.0 * (turn * dvec3(p)) + dvec3(3, 1, -2));
+    const FieldOptions options{.estimator = Estimator::jets, .degree = 3, .rings = 2, .smoothing = 1.0};
+    const auto here = fields_of(*sample.mesh.surface(), options), there = fields_of(*moved.surface(), options);
+    double third[4];
+    for (std::size_t v = 0; v < here->curvature.size(); ++v) {
+        const Curvature &a = here->curvature[v], &b = there->curvature[v];
+        EXPECT_NEAR(a.k1, 2.0f * b.k1, 2e-2f);
+        EXPECT_NEAR(a.k2, 2.0f * b.k2, 2e-2f);
+        in_frame(b, turn * dvec3(a.e1), turn * dvec3(a.e2), third);
+        for (int i = 0; i < 4; ++i) EXPECT_NEAR(a.C[i], 4.0 * third[i], 0.02 * (1.0 + norm(a.C))) << v;
+    }
+    EXPECT_NEAR(2.0f * here->feature_size, there->feature_size, 1e-3f);
+}
+
+TEST(FieldSmooth, DoesNotCrossHardEdges) {
+    // Half a tube on a flat plate: at the hard edge between them the plate stays flat and the tube round.
+    const int n = 24;
+    Mesh mesh = parameter_grid("plate and tube", false, {.n = n}, [](double u, double v) {
+        if (v <= 0.5) return dvec3(3 * u, 4 * v - 2, 0);
+        const double a = std::numbers::pi * (2 * v - 1);
+        return dvec3(3 * u, 1 - std::cos(a), std::sin(a));
+    });
+    const auto surface = mesh.surface();
+    const auto fields = fields_of(*surface, {.estimator = Estimator::jets, .degree = 2, .rings = 2, .smoothing = 2.0});
+    for (Index v = 0; v < surface->vertex_count(); ++v) {
+        const vec3 p = surface->positions[v];
+        if (p.y < -0.01f) EXPECT_NEAR(fields->curvature[v].k1, 0.0f, 1e-4f) << p.x << " " << p.y;
+        if (p.y > 0.01f) EXPECT_NEAR(std::abs(fields->curvature[v].k1), 1.0f, 0.02f) << p.x << " " << p.y;
+    }
+}
