@@ -115,37 +115,52 @@ Curves trace_levels(const Surface& surface, const Value& value, float first, flo
     });
 }
 
+/// How fast the lengths of vectors fall along their own direction in a triangle, where that of corner `alone` points
+/// against the two others: the second derivative, turned around, of the quantity that they are derivatives of. Positive
+/// where it has a maximum between them.
+inline float bend_across(const vec3 (&p)[3], const vec3 (&uphill)[3], int alone) {
+    const vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    vec3 gradient(0.0f), direction(0.0f);
+    for (int i = 0; i < 3; ++i) {
+        const float length = glm::length(uphill[i]), sign = i == alone ? -1.0f : 1.0f;
+        gradient += sign * length * glm::cross(normal, p[(i + 2) % 3] - p[(i + 1) % 3]);
+        if (length > 0.0f) direction += sign / length * uphill[i];
+    }
+    return -glm::dot(gradient, direction) / (glm::dot(normal, normal) * glm::length(direction));
+}
+
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity
 /// grows, of the length of its derivative; its line matters, not the way it was turned (the derivative turns around with
-/// the direction). A side is crossed where its two vectors point against each other. `margin`, `wanted` and `strength`
-/// as above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", SIGGRAPH 2004, 4.
+/// the direction). A side is crossed where its two vectors point against each other. Only where the quantity has a
+/// maximum, and its second derivative across the curve is at least `least_bend`. `margin`, `wanted` and `strength` as
+/// above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", SIGGRAPH 2004, 4.
 template <typename Wanted, typename Uphill, typename Margin, typename Strength>
 Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
                     const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
         if (!wanted(triangle)) return;
-        const glm::uvec3& of = sides->of_triangle[triangle];
-        Crossing ends[3];
-        int count = 0;
-        bool climbs = false;
-        float bend = 0.0f;
+        const Triangle& corners = surface.triangles[triangle];
+        const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
+        Crossing ends[2];
+        int count = 0, alone = 0;
         for (int i = 0; i < 3; ++i) {
-            const Edge e = sides->vertices[of[i]];
-            const vec3 a = uphill(e.x), b = uphill(e.y);
-            if (!(glm::dot(a, b) <= 0.0f)) continue;
-            const float la = glm::length(a), lb = glm::length(b);
-            if (!(la + lb > 0.0f)) continue;
-            ends[count++] = {of[i], e.x, e.y, la / (la + lb)};
-            // A maximum: at least one end climbs towards the other.
-            const vec3 along = surface.positions[e.y] - surface.positions[e.x];
-            bend = std::max(bend, (la + lb) / glm::length(along));
-            climbs = climbs || glm::dot(a, along) >= 0.0f || glm::dot(b, along) <= 0.0f;
+            if (!(glm::dot(climb[i], climb[(i + 1) % 3]) <= 0.0f)) {
+                alone = (i + 2) % 3;
+                continue;
+            }
+            // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
+            if (count == 2) return;
+            const Index side = sides->of_triangle[triangle][i];
+            const Edge e = sides->vertices[side];
+            const float a = glm::length(uphill(e.x)), b = glm::length(uphill(e.y));
+            ends[count++] = {side, e.x, e.y, a / (a + b)};
         }
-        // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
-        if (count != 2 || !climbs || bend < least_bend) return;
-        const Crossing two[2] = {ends[0], ends[1]};
-        append_trimmed(surface, triangle, two, {two[0].mix(margin), two[1].mix(margin)}, strength, out);
+        if (count != 2) return;
+        const vec3 at[3] = {surface.positions[corners.x], surface.positions[corners.y], surface.positions[corners.z]};
+        const float bend = bend_across(at, climb, alone);
+        if (!(bend > 0.0f) || bend < least_bend) return;
+        append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
     });
 }
 
