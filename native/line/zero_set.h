@@ -41,26 +41,35 @@ Curves collect_pieces(std::size_t triangles, const Emit& emit) {
     return curves;
 }
 
-/// Appends the part of a piece between two crossings where `margin`, linear between its values at the two, is positive.
-/// strength(margin) is asked at both ends of what is left.
-template <typename Strength>
-void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const float (&margin)[2],
+/// How far what has to be positive is above zero: one number, or two that are cut by each for itself, of which the first
+/// gives the strength.
+inline vec2 margins(float one) { return {one, 1.0f}; }
+inline vec2 margins(const vec2& two) { return two; }
+
+/// Appends the part of a piece between two crossings where the margins, linear between their values at the two, are
+/// positive. strength(margin) is asked at both ends of what is left.
+template <typename Margin, typename Strength>
+void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const Margin& margin,
                     const Strength& strength, std::vector<CurvePiece>& out) {
-    if (!(margin[0] > 0.0f) && !(margin[1] > 0.0f)) return;
+    const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
+    float from = 0.0f, to = 1.0f;  // of the way from end 0 to end 1
+    for (int c = 0; c < 2; ++c) {
+        const float a = above[0][c], b = above[1][c];
+        if (!(a > 0.0f) && !(b > 0.0f)) return;
+        if (!(a > 0.0f)) from = std::max(a / (a - b), from);
+        if (!(b > 0.0f)) to = std::min(a / (a - b), to);
+    }
+    if (!(from < to)) return;  // NaN, too
     CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}, 0};
     const auto position = [&](Index v) { return surface.positions[v]; };
-    for (int k = 0; k < 2; ++k) {
-        piece.point[k] = ends[k].mix(position);
-        piece.strength[k] = strength(margin[k]);
-    }
-    for (int k = 0; k < 2; ++k) {
-        if (margin[k] > 0.0f) continue;
-        const float t = margin[k] / (margin[k] - margin[1 - k]);
-        const vec3 whole = piece.point[1 - k] - piece.point[k];
-        piece.point[k] += t * whole;
-        piece.side[k] = none;
-        piece.strength[k] = strength(0.0f);
-    }
+    const vec3 first = ends[0].mix(position), last = ends[1].mix(position);
+    const auto put = [&](int k, float t, bool cut) {
+        piece.point[k] = cut ? first + t * (last - first) : k == 0 ? first : last;
+        piece.strength[k] = strength(cut ? above[0].x + t * (above[1].x - above[0].x) : above[k].x);
+        if (cut) piece.side[k] = none;
+    };
+    put(0, from, from > 0.0f);
+    put(1, to, to < 1.0f);
     // On a broken or enormous mesh a field may be beyond all numbers.
     const vec3 sum = piece.point[0] + piece.point[1];
     if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1])) out.push_back(piece);
@@ -82,10 +91,10 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
         return crossing(sides, side, value(e.x), value(e.y));
     };
     const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
-    append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
+    append_trimmed(surface, triangle, ends, margin, strength, out);
 }
 
-/// Curves where `value` (per vertex) is zero and `margin` (per vertex) positive. Triangles for which `wanted(triangle)`
+/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Triangles for which `wanted(triangle)`
 /// is false are passed over. Zero counts as positive, so that each side is crossed by both of its triangles or by
 /// neither (simulation of simplicity). NaN crosses nothing.
 template <typename Wanted, typename Value, typename Margin, typename Strength>
@@ -160,7 +169,7 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
         const vec3 at[3] = {surface.positions[corners.x], surface.positions[corners.y], surface.positions[corners.z]};
         const float bend = bend_across(at, climb, alone);
         if (!(bend > 0.0f) || bend < least_bend) return;
-        append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
+        append_trimmed(surface, triangle, ends, margin, strength, out);
     });
 }
 

@@ -38,7 +38,7 @@ struct ExactGrid {
     std::vector<dvec3> point{std::size_t(n + 1) * (n + 1)};
     std::vector<CurvatureD> curvature{point.size()};
 
-    explicit ExactGrid(const Sample& of, int cells = 768) : sample(of), n(cells) {
+    explicit ExactGrid(const Sample& of, int cells = 512) : sample(of), n(cells) {
         parallel_for(point.size(), [&](std::size_t k) {
             const dvec2 uv = parameters(k);
             point[k] = sample.point(uv.x, uv.y);
