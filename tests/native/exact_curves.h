@@ -31,14 +31,15 @@ struct Along {
     }
 };
 
-/// Points of a surface with their curvature, over n x n cells of the parameters.
+/// Points of a surface with their curvature, over n x n cells of the parameters. An odd number: planes of symmetry, where
+/// values are zero but for rounding, then pass between the nodes.
 struct ExactGrid {
     const Sample& sample;
     int n;
     std::vector<dvec3> point{std::size_t(n + 1) * (n + 1)};
     std::vector<CurvatureD> curvature{point.size()};
 
-    explicit ExactGrid(const Sample& of, int cells = 512) : sample(of), n(cells) {
+    explicit ExactGrid(const Sample& of, int cells = 509) : sample(of), n(cells) {
         parallel_for(point.size(), [&](std::size_t k) {
             const dvec2 uv = parameters(k);
             point[k] = sample.point(uv.x, uv.y);
