@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <vector>
 
 #include "base/hash.h"
@@ -19,31 +20,58 @@ namespace {
 
 /// Residuals, in edge lengths, up to which positions count as clean, and as slightly noisy. Under the first a jet of
 /// degree 4 over 3 rings has the smaller error in C on a torus of 128 x 64 quads.
-constexpr double clean = 0.0007, slightly_noisy = 0.004, noisy = 0.02;
+constexpr double clean = 0.0007, slightly_noisy = 0.004;
+
+/// Deviation, in edge lengths, by which fields of noisy positions are smoothed: less, and lines on scans are jagged.
+constexpr double smoothing_of_noise = 1.5;
 
 struct Choice {
     JetOptions jets;
+    double smoothing = 0.0;
     std::string reason;
 };
+
+/// Rings over which a cubic has the least error in C. Noise leaves the same residuals over many rings as over few, and
+/// more points average it out; what a cubic cannot follow, on coarse meshes, leaves larger ones the more rings.
+int rings_for(double noise, const std::function<double(int)>& residual) {
+    constexpr double share = 0.3;  // of the residuals that is no noise: how much of it reaches C
+    int best = 0;
+    double least = HUGE_VAL;
+    for (const int rings : {2, 3, 4, 6}) {
+        const double of_shape = share * std::sqrt(std::max(0.0, std::pow(residual(rings), 2) - noise * noise));
+        const double of_noise = noise / std::sqrt(3.0 * rings * (rings + 1) + 1);
+        const double error = std::hypot(of_shape, of_noise) / std::pow(rings, 3);
+        if (error >= least) break;
+        least = error;
+        best = rings;
+    }
+    return best;
+}
 
 Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                    const FieldOptions& options) {
     Choice choice;
     choice.jets = {.degree = 4, .rings = 3, .hard_angle = options.hard_angle};
+    choice.smoothing = options.smoothing;
     if (options.degree && options.rings) {
         choice.reason = "jets as asked for";
     } else {
+        const auto residual = [&](int degree, int rings) {
+            JetOptions jets{.degree = degree, .rings = rings, .hard_angle = options.hard_angle};
+            jets.even = degree == 3;
+            return jet_noise(surface, neighbours, normals, jets);
+        };
         // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
-        JetOptions near = choice.jets;
-        near.rings = 2;
-        const double noise = std::min(jet_noise(surface, neighbours, normals, choice.jets),
-                                      jet_noise(surface, neighbours, normals, near));
+        const double noise = std::min(residual(4, 3), residual(4, 2));
         const char* kind = "clean";
         if (noise > clean) {
             choice.jets.even = true;
             choice.jets.degree = 3;
-            choice.jets.rings = noise > noisy ? 6 : noise > slightly_noisy ? 4 : 3;
-            kind = noise > noisy ? "very noisy" : noise > slightly_noisy ? "noisy" : "slightly noisy";
+            choice.jets.rings = rings_for(noise, [&](int rings) { return residual(3, rings); });
+            const bool noisy = noise > slightly_noisy;
+            if (noisy && options.smoothing == 0.0 && options.estimator == Estimator::automatic)
+                choice.smoothing = smoothing_of_noise;
+            kind = noisy ? "noisy" : "slightly noisy";
         }
         char text[120];
         std::snprintf(text, sizeof text, "positions are %s (%.2g %% of an edge off a smooth surface): jets", kind,
@@ -108,6 +136,7 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
     const auto around = neighbours_of(surface, options.hard_angle);
     const Neighbours& neighbours = *around;
     Fields fields;
+    double smoothing = options.smoothing;
     if (options.estimator == Estimator::one_ring) {
         fields.curvature = one_ring_curvature(surface, neighbours);
         fields.reason = "one-rings as asked for";
@@ -116,11 +145,12 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
         const Choice choice = choose_jets(surface, neighbours, normals, options);
         fields.curvature = jet_curvature(surface, neighbours, normals, choice.jets);
         fields.reason = choice.reason;
+        smoothing = choice.smoothing;
     }
-    if (options.smoothing > 0.0) {
-        fields.curvature = smooth(surface, neighbours, fields.curvature, options.smoothing);
+    if (smoothing > 0.0) {
+        fields.curvature = smooth(surface, neighbours, fields.curvature, smoothing);
         char text[60];
-        std::snprintf(text, sizeof text, ", smoothed over %.3g edges", options.smoothing);
+        std::snprintf(text, sizeof text, ", smoothed over %.3g edges", smoothing);
         fields.reason += text;
     }
     fields.feature_size = feature_size_of(surface, neighbours, fields.curvature);

@@ -116,20 +116,20 @@ struct DemarcatingOf {
     Real strength;   ///< C(g, g, g), not negative
 };
 
+/// C(g, g, g) over the angle t of g = (cos t, sin t): A cos(t - alpha) + B cos(3 t - beta).
 template <typename Real>
-DemarcatingOf<Real> demarcating(const CurvatureOf<Real>& c) {
-    // Over the angle t, C(g, g, g) = A cos(t - alpha) + B cos(3 t - beta): its greatest value lies within 60 degrees of
-    // one of the three maxima of the second term. Newton from each, kept where it climbs.
-    const Real a = Real(0.75) * (c.C[0] + c.C[2]), b = Real(0.75) * (c.C[1] + c.C[3]);
-    const Real p = Real(0.25) * (c.C[0] - 3 * c.C[2]), q = Real(0.25) * (3 * c.C[1] - c.C[3]);
-    const auto value = [&](Real t) {
+class ThirdFormByAngle {
+   public:
+    explicit ThirdFormByAngle(const CurvatureOf<Real>& c)
+        : a(Real(0.75) * (c.C[0] + c.C[2])),
+          b(Real(0.75) * (c.C[1] + c.C[3])),
+          p(Real(0.25) * (c.C[0] - 3 * c.C[2])),
+          q(Real(0.25) * (3 * c.C[1] - c.C[3])) {}
+    Real operator()(Real t) const {
         return a * std::cos(t) + b * std::sin(t) + p * std::cos(3 * t) + q * std::sin(3 * t);
-    };
-    constexpr Real third = Real(2.0943951023931953);
-    const Real first = std::atan2(q, p) / 3, mean = std::atan2(b, a);
-    const Real starts[4] = {first, first + third, first - third, mean};
-    Real best = 0, most = value(0);
-    for (Real t : starts) {
+    }
+    /// A maximum, by Newton's steps that climb, from t.
+    Real climb(Real t) const {
         for (int step = 0; step < 20; ++step) {
             const Real slope = -a * std::sin(t) + b * std::cos(t) - 3 * p * std::sin(3 * t) + 3 * q * std::cos(3 * t);
             const Real bend = -a * std::cos(t) - b * std::sin(t) - 9 * p * std::cos(3 * t) - 9 * q * std::sin(3 * t);
@@ -138,14 +138,42 @@ DemarcatingOf<Real> demarcating(const CurvatureOf<Real>& c) {
             if (!(std::abs(move) > Real(1e-12))) break;
             t += move;
         }
+        return t;
+    }
+    const Real a, b, p, q;
+};
+
+template <typename Real>
+DemarcatingOf<Real> demarcating_at(const CurvatureOf<Real>& c, Real angle, Real strength) {
+    DemarcatingOf<Real> d{std::cos(angle), std::sin(angle), 0, strength};
+    d.curvature = c.k1 * d.g1 * d.g1 + c.k2 * d.g2 * d.g2;
+    return d;
+}
+
+/// The same for a maximum of C(g, g, g) near a tangent (x, y), though another be greater.
+template <typename Real>
+DemarcatingOf<Real> demarcating_near(const CurvatureOf<Real>& c, Real x, Real y) {
+    const ThirdFormByAngle<Real> third(c);
+    const Real t = third.climb(std::atan2(y, x));
+    return demarcating_at(c, t, third(t));
+}
+
+template <typename Real>
+DemarcatingOf<Real> demarcating(const CurvatureOf<Real>& c) {
+    // The greatest value lies within 60 degrees of one of the three maxima of the second term.
+    const ThirdFormByAngle<Real> value(c);
+    constexpr Real third = Real(2.0943951023931953);
+    const Real first = std::atan2(value.q, value.p) / 3, mean = std::atan2(value.b, value.a);
+    const Real starts[4] = {first, first + third, first - third, mean};
+    Real best = 0, most = value(0);
+    for (const Real start : starts) {
+        const Real t = value.climb(start);
         if (value(t) > most) {
             most = value(t);
             best = t;
         }
     }
-    DemarcatingOf<Real> d{std::cos(best), std::sin(best), 0, most};
-    d.curvature = c.k1 * d.g1 * d.g1 + c.k2 * d.g2 * d.g2;
-    return d;
+    return demarcating_at(c, best, most);
 }
 
 }  // namespace fovea

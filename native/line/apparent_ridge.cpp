@@ -30,8 +30,8 @@ Curves find(const SurfaceView& seen, const Values& values) {
         above[v] = view.squared - threshold;
     });
     return trace_maxima(
-        surface, facing_above(surface, facing, contour_near), [&](Index v) { return uphill[v]; }, 0.0f,
-        [&](Index v) { return above[v]; }, fading(threshold));
+        surface, facing_above(surface, facing, 0.0f), [&](Index v) { return uphill[v]; }, 0.0f,
+        [&](Index v) { return vec2(above[v], facing[v] - contour_near); }, fading(threshold));
 }
 
 }  // namespace

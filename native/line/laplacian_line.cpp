@@ -21,8 +21,8 @@ Curves find(const SurfaceView& seen, const Values& values) {
         facing[v] = s.facing;
     });
     return trace_zero_set(
-        surface, facing_above(surface, facing, 0.0f), [&](Index v) { return value[v]; },
-        [&](Index v) { return above[v]; }, fading(threshold));
+        surface, facing_anywhere(surface, facing), [&](Index v) { return value[v]; },
+        [&](Index v) { return vec2(above[v], facing[v]); }, fading(threshold));
 }
 
 }  // namespace

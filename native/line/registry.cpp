@@ -5,13 +5,14 @@
 namespace fovea {
 
 extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
-    suggestive_contour, suggestive_highlight, ridge, valley, apparent_ridge, demarcating_curve,
-    laplacian_line, parabolic, zero_mean_curvature, isophote, topographic;
+    suggestive_contour, suggestive_highlight, principal_highlight_ridge, principal_highlight_valley, ridge, valley,
+    apparent_ridge, demarcating_curve, laplacian_line, parabolic, zero_mean_curvature, isophote, topographic;
 
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {
         &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
-        &smooth_contour, &suggestive_contour, &suggestive_highlight, &ridge, &valley, &apparent_ridge,
+        &smooth_contour, &suggestive_contour, &suggestive_highlight, &principal_highlight_ridge,
+        &principal_highlight_valley, &ridge, &valley, &apparent_ridge,
         &demarcating_curve, &laplacian_line, &parabolic, &zero_mean_curvature, &isophote, &topographic,
     };
     return all;

@@ -31,6 +31,14 @@ inline auto facing_above(const Surface& surface, const Array<float>& facing, flo
     };
 }
 
+/// Triangles that have a corner with n . v > 0.
+inline auto facing_anywhere(const Surface& surface, const Array<float>& facing) {
+    return [&surface, &facing](Index t) {
+        const Triangle& c = surface.triangles[t];
+        return facing[c.x] > 0.0f || facing[c.y] > 0.0f || facing[c.z] > 0.0f;
+    };
+}
+
 /// Fading of lines by how far they are above their threshold: 0 at it, a half where they are `fade` above it.
 inline auto fading(double fade) {
     return [fade = static_cast<float>(fade)](float above) {

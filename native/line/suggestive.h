@@ -28,12 +28,8 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
         facing[v] = s.facing;
         above[v] = sign * r.derivative - threshold * s.facing;
     });
-    const auto front = [&](Index t) {
-        const Triangle& corners = surface.triangles[t];
-        return facing[corners.x] > 0.0f || facing[corners.y] > 0.0f || facing[corners.z] > 0.0f;
-    };
-    return trace_zero_set(surface, front, [&](Index v) { return scaled[v]; }, [&](Index v) { return above[v]; },
-                          fading(values[1] * unit));
+    return trace_zero_set(surface, facing_anywhere(surface, facing), [&](Index v) { return scaled[v]; },
+                          [&](Index v) { return vec2(above[v], facing[v]); }, fading(values[1] * unit));
 }
 
 }  // namespace fovea

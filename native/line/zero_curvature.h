@@ -10,15 +10,17 @@ inline std::vector<Parameter> zero_curvature_parameters() {
     return {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least curvature, in units of 1 / feature size"}};
 }
 
-/// Where curvature(Curvature) is zero and |k1| above the threshold.
+/// Where curvature(Curvature) is zero and |k1| above the threshold. Asked of the difference of k1 and k2: |k1| has a
+/// crease where they are opposite. `share`: what |k1| is of it on the line.
 template <typename Measure>
-Curves find_zero_curvature(const SurfaceView& seen, const Values& values, const Measure& curvature) {
+Curves find_zero_curvature(const SurfaceView& seen, const Values& values, float share, const Measure& curvature) {
     const auto fields = fields_of(seen.surface);
     const auto threshold = static_cast<float>(values[0] / fields->feature_size);
     const auto all = [](Index) { return true; };
     return trace_zero_set(
         seen.surface, all, [&](Index v) { return curvature(fields->curvature[v]); },
-        [&](Index v) { return std::abs(fields->curvature[v].k1) - threshold; }, fading(threshold));
+        [&](Index v) { return share * std::abs(fields->curvature[v].k1 - fields->curvature[v].k2) - threshold; },
+        fading(threshold));
 }
 
 }  // namespace fovea

@@ -8,7 +8,7 @@ namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values& values) {
-    return find_zero_curvature(seen, values, [](const Curvature& c) { return c.k1 + c.k2; });
+    return find_zero_curvature(seen, values, 0.5f, [](const Curvature& c) { return c.k1 + c.k2; });
 }
 
 }  // namespace

@@ -41,26 +41,35 @@ Curves collect_pieces(std::size_t triangles, const Emit& emit) {
     return curves;
 }
 
-/// Appends the part of a piece between two crossings where `margin`, linear between its values at the two, is positive.
-/// strength(margin) is asked at both ends of what is left.
-template <typename Strength>
-void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const float (&margin)[2],
+/// How far what has to be positive is above zero: one number, or two that are cut by each for itself, of which the first
+/// gives the strength.
+inline vec2 margins(float one) { return {one, 1.0f}; }
+inline vec2 margins(const vec2& two) { return two; }
+
+/// Appends the part of a piece between two crossings where the margins, linear between their values at the two, are
+/// positive. strength(margin) is asked at both ends of what is left.
+template <typename Margin, typename Strength>
+void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const Margin& margin,
                     const Strength& strength, std::vector<CurvePiece>& out) {
-    if (!(margin[0] > 0.0f) && !(margin[1] > 0.0f)) return;
+    const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
+    float from = 0.0f, to = 1.0f;  // of the way from end 0 to end 1
+    for (int c = 0; c < 2; ++c) {
+        const float a = above[0][c], b = above[1][c];
+        if (!(a > 0.0f) && !(b > 0.0f)) return;
+        if (!(a > 0.0f)) from = std::max(a / (a - b), from);
+        if (!(b > 0.0f)) to = std::min(a / (a - b), to);
+    }
+    if (!(from < to)) return;  // NaN, too
     CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}, 0};
     const auto position = [&](Index v) { return surface.positions[v]; };
-    for (int k = 0; k < 2; ++k) {
-        piece.point[k] = ends[k].mix(position);
-        piece.strength[k] = strength(margin[k]);
-    }
-    for (int k = 0; k < 2; ++k) {
-        if (margin[k] > 0.0f) continue;
-        const float t = margin[k] / (margin[k] - margin[1 - k]);
-        const vec3 whole = piece.point[1 - k] - piece.point[k];
-        piece.point[k] += t * whole;
-        piece.side[k] = none;
-        piece.strength[k] = strength(0.0f);
-    }
+    const vec3 first = ends[0].mix(position), last = ends[1].mix(position);
+    const auto put = [&](int k, float t, bool cut) {
+        piece.point[k] = cut ? first + t * (last - first) : k == 0 ? first : last;
+        piece.strength[k] = strength(cut ? above[0].x + t * (above[1].x - above[0].x) : above[k].x);
+        if (cut) piece.side[k] = none;
+    };
+    put(0, from, from > 0.0f);
+    put(1, to, to < 1.0f);
     // On a broken or enormous mesh a field may be beyond all numbers.
     const vec3 sum = piece.point[0] + piece.point[1];
     if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1])) out.push_back(piece);
@@ -82,10 +91,10 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
         return crossing(sides, side, value(e.x), value(e.y));
     };
     const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
-    append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
+    append_trimmed(surface, triangle, ends, margin, strength, out);
 }
 
-/// Curves where `value` (per vertex) is zero and `margin` (per vertex) positive. Triangles for which `wanted(triangle)`
+/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Triangles for which `wanted(triangle)`
 /// is false are passed over. Zero counts as positive, so that each side is crossed by both of its triangles or by
 /// neither (simulation of simplicity). NaN crosses nothing.
 template <typename Wanted, typename Value, typename Margin, typename Strength>
@@ -115,37 +124,52 @@ Curves trace_levels(const Surface& surface, const Value& value, float first, flo
     });
 }
 
+/// How fast the lengths of vectors fall along their own direction in a triangle, where that of corner `alone` points
+/// against the two others: the second derivative, turned around, of the quantity that they are derivatives of. Positive
+/// where it has a maximum between them.
+inline float bend_across(const vec3 (&p)[3], const vec3 (&uphill)[3], int alone) {
+    const vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    vec3 gradient(0.0f), direction(0.0f);
+    for (int i = 0; i < 3; ++i) {
+        const float length = glm::length(uphill[i]), sign = i == alone ? -1.0f : 1.0f;
+        gradient += sign * length * glm::cross(normal, p[(i + 2) % 3] - p[(i + 1) % 3]);
+        if (length > 0.0f) direction += sign / length * uphill[i];
+    }
+    return -glm::dot(gradient, direction) / (glm::dot(normal, normal) * glm::length(direction));
+}
+
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity
 /// grows, of the length of its derivative; its line matters, not the way it was turned (the derivative turns around with
-/// the direction). A side is crossed where its two vectors point against each other. `margin`, `wanted` and `strength`
-/// as above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", SIGGRAPH 2004, 4.
+/// the direction). A side is crossed where its two vectors point against each other. Only where the quantity has a
+/// maximum, and its second derivative across the curve is at least `least_bend`. `margin`, `wanted` and `strength` as
+/// above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", SIGGRAPH 2004, 4.
 template <typename Wanted, typename Uphill, typename Margin, typename Strength>
 Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
                     const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
         if (!wanted(triangle)) return;
-        const glm::uvec3& of = sides->of_triangle[triangle];
-        Crossing ends[3];
-        int count = 0;
-        bool climbs = false;
-        float bend = 0.0f;
+        const Triangle& corners = surface.triangles[triangle];
+        const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
+        Crossing ends[2];
+        int count = 0, alone = 0;
         for (int i = 0; i < 3; ++i) {
-            const Edge e = sides->vertices[of[i]];
-            const vec3 a = uphill(e.x), b = uphill(e.y);
-            if (!(glm::dot(a, b) <= 0.0f)) continue;
-            const float la = glm::length(a), lb = glm::length(b);
-            if (!(la + lb > 0.0f)) continue;
-            ends[count++] = {of[i], e.x, e.y, la / (la + lb)};
-            // A maximum: at least one end climbs towards the other.
-            const vec3 along = surface.positions[e.y] - surface.positions[e.x];
-            bend = std::max(bend, (la + lb) / glm::length(along));
-            climbs = climbs || glm::dot(a, along) >= 0.0f || glm::dot(b, along) <= 0.0f;
+            if (!(glm::dot(climb[i], climb[(i + 1) % 3]) <= 0.0f)) {
+                alone = (i + 2) % 3;
+                continue;
+            }
+            // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
+            if (count == 2) return;
+            const Index side = sides->of_triangle[triangle][i];
+            const Edge e = sides->vertices[side];
+            const float a = glm::length(uphill(e.x)), b = glm::length(uphill(e.y));
+            ends[count++] = {side, e.x, e.y, a / (a + b)};
         }
-        // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
-        if (count != 2 || !climbs || bend < least_bend) return;
-        const Crossing two[2] = {ends[0], ends[1]};
-        append_trimmed(surface, triangle, two, {two[0].mix(margin), two[1].mix(margin)}, strength, out);
+        if (count != 2) return;
+        const vec3 at[3] = {surface.positions[corners.x], surface.positions[corners.y], surface.positions[corners.z]};
+        const float bend = bend_across(at, climb, alone);
+        if (!(bend > 0.0f) || bend < least_bend) return;
+        append_trimmed(surface, triangle, ends, margin, strength, out);
     });
 }
 

@@ -17,7 +17,8 @@ struct FieldOptions {
     Estimator estimator = Estimator::automatic;
     int degree = 0;  ///< of jets, 2 to 4; 0: automatic
     int rings = 0;   ///< of jets, 1 to 32; 0: automatic
-    /// Standard deviation, in edge lengths, of the Gaussian that curvature is averaged with, up to 8; 0: not at all.
+    /// Standard deviation, in edge lengths, of the Gaussian that curvature is averaged with, up to 8; 0: not at all, or,
+    /// with the automatic estimator, as much as noise asks for.
     double smoothing = 0.0;
     double hard_angle = default_hard_angle;
 };

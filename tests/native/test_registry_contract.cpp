@@ -1,0 +1,208 @@
+// What every definition of the registry must do, whichever it is: over whole scenes, through extract_paths.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <limits>
+#include <random>
+#include <regex>
+
+#include "analytic.h"
+#include "drawing.h"
+#include "mesh/triangle_sides.h"
+
+using namespace fovea;
+using namespace fovea::meshes;
+using namespace fovea::drawing;
+
+namespace {
+
+constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+
+LineSet every(const Values& values, Index definition) {
+    LineSet set;
+    set.corner_angle_rad = 1.0;
+    set.kinds.push_back({definition, values});
+    return set;
+}
+
+Values defaults(const LineDefinition& definition) {
+    Values values;
+    for (const Parameter& p : definition.parameters) values.push_back(p.value);
+    return values;
+}
+
+/// Marks, materials and borders, smooth parts and hard edges, two surfaces that cut each other, and one far below.
+std::vector<Placement> small_scene() {
+    Mesh cube = box();
+    cube.material = {0, 1, 0, 1, 0, 1};
+    cube.edge_mark = cube.edge_flags({0, 3});
+    const Mesh hills = analytic::waves({.n = 40, .irregular = true}).mesh;
+    const Mesh ring = analytic::torus({.n = 48}).mesh;
+    return {place(hills, scaled(dvec3(2)), 1), place(ring, moved({0.3, 0, 0.4}), 2), place(cube, moved({-1, 1, 0.2}), 3),
+            place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
+}
+
+/// Paths of one definition, and the camera they were found for.
+struct Found {
+    Scene scene;
+    View view;
+    Tracer tracer;
+    Paths paths;
+
+    Found(std::vector<Placement> placements, const View& seen, const LineSet& set)
+        : scene(std::move(placements)), view(seen), tracer(scene, view), paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}
+    Found(const Found&) = delete;
+};
+
+template <typename T>
+void expect_same_bytes(const Array<T>& a, const Array<T>& b, const std::string& what) {
+    ASSERT_EQ(a.size(), b.size()) << what;
+    if (!a.empty()) EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(T)), 0) << what;
+}
+
+void expect_same(const Paths& a, const Paths& b, const std::string& name) {
+    expect_same_bytes(a.rows.offsets, b.rows.offsets, name + ": rows");
+    expect_same_bytes(a.closed, b.closed, name + ": closed");
+    expect_same_bytes(a.id, b.id, name + ": id");
+    expect_same_bytes(a.placement, b.placement, name + ": placement");
+    expect_same_bytes(a.points_obj, b.points_obj, name + ": points");
+    expect_same_bytes(a.arc_obj, b.arc_obj, name + ": arc");
+    expect_same_bytes(a.place, b.place, name + ": place");
+    expect_same_bytes(a.kinds, b.kinds, name + ": kinds");
+    expect_same_bytes(a.strength, b.strength, name + ": strength");
+}
+
+/// Corners of the edge or triangle that a segment lies on.
+std::vector<Index> corners_of(const Surface& surface, Index place) {
+    if (surface.is_edge(place)) return {surface.edges[place].x, surface.edges[place].y};
+    const Triangle& t = surface.triangles[surface.triangle_at(place)];
+    return {t.x, t.y, t.z};
+}
+
+bool share_a_corner(const Surface& surface, Index a, Index b) {
+    for (const Index i : corners_of(surface, a))
+        for (const Index j : corners_of(surface, b))
+            if (i == j) return true;
+    return false;
+}
+
+void expect_sound(const Found& found, const std::string& name) {
+    const Paths& paths = found.paths;
+    for (Index p = 0; p < paths.count(); ++p) {
+        const Index begin = paths.rows.begin(p), end = paths.rows.end(p);
+        ASSERT_GE(end - begin, 2u) << name << ": a path has two points";
+        const Index placement = paths.placement[p];
+        const Surface* surface = placement < found.scene.placements.size() ? found.scene.placements[placement].surface.get() : nullptr;
+        for (Index i = begin; i < end; ++i) {
+            const vec3 point = paths.points_obj[i];
+            ASSERT_TRUE(std::isfinite(point.x + point.y + point.z)) << name;
+            ASSERT_TRUE(paths.strength[i] >= 0.0f && paths.strength[i] <= 1.0f) << name << " " << paths.strength[i];
+            ASSERT_TRUE(std::isfinite(paths.arc_obj[i]) && (i == begin || paths.arc_obj[i] >= paths.arc_obj[i - 1])) << name;
+            ASSERT_EQ(paths.kinds[i] & ~bit_of(name.c_str()), 0u) << name << ": kinds that were not asked for";
+            if (!surface) continue;
+            ASSERT_LE(glm::distance(point, surface->center), surface->radius * 1.0001f) << name << ": outside of the mesh";
+        }
+        if (paths.closed[p]) EXPECT_EQ(paths.points_obj[begin], paths.points_obj[end - 1]) << name;
+        // Lines of the scene need not lie on one surface.
+        if (!surface || line_definitions()[definition_index(name)]->scope == Scope::scene) continue;
+        for (Index i = begin; i + 1 < end; ++i) {
+            ASSERT_LT(paths.place[i], surface->place_count()) << name;
+            if (i + 2 < end) ASSERT_TRUE(share_a_corner(*surface, paths.place[i], paths.place[i + 1])) << name;
+        }
+    }
+    std::set<std::uint64_t> ids(paths.id.begin(), paths.id.end());
+    EXPECT_EQ(ids.size(), paths.count()) << name << ": ids differ";
+}
+
+std::vector<Mesh> degenerate_meshes() {
+    Mesh broken = analytic::waves({.n = 12}).mesh;
+    broken.name = "NaN";
+    broken.positions[30] = broken.positions[77] = vec3(nan_value);
+    broken.positions[100].z = std::numeric_limits<float>::infinity();
+    Mesh slivers = analytic::waves({.n = 12}).mesh;
+    slivers.name = "slivers";
+    for (std::size_t v = 0; v + 1 < slivers.positions.size(); v += 3) slivers.positions[v] = slivers.positions[v + 1] + vec3(1e-7f, 0, 0);
+    Mesh line = grid(4);
+    line.name = "line";
+    for (vec3& p : line.positions) p.y = p.z = 0.0f;
+    Mesh huge = sphere(6);
+    huge.name = "huge";
+    for (vec3& p : huge.positions) p *= 1e18f;
+    Mesh tiny = sphere(6);
+    tiny.name = "tiny";
+    for (vec3& p : tiny.positions) p *= 1e-18f;
+    return {broken, slivers, line, huge, tiny, Mesh("nothing", {}), sphere(8), grid(6), box(), cylinder(5), moebius(9),
+            of_polygons("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}),
+            of_polygons("three faces at an edge", {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 1}, {-1, 0, -1}},
+                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),
+            two_boxes_at_an_edge(), bent_quad(), analytic::ellipsoid(2, true).mesh};
+}
+
+const View corner_view = perspective({6, -5, 4}, {0, 0, 0});
+
+}  // namespace
+
+class Definition : public testing::TestWithParam<Index> {
+   protected:
+    const Index index = GetParam();
+    const LineDefinition& definition = *line_definitions()[index];
+    const std::string name = definition.name;
+};
+
+TEST_P(Definition, SaysWhatItIs) {
+    EXPECT_TRUE(std::regex_match(name, std::regex("[a-z]+(_[a-z]+)*"))) << name;
+    EXPECT_GT(std::string(definition.label).size(), 2u);
+    EXPECT_GT(std::string(definition.source).size(), 5u);
+    EXPECT_GT(std::string(definition.description).size(), 10u);
+    EXPECT_LT(index, 8 * sizeof(Kinds));
+    std::set<std::string> names;
+    for (const Parameter& p : definition.parameters) {
+        EXPECT_TRUE(std::regex_match(p.name, std::regex("[a-z]+(_[a-z]+)*"))) << p.name;
+        EXPECT_TRUE(names.insert(p.name).second) << p.name << " twice";
+        EXPECT_TRUE(p.low < p.high && p.low <= p.value && p.value <= p.high) << p.name;
+        EXPECT_GT(std::string(p.label).size(), 1u);
+        EXPECT_GT(std::string(p.meaning).size(), 10u);
+    }
+    for (Index other = 0; other < line_definitions().size(); ++other)
+        if (other != index) EXPECT_STRNE(line_definitions()[other]->name, definition.name);
+}
+
+TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
+    for (const View& view : {corner_view, orthographic({6, -5, 4}, {0, 0, 0}, 8), perspective({0, 0, 7}, {0, 0, 0})}) {
+        const Found all(small_scene(), view, every(defaults(definition), index));
+        expect_sound(all, name);
+        const Found again(small_scene(), view, every(defaults(definition), index));
+        expect_same(all.paths, again.paths, name);
+        tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        const Found alone(small_scene(), view, every(defaults(definition), index));
+        expect_same(all.paths, alone.paths, name);
+    }
+}
+
+TEST_P(Definition, TakesExtremesOfItsParameters) {
+    for (std::size_t p = 0; p < definition.parameters.size(); ++p)
+        for (const double extreme : {definition.parameters[p].low, definition.parameters[p].high}) {
+            Values values = defaults(definition);
+            values[p] = extreme;
+            expect_sound(Found(small_scene(), corner_view, every(values, index)), name);
+        }
+}
+
+TEST_P(Definition, TakesDegenerateMeshes) {
+    Values least = defaults(definition);
+    for (std::size_t p = 0; p < least.size(); ++p) least[p] = definition.parameters[p].low;
+    for (const Mesh& mesh : degenerate_meshes())
+        for (const Values& values : {defaults(definition), least})
+            // The last looks along a face, from a vertex.
+            for (const View& view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
+                SCOPED_TRACE(mesh.name);
+                expect_sound(Found({place(mesh)}, view, every(values, index)), name);
+            }
+    // Two of a kind in one place, and a scene of nothing.
+    expect_sound(Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(defaults(definition), index)), name);
+    EXPECT_EQ(Found({}, corner_view, every(defaults(definition), index)).paths.count(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Definition, testing::Range(Index(0), Index(line_definitions().size())),
+                         [](const auto& info) { return std::string(line_definitions()[info.param]->name); });
