@@ -78,67 +78,6 @@ inline Sample torus(const GridOptions& options, double R = 1.0, double r = 0.4) 
             [=](const dvec3& p) { return curvature_of(torus_jet(p, R)); }, point};
 }
 
-/// Unit sphere: an icosahedron whose faces are divided in four `levels` times.
-inline Mesh icosphere(int levels) {
-    const double g = std::numbers::phi;
-    std::vector<dvec3> points;
-    for (double a : {-1.0, 1.0})
-        for (double b : {-g, g}) points.insert(points.end(), {{0, a, b}, {a, b, 0}, {b, 0, a}});
-    for (dvec3& p : points) p = glm::normalize(p);
-    std::vector<std::array<int, 3>> faces;
-    for (int i = 0; i < 12; ++i)
-        for (int j = i + 1; j < 12; ++j)
-            for (int k = j + 1; k < 12; ++k) {
-                const dvec3 p = points[i], q = points[j], r = points[k];
-                if (std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)}) > 1.1) continue;
-                const bool outward = glm::dot(glm::cross(q - p, r - p), p) > 0;
-                faces.push_back(outward ? std::array{i, j, k} : std::array{i, k, j});
-            }
-    for (int level = 0; level < levels; ++level) {
-        std::map<std::pair<int, int>, int> middles;
-        const auto middle = [&](int a, int b) {
-            const auto [it, added] = middles.try_emplace(std::minmax(a, b), int(points.size()));
-            if (added) points.push_back(glm::normalize(points[a] + points[b]));
-            return it->second;
-        };
-        std::vector<std::array<int, 3>> smaller;
-        for (const auto& [a, b, c] : faces) {
-            const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            smaller.insert(smaller.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-        }
-        faces.swap(smaller);
-    }
-    Mesh mesh("icosphere", {});
-    for (const dvec3& p : points) mesh.positions.push_back(vec3(p));
-    for (const auto& [a, b, c] : faces) mesh.add_polygon({a, b, c});
-    return mesh;
-}
-
-/// At a point of the ellipsoid with these half axes.
-inline ImplicitJet ellipsoid_jet(const dvec3& p, const dvec3& axes) {
-    ImplicitJet jet;
-    for (int i = 0; i < 3; ++i) {
-        jet.gradient[i] = 2.0 * p[i] / (axes[i] * axes[i]);
-        jet.hessian[i][i] = 2.0 / (axes[i] * axes[i]);
-    }
-    return jet;
-}
-
-/// `levels` of an icosphere; irregular: vertices moved by up to a quarter of an edge.
-inline Sample ellipsoid(int levels, bool irregular, const dvec3& axes = {1.5, 1.1, .7}) {
-    Mesh mesh = icosphere(levels);
-    mesh.name = "ellipsoid";
-    std::mt19937 random(1);
-    const double edge = 1.1 / double(1 << levels);
-    std::uniform_real_distribution<double> jitter(-0.25 * edge, 0.25 * edge);
-    for (vec3& p : mesh.positions) {
-        dvec3 q(p);
-        if (irregular) q = glm::normalize(q + dvec3(jitter(random), jitter(random), jitter(random)));
-        p = vec3(q * axes);
-    }
-    return {std::move(mesh), [=](const dvec3& p) { return curvature_of(ellipsoid_jet(p, axes)); }};
-}
-
 /// z = sum of c sin(a x + b y + phase) over [-1,1]^2.
 inline Sample waves(const GridOptions& options) {
     struct Wave {
