@@ -4,11 +4,13 @@
 
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "field/fields.h"
 #include "field/jets.h"
 #include "field/one_ring.h"
 #include "field_errors.h"
+#include "mesh/stretch.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -97,6 +99,39 @@ TEST(FieldConditions, ThreadsAndScaleAndRotation) {
     }
 }
 
+TEST(FieldConditions, OrderOfVerticesAndFacesAndPlace) {
+    const Mesh mesh = ellipsoid(3, true).mesh;
+    std::mt19937 random(11);
+    std::vector<int> number(mesh.positions.size()), order(mesh.polygon_offsets.size() - 1);
+    for (auto* shuffled : {&number, &order}) {
+        std::iota(shuffled->begin(), shuffled->end(), 0);
+        std::shuffle(shuffled->begin(), shuffled->end(), random);
+    }
+    Mesh other("other", std::vector<vec3>(number.size()));
+    for (std::size_t v = 0; v < number.size(); ++v) other.positions[number[v]] = mesh.positions[v] + vec3(2, -1, 4);
+    for (int f : order) {
+        const int* v = mesh.corner_verts.data() + mesh.polygon_offsets[f];
+        other.add_polygon({number[v[1]], number[v[2]], number[v[0]]});
+    }
+    const auto here = mesh.surface(), there = other.surface();
+    const FieldOptions asked[] = {{.estimator = Estimator::jets, .degree = 3, .rings = 2},
+                                  {.estimator = Estimator::one_ring},
+                                  {.estimator = Estimator::one_ring, .smoothing = 1.0}};
+    for (const FieldOptions& options : asked) {
+        const auto a = fields_of(*here, options), b = fields_of(*there, options);
+        EXPECT_NEAR(a->feature_size, b->feature_size, 1e-3f * a->feature_size);
+        for (std::size_t v = 0; v < number.size(); ++v) {
+            const Curvature &p = a->curvature[v], &q = b->curvature[number[v]];
+            EXPECT_LT(glm::distance(p.normal, q.normal), 1e-4f);
+            EXPECT_NEAR(p.k1, q.k1, 2e-3f * std::abs(p.k1));
+            EXPECT_NEAR(p.k2, q.k2, 2e-3f * std::abs(p.k1));
+            double third[4];
+            in_frame(q, dvec3(p.e1), dvec3(p.e2), third);
+            for (int i = 0; i < 4; ++i) EXPECT_NEAR(third[i], p.C[i], 0.02 * (norm(p.C) + 1.0));
+        }
+    }
+}
+
 TEST(FieldConditions, BoxIsFlatUpToItsEdges) {
     const auto surface = fine_box(8).surface();
     for (const Estimate estimate : estimates)
@@ -147,6 +182,10 @@ TEST(FieldConditions, BrokenInputGivesFiniteValues) {
         for (const Estimate estimate : estimates)
             for (const Curvature& c : estimate(*surface)) EXPECT_TRUE(finite(c)) << mesh.name;
         EXPECT_TRUE(std::isfinite(fields_of(*surface)->feature_size)) << mesh.name;
+        const auto placed = as_placed(surface, dmat4(dmat3(1, 0, 0, .5, 1, 0, 0, 0, .3)));
+        const auto fields = fields_of(*placed, {.smoothing = 2.0});
+        for (const Curvature& c : fields->curvature) EXPECT_TRUE(finite(c)) << mesh.name << ", smoothed and sheared";
+        EXPECT_TRUE(std::isfinite(fields->feature_size)) << mesh.name;
     }
 }
 

@@ -29,9 +29,18 @@ TEST(FieldJets, TorusIrregular) {
     expect_below(jet_errors(torus({.n = 128, .irregular = true}), 3, 2), .010, .013, .11, .25);
 }
 
+// Limits: as measured, rounded up a little (lines.md has other subdivisions of an ellipsoid).
 TEST(FieldJets, Ellipsoid) {
-    expect_below(jet_errors(ellipsoid(6, false), 4, 3), .00003, .0002, .0035, .014);
-    expect_below(jet_errors(ellipsoid(6, false), 3, 2), .0007, .002, .0010, .014);
-    expect_below(jet_errors(ellipsoid(6, true), 4, 3), .00003, .0002, .0035, .015);
+    expect_below(jet_errors(ellipsoid(6, false), 4, 3), .00006, .0003, .0035, .015);
+    expect_below(jet_errors(ellipsoid(6, false), 3, 2), .0007, .002, .0035, .020);
+    expect_below(jet_errors(ellipsoid(6, true), 4, 3), .00004, .0003, .0035, .015);
     expect_below(jet_errors(ellipsoid(6, true), 3, 2), .0007, .002, .010, .06);
+}
+
+TEST(FieldJets, ErrorsFallWithTheEdge) {
+    for (const bool irregular : {false, true}) {
+        const Errors coarse = jet_errors(ellipsoid(4, irregular), 4, 3), fine = jet_errors(ellipsoid(5, irregular), 4, 3);
+        EXPECT_LT(fine.k_median, coarse.k_median / 8) << "with its fourth power";
+        EXPECT_LT(fine.c_median, coarse.c_median / 3) << "with its square";
+    }
 }

@@ -8,6 +8,7 @@ using namespace fovea;
 using namespace fovea::analytic;
 
 // Limits: medians and 99th percentiles as first measured, rounded up a little; both fall with the square of the edge.
+// Errors of k are the greater of both curvatures'; over k1 and k2 alike their medians are .0017 and .0004.
 TEST(FieldOneRing, TorusRegular) {
     for (const auto& [n, k, k99, c, c99] :
          {std::array{64., .0035, .011, .017, .037}, {128., .0009, .003, .0045, .009}}) {

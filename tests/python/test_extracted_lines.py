@@ -66,3 +66,27 @@ def test_from_inside_there_is_no_contour(extract):
 def test_an_unknown_definition_is_named(extract):
     with pytest.raises(ValueError, match="no line definition is called 'ridgy'"):
         extract("--definition", "ridgy", "--eye", "3,4,5")
+
+
+def test_how_curvature_is_estimated_is_asked_for_and_told(tmp_path):
+    n = 16
+    x, y = np.meshgrid(np.linspace(-1, 1, n + 1), np.linspace(-1, 1, n + 1))
+    points = np.stack([x, y, 0.3 * np.cos(3 * x)], axis=-1).reshape(-1, 3)
+    corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel() + 1
+    quads = np.stack([corner, corner + 1, corner + n + 2, corner + n + 1], axis=-1)
+    model = tmp_path / "wave.obj"
+    rows = [("v", points), ("f", quads)]
+    model.write_text("".join(f"{key} {a} {b} {' '.join(map(str, c))}\n" for key, values in rows for a, b, *c in values.tolist()))
+
+    def reason(*words, definition="parabolic"):
+        file = ["-o", str(tmp_path / "out.npz"), "--definition", definition, "--eye", "0,0,5"]
+        return lines.extract(native.load(), lines.parse([str(model), *file, *words]))[2]
+
+    assert reason(definition="border") == "", "borders know nothing of curvature"
+    assert "jets" in reason()
+    assert reason("--estimator", "one_ring") == "one-rings as asked for"
+    asked = reason("--estimator", "jets", "--degree", "3", "--rings", "2", "--smoothing", "1.5")
+    assert asked == "jets as asked for of degree 3 over 2 rings, smoothed over 1.5 edges"
+    for wrong in (("--degree", "5"), ("--rings", "99"), ("--smoothing", "-1")):
+        with pytest.raises(ValueError, match="wave: "):
+            reason(*wrong)
