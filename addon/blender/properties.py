@@ -66,9 +66,8 @@ def apply_style(settings, name):
     kinds = {kind: values for line_set in chosen.line_sets for kind, values in line_set.kinds.items()}
     for definition in definitions():
         setattr(settings, definition["name"], definition["name"] in kinds)
-        for parameter in definition["parameters"]:
-            value = kinds.get(definition["name"], {}).get(parameter["name"], parameter["default"])
-            setattr(settings, f"{definition['name']}_{parameter['name']}", _stored(value, parameter["unit"]))
+        defaults = {parameter["name"]: parameter["default"] for parameter in definition["parameters"]}
+        set_parameters(settings, definition["name"], defaults | kinds.get(definition["name"], {}))
     last = chosen.line_sets[-1]
     settings.corner_angle = math.radians(last.corner_angle)
     settings.paper_color = chosen.paper.color
@@ -77,6 +76,13 @@ def apply_style(settings, name):
     settings.pen_cap = last.pen.cap.upper()
     for prop, field in PEN.items():
         setattr(settings, prop, getattr(last.pen, field))
+
+
+def set_parameters(settings, name, values):
+    """Sets parameters of the named definition; values in the registry's units."""
+    units = {p["name"]: p["unit"] for d in definitions() if d["name"] == name for p in d["parameters"]}
+    for parameter, value in values.items():
+        setattr(settings, f"{name}_{parameter}", _stored(value, units[parameter]))
 
 
 def _stored(value, unit):
