@@ -13,3 +13,14 @@ from . import native
 def definitions():
     """All line definitions, in the registry's order."""
     return tuple(native.load().line_definitions())
+
+
+def named(words):
+    """Names of definitions: those given, or every one where the word is `all`. ValueError for what is none."""
+    known = [definition["name"] for definition in definitions()]
+    if list(words) == ["all"]:
+        return known
+    for word in words:
+        if word not in known:
+            raise ValueError(f"there is no line definition '{word}'; there are: {', '.join(known)}; or all")
+    return list(words)

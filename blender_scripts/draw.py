@@ -26,7 +26,7 @@ def main(words):
     set_drawing(scene, options)
     set_output(scene, options)
     if options.sheet:
-        sheet.render(scene, catalogue.definitions(), options.lines, options.output, partial(still, scene))
+        sheet.render(scene, catalogue.definitions(), options.output, partial(still, scene))
     else:
         render(scene, options)
 
@@ -79,11 +79,9 @@ def set_drawing(scene, options):
         fovea.visibility = options.visibility.upper()
     if options.style:
         choose_style(fovea, options.style)
-    if options.sheet:
-        options.lines = chosen_lines(options.lines)
-    elif options.lines:
-        choose_lines(fovea, options.lines)
-    set_parameters(fovea, options)
+    if options.lines:
+        choose_lines(fovea, catalogue.named(options.lines))
+    set_parameters(fovea, options.param)
 
 
 def choose_style(fovea, name):
@@ -92,31 +90,19 @@ def choose_style(fovea, name):
     fovea.style = name
 
 
-def choose_lines(fovea, words):
-    wanted = chosen_lines(words)
+def choose_lines(fovea, names):
     for definition in catalogue.definitions():
-        setattr(fovea, definition["name"], definition["name"] in wanted)
+        setattr(fovea, definition["name"], definition["name"] in names)
 
 
-def chosen_lines(words):
-    """The definitions that `--lines` names."""
-    known = [definition["name"] for definition in catalogue.definitions()]
-    if words == ["all"]:
-        return known
-    for name in words:
-        if name not in known:
-            raise ValueError(f"there is no line definition '{name}'; there are: {', '.join(known)}, or all of them: all")
-    return words
-
-
-def set_parameters(fovea, options):
+def set_parameters(fovea, given):
     """What `--param DEFINITION.NAME=VALUE` says."""
-    for words, value in options.param:
+    for words, value in given:
         name, dot, parameter = words.partition(".")
         if not dot:
             raise ValueError(f"--param {words}: a parameter is named DEFINITION.NAME")
-        checked = style.parameters(name, {parameter: value}, "--param", catalogue.definitions())
-        if not (name in options.lines if options.sheet else getattr(fovea, name)):
+        checked = style.parameters(name, {parameter: value}, "definition", catalogue.definitions())
+        if not getattr(fovea, name):
             raise ValueError(f"--param {words}: {name} is not drawn; name it in --lines")
         properties.set_parameters(fovea, name, checked)
 

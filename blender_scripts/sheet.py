@@ -14,9 +14,9 @@ SHAPE_PEN = {"pen_width": 1.6, "pen_color": (0.25, 0.25, 0.25), "pen_taper": 0.0
 PEN = {"pen_width": 5.0, "pen_color": (0.0, 0.0, 0.0), "pen_taper": 0.0}
 
 
-def render(scene, definitions, names, path, still):
-    """Writes the sheet of the named definitions to `path`, an 8-bit grey PNG. `still(path)` renders the scene."""
-    shown = [definition for definition in definitions if definition["name"] in names]
+def render(scene, definitions, path, still):
+    """Writes the sheet of the definitions that are on to `path`, an 8-bit grey PNG. `still(path)` renders the scene."""
+    shown = [definition for definition in definitions if getattr(scene.fovea, definition["name"])]
     size = scene.render.resolution_x, scene.render.resolution_y
     columns = columns_for(len(shown), size)
     rows = -(-len(shown) // columns)

@@ -42,7 +42,7 @@ def extract(native, options):
     """The arrays of the file, and the counts of what was skipped in the model."""
     style = importlib.import_module("addon.style")
     definitions, given = native.line_definitions(), dict(options.param)
-    kinds = {options.definition: style.parameters(options.definition, given, "--param", definitions)}
+    kinds = {options.definition: style.parameters(options.definition, given, "definition", definitions)}
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     paths = _paths(native, surface, polygons.positions, kinds, options)

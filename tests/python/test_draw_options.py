@@ -40,6 +40,9 @@ def test_frames_are_numbered_files(tmp_path):
         (["--size", "100"], "WIDTHxHEIGHT"),
         (["--frames", "5-3"], "FIRST-LAST"),
         (["--margin", "50"], "leaves no picture"),
+        (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
+        (["--sheet", "--frames", "1-2"], "a sheet has no --frames"),
+        (["--sheet", "--style", "ink"], "a sheet has no --style"),
     ],
 )
 def test_mistakes_are_named(capsys, words, reason):
