@@ -22,6 +22,7 @@ RANGES = {
     "width": (0.1, 1000),
     "length_scale": (0.01, 100),
     "taper": (0, 10000),
+    "strength_width": (0, 1),
     "corner_angle": (0, 180),
     "least_length": (0, 10000),
 }

@@ -82,7 +82,7 @@ def draw_labels(labels, columns, rows, size, picture):
     scene.render.filepath = str(picture)
     scene.render.image_settings.file_format, scene.render.image_settings.color_mode = "PNG", "RGBA"
     bpy.ops.render.render(scene=scene.name, write_still=True)
-    paper = pixels(picture)[..., 3].reshape(rows, high, 2, wide, 2).mean(axis=(2, 4))
+    paper = pixels(picture)[..., 3].reshape(rows, high, 2, wide, 2).mean(axis=(2, 4)) ** (1 / 2.2)  # as tiles are stored
     bpy.data.scenes.remove(scene)
     return paper[::-1]
 
@@ -96,7 +96,7 @@ def _look_down(scene, width, height):
     scene.collection.objects.link(camera)
     scene.camera = camera
     scene.render.engine = "FOVEA"
-    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 2 * width, 2 * height, 100
+    scene.render.resolution_x, scene.render.resolution_y = 2 * width, 2 * height
 
 
 def pixels(path):

@@ -14,7 +14,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from .. import catalogue, native, style
 from . import gpu_context
 
-PEN = {"pen_opacity": "opacity", "pen_width": "width", "pen_length_scale": "length_scale", "pen_taper": "taper"}
+PEN = {f"pen_{name}": name for name in ("opacity", "width", "length_scale", "taper", "strength_width")}
 
 
 def definitions():
@@ -128,7 +128,7 @@ def _line_properties(chosen):
     found = {}
     for definition in definitions():
         name = definition["name"]
-        text = {"name": definition["label"], "description": definition["description"]}
+        text = {"name": definition["label"], "description": f"{definition['description']}.\n{definition['source']}"}
         found[name] = BoolProperty(default=name in on, update=_redraw, **text)
         for parameter in definition["parameters"]:
             found[f"{name}_{parameter['name']}"] = _parameter_property(parameter)
@@ -154,6 +154,7 @@ def _pen_properties(pen):
         "pen_length_scale": _number("Stretch", "length_scale", pen, "Stretches the texture along the stroke"),
         "pen_cap": EnumProperty(name="Ends", items=caps, default=pen.cap.upper(), update=_redraw),
         "pen_taper": _number("Taper", "taper", pen, "Length of the thinning ends, in pixels of an image 1080 high"),
+        "pen_strength_width": _number("Thin by Strength", "strength_width", pen, "How far weak lines are thin, not pale"),
     }
 
 

@@ -44,7 +44,7 @@ def pictures(options):
 def _parser():
     parser = argparse.ArgumentParser("fovea draw")
     add = parser.add_argument
-    add("scene", nargs="?", default="demo", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
+    add("scene", nargs="?", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
     add("--size", type=_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
     add("--lens", type=float, metavar="MM", help="focal length; 50 for a model")
@@ -55,7 +55,7 @@ def _parser():
     add("--visibility", choices=("auto", "exact", "atlas"))
     add("--frames", type=_frames, metavar="A-B", help="an animation: OUT_0001.png ...")
     add("--style", metavar="NAME")
-    add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all; only these are drawn")
+    add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
     add("--param", type=assignment.parse, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
@@ -63,6 +63,7 @@ def _parser():
 
 
 def _check(options):
+    options.scene = options.scene or ("suzanne:3" if options.sheet else "demo")
     if is_file(options.scene):
         if not Path(options.scene).is_file():
             raise ValueError(f"there is no file {options.scene}")

@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 import bpy
+import landscape
 import numpy as np
 import pytest
 from pictures import ink, pixels_of
@@ -19,19 +20,14 @@ TILE = (320, 240)
 LABELS = [definition["label"] for definition in part("catalogue").definitions()]
 
 
-def landscape(count=80):
-    """An open, smooth surface of hills and hollows with a wall and a ditch, of two materials; one row of its edges is
-    marked."""
-    x, y = np.meshgrid(np.linspace(-2, 2, count), np.linspace(-2, 2, count), indexing="ij")
-    z = 0.7 * np.exp(-2.5 * (x**2 + y**2)) + 0.18 * np.sin(3 * x + 1) * np.cos(2.5 * y)
-    z += 0.4 * np.exp(-(((x + 0.3 * y + 1.3) / 0.15) ** 2)) - 0.4 * np.exp(-(((y - 0.3 * x + 1.1) / 0.15) ** 2))
-    quads = [(i, i + count, i + count + 1, i + 1) for i in range(count * (count - 1)) if i % count < count - 1]
-    mesh = new_mesh(np.stack([x, y, z], -1).reshape(-1, 3).tolist(), [], quads, "Landscape")
+def landscape_mesh():
+    """The landscape of two materials, with one row of its edges marked."""
+    quads, row = landscape.quads(), landscape.COUNT // 4
+    mesh = new_mesh(landscape.points().tolist(), [], quads, "Landscape")
     for name in ("Grass", "Rock"):
         mesh.materials.append(bpy.data.materials.new(name))
     mesh.polygons.foreach_set("material_index", (np.arange(len(quads)) > len(quads) // 3).astype(np.int32))
-    row = count // 4
-    mark_edges(mesh, freestyle=[e.index for e in mesh.edges if all(v % count == row for v in e.vertices)])
+    mark_edges(mesh, freestyle=[e.index for e in mesh.edges if all(v % landscape.COUNT == row for v in e.vertices)])
     return mesh
 
 
@@ -39,7 +35,7 @@ def landscape(count=80):
 def blend(tmp_path_factory):
     """A file with the landscape and a box that cuts it, seen from above."""
     scene = empty_scene()
-    new_object(landscape(), "Landscape")
+    new_object(landscape_mesh(), "Landscape")
     new_object(box_mesh(0.4), "Box", (1.1, -1.0, 0.2)).rotation_euler.z = 0.4
     add_camera((3.4, -5, 3.6), (0, -0.1, 0))
     scene.render.resolution_x, scene.render.resolution_y = 320, 200
