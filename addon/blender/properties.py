@@ -119,7 +119,8 @@ def _parameter_property(parameter):
         return BoolProperty(default=bool(parameter["default"]), **text)
     low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
     subtype = "ANGLE" if parameter["unit"] == "degrees" else "NONE"
-    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **text)
+    fine = {"precision": 3, "step": 1} if 0 < default < 0.1 else {}
+    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **fine, **text)
 
 
 def _line_properties(chosen):
