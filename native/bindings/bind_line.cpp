@@ -21,9 +21,10 @@ py::list definitions() {
                                        py::arg("min") = p.low, py::arg("max") = p.high, py::arg("unit") = p.unit,
                                        py::arg("meaning") = p.meaning));
         result.append(py::dict(py::arg("name") = definition->name, py::arg("label") = definition->label,
+                               py::arg("scope") = scope_name(definition->scope),
                                py::arg("source") = definition->source, py::arg("description") = definition->description,
                                py::arg("parameters") = parameters, py::arg("default") = definition->on_by_default,
-                               py::arg("scope") = scope_name(definition->scope)));
+                               py::arg("view_dependent") = definition->scope != Scope::surface));
     }
     return result;
 }
