@@ -1,7 +1,8 @@
 """The line definitions and their parameters, as the native registry has them: the one place they are declared.
 
-A definition is a dict of name, label, source (the paper), description, default (on or off), view_dependent and
-parameters; a parameter a dict of name, label, default, min, max, unit and meaning. The order is that of the registry.
+A definition is a dict of name, label, source (the paper), description, default (on or off), view_dependent, scope
+(surface, view or scene: what its lines depend on) and parameters; a parameter a dict of name, label, default, min, max,
+unit and meaning. The order is that of the registry.
 """
 
 import functools
@@ -13,3 +14,14 @@ from . import native
 def definitions():
     """All line definitions, in the registry's order."""
     return tuple(native.load().line_definitions())
+
+
+def named(words):
+    """Names of definitions: those given, or every one where the word is `all`. ValueError for what is none."""
+    known = [definition["name"] for definition in definitions()]
+    if list(words) == ["all"]:
+        return known
+    for word in words:
+        if word not in known:
+            raise ValueError(f"there is no line definition '{word}'; there are: {', '.join(known)}; or all")
+    return list(words)

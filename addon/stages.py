@@ -95,6 +95,7 @@ class Pen:
     length_scale: float = 1.0  # stretches the texture along the stroke
     cap: str = "round"  # round, butt
     taper: float = 0.0  # length of the thinning ends
+    strength_width: float = 0.0  # how far weak lines are thin instead of pale
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ RANGES = {
     "width": (0.1, 1000),
     "length_scale": (0.01, 100),
     "taper": (0, 10000),
+    "strength_width": (0, 1),
     "corner_angle": (0, 180),
     "least_length": (0, 10000),
 }
@@ -106,12 +107,12 @@ def _line_set(data, where, definitions):
         raise StyleError(f"{where}.pen.cap is '{pen.cap}'; it can be: {', '.join(CAPS)}")
     if pen.texture not in textures():
         raise StyleError(f"{where}.pen.texture is '{pen.texture}'; there are: {', '.join(textures())}")
-    checked = {name: _parameters(name, values, f"{where}.kinds", definitions) for name, values in kinds.items()}
+    checked = {name: parameters(name, values, f"{where}.kinds", definitions) for name, values in kinds.items()}
     return replace(_record(LineSet, plain, where), kinds=checked, pen=pen)
 
 
-def _parameters(name, values, where, definitions):
-    """The parameters given for one line definition, as floats; switches may be true and false."""
+def parameters(name, values, where, definitions):
+    """The parameters given for one line definition, checked, as floats; switches may be true and false."""
     if not isinstance(values, dict):
         raise StyleError(f"{where}.{name} must map parameters to numbers")
     known = None
@@ -170,4 +171,4 @@ def _check_keys(data, known, where):
         raise StyleError(f"{where} must be a JSON object")
     unknown = sorted(set(data) - set(known))
     if unknown:
-        raise StyleError(f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known))}")
+        raise StyleError(f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known)) or 'none'}")

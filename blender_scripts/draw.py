@@ -1,15 +1,18 @@
 """Runs inside Blender for `fovea draw`: opens or builds the scene, frames it, and renders it with Fovea."""
 
 import sys
+from functools import partial
 from pathlib import Path
 
 import bpy
 from bl_ext.user_default.fovea import catalogue, style
+from bl_ext.user_default.fovea.blender import properties
 
 sys.path.insert(0, str(Path(__file__).parent))
 
 import framing
 import scenes
+import sheet
 from command import draw_options
 from command.target import SHARED
 
@@ -22,7 +25,10 @@ def main(words):
     set_camera(scene, options)
     set_drawing(scene, options)
     set_output(scene, options)
-    render(scene, options)
+    if options.sheet:
+        sheet.render(scene, catalogue.definitions(), options.output, partial(still, scene))
+    else:
+        render(scene, options)
 
 
 def open_scene(spec):
@@ -74,7 +80,8 @@ def set_drawing(scene, options):
     if options.style:
         choose_style(fovea, options.style)
     if options.lines:
-        choose_lines(fovea, options.lines)
+        choose_lines(fovea, catalogue.named(options.lines))
+    set_parameters(fovea, options.param)
 
 
 def choose_style(fovea, name):
@@ -83,13 +90,21 @@ def choose_style(fovea, name):
     fovea.style = name
 
 
-def choose_lines(fovea, wanted):
-    known = [definition["name"] for definition in catalogue.definitions()]
-    for name in wanted:
-        if name not in known:
-            raise ValueError(f"there is no line definition '{name}'; there are: {', '.join(known)}")
-    for name in known:
-        setattr(fovea, name, name in wanted)
+def choose_lines(fovea, names):
+    for definition in catalogue.definitions():
+        setattr(fovea, definition["name"], definition["name"] in names)
+
+
+def set_parameters(fovea, given):
+    """What `--param DEFINITION.NAME=VALUE` says."""
+    for words, value in given:
+        name, dot, parameter = words.partition(".")
+        if not dot:
+            raise ValueError(f"--param {words}: a parameter is named DEFINITION.NAME")
+        checked = style.parameters(name, {parameter: value}, "definition", catalogue.definitions())
+        if not getattr(fovea, name):
+            raise ValueError(f"--param {words}: {name} is not drawn; name it in --lines")
+        properties.set_parameters(fovea, name, checked)
 
 
 def set_output(scene, options):
@@ -108,8 +123,12 @@ def render(scene, options):
     frames = options.frames or (scene.frame_current, scene.frame_current)
     for frame, picture in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), strict=True):
         scene.frame_set(frame)
-        scene.render.filepath = str(picture)
-        bpy.ops.render.render(write_still=True)
+        still(scene, picture)
+
+
+def still(scene, picture):
+    scene.render.filepath = str(picture)
+    bpy.ops.render.render(write_still=True)
 
 
 if __name__ == "__main__":

@@ -61,6 +61,7 @@ def pens_of(style, textures, scale):
             cap=line_set.pen.cap,
             taper_px=line_set.pen.taper * scale,
             texture=textures.index(line_set.pen),
+            strength_width=line_set.pen.strength_width,
         )
         for line_set in style.line_sets
     ]

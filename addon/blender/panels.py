@@ -9,6 +9,8 @@ ENGINE = "FOVEA"
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
 ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
 NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
+# What lines depend on, by the registry's word for it.
+SCOPES = {"view": "Lines of the View", "surface": "Lines of the Shape", "scene": "Lines of the Scene"}
 
 
 class _Panel:
@@ -53,10 +55,18 @@ class RENDER_PT_fovea(_Panel, bpy.types.Panel):
 
 
 def _draw_lines(layout, settings, definitions):
-    header, body = layout.panel("fovea_lines")
-    header.label(text="Lines")
-    if not body:
-        return
+    for scope, title in SCOPES.items():
+        group = [definition for definition in definitions if definition["scope"] == scope]
+        if not group:
+            continue
+        header, body = layout.panel(f"fovea_lines_{scope}")
+        header.label(text=title)
+        if body:
+            _draw_switches(body, settings, group)
+
+
+def _draw_switches(body, settings, definitions):
+    """Definitions of one group, and the parameters of those that are on."""
     for definition in definitions:
         name = definition["name"]
         # Full width: most names are too long for half of it.
@@ -66,14 +76,14 @@ def _draw_lines(layout, settings, definitions):
         if getattr(settings, name):
             for parameter in definition["parameters"]:
                 body.prop(settings, f"{name}_{parameter['name']}")
-    body.prop(settings, "corner_angle")
 
 
 def _draw_pen(layout, settings):
     header, body = layout.panel("fovea_pen")
     header.label(text="Pen")
     if body:
-        for name in ("color", "opacity", "width", "texture", "length_scale", "cap", "taper"):
+        body.prop(settings, "corner_angle")
+        for name in ("color", "opacity", "width", "texture", "length_scale", "cap", "taper", "strength_width"):
             body.prop(settings, f"pen_{name}")
 
 

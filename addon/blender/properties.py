@@ -14,7 +14,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from .. import catalogue, native, style
 from . import gpu_context
 
-PEN = {"pen_opacity": "opacity", "pen_width": "width", "pen_length_scale": "length_scale", "pen_taper": "taper"}
+PEN = {f"pen_{name}": name for name in ("opacity", "width", "length_scale", "taper", "strength_width")}
 
 
 def definitions():
@@ -66,9 +66,8 @@ def apply_style(settings, name):
     kinds = {kind: values for line_set in chosen.line_sets for kind, values in line_set.kinds.items()}
     for definition in definitions():
         setattr(settings, definition["name"], definition["name"] in kinds)
-        for parameter in definition["parameters"]:
-            value = kinds.get(definition["name"], {}).get(parameter["name"], parameter["default"])
-            setattr(settings, f"{definition['name']}_{parameter['name']}", _stored(value, parameter["unit"]))
+        defaults = {parameter["name"]: parameter["default"] for parameter in definition["parameters"]}
+        set_parameters(settings, definition["name"], defaults | kinds.get(definition["name"], {}))
     last = chosen.line_sets[-1]
     settings.corner_angle = math.radians(last.corner_angle)
     settings.paper_color = chosen.paper.color
@@ -77,6 +76,13 @@ def apply_style(settings, name):
     settings.pen_cap = last.pen.cap.upper()
     for prop, field in PEN.items():
         setattr(settings, prop, getattr(last.pen, field))
+
+
+def set_parameters(settings, name, values):
+    """Sets parameters of the named definition; values in the registry's units."""
+    units = {p["name"]: p["unit"] for d in definitions() if d["name"] == name for p in d["parameters"]}
+    for parameter, value in values.items():
+        setattr(settings, f"{name}_{parameter}", _stored(value, units[parameter]))
 
 
 def _stored(value, unit):
@@ -113,7 +119,8 @@ def _parameter_property(parameter):
         return BoolProperty(default=bool(parameter["default"]), **text)
     low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
     subtype = "ANGLE" if parameter["unit"] == "degrees" else "NONE"
-    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **text)
+    fine = {"precision": 3, "step": 1} if 0 < default < 0.1 else {}
+    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **fine, **text)
 
 
 def _line_properties(chosen):
@@ -122,7 +129,7 @@ def _line_properties(chosen):
     found = {}
     for definition in definitions():
         name = definition["name"]
-        text = {"name": definition["label"], "description": definition["description"]}
+        text = {"name": definition["label"], "description": f"{definition['description']}.\n{definition['source']}"}
         found[name] = BoolProperty(default=name in on, update=_redraw, **text)
         for parameter in definition["parameters"]:
             found[f"{name}_{parameter['name']}"] = _parameter_property(parameter)
@@ -148,6 +155,7 @@ def _pen_properties(pen):
         "pen_length_scale": _number("Stretch", "length_scale", pen, "Stretches the texture along the stroke"),
         "pen_cap": EnumProperty(name="Ends", items=caps, default=pen.cap.upper(), update=_redraw),
         "pen_taper": _number("Taper", "taper", pen, "Length of the thinning ends, in pixels of an image 1080 high"),
+        "pen_strength_width": _number("Thin by Strength", "strength_width", pen, "How far weak lines are thin, not pale"),
     }
 
 

@@ -6,8 +6,11 @@ from pathlib import Path
 
 import scenes
 
+from . import assignment
+
 MODELS = (".obj",)
 PICTURES = (".png", ".exr")
+TILE = (480, 360)  # of a sheet
 
 
 def parse(words):
@@ -20,10 +23,10 @@ def parse(words):
     return options
 
 
-def default_output(spec):
+def default_output(spec, kind="fovea"):
     """Beside nothing of the user's: MODEL-fovea.png in the current folder."""
     stem = Path(spec).stem if is_file(spec) else spec.replace(":", "-")
-    return Path(f"{stem}-fovea.png").absolute()
+    return Path(f"{stem}-{kind}.png").absolute()
 
 
 def is_file(spec):
@@ -41,9 +44,9 @@ def pictures(options):
 def _parser():
     parser = argparse.ArgumentParser("fovea draw")
     add = parser.add_argument
-    add("scene", nargs="?", default="demo", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
+    add("scene", nargs="?", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
-    add("--size", type=_size, metavar="WxH", help="pixels; 1920x1080 for a model")
+    add("--size", type=_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
     add("--lens", type=float, metavar="MM", help="focal length; 50 for a model")
     add("--margin", type=float, metavar="PERCENT", default=5.0, help="free on each side of a framed model")
     add("--azimuth", type=float, metavar="DEG", help="frame the model from so far left of its front (35)")
@@ -52,12 +55,15 @@ def _parser():
     add("--visibility", choices=("auto", "exact", "atlas"))
     add("--frames", type=_frames, metavar="A-B", help="an animation: OUT_0001.png ...")
     add("--style", metavar="NAME")
-    add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions; only these are drawn")
+    add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
+    add("--param", type=assignment.parse, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
+    add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
     return parser
 
 
 def _check(options):
+    options.scene = options.scene or ("suzanne:3" if options.sheet else "demo")
     if is_file(options.scene):
         if not Path(options.scene).is_file():
             raise ValueError(f"there is no file {options.scene}")
@@ -65,13 +71,26 @@ def _check(options):
         raise ValueError(f"{options.scene}: a scene is a {', '.join(MODELS)} or .blend file, or one of {scenes.names()}")
     else:
         scenes.parse(options.scene)
-    options.output = options.output or default_output(options.scene)
+    options.output = options.output or default_output(options.scene, "sheet" if options.sheet else "fovea")
     if options.output.suffix not in PICTURES:
         raise ValueError(f"a picture is {' or '.join(PICTURES)}, not {options.output.name}")
+    if options.sheet:
+        _check_sheet(options)
     if not options.output.parent.is_dir():
         raise ValueError(f"there is no folder {options.output.parent}")
     if not 0 <= options.margin < 50:
         raise ValueError(f"a margin of {options.margin} percent leaves no picture")
+
+
+def _check_sheet(options):
+    options.lines = options.lines or ["all"]
+    options.size = options.size or TILE
+    if options.output.suffix != ".png":
+        raise ValueError(f"a sheet is a .png, not {options.output.name}")
+    for other in ("frames", "style", "transparent"):
+        if getattr(options, other):
+            raise ValueError(f"a sheet has no --{other}")
+    options.style = "plain"  # one pen for all lines
 
 
 def _size(text):

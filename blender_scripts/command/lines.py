@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import obj, package
+from . import assignment, obj, package
 from .target import say
 
 
@@ -31,7 +31,7 @@ def parse(words):
     parser.add_argument("--definition", required=True, metavar="NAME")
     parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
-    parser.add_argument("--parameter", action="append", type=_parameter, default=[], metavar="NAME=VALUE")
+    parser.add_argument("--param", action="append", type=assignment.parse, default=[], metavar="NAME=VALUE")
     parser.add_argument("--corner-angle", type=float, default=60.0, metavar="DEG", help="paths end at sharper turns")
     parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic", help="of curvature")
     parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
@@ -46,10 +46,13 @@ def parse(words):
 
 def extract(native, options):
     """The arrays of the file, the counts of what was skipped in the model, and how curvature was estimated ("": not)."""
+    style = importlib.import_module("addon.style")
+    definitions, given = native.line_definitions(), dict(options.param)
+    kinds = {options.definition: style.parameters(options.definition, given, "definition", definitions)}
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
-    paths = _paths(native, surface, polygons.positions, options)
+    paths = _paths(native, surface, polygons.positions, kinds, options)
     arrays = {**_arrays(paths, surface, polygons.positions), "definition": np.array(options.definition)}
     return arrays, surface.report, surface.fields_reason
 
@@ -68,26 +71,22 @@ def _vector(text):
     return vector
 
 
-def _parameter(text):
-    name, _, value = text.partition("=")
-    return name, float(value)
-
-
 def _surface(native, name, polygons):
     edge_verts, corner_edges = native.polygon_edges(polygons.offsets, polygons.corner_verts)
     triangles, owners = polygons.ngon_triangles()
     positions = polygons.positions.astype(np.float32)
     return native.Surface(
-        name, positions, edge_verts, polygons.corner_verts, corner_edges, polygons.offsets, triangles, owners
-    )
+        name, positions, edge_verts, polygons.corner_verts, corner_edges, polygons.offsets, triangles, owners,
+        polygons.material,
+    )  # fmt: skip
 
 
-def _paths(native, surface, positions, options):
+def _paths(native, surface, positions, kinds, options):
     """The model alone in a scene, seen by a view that has all of it in its frame."""
     usage = native.DRAW | native.OCCLUDE
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
     tracer = native.Tracer(scene, _view(native, positions, options))
-    return native.extract_paths(tracer, [({options.definition: dict(options.parameter)}, options.corner_angle)])
+    return native.extract_paths(tracer, [(kinds, options.corner_angle)])
 
 
 def _view(native, positions, options):

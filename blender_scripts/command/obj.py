@@ -13,6 +13,7 @@ class Polygons:
     positions: np.ndarray  # (V, 3) float64
     corner_verts: np.ndarray  # (C,) int32
     offsets: np.ndarray  # (F + 1,) int32: corners of each polygon
+    material: np.ndarray  # (F,) int32: numbers of the names in the file; 0: none
 
     def ngon_triangles(self):
         """Vertices (T, 3) int32 and polygon (T,) int32 of the triangles of polygons with more than four corners."""
@@ -40,7 +41,8 @@ def read(path):
         raise ValueError(f"{path} has faces of vertices that it does not have")
     kept = counts > 2
     offsets = np.concatenate([[0], np.cumsum(counts[kept])])
-    return Polygons(positions, corners[np.repeat(kept, counts)].astype(np.int32), offsets.astype(np.int32))
+    corners = corners[np.repeat(kept, counts)].astype(np.int32)
+    return Polygons(positions, corners, offsets.astype(np.int32), _materials(lines, is_face)[kept])
 
 
 def _positions(lines):
@@ -62,6 +64,14 @@ def _corners(lines, seen):
     if (index == 0).any():
         raise ValueError("a face names vertex 0, and they count from 1")
     return np.where(index > 0, index - 1, index + np.repeat(seen, counts)), counts
+
+
+def _materials(lines, is_face):
+    """The material named last before each face, numbered; 0 where none is."""
+    names = {b"": 0}
+    uses = [i for i, line in enumerate(lines) if line.split(None, 1)[:1] == [b"usemtl"]]
+    number = [0, *(names.setdefault(lines[i][6:].strip(), len(names)) for i in uses)]
+    return np.array(number, np.int32)[np.searchsorted(uses, np.flatnonzero(is_face))]
 
 
 def _numbers(lines, kind):

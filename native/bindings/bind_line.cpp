@@ -8,6 +8,10 @@
 namespace fovea::bindings {
 namespace {
 
+const char* scope_name(Scope scope) {
+    return scope == Scope::surface ? "surface" : scope == Scope::view ? "view" : "scene";
+}
+
 py::list definitions() {
     py::list result;
     for (const LineDefinition* definition : line_definitions()) {
@@ -17,6 +21,7 @@ py::list definitions() {
                                        py::arg("min") = p.low, py::arg("max") = p.high, py::arg("unit") = p.unit,
                                        py::arg("meaning") = p.meaning));
         result.append(py::dict(py::arg("name") = definition->name, py::arg("label") = definition->label,
+                               py::arg("scope") = scope_name(definition->scope),
                                py::arg("source") = definition->source, py::arg("description") = definition->description,
                                py::arg("parameters") = parameters, py::arg("default") = definition->on_by_default,
                                py::arg("view_dependent") = definition->scope != Scope::surface));

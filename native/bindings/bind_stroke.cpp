@@ -16,10 +16,11 @@ using Image = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
              float texture_length_px, const std::string& cap, float taper_px,
-             std::optional<Index> texture) {
+             std::optional<Index> texture, float strength_width) {
     check(cap == "round" || cap == "butt", "pen: cap must be 'round' or 'butt', not '" + cap + "'");
     check(width_px > 0.0f, "pen: the width must be positive");
     check(texture_length_px > 0.0f, "pen: the length of the texture must be positive");
+    check(strength_width >= 0.0f && strength_width <= 1.0f, "pen: strength_width must be between 0 and 1");
     Pen pen;
     pen.color = {color[0], color[1], color[2]};
     pen.opacity = opacity;
@@ -28,6 +29,7 @@ Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
     pen.cap = cap == "butt" ? Cap::butt : Cap::round;
     pen.taper_px = taper_px;
     pen.texture = texture.value_or(none);
+    pen.strength_width = strength_width;
     return pen;
 }
 
@@ -92,6 +94,7 @@ void bind_pens(py::module_& m) {
              py::arg("opacity") = pen.opacity, py::arg("width_px") = pen.width_px,
              py::arg("texture_length_px") = pen.texture_length_px, py::arg("cap") = "round",
              py::arg("taper_px") = pen.taper_px, py::arg("texture") = py::none(),
+             py::arg("strength_width") = pen.strength_width,
              "color scene-linear; texture: index into the frame's textures, None: solid.");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
         .def(py::init(&make_texture), py::arg("ink"),

@@ -30,6 +30,7 @@ CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
         s = strength[source];
         // The last point of a path has nothing to mix with.
         if (clipped.source_t[i] > 0.0f) s = glm::mix(s, strength[source + 1], clipped.source_t[i]);
+        s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
     }
     return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
 }
@@ -93,6 +94,21 @@ void insert_points(CentreLine& line, In<double> arcs) {
     line = std::move(out);
 }
 
+/// Width of the pen where a line has this strength.
+float width_of(const Pen& pen, float strength) {
+    return pen.width_px * glm::mix(1.0f, strength, pen.strength_width);
+}
+
+/// Points where strength thins the pen to one pixel: thinner ones are drawn in another way.
+void insert_where_thin(CentreLine& line, const Pen& pen) {
+    std::vector<double> arcs;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const float a = width_of(pen, line[i - 1].opacity) - 1.0f, b = width_of(pen, line[i].opacity) - 1.0f;
+        if (a * b < 0.0f) arcs.push_back(glm::mix(line[i - 1].arc, line[i].arc, double(a / (a - b))));
+    }
+    if (!arcs.empty()) insert_points(line, arcs);
+}
+
 }  // namespace
 
 void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px,
@@ -140,6 +156,7 @@ void simplify(CentreLine& line) {
 
 void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered) {
     if (line.size() < 2) return;
+    insert_where_thin(line, pen);
     const double start = line.front().arc, end = line.back().arc;
     const bool any = tapered.start || tapered.end;
     const double taper = any ? std::min<double>(pen.taper_px, (end - start) / 2.0) : 0.0;
@@ -159,9 +176,10 @@ void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered) {
     };
     for (CentrePoint& p : line) {
         const double x = std::min(along(tapered.start, p.arc - start), along(tapered.end, end - p.arc));
-        const float width = pen.width_px * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
+        const float width = width_of(pen, p.opacity) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
+        const float faded = glm::mix(p.opacity, 1.0f, pen.strength_width);
         p.half_width = std::max(width, 1.0f) / 2.0f;
-        p.opacity *= std::min(width, 1.0f);
+        p.opacity = faded * std::min(width, 1.0f);
     }
 }
 

@@ -13,14 +13,14 @@ struct CentrePoint {
     double arc;
     /// Half the drawn width [px]; set by `shape`.
     float half_width = 0.0f;
-    /// Strength until `shape` has multiplied it by what thin pens lose.
+    /// Strength, until `shape` has made it what strength and thin pens leave of the pen's opacity.
     float opacity = 1.0f;
 };
 
 using CentreLine = std::vector<CentrePoint>;
 
 /// The part of a piece between two arc lengths; its ends are interpolated. `strength` per point of
-/// Paths; empty: 1.
+/// Paths, held to [0, 1], 0 where it is no number; empty: 1.
 void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px,
          double end_px, CentreLine& out);
 
@@ -34,9 +34,10 @@ struct TaperedEnds {
     bool start, end;
 };
 
-/// Sets the width: the pen's own, thinning to a fifth of it over pen.taper_px at ends that taper. A line too short for
-/// that thins in proportion less. Points are added where the width bends. Less than a pixel is drawn as a pixel of that
-/// much less opacity.
+/// Sets width and opacity: the pen's width times 1 + (strength - 1) strength_width, the opacity
+/// 1 + (strength - 1) (1 - strength_width). The width thins to a fifth over pen.taper_px at ends that taper. A line too
+/// short for that thins in proportion less. Points are added where the width bends. Less than a pixel is drawn as a
+/// pixel of that much less opacity.
 void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered);
 
 /// Adds a point beyond either end, as far as the cap reaches.

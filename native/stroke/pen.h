@@ -22,6 +22,8 @@ struct Pen {
     float texture_length_px = 256.0f;
     Cap cap = Cap::round;
     float taper_px = 0.0f;
+    /// Share of a line's strength that thins it; the rest fades it. 0: weak lines are pale, 1: weak lines are thin.
+    float strength_width = 0.0f;
     /// Index into the frame's textures; `none`: solid.
     Index texture = none;
 };

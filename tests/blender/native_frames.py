@@ -2,6 +2,7 @@
 
 import math
 
+import landscape
 import numpy as np
 from the_addon import part
 
@@ -39,6 +40,10 @@ def ball(rings=24):
     polygons += [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)) for i in range(1, rings - 1) for j in range(around)]
     polygons += [(at(rings - 1, j + 1), at(rings - 1, j), len(points) - 1) for j in range(around)]
     return surface(points, polygons, "Ball")
+
+
+def hills():
+    return surface(landscape.points(), landscape.quads(), "Hills")
 
 
 def moved(location, turn=0.0, scale=1.0):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from native_frames import core, cpu, frame_of, room, style, view_of
+from native_frames import core, cpu, frame_of, hills, room, scene_of, style, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
@@ -84,6 +84,26 @@ def test_later_strokes_lie_over_earlier_ones():
     np.testing.assert_allclose(drawn, core.raster(both, pens, [], 160, 100), atol=0.01)
     crossed = drawn[(drawn[..., 0] > 0.3) & (drawn[..., 2] > 0.3)]
     assert len(crossed) > 4 and np.allclose(np.median(crossed, 0), (0.48, 0, 0.4, 0.88), atol=0.01)
+
+
+def test_strokes_that_thin_and_fade_with_strength():
+    """Lines of a hilly surface whose strength varies, by pens that use it in every way."""
+    kinds = {"suggestive_contour": {}, "suggestive_highlight": {}, "ridge": {}}
+    chosen, view = style.Style(line_sets=(style.LineSet(kinds=kinds, least_length=0),)), view_of(320, 200)
+    frame = frame_of(scene_of([(hills(), np.eye(4))]), view, line_style=chosen)
+    visible = cpu.exact(frame, core.Cancel())
+    pictures = []
+    for share in (0.0, 0.5, 1.0):
+        pens = [core.Pen(width_px=7.0, strength_width=share)]
+        strokes = cpu.shape(frame, visible, pens)
+        drawn = on_gpu(strokes, pens, NoTextures, view)
+        off = np.abs(drawn - core.raster(strokes, pens, [], 320, 200)).max(axis=2)
+        # Where a wide stroke folds, either may give single pixels to the neighbouring triangle.
+        assert off.mean() < 1e-4 and (off > 0.02).sum() <= 4 and off.max() < 0.1
+        assert np.ptp(strokes.half_width) > 1 if share else np.ptp(strokes.half_width) == 0
+        pictures.append(drawn)
+    assert all(picture[..., 3].max() > 0.5 for picture in pictures)
+    assert np.abs(pictures[0] - pictures[2]).max() > 0.3
 
 
 def test_no_strokes():

@@ -1,6 +1,7 @@
 """Settings: made from the registry, filled in by styles, turned into the style that is drawn."""
 
 import math
+from types import SimpleNamespace
 
 import bpy
 import pytest
@@ -100,6 +101,61 @@ def test_settings_can_be_keyframed(settings):
     assert settings.pen_width == pytest.approx(9)
     bpy.context.scene.frame_set(1)
     assert settings.pen_width < 9
+
+
+class RecordingLayout:
+    """Stands in for a panel's layout; every sub-panel is open."""
+
+    def __init__(self):
+        self.shown, self.titles = [], []
+
+    def prop(self, owner, name, **_options):
+        assert name in owner.bl_rna.properties, name
+        self.shown.append(name)
+
+    def label(self, text="", **_options):
+        self.titles.append(text)
+
+    def row(self):
+        return self
+
+    def panel(self, name, default_closed=False):
+        return self, self
+
+
+def shown_by_the_panel():
+    layout = RecordingLayout()
+    panel = SimpleNamespace(columns=lambda: layout)
+    part("blender.panels").RENDER_PT_fovea.draw(panel, bpy.context)
+    return layout
+
+
+@pytest.mark.parametrize("on", [True, False])
+def test_the_panel_shows_each_definition_once_and_the_parameters_of_those_that_are_on(settings, on):
+    for definition in catalogue.definitions():
+        setattr(settings, definition["name"], on)
+    shown = shown_by_the_panel().shown
+    assert len(shown) == len(set(shown))
+    assert {d["name"] for d in catalogue.definitions()} <= set(shown)
+    of_parameters = {f"{name}_{parameter['name']}" for name, parameter in parameters()}
+    assert of_parameters & set(shown) == (of_parameters if on else set())
+    pen = {name for name in settings.bl_rna.properties.keys() if name.startswith("pen_")}
+    assert pen | {"corner_angle", "style", "paper_color"} <= set(shown)
+
+
+def test_the_panel_groups_definitions_by_what_they_depend_on(settings):
+    scopes = part("blender.panels").SCOPES
+    assert {definition["scope"] for definition in catalogue.definitions()} <= set(scopes)
+    layout, scope_of = shown_by_the_panel(), {d["name"]: d["scope"] for d in catalogue.definitions()}
+    found = [scope_of[name] for name in layout.shown if name in scope_of]
+    assert found == sorted(found, key=list(scopes).index)
+    assert [title for title in layout.titles if title in scopes.values()] == [scopes[s] for s in dict.fromkeys(found)]
+
+
+def test_a_switch_says_what_the_lines_are_and_whose(settings):
+    for definition in catalogue.definitions():
+        told = settings.bl_rna.properties[definition["name"]].description
+        assert definition["description"] in told and definition["source"] in told
 
 
 def test_panels_draw_with_the_engine(settings):

@@ -228,6 +228,36 @@ TEST(Tessellate, StrengthIsOpacityAlongThePath) {
     EXPECT_EQ(image[20 * 120 + 30].a, 0.0f);
 }
 
+TEST(Tessellate, StrengthMayThinInsteadOfFade) {
+    ClippedPaths clipped;
+    add_piece(clipped, {{10.0f, 20.0f}, {60.0f, 20.0f}, {210.0f, 20.0f}});
+    const std::vector<float> strength{0.25f, 0.25f, 1.0f};
+    for (const float share : {0.0f, 0.5f, 1.0f}) {
+        Pen p = pen(8.0f, Cap::butt);
+        p.strength_width = share;
+        const Strokes strokes = draw(clipped, whole_runs(clipped), p, strength);
+        for (std::size_t i = 0; i < strokes.px.size(); ++i) {
+            const float s = glm::mix(0.25f, 1.0f, std::clamp((strokes.px[i].x - 60.0f) / 150.0f, 0.0f, 1.0f));
+            EXPECT_NEAR(strokes.half_width[i], 4.0f * (1.0f - share * (1.0f - s)), 0.02f) << share;
+            EXPECT_NEAR(strokes.opacity[i], 1.0f - (1.0f - share) * (1.0f - s), 0.005f) << share;
+        }
+    }
+}
+
+TEST(Tessellate, InkFollowsStrengthHoweverItIsDrawn) {
+    // Down to nothing, through widths below a pixel: as much ink whether the line fades or thins.
+    ClippedPaths clipped;
+    add_piece(clipped, {{10.0f, 20.0f}, {210.0f, 20.0f}});
+    const std::vector<float> strength{0.0f, 1.0f};
+    for (const float width : {0.6f, 2.0f, 6.0f})
+        for (const float share : {0.0f, 1.0f}) {
+            Pen p = pen(width, Cap::butt);
+            p.strength_width = share;
+            const auto image = picture(draw(clipped, whole_runs(clipped), p, strength), p, 230, 40);
+            EXPECT_NEAR(area(image), 200.0 * width / 2.0, 0.02 * 200.0 * width / 2.0) << width << " " << share;
+        }
+}
+
 TEST(Tessellate, DegenerateInputDrawsNothing) {
     const Pen p = pen(3.0f);
     EXPECT_EQ(draw(ClippedPaths{}, Runs{}, p).count, 0u);
@@ -263,7 +293,10 @@ TEST(Tessellate, BrokenInputNeverCrashes) {
         add_run(runs, 0, values[pick(random)], values[pick(random)]);
         Pen p = pen(0.01f + 9.0f * float(pick(random)), trial % 2 ? Cap::butt : Cap::round);
         p.taper_px = float(pick(random)) * 5.0f;
-        for (const vec4& pixel : picture(draw(clipped, runs, p), p, 48, 32))
+        p.strength_width = trial % 2 ? 0.7f : 0.0f;
+        std::vector<float> strength;
+        for (std::size_t i = 0; i < line.size(); ++i) strength.push_back(values[pick(random)]);
+        for (const vec4& pixel : picture(draw(clipped, runs, p, strength), p, 48, 32))
             ASSERT_TRUE(pixel.a >= 0.0f && pixel.a <= 1.0f + 1e-5f) << trial;
     }
 }

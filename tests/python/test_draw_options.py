@@ -17,6 +17,11 @@ def test_nothing_named_is_the_demo_in_the_current_folder():
     assert options.scene == "demo" and options.output == Path.cwd() / "demo-fovea.png"
 
 
+def test_a_sheet_is_of_all_lines_on_something_smooth():
+    options = draw_options.parse(["--sheet"])
+    assert (options.scene, options.lines, options.output.name) == ("suzanne:3", ["all"], "suzanne-3-sheet.png")
+
+
 def test_the_picture_of_a_model_never_replaces_one_of_the_users(tmp_path):
     model = tmp_path / "my model.obj"
     model.touch()
@@ -40,6 +45,9 @@ def test_frames_are_numbered_files(tmp_path):
         (["--size", "100"], "WIDTHxHEIGHT"),
         (["--frames", "5-3"], "FIRST-LAST"),
         (["--margin", "50"], "leaves no picture"),
+        (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
+        (["--sheet", "--frames", "1-2"], "a sheet has no --frames"),
+        (["--sheet", "--style", "ink"], "a sheet has no --style"),
     ],
 )
 def test_mistakes_are_named(capsys, words, reason):

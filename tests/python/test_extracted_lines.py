@@ -40,7 +40,7 @@ def test_the_file_holds_what_it_promises(extract):
 
 def test_a_cube_has_twelve_creases(extract):
     assert len(segments(extract("--definition", "crease", "--eye", "3,4,5"))) == 12
-    assert not segments(extract("--definition", "crease", "--parameter", "angle=91", "--eye", "3,4,5"))
+    assert not segments(extract("--definition", "crease", "--param", "angle=91", "--eye", "3,4,5"))
 
 
 @pytest.mark.parametrize("eye", ["3,4,5", "-3,4,5"])
@@ -64,7 +64,7 @@ def test_from_inside_there_is_no_contour(extract):
 
 
 def test_an_unknown_definition_is_named(extract):
-    with pytest.raises(ValueError, match="no line definition is called 'ridgy'"):
+    with pytest.raises(ValueError, match="there is no line 'ridgy'; there are: contour, "):
         extract("--definition", "ridgy", "--eye", "3,4,5")
 
 

@@ -72,3 +72,9 @@ def test_a_hollow_polygon_is_cut_inside_its_outline(turned):
 
 def test_a_polygon_that_crosses_itself_still_ends():
     assert ears.triangulate(np.random.default_rng(1).random((12, 3))).shape == (10, 3)
+
+
+def test_polygons_have_the_material_named_last(read):
+    found = read(f"{SQUARE}f 1 2 3\nusemtl a\nf 1 2\nf 1 2 3\nusemtl  b \nf 1 2 4\nusemtl a\nf 2 3 4\n")
+    assert found.material.tolist() == [0, 1, 2, 1]
+    assert read(f"{SQUARE}f 1 2 3\n").material.tolist() == [0] and read("").material.tolist() == []

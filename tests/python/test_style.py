@@ -37,14 +37,15 @@ def test_every_value_survives():
         name="thin",
         kinds={"crease": {"angle": 45}},
         corner_angle=20,
-        pen={"color": [0.1, 0.2, 0.3], "opacity": 0.5, "width": 3, "cap": "butt", "taper": 4, "length_scale": 2},
+        pen={"color": [0.1, 0.2, 0.3], "opacity": 0.5, "width": 3, "cap": "butt", "taper": 4, "length_scale": 2}
+        | {"strength_width": 0.5},
     )
     data["paper"] = {"color": [0, 0, 1], "transparent": True}
     read = style.parse(json.dumps(data), DEFINITIONS)
     line_set = read.line_sets[0]
     assert read.paper == style.Paper((0.0, 0.0, 1.0), True)
     assert (line_set.name, line_set.kinds, line_set.corner_angle) == ("thin", {"crease": {"angle": 45.0}}, 20.0)
-    assert line_set.pen == style.Pen((0.1, 0.2, 0.3), 0.5, 3.0, "solid", 2.0, "butt", 4.0)
+    assert line_set.pen == style.Pen((0.1, 0.2, 0.3), 0.5, 3.0, "solid", 2.0, "butt", 4.0, 0.5)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,128 @@
+"""Contact sheets: each line definition by itself in a tile, with its label beneath, all seen by the same camera."""
+
+import math
+import tempfile
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+ASPECT = 16 / 9  # that the columns of a sheet aim for
+LABEL, LETTERS = 0.12, 0.06  # height of the strip beneath a tile and of its letters, shares of the tile's height
+SHAPE = "contour"  # drawn thinly in every tile, so that one sees what the lines lie on
+SHAPE_PEN = {"pen_width": 1.6, "pen_color": (0.25, 0.25, 0.25), "pen_taper": 0.0}
+PEN = {"pen_width": 5.0, "pen_color": (0.0, 0.0, 0.0), "pen_taper": 0.0}
+
+
+def render(scene, definitions, path, still):
+    """Writes the sheet of the definitions that are on to `path`, an 8-bit grey PNG. `still(path)` renders the scene."""
+    shown = [definition for definition in definitions if getattr(scene.fovea, definition["name"])]
+    size = scene.render.resolution_x, scene.render.resolution_y
+    columns = columns_for(len(shown), size)
+    rows = -(-len(shown) // columns)
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder) / "tile.png"
+
+        def draw(kinds, pen):
+            for definition in definitions:
+                setattr(scene.fovea, definition["name"], definition["name"] in kinds)
+            for name, value in pen.items():
+                setattr(scene.fovea, name, value)
+            still(picture)
+            return grey(picture)
+
+        shape = draw({SHAPE}, SHAPE_PEN)
+        tiles = [np.minimum(shape, draw({definition["name"]}, PEN)) for definition in shown]
+        labels = draw_labels([d["label"] for d in shown], columns, rows, size, picture)
+    save(paste(tiles, labels, columns), path)
+
+
+def columns_for(count, size):
+    """Columns that bring a sheet of so many tiles of `size` nearest to ASPECT."""
+
+    def off(columns):
+        rows = -(-count // columns)
+        return abs(math.log(columns * size[0] / (rows * (size[1] + strip(size)))) - math.log(ASPECT))
+
+    return min(range(1, count + 1), key=off)
+
+
+def strip(size):
+    """Height of the label beneath a tile of `size`, in pixels."""
+    return math.ceil(LABEL * size[1])
+
+
+def paste(tiles, labels, columns):
+    """(H, W) sheet, bottom row first. tiles: (h, w) each; labels (rows, strip, W)."""
+    height, width = tiles[0].shape
+    blank = np.ones((height, width), np.float32)
+    bands = []
+    for row, label in enumerate(labels):
+        line = tiles[row * columns : (row + 1) * columns]
+        line += [blank] * (columns - len(line))
+        bands += [np.hstack(line), label]
+    return np.vstack(bands[::-1])
+
+
+def draw_labels(labels, columns, rows, size, picture):
+    """(rows, strip, columns * width): the labels of each row of tiles. Fovea draws them: as holes that Blender's text
+    objects cut into transparent paper."""
+    wide, high = columns * size[0], strip(size)
+    scene = bpy.data.scenes.new("Labels")
+    for number, label in enumerate(labels):
+        text = bpy.data.curves.new(label, "FONT")
+        text.body, text.size, text.align_x, text.align_y = label, LETTERS * size[1], "CENTER", "CENTER"
+        written = bpy.data.objects.new(label, text)
+        row, column = divmod(number, columns)
+        written.location = ((column + 0.5) * size[0], (rows - row - 0.5) * high, 0)
+        written.is_holdout = True
+        scene.collection.objects.link(written)
+    _look_down(scene, wide, rows * high)
+    scene.fovea.paper_color = (1, 1, 1)
+    scene.render.filepath = str(picture)
+    scene.render.image_settings.file_format, scene.render.image_settings.color_mode = "PNG", "RGBA"
+    bpy.ops.render.render(scene=scene.name, write_still=True)
+    paper = pixels(picture)[..., 3].reshape(rows, high, 2, wide, 2).mean(axis=(2, 4)) ** (1 / 2.2)  # as tiles are stored
+    bpy.data.scenes.remove(scene)
+    return paper[::-1]
+
+
+def _look_down(scene, width, height):
+    """A camera that sees the rectangle from the origin to (width, height), a unit in two pixels."""
+    data = bpy.data.cameras.new("Labels")
+    data.type, data.ortho_scale = "ORTHO", max(width, height)
+    camera = bpy.data.objects.new("Labels", data)
+    camera.location = (width / 2, height / 2, 1)
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.render.engine = "FOVEA"
+    scene.render.resolution_x, scene.render.resolution_y = 2 * width, 2 * height
+
+
+def pixels(path):
+    """(H, W, C) of a picture as it is stored, bottom row first."""
+    image = bpy.data.images.load(str(path))
+    image.colorspace_settings.name = "Non-Color"
+    flat = np.empty(len(image.pixels), np.float32)
+    image.pixels.foreach_get(flat)
+    width, height = image.size
+    bpy.data.images.remove(image)
+    return flat.reshape(height, width, -1)
+
+
+def grey(path):
+    return pixels(path)[..., :3].mean(axis=2)
+
+
+def save(sheet, path):
+    """An (H, W) sheet as an 8-bit grey PNG, its values as they are."""
+    image = bpy.data.images.new("Sheet", sheet.shape[1], sheet.shape[0])
+    image.colorspace_settings.name = "Non-Color"
+    image.pixels.foreach_set(np.repeat(sheet.ravel(), 4).astype(np.float32))
+    scene = bpy.data.scenes.new("Sheet")
+    scene.view_settings.view_transform = "Raw"
+    stored = scene.render.image_settings
+    stored.file_format, stored.color_mode, stored.color_depth, stored.compression = "PNG", "BW", "8", 100
+    image.save_render(str(path), scene=scene)
+    bpy.data.scenes.remove(scene)
+    bpy.data.images.remove(image)
