@@ -6,13 +6,14 @@ namespace fovea {
 
 extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
     suggestive_contour, suggestive_highlight, ridge, valley, apparent_ridge, demarcating_curve,
-    laplacian_line, parabolic, zero_mean_curvature, isophote, topographic;
+    laplacian_line, parabolic, zero_mean_curvature, isophote, topographic, image_edge, abstracted_shading;
 
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {
         &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
         &smooth_contour, &suggestive_contour, &suggestive_highlight, &ridge, &valley, &apparent_ridge,
         &demarcating_curve, &laplacian_line, &parabolic, &zero_mean_curvature, &isophote, &topographic,
+        &image_edge, &abstracted_shading,
     };
     return all;
 }

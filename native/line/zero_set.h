@@ -43,12 +43,11 @@ Curves collect_pieces(std::size_t triangles, const Emit& emit) {
 
 /// Appends the part of a piece between two crossings where `margin`, linear between its values at the two, is positive.
 /// strength(margin) is asked at both ends of what is left.
-template <typename Strength>
-void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const float (&margin)[2],
+template <typename Position, typename Strength>
+void append_trimmed(const Position& position, Index triangle, const Crossing (&ends)[2], const float (&margin)[2],
                     const Strength& strength, std::vector<CurvePiece>& out) {
     if (!(margin[0] > 0.0f) && !(margin[1] > 0.0f)) return;
     CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}, 0};
-    const auto position = [&](Index v) { return surface.positions[v]; };
     for (int k = 0; k < 2; ++k) {
         piece.point[k] = ends[k].mix(position);
         piece.strength[k] = strength(margin[k]);
@@ -64,6 +63,10 @@ void append_trimmed(const Surface& surface, Index triangle, const Crossing (&end
     // On a broken or enormous mesh a field may be beyond all numbers.
     const vec3 sum = piece.point[0] + piece.point[1];
     if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1])) out.push_back(piece);
+}
+
+inline auto positions_of(const Surface& surface) {
+    return [&surface](Index v) { return surface.positions[v]; };
 }
 
 /// Appends the piece of the zero set of `value` in one triangle, where there is one.
@@ -82,7 +85,7 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
         return crossing(sides, side, value(e.x), value(e.y));
     };
     const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
-    append_trimmed(surface, triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
+    append_trimmed(positions_of(surface), triangle, ends, {ends[0].mix(margin), ends[1].mix(margin)}, strength, out);
 }
 
 /// Curves where `value` (per vertex) is zero and `margin` (per vertex) positive. Triangles for which `wanted(triangle)`
@@ -145,7 +148,7 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
         // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
         if (count != 2 || !climbs || bend < least_bend) return;
         const Crossing two[2] = {ends[0], ends[1]};
-        append_trimmed(surface, triangle, two, {two[0].mix(margin), two[1].mix(margin)}, strength, out);
+        append_trimmed(positions_of(surface), triangle, two, {two[0].mix(margin), two[1].mix(margin)}, strength, out);
     });
 }
 
