@@ -1,6 +1,8 @@
 // A lattice cut into triangles: where curves cross its sides.
 #pragma once
 
+#include <cmath>
+
 #include "image/lattice.h"
 
 namespace fovea {
@@ -24,13 +26,31 @@ inline LatticeTriangle lattice_triangle(const Lattice& lattice, int x, int y, in
     return {2 * n, {n, n + 1, n + w + 1}, {3 * n, 3 * (n + 1) + 1, 3 * n + 2}, false};
 }
 
-/// Nodes of a side, the first one first.
+/// Nodes of a side, the first one first, and those that lie before and after them on the same line.
 struct LatticeSide {
-    Index a, b;
+    Index before, a, b, after;
 };
 inline LatticeSide lattice_side(const Lattice& lattice, Index side) {
     const Index n = side / 3, w = static_cast<Index>(lattice.width);
-    return {n, side % 3 == 0 ? n + 1 : side % 3 == 1 ? n + w : n + w + 1};
+    const Index step = side % 3 == 0 ? 1 : side % 3 == 1 ? w : w + 1;
+    return {n - step, n, n + step, n + 2 * step};
+}
+
+/// Where between a (0) and b (1) the cubic through the values at the four nodes of a side is zero. The values at a and b
+/// are of unlike sign.
+inline float zero_on_side(float before, float a, float b, float after) {
+    float low = 0.0f, high = 1.0f, t = a / (a - b);
+    for (int step = 0; step < 6; ++step) {
+        // Lagrange's form, at -1, 0, 1 and 2.
+        const float value = -before * t * (t - 1.0f) * (t - 2.0f) / 6.0f + a * (t + 1.0f) * (t - 1.0f) * (t - 2.0f) / 2.0f -
+                            b * (t + 1.0f) * t * (t - 2.0f) / 2.0f + after * (t + 1.0f) * t * (t - 1.0f) / 6.0f;
+        if (!std::isfinite(value)) return a / (a - b);
+        ((value >= 0.0f) == (a >= 0.0f) ? low : high) = t;
+        // Newton's step with the chord's slope, kept inside the bracket.
+        const float next = t - value / (b - a);
+        t = next > low && next < high ? next : 0.5f * (low + high);
+    }
+    return t;
 }
 
 /// Place of a node in the lattice.

@@ -24,19 +24,26 @@ struct Bend {
     float curvature = 0.0f;
 };
 
-/// The quadratic polynomial that fits the 3 x 3 nodes around an inner node best. Haralick, "Digital Step Edges from
-/// Zero Crossing of Second Directional Derivatives", PAMI 1984.
+/// Nodes beyond a node that its fit looks at.
+inline constexpr int fit_reach = 2;
+
+/// The quadratic polynomial around a node that is no nearer to the border, by differences of fourth order: they add no
+/// smoothing of their own, and are the same in all directions. All zero where the values around do not differ.
 inline LocalFit fit_at(const Buffer& values, const Lattice& lattice, int x, int y) {
-    float v[3][3];
-    for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) v[j][i] = values[lattice.at(x + i - 1, y + j - 1)];
+    constexpr float first[5] = {1.0f / 12.0f, -8.0f / 12.0f, 0.0f, 8.0f / 12.0f, -1.0f / 12.0f};
+    constexpr float second[5] = {-1.0f / 12.0f, 16.0f / 12.0f, -30.0f / 12.0f, 16.0f / 12.0f, -1.0f / 12.0f};
+    const float* v = &values[lattice.at(x, y)];
+    const std::ptrdiff_t up = lattice.width;
     LocalFit fit;
-    for (int k = 0; k < 3; ++k) {
-        fit.gradient += vec2(v[k][2] - v[k][0], v[2][k] - v[0][k]) / 6.0f;
-        fit.xx += (v[k][0] - 2.0f * v[k][1] + v[k][2]) / 3.0f;
-        fit.yy += (v[0][k] - 2.0f * v[1][k] + v[2][k]) / 3.0f;
+    if (v[0] == v[1] && v[0] == v[-1] && v[0] == v[up] && v[0] == v[-up]) return fit;
+    for (int i = -2; i <= 2; ++i) {
+        fit.gradient += vec2(first[i + 2] * v[i], first[i + 2] * v[i * up]);
+        fit.xx += second[i + 2] * v[i];
+        fit.yy += second[i + 2] * v[i * up];
+        if (i == 0) continue;
+        const float* row = v + i * up;
+        fit.xy += first[i + 2] * (first[0] * row[-2] + first[1] * row[-1] + first[3] * row[1] + first[4] * row[2]);
     }
-    fit.xy = 0.25f * (v[2][2] - v[2][0] - v[0][2] + v[0][0]);
     return fit;
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 /// Neighbours whose tones differ by more are sampled again.
 constexpr float fine_tone = 1.0f / 32.0f;
+constexpr int fine_rays = 32;
 
 /// What one ray meets.
 struct Sample {
@@ -87,23 +88,28 @@ bool differ(const Sample& a, const Sample& b) {
     return a.placement != b.placement || std::abs(a.tone - b.tone) > fine_tone;
 }
 
-/// The node's share of the plane through 16 rays, of which no two have the same x or y.
+/// Places in a node's square: a (0, 5, 2)-net in base 2 (Hammersley), as even for slanted edges as for upright ones.
+dvec2 place_in_square(int i) {
+    int reversed = 0;
+    for (int bit = 0; bit < 5; ++bit) reversed |= (i >> bit & 1) << (4 - bit);
+    return dvec2(i + 0.5, reversed + 0.5) / double(fine_rays) - 0.5;
+}
+
+/// The node's square by many rays.
 void sample_finely(const Shader& shader, std::size_t node, int x, int y, ShadedBuffer& buffer) {
     float tone = 0.0f, nearest = nowhere;
     int covered = 0;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            const dvec2 away((i + (j + 0.5) / 4.0) / 4.0 - 0.5, (j + (i + 0.5) / 4.0) / 4.0 - 0.5);
-            const Sample sample = shader.at(buffer.lattice.px(dvec2(x, y) + away));
-            const bool drawn = shader.drawn(sample.placement);
-            tone += sample.tone;
-            covered += drawn;
-            if (sample.distance >= nearest) continue;
-            nearest = sample.distance;
-            buffer.drawn[node] = drawn;
-        }
-    buffer.tone[node] = tone / 16.0f;
-    buffer.coverage[node] = float(covered) / 16.0f;
+    for (int i = 0; i < fine_rays; ++i) {
+        const Sample sample = shader.at(buffer.lattice.px(dvec2(x, y) + place_in_square(i)));
+        const bool drawn = shader.drawn(sample.placement);
+        tone += sample.tone;
+        covered += drawn;
+        if (sample.distance >= nearest) continue;
+        nearest = sample.distance;
+        buffer.drawn[node] = drawn;
+    }
+    buffer.tone[node] = tone / float(fine_rays);
+    buffer.coverage[node] = float(covered) / float(fine_rays);
     buffer.distance[node] = nearest;
 }
 

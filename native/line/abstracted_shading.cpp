@@ -3,7 +3,6 @@
 // In   the scene lit by a lamp, smoothed
 // Out  valleys (and ridges) of the tone: where it is least (greatest) along the direction in which it bends most; as
 //      strong as it bends
-#include "image/local_fit.h"
 #include "line/image_curves.h"
 
 namespace fovea {
@@ -17,16 +16,12 @@ struct Node {
 
 Array<Node> look(const SmoothTone& tone, float sign) {
     const Lattice& lattice = tone.lattice();
-    Array<Node> nodes(lattice.size());
-    parallel_for(lattice.height - 2, [&](std::size_t row) {
-        for (int y = int(row) + 1, x = 1; x + 1 < lattice.width; ++x) {
-            const LocalFit fit = fit_at(tone.value, lattice, x, y);
-            const Bend bend = greatest_bend(fit, sign);
-            nodes[lattice.at(x, y)] = {bend.direction, sign * glm::dot(fit.gradient, bend.direction),
-                                       bend.curvature * float(steps_per_sigma * steps_per_sigma)};
-        }
-    }, 8);
-    return nodes;
+    return per_node<Node>(lattice, [&](int x, int y) {
+        const LocalFit fit = fit_at(tone.value, lattice, x, y);
+        const Bend bend = greatest_bend(fit, sign);
+        return Node{bend.direction, sign * glm::dot(fit.gradient, bend.direction),
+                    bend.curvature * float(steps_per_sigma * steps_per_sigma)};
+    });
 }
 
 Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, float sign) {
@@ -42,13 +37,16 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
         int count = 0;
         for (const Index number : triangle.side) {
             const LatticeSide side = lattice_side(lattice, number);
-            const Node &a = nodes[side.a], &b = nodes[side.b];
-            // Directions have no sign: that of the second node is turned to the first one's.
-            const float cosine = glm::dot(a.direction, b.direction);
-            if (!(std::abs(cosine) > least_cosine)) return;
-            const float at_b = cosine > 0.0f ? b.slope : -b.slope;
-            if ((a.slope >= 0.0f) != (at_b >= 0.0f))
-                ends[count++] = {number, side.a, side.b, a.slope / (a.slope - at_b)};
+            const Node& a = nodes[side.a];
+            // Directions have no sign: those of the others are turned to the first one's.
+            const auto slope = [&](Index i) {
+                return glm::dot(a.direction, nodes[i].direction) < 0.0f ? -nodes[i].slope : nodes[i].slope;
+            };
+            if (!(std::abs(glm::dot(a.direction, nodes[side.b].direction)) > least_cosine)) return;
+            const float at_b = slope(side.b);
+            if ((a.slope >= 0.0f) == (at_b >= 0.0f)) continue;
+            const float t = zero_on_side(slope(side.before), a.slope, at_b, slope(side.after));
+            ends[count++] = {number, side.a, side.b, t};
         }
         if (count != 2) return;
         append_in_lattice(lattice, triangle, {ends[0], ends[1]}, [&](Index i) { return nodes[i].depth; }, values, out);

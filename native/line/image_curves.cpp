@@ -20,11 +20,13 @@ SmoothTone make_tone(const FrameView& frame, const ImageValues& values, std::sha
     const Lattice& lattice = buffer.lattice;
     Buffer lit = buffer.tone;
     if (values.outline) parallel_for(lit.size(), [&](std::size_t i) { lit[i] += 1.0f - buffer.coverage[i]; });
-    tone.value = gaussian(lit, lattice.width, lattice.height, steps_per_sigma);
+    // Less the variance of the square that a node stands for.
+    const double sigma = std::sqrt(steps_per_sigma * steps_per_sigma - 1.0 / 12.0);
+    tone.value = gaussian(lit, lattice.width, lattice.height, sigma);
     frame.cancel.poll();
     if (values.outline) return tone;
     constexpr float least_share = 0.01f;
-    const Buffer share = gaussian(buffer.coverage, lattice.width, lattice.height, steps_per_sigma);
+    const Buffer share = gaussian(buffer.coverage, lattice.width, lattice.height, sigma);
     parallel_for(share.size(), [&](std::size_t i) {
         tone.value[i] = share[i] > least_share ? tone.value[i] / share[i] : std::numeric_limits<float>::quiet_NaN();
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/lattice_triangles.h"
+#include "image/local_fit.h"
 #include "image/shaded_buffer.h"
 #include "line/definition.h"
 #include "line/zero_set.h"
@@ -33,12 +34,25 @@ struct SmoothTone {
 };
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values);
 
-/// emit(triangle, out) for all triangles of the lattice whose nodes are not on its border.
+/// Nodes near the border of the lattice, where nothing is known.
+inline constexpr int border = fit_reach;
+
+/// make(x, y) for all other nodes.
+template <typename Node, typename Make>
+Array<Node> per_node(const Lattice& lattice, const Make& make) {
+    Array<Node> nodes(lattice.size());
+    parallel_for(lattice.height - 2 * border, [&](std::size_t row) {
+        for (int y = int(row) + border, x = border; x < lattice.width - border; ++x) nodes[lattice.at(x, y)] = make(x, y);
+    }, 8);
+    return nodes;
+}
+
+/// emit(triangle, out) for all triangles of the lattice whose sides go on inside the border.
 template <typename Emit>
 Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     return collect_pieces(2 * lattice.size(), [&](Index number, std::vector<CurvePiece>& out) {
         const int node = int(number / 2), x = node % lattice.width, y = node / lattice.width;
-        if (x < 1 || y < 1 || x + 2 >= lattice.width || y + 2 >= lattice.height) return;
+        if (x <= border || y <= border || x + 2 + border >= lattice.width || y + 2 + border >= lattice.height) return;
         emit(lattice_triangle(lattice, x, y, number % 2), out);
     });
 }

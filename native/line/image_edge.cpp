@@ -4,7 +4,6 @@
 // Out  zeros of the second derivative along the gradient where the slope is greatest, with hysteresis, to sub-pixels
 #include <numbers>
 
-#include "image/local_fit.h"
 #include "line/image_curves.h"
 
 namespace fovea {
@@ -18,17 +17,11 @@ struct Node {
 
 Array<Node> look(const SmoothTone& tone) {
     const Lattice& lattice = tone.lattice();
-    // The greatest slope of a unit step under all filters: the Gaussian, the node's own square and the difference.
-    const double sigma = std::sqrt(steps_per_sigma * steps_per_sigma + 1.0 / 12.0 + 1.0 / 3.0);
-    const auto per_slope = static_cast<float>(std::sqrt(2.0 * std::numbers::pi) * sigma);
-    Array<Node> nodes(lattice.size());
-    parallel_for(lattice.height - 2, [&](std::size_t row) {
-        for (int y = int(row) + 1, x = 1; x + 1 < lattice.width; ++x) {
-            const LocalFit fit = fit_at(tone.value, lattice, x, y);
-            nodes[lattice.at(x, y)] = {fit.gradient, fit.along_gradient(), per_slope * glm::length(fit.gradient)};
-        }
-    }, 8);
-    return nodes;
+    const auto per_slope = static_cast<float>(std::sqrt(2.0 * std::numbers::pi) * steps_per_sigma);
+    return per_node<Node>(lattice, [&](int x, int y) {
+        const LocalFit fit = fit_at(tone.value, lattice, x, y);
+        return Node{fit.gradient, fit.along_gradient(), per_slope * glm::length(fit.gradient)};
+    });
 }
 
 Curves find(const FrameView& frame, const Values& given) {
@@ -48,7 +41,9 @@ Curves find(const FrameView& frame, const Values& given) {
         for (const Index number : triangle.side) {
             const LatticeSide side = lattice_side(lattice, number);
             const float a = nodes[side.a].along, b = nodes[side.b].along;
-            if ((a >= 0.0f) != (b >= 0.0f)) ends[count++] = {number, side.a, side.b, a / (a - b)};
+            if ((a >= 0.0f) == (b >= 0.0f)) continue;
+            const float t = zero_on_side(nodes[side.before].along, a, b, nodes[side.after].along);
+            ends[count++] = {number, side.a, side.b, t};
         }
         if (count == 2)
             append_in_lattice(lattice, triangle, ends, [&](Index i) { return nodes[i].contrast; }, values, out);

@@ -108,14 +108,14 @@ TEST(Gaussian, KeepsConstantsAndAddsVariances) {
 }
 
 TEST(LocalFit, IsExactOnQuadratics) {
-    const Lattice lattice{{0, 0}, 1.0, 3, 3};
-    Buffer values(9);
-    for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 3; ++x) {
-            const double u = x - 1, v = y - 1;
+    const Lattice lattice{{0, 0}, 1.0, 5, 5};
+    Buffer values(25);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 5; ++x) {
+            const double u = x - 2, v = y - 2;
             values[lattice.at(x, y)] = float(2 + 3 * u - v + 0.5 * 4 * u * u + 1.5 * u * v + 0.5 * 0 * v * v);
         }
-    const LocalFit fit = fit_at(values, lattice, 1, 1);
+    const LocalFit fit = fit_at(values, lattice, 2, 2);
     EXPECT_NEAR(fit.gradient.x, 3, 1e-5);
     EXPECT_NEAR(fit.gradient.y, -1, 1e-5);
     EXPECT_NEAR(fit.xx, 4, 1e-5);
@@ -280,8 +280,8 @@ TEST(ImageLines, AreTheSameAtEverySizeOfThePicture) {
 }
 
 TEST(ImageLines, InABorderAreThoseOfTheFullFrame) {
-    const View full = perspective({3, -5, 2}, {0, 0, 0});
-    const int x0 = 171, y0 = 120, x1 = 420, y1 = 333;
+    const View full = perspective({4, -7, 3}, {0, 0, 0});
+    const int x0 = 171, y0 = 20, x1 = 320, y1 = 333;
     const View crop = wires::cropped(full, x0, y0, x1, y1);
     const std::vector<Placement> scene = {place(box()), place(sphere(48), moved({1, -1.5, 0.3}), 2)};
     for (const char* name : {"image_edge", "abstracted_shading"}) {
@@ -306,7 +306,7 @@ TEST(ImageLines, InABorderAreThoseOfTheFullFrame) {
 TEST(ImageLines, AreHiddenByNothing) {
     for (const bool ortho : {false, true}) {
         const View view = ortho ? orthographic({3, -5, 2}, {0, 0, 0}, 6) : perspective({3, -5, 2}, {0, 0, 0});
-        const std::vector<LineSet> sets = {line_set({"image_edge", "abstracted_shading", "contour"})};
+        const std::vector<LineSet> sets = {line_set({"image_edge", "abstracted_shading", "crease"})};
         const Drawing drawing({place(box()), place(sphere(48), moved({1, -1.5, 0.3}), 2)}, view, sets);
         const Array<float> exact = samples_from_runs(drawing.clipped, drawing.runs);
         const DepthOptions depth;
