@@ -48,7 +48,7 @@ inline float zero_on_side(float before, float a, float b, float after) {
         ((value >= 0.0f) == (a >= 0.0f) ? low : high) = t;
         // Newton's step with the chord's slope, kept inside the bracket.
         const float next = t - value / (b - a);
-        t = next > low && next < high ? next : 0.5f * (low + high);
+        t = next >= low && next <= high ? next : 0.5f * (low + high);
     }
     return t;
 }

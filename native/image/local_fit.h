@@ -12,9 +12,11 @@ struct LocalFit {
     vec2 gradient{0.0f};
     float xx = 0.0f, xy = 0.0f, yy = 0.0f;
 
-    /// Second derivative along the gradient, times its length squared.
-    float along_gradient() const {
-        return gradient.x * gradient.x * xx + 2.0f * gradient.x * gradient.y * xy + gradient.y * gradient.y * yy;
+    /// Derivative along the gradient of the logarithm of its length: linear across a smoothed step. 0 without a gradient.
+    float growth_of_slope() const {
+        const float slope = glm::length(gradient);
+        const vec2 d = slope > 0.0f ? gradient / slope : vec2(0.0f);
+        return slope > 0.0f ? (d.x * d.x * xx + 2.0f * d.x * d.y * xy + d.y * d.y * yy) / slope : 0.0f;
     }
 };
 

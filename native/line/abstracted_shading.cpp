@@ -69,7 +69,7 @@ Curves find(const FrameView& frame, const Values& given) {
 }
 
 std::vector<Parameter> parameters() {
-    auto all = image_parameters(0.1, "How far the tone rises beside a line from which lines are drawn", 2.0);
+    auto all = image_parameters(0.05, "How far the tone rises beside a line from which lines are drawn", 4.0);
     all.push_back({"valleys", "Valleys", 1.0, 0.0, 1.0, "bool", "Lines along thin dark areas"});
     all.push_back({"ridges", "Ridges", 0.0, 0.0, 1.0, "bool", "Lines along thin light areas"});
     return all;

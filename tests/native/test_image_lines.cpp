@@ -206,7 +206,7 @@ TEST(ImageEdge, OfASphereInPerspectiveIsACircle) {
 }
 
 TEST(ImageEdge, OfTheOutlineIsASwitch) {
-    const LineSet without = with("image_edge", {{"outline", 0}});
+    const LineSet without = with("image_edge", {{"outline", 0}, {"threshold", 0.2}});
     EXPECT_EQ(Drawing({place(sphere(96))}, from_front, {without}).paths.count(), 0u);
     // What is not the outline stays: two faces of a box.
     const Drawing box_drawing({place(box(), glm::rotate(dmat4(1.0), 0.6, dvec3(0, 0, 1)))}, from_front, {without});
@@ -236,7 +236,7 @@ TEST(AbstractedShading, FollowsAGrooveAndARidge) {
 TEST(AbstractedShading, OfACylinderIsItsDarkRims) {
     const double valley = extremum(round_tone, 79, 4, 2);
     // Long, so that its ends are outside the picture.
-    const Drawing drawing({place(cylinder(256), scaled({1, 1, 9}))}, from_front, {line_set({"abstracted_shading"})});
+    const Drawing drawing({place(cylinder(256), scaled({1, 1, 9}))}, from_front, {with("abstracted_shading", {{"sigma", 2}})});
     const auto x = x_of_middle(drawing);
     ASSERT_GT(x.size(), 100u);
     for (const double found : x) EXPECT_NEAR(std::abs(found - 320), valley, 0.15);
