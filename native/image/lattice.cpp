@@ -6,7 +6,7 @@
 namespace fovea {
 
 Lattice lattice_over(const View& view, double step_reference_px, int border) {
-    constexpr double most_nodes = 1 << 26;
+    constexpr double most_nodes = 1 << 24;
     Lattice lattice;
     const double room = 1.0 + lattice_margin;
     lattice.step_px = std::max(step_reference_px * view.reference_scale,

@@ -25,7 +25,7 @@ struct Lattice {
 using Buffer = Array<float>;
 
 /// A lattice over the frame, its margin and `border` more steps on each side. The step grows where there would be more
-/// than 2^26 nodes.
+/// than 2^24 nodes.
 Lattice lattice_over(const View& view, double step_reference_px, int border);
 
 }  // namespace fovea
