@@ -55,7 +55,7 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
 }
 
 Curves find(const FrameView& frame, const Values& given) {
-    const ImageValues values(given);
+    const ImageValues values(given, 1.0);  // on white, the outline of a round shape is a thin dark area
     const bool valleys = given[image_values] != 0.0, ridges = given[image_values + 1] != 0.0;
     const auto tone = smooth_tone(frame, values);
     Curves curves;

@@ -19,7 +19,8 @@ SmoothTone make_tone(const FrameView& frame, const ImageValues& values, std::sha
     const ShadedBuffer& buffer = *tone.shaded;
     const Lattice& lattice = buffer.lattice;
     Buffer lit = buffer.tone;
-    if (values.outline) parallel_for(lit.size(), [&](std::size_t i) { lit[i] += 1.0f - buffer.coverage[i]; });
+    const auto background = static_cast<float>(values.outline ? values.background : 0.0);
+    parallel_for(lit.size(), [&](std::size_t i) { lit[i] += background * (1.0f - buffer.coverage[i]); });
     // Less the variance of the square that a node stands for.
     const double sigma = std::sqrt(steps_per_sigma * steps_per_sigma - 1.0 / 12.0);
     tone.value = gaussian(lit, lattice.width, lattice.height, sigma);
@@ -58,7 +59,7 @@ std::vector<Parameter> image_parameters(double threshold, const char* meaning, d
     return {{"threshold", "Threshold", threshold, 0.0, 1.0, "", meaning},
             {"low", "Low", 0.4, 0.0, 1.0, "", "Share of the threshold down to which a line goes on, fading"},
             {"sigma", "Sigma", sigma, 1.0, 50.0, "pixels", "Width of the smoothing, in pixels of a picture 1080 high"},
-            {"outline", "Outline", 1.0, 0.0, 1.0, "bool", "Also lines of the outline, against a white background"},
+            {"outline", "Outline", 1.0, 0.0, 1.0, "bool", "Also lines of the outline, against a light background"},
             {"light_right", "Light Right", 0.0, -180.0, 180.0, "degrees", "Direction of the light, right of the viewer"},
             {"light_up", "Light Up", 0.0, -90.0, 90.0, "degrees", "Direction of the light, above the viewer"}};
 }
@@ -66,7 +67,7 @@ std::vector<Parameter> image_parameters(double threshold, const char* meaning, d
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values) {
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
     const std::uint64_t key = hash_numbers(bits(values.sigma), bits(values.lamp.right), bits(values.lamp.up));
-    return frame.shared.get<SmoothTone>(hash_numbers(key, values.outline), [&] {
+    return frame.shared.get<SmoothTone>(hash_numbers(key, values.outline, bits(values.background)), [&] {
         auto shaded = frame.shared.get<ShadedBuffer>(key, [&] {
             const Lattice lattice = lattice_over(frame.tracer.view(), values.sigma / steps_per_sigma, reach);
             return shade(frame.tracer, lattice, values.lamp, frame.cancel);

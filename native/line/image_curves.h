@@ -18,15 +18,16 @@ struct ImageValues {
     double sigma;      ///< reference pixels
     bool outline;
     Lamp lamp;
-    explicit ImageValues(const Values& values)
+    double background;  ///< tone of what lies beyond the outline
+    ImageValues(const Values& values, double background_tone)
         : high(values[0]), low(values[0] * values[1]), sigma(values[2]), outline(values[3] != 0.0),
-          lamp{values[4], values[5]} {}
+          lamp{values[4], values[5]}, background(background_tone) {}
 };
 inline constexpr int image_values = 6;
 std::vector<Parameter> image_parameters(double threshold, const char* meaning, double sigma);
 
-/// The shaded scene under a Gaussian. With `outline` it stands on white; else what lies beyond its outline takes no
-/// part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within reach it is NaN.
+/// The shaded scene under a Gaussian. With `outline` it stands on its background; else what lies beyond its outline takes
+/// no part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within reach it is NaN.
 struct SmoothTone {
     std::shared_ptr<const ShadedBuffer> shaded;
     Buffer value;

@@ -9,6 +9,9 @@
 namespace fovea {
 namespace {
 
+/// Of the background: the outline has all contrast that a threshold may ask for, also where the surface is white.
+constexpr double beyond_white = 2.0;
+
 struct Node {
     vec2 gradient;
     float growth;    // of the slope, along the gradient
@@ -25,7 +28,7 @@ Array<Node> look(const SmoothTone& tone) {
 }
 
 Curves find(const FrameView& frame, const Values& given) {
-    const ImageValues values(given);
+    const ImageValues values(given, beyond_white);
     const auto tone = smooth_tone(frame, values);
     const Lattice& lattice = tone->lattice();
     const Array<Node> nodes = look(*tone);

@@ -74,8 +74,10 @@ double extremum(const Tone& tone, double near, double range, int order) {
     return at;
 }
 
-/// Tone of a sphere or cylinder of radius 80 px, lit from the eye, on white.
-double round_tone(double r) { return std::abs(r) < 80.0 ? std::sqrt(1.0 - r * r / 6400.0) : 1.0; }
+/// Tone of a sphere or cylinder of radius 80 px, lit from the eye, on a background.
+auto round_tone(double background) {
+    return [=](double r) { return std::abs(r) < 80.0 ? std::sqrt(1.0 - r * r / 6400.0) : background; };
+}
 
 /// Strips along y through a profile of (x, z).
 Mesh profile(const std::vector<dvec2>& points) {
@@ -145,7 +147,7 @@ TEST(Hysteresis, KeepsWholeCurvesThatAreStrongSomewhereAndLong) {
 }
 
 TEST(ImageEdge, OfAStepIsStraightAndWhereTheStepIs) {
-    // A square lit from the side, grey on white.
+    // A square lit from the side, grey on a light background.
     for (const double shift : {0.0, 0.13, 0.37, 0.5, 0.71})
         for (const double turn : {0.0, 3.0, 20.0}) {
             const dmat4 at = moved({shift * px, 0, 0}) * glm::rotate(dmat4(1.0), glm::radians(turn), dvec3(0, 0, 1));
@@ -166,18 +168,25 @@ TEST(ImageEdge, OfAStepIsStraightAndWhereTheStepIs) {
 }
 
 TEST(ImageEdge, ContrastIsThatOfTheStep) {
-    // Lit by a lamp at 60 degrees the square has tone 1/2.
+    // Two faces of a box, turned to the eye by 0.6 and by a right angle less.
     const auto found = [](double threshold) {
-        const Drawing drawing({place(grid(4))}, from_above,
-                              {with("image_edge", {{"light_right", 60}, {"threshold", threshold}})});
+        const Drawing drawing({place(box(), glm::rotate(dmat4(1.0), 0.6, dvec3(0, 0, 1)))}, from_front,
+                              {with("image_edge", {{"outline", 0}, {"threshold", threshold}})});
         return drawing.paths.count();
     };
-    EXPECT_EQ(found(0.49), 1u);
-    EXPECT_EQ(found(0.51), 0u);
+    const double contrast = std::cos(0.6) - std::sin(0.6);
+    EXPECT_EQ(found(contrast - 0.01), 1u);
+    EXPECT_EQ(found(contrast + 0.01), 0u);
+}
+
+TEST(ImageEdge, OfTheOutlineHasFullContrast) {
+    const Drawing white({place(grid(4))}, from_above, {with("image_edge", {{"threshold", 0.95}})});
+    ASSERT_EQ(white.paths.count(), 1u) << "a square that faces the lamp";
+    EXPECT_TRUE(white.paths.closed[0]);
 }
 
 TEST(ImageEdge, OfASphereIsACircle) {
-    const double radius = extremum(round_tone, 80, 4, 1);
+    const double radius = extremum(round_tone(2), 80, 4, 1);
     const Drawing drawing({place(sphere(96))}, from_front, {line_set({"image_edge"})});
     ASSERT_EQ(drawing.paths.count(), 1u);
     EXPECT_TRUE(drawing.paths.closed[0]);
@@ -234,7 +243,7 @@ TEST(AbstractedShading, FollowsAGrooveAndARidge) {
 }
 
 TEST(AbstractedShading, OfACylinderIsItsDarkRims) {
-    const double valley = extremum(round_tone, 79, 4, 2);
+    const double valley = extremum(round_tone(1), 79, 4, 2);
     // Long, so that its ends are outside the picture.
     const Drawing drawing({place(cylinder(256), scaled({1, 1, 9}))}, from_front, {with("abstracted_shading", {{"sigma", 2}})});
     const auto x = x_of_middle(drawing);
