@@ -26,7 +26,7 @@ class View:
 
 @dataclass(frozen=True)
 class Paths:
-    """Segments chained into paths, in object space; N points, P paths."""
+    """Segments chained into paths, in object space; N points, P paths. Lines of the image are in view space."""
 
     offsets: np.ndarray  # (P + 1,) uint32
     points_obj: np.ndarray  # (N, 3) float32
@@ -36,7 +36,7 @@ class Paths:
     strength: np.ndarray  # (N,) float32 in [0, 1]
     closed: np.ndarray  # (P,) uint8; a closed path repeats its first point at the end
     ids: np.ndarray  # (P,) uint64, stable over frames for static lines
-    placement: np.ndarray  # (P,) uint32, index into the scene's placements
+    placement: np.ndarray  # (P,) uint32, index into the scene's placements; 0xffffffff: found in the image
     line_set: np.ndarray  # (P,) uint8, index into the style's line sets
 
 

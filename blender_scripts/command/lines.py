@@ -10,6 +10,8 @@ import numpy as np
 from . import assignment, obj, package
 from .target import say
 
+UNSET = 0xFFFFFFFF
+
 
 def lines(target, words):
     options = parse(words)
@@ -52,8 +54,8 @@ def extract(native, options):
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
-    paths = _paths(native, surface, polygons.positions, kinds, options)
-    arrays = {**_arrays(paths, surface, polygons.positions), "definition": np.array(options.definition)}
+    paths, view_to_object = _paths(native, surface, polygons.positions, kinds, options)
+    arrays = {**_arrays(paths, surface, polygons.positions, view_to_object), "definition": np.array(options.definition)}
     return arrays, surface.report, surface.fields_reason
 
 
@@ -82,14 +84,17 @@ def _surface(native, name, polygons):
 
 
 def _paths(native, surface, positions, kinds, options):
-    """The model alone in a scene, seen by a view that has all of it in its frame."""
+    """The model alone in a scene, seen by a view that has all of it in its frame; and the way back from the view."""
     usage = native.DRAW | native.OCCLUDE
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
-    tracer = native.Tracer(scene, _view(native, positions, options))
-    return native.extract_paths(tracer, [(kinds, options.corner_angle)])
+    world_to_view, *image = _view(positions, options)
+    tracer = native.Tracer(scene, native.View(world_to_view, *image))
+    paths = native.extract_paths(tracer, [(kinds, options.corner_angle)])
+    return paths, np.linalg.inv(world_to_view)
 
 
-def _view(native, positions, options):
+def _view(positions, options):
+    """What a native View is made of."""
     finite = positions[np.isfinite(positions).all(axis=1)]
     low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
     centre, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
@@ -103,7 +108,7 @@ def _view(native, positions, options):
     eye = centre + distance * backwards if options.ortho else options.eye
     near, far = (0.5 * radius, 4 * radius) if options.ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
     clip = _orthographic(radius, near, far) if options.ortho else _perspective(near, far)
-    return native.View(_looking(eye, backwards), clip, 1024, 1024, options.ortho, near, far)
+    return _looking(eye, backwards), clip, 1024, 1024, options.ortho, near, far
 
 
 def _looking(eye, backwards):
@@ -127,13 +132,16 @@ def _orthographic(half, near, far):
     return np.array([[1 / half, 0, 0, 0], [0, 1 / half, 0, 0], [0, 0, -2 / depth, -(far + near) / depth], [0, 0, 0, 1]])
 
 
-def _arrays(paths, surface, positions):
-    """What the file holds; points on edges in the model's own double precision, from where they lie on them."""
+def _arrays(paths, surface, positions, view_to_object):
+    """What the file holds; points on edges in the model's own double precision, from where they lie on them. Lines of
+    the image come in view space."""
     points = paths.points_obj.astype(np.float64)
     on_edge = paths.place < len(surface.edges)
     ends = positions[surface.edges[paths.place[on_edge]]]
     t = paths.edge_t[on_edge, None].astype(np.float64)
     points[on_edge] = (1 - t) * ends[:, 0] + t * ends[:, 1]
+    in_image = np.repeat(paths.placement == UNSET, np.diff(paths.offsets))
+    points[in_image] = points[in_image] @ view_to_object[:3, :3].T + view_to_object[:3, 3]
     return {
         "points": points,
         "offsets": paths.offsets.astype(np.int64),

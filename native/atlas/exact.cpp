@@ -168,13 +168,14 @@ class Runner {
     void add(Index piece) {
         piece_ = piece;
         open_ = false;
+        const bool in_image = paths_.placement[clipped_.path[piece]] == none;
         const Index last = clipped_.pieces.end(piece) - 1;
         for (Index i = clipped_.pieces.begin(piece); i < last; ++i) {
             const Index samples = clipped_.sample_count[i];
             if (samples == 0) continue;
             const double arc = clipped_.arc_px[i], length = clipped_.arc_px[i + 1] - arc;
             hidden_.clear();
-            marcher_.march(segment(i), samples, length, hidden_);
+            if (!in_image) marcher_.march(segment(i), samples, length, hidden_);
             double from = 0.0;
             for (const Interval& gap : hidden_) {
                 visible(arc + from * length, arc + gap.begin * length);

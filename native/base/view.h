@@ -26,6 +26,14 @@ inline dvec2 to_pixels(const View& view, const dvec4& clip) {
     return {(clip.x / clip.w * 0.5 + 0.5) * view.width, (clip.y / clip.w * 0.5 + 0.5) * view.height};
 }
 
+/// The view-space point at a pixel position whose distance along -z is given. `clip_to_view`: inverse of view_to_clip.
+inline dvec3 from_pixels(const View& view, const dmat4& clip_to_view, const dvec2& px, double distance) {
+    const dvec2 ndc(px.x / view.width * 2.0 - 1.0, px.y / view.height * 2.0 - 1.0);
+    const dvec4 on_near = clip_to_view * dvec4(ndc, -1.0, 1.0);
+    const dvec3 point = dvec3(on_near) / on_near.w;
+    return view.orthographic ? dvec3(point.x, point.y, -distance) : point * (distance / -point.z);
+}
+
 /// Depth as every stage compares it: screen-linear, reversed (larger is nearer), 1 at the near plane. Perspective:
 /// near / distance, 0 at infinity. Orthographic: 0 at the far plane. Keeps float precision at every distance.
 inline double screen_depth(const View& view, double z_view) {

@@ -87,7 +87,8 @@ void bind_line(py::module_& m) {
         .def_property_readonly("strength", array(&Paths::strength), "(N,) float32 in [0, 1]")
         .def_property_readonly("closed", array(&Paths::closed), "(P,) uint8; a closed path repeats its first point")
         .def_property_readonly("ids", array(&Paths::id), "(P,) uint64, stable over frames for static lines")
-        .def_property_readonly("placement", array(&Paths::placement), "(P,) uint32")
+        .def_property_readonly("placement", array(&Paths::placement),
+                               "(P,) uint32; 0xffffffff: found in the image, in view space")
         .def_property_readonly("line_set", array(&Paths::line_set), "(P,) uint8")
         .def_property_readonly("free_ends", array(&Paths::free_ends),
                                "(P,) uint8: 1 where the start touches no other line, 2 where the end does not")

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/view.h"
 #include "line/curves.h"
 #include "mesh/surface.h"
@@ -44,6 +45,13 @@ struct SurfaceView {
     }
 };
 
+/// A frame, for definitions that look at a picture of the scene.
+struct FrameView {
+    const Tracer& tracer;
+    const Cancel& cancel;
+    Cache& shared;  ///< of the frame: pictures that several definitions look at
+};
+
 /// What an edge is: bit b is set where the definition with bit b in the registry finds it.
 using Kinds = std::uint32_t;
 
@@ -66,6 +74,8 @@ struct LineDefinition {
     void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
     /// Lines across triangles, instead.
     Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
+    /// Lines in the image, instead: asked once per frame. Points in view space; triangles and sides are of a lattice.
+    Curves (*find_in_image)(const FrameView& frame, const Values& values) = nullptr;
 };
 
 }  // namespace fovea

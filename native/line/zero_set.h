@@ -48,8 +48,8 @@ inline vec2 margins(const vec2& two) { return two; }
 
 /// Appends the part of a piece between two crossings where the margins, linear between their values at the two, are
 /// positive. strength(margin) is asked at both ends of what is left.
-template <typename Margin, typename Strength>
-void append_trimmed(const Surface& surface, Index triangle, const Crossing (&ends)[2], const Margin& margin,
+template <typename Position, typename Margin, typename Strength>
+void append_trimmed(const Position& position, Index triangle, const Crossing (&ends)[2], const Margin& margin,
                     const Strength& strength, std::vector<CurvePiece>& out) {
     const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
     float from = 0.0f, to = 1.0f;  // of the way from end 0 to end 1
@@ -61,7 +61,6 @@ void append_trimmed(const Surface& surface, Index triangle, const Crossing (&end
     }
     if (!(from < to)) return;  // NaN, too
     CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}, 0};
-    const auto position = [&](Index v) { return surface.positions[v]; };
     const vec3 first = ends[0].mix(position), last = ends[1].mix(position);
     const auto put = [&](int k, float t, bool cut) {
         piece.point[k] = cut ? first + t * (last - first) : k == 0 ? first : last;
@@ -73,6 +72,10 @@ void append_trimmed(const Surface& surface, Index triangle, const Crossing (&end
     // On a broken or enormous mesh a field may be beyond all numbers.
     const vec3 sum = piece.point[0] + piece.point[1];
     if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1])) out.push_back(piece);
+}
+
+inline auto positions_of(const Surface& surface) {
+    return [&surface](Index v) { return surface.positions[v]; };
 }
 
 /// Appends the piece of the zero set of `value` in one triangle, where there is one.
@@ -91,7 +94,7 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
         return crossing(sides, side, value(e.x), value(e.y));
     };
     const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
-    append_trimmed(surface, triangle, ends, margin, strength, out);
+    append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
 }
 
 /// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Triangles for which `wanted(triangle)`
@@ -169,7 +172,7 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
         const vec3 at[3] = {surface.positions[corners.x], surface.positions[corners.y], surface.positions[corners.z]};
         const float bend = bend_across(at, climb, alone);
         if (!(bend > 0.0f) || bend < least_bend) return;
-        append_trimmed(surface, triangle, ends, margin, strength, out);
+        append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
     });
 }
 

@@ -107,6 +107,24 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
     return found;
 }
 
+/// Lines of the frame as a whole, in view space.
+std::vector<FoundCurves> find_in_image(const std::vector<LineSet>& sets, const Tracer& tracer, const Cancel& cancel) {
+    std::vector<FoundCurves> found;
+    Cache shared;
+    Kinds done = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        for (const LineSet::Kind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const Kinds bit = Kinds(1) << kind.definition;
+            if (!definition.find_in_image || (done & bit)) continue;
+            done |= bit;
+            const FrameView frame{tracer, cancel, shared};
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition,
+                             chain_curves(definition.find_in_image(frame, kind.values))});
+        }
+    return found;
+}
+
 /// In object space; for an orthographic view the direction towards it.
 dvec3 eye_of(const View& view, const Placement& placed) {
     const dmat4 view_to_object = glm::inverse(view.world_to_view * placed.object_to_world);
@@ -224,7 +242,8 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     return paths;
 }
 
-/// Where one placement's chains go in the result, and whether they are those of this view alone.
+/// Where the chains of one placement (`none`: of the frame) go in the result, and whether they are those of this view
+/// alone.
 struct Slot {
     Index placement, path, point;
     bool of_view;
@@ -271,16 +290,16 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
 }
 
 void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
-    const Placement& placement = scene.placements[slot.placement];
+    const Placement* placement = slot.placement == none ? nullptr : &scene.placements[slot.placement];
     const CurveChains& chains = found.chains;
     write_paths(
         chains, slot, [&](std::size_t) { return found.line_set; },
         [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
-        [&](std::size_t c) { return hash_numbers(placement.id, found.definition + 1, chains.anchor[c]); },
+        [&](std::size_t c) { return hash_numbers(placement ? placement->id : 0, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
-        paths.place[n] = placement.surface->place_of_triangle(chains.triangle[i]);
+        paths.place[n] = placement ? placement->surface->place_of_triangle(chains.triangle[i]) : none;
         paths.edge_t[n] = 0.0f;
         paths.kinds[n] = Kinds(1) << found.definition;
         paths.strength[n] = chains.strength[i];
@@ -327,6 +346,8 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), sets, asked, view_dependent);
     });
 
+    const std::vector<FoundCurves> in_image = find_in_image(sets, tracer, cancel);
+
     struct CurveSlot {
         const FoundCurves* found;
         Slot slot;
@@ -334,6 +355,13 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     std::vector<std::pair<Slot, Slot>> slots(drawn.size());
     std::vector<CurveSlot> curve_slots;
     Index path = 0, point = 0;
+    const auto add_curves = [&](const std::vector<FoundCurves>& curves, Index placement, bool of_view) {
+        for (const FoundCurves& c : curves) {
+            curve_slots.push_back({&c, {placement, path, point, of_view}});
+            path += c.chains.rows.count();
+            point += static_cast<Index>(c.chains.point.size());
+        }
+    };
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         slots[i].first = {drawn[i], path, point, false};
         path += found[i].kept->rows.count();
@@ -341,16 +369,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         slots[i].second = {drawn[i], path, point, true};
         path += found[i].seen.rows.count();
         point += static_cast<Index>(found[i].seen.vertex.size());
-        const auto add_curves = [&](const std::vector<FoundCurves>& curves, bool of_view) {
-            for (const FoundCurves& c : curves) {
-                curve_slots.push_back({&c, {drawn[i], path, point, of_view}});
-                path += c.chains.rows.count();
-                point += static_cast<Index>(c.chains.point.size());
-            }
-        };
-        add_curves(found[i].kept_curves->found, false);
-        add_curves(found[i].seen_curves, true);
+        add_curves(found[i].kept_curves->found, drawn[i], false);
+        add_curves(found[i].seen_curves, drawn[i], true);
     }
+    add_curves(in_image, none, true);
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);

@@ -9,7 +9,8 @@ namespace fovea {
 enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2 };
 
 /// Polylines in object space, all placements together; points of path p are rows.begin(p) .. rows.end(p). Segment i
-/// runs from point i to point i + 1 of its path. A closed path repeats its first point at the end.
+/// runs from point i to point i + 1 of its path. A closed path repeats its first point at the end. Paths found in the
+/// image belong to no placement: theirs is `none`, they lie in view space, in no place, and nothing hides them.
 struct Paths {
     Rows rows;
     // Per path.

@@ -11,6 +11,9 @@ namespace fovea {
 inline constexpr Index most_padding = 10;
 inline Index padding_of(Index samples) { return samples < 2 ? 0 : std::min((samples - 2) / 2, most_padding); }
 
+/// The depth of lines that nothing hides: nearer than any surface, however steep it is.
+inline constexpr float before_all = 1e30f;
+
 /// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves
 /// and comes back gives several), a polyline of points; segment i runs from point i to point i + 1 of a piece.
 /// The last point of every piece starts no segment: its sample_count is 0.
@@ -23,7 +26,8 @@ struct ClippedPaths {
     Array<std::uint8_t> closed;
     /// Per piece: 1 where it starts, 2 where it ends with an end of the path that touches no other line: there pens taper.
     Array<std::uint8_t> free_ends;
-    /// Per point: pixels (screen), reversed screen-linear depth (base/view.h), view space.
+    /// Per point: pixels (screen), reversed screen-linear depth (base/view.h; before_all where nothing hides the
+    /// path), view space.
     Array<vec2> px;
     Array<float> depth;
     Array<vec3> position_view;

@@ -65,9 +65,10 @@ class Projector {
     void transform(Index path, Index begin, Index end) {
         const Index placement = paths_.placement[path];
         if (placement != placement_) {
-            check(placement < scene_.placements.size(), "project: the paths are not of this scene");
+            const bool in_image = placement == none;
+            check(in_image || placement < scene_.placements.size(), "project: the paths are not of this scene");
             placement_ = placement;
-            object_to_view_ = view_.world_to_view * scene_.placements[placement].object_to_world;
+            object_to_view_ = in_image ? dmat4(1.0) : view_.world_to_view * scene_.placements[placement].object_to_world;
             object_to_clip_ = view_.view_to_clip * object_to_view_;
         }
         const std::size_t count = end - begin;
@@ -240,7 +241,7 @@ class Projector {
                                : t == 1.0 ? p_.view[segment + 1]
                                           : glm::mix(p_.view[segment], p_.view[segment + 1], t);
         out.px[at] = vec2(pixels_at(segment, t));
-        out.depth[at] = static_cast<float>(screen_depth(view_, position.z));
+        out.depth[at] = placement_ == none ? before_all : static_cast<float>(screen_depth(view_, position.z));
         out.position_view[at] = vec3(position);
         out.arc_px[at] = arc - p_.middle_px;
         out.source[at] = t < 1.0 ? begin + segment : begin + segment + 1;
@@ -251,7 +252,9 @@ class Projector {
 
     /// The segment that starts at a point.
     void write_segment(std::size_t at, Index path, Index source, double length) {
+        out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
         const Index placement = paths_.placement[path], place = paths_.place[source];
+        if (placement == none) return;
         const Surface& surface = *scene_.placements[placement].surface;
         check(place < surface.place_count(), "project: the paths are not of this scene");
         const Index base = scene_.facet_base[placement];
@@ -262,7 +265,6 @@ class Projector {
         } else {
             out.facet0[at] = base + surface.triangle_facet[surface.triangle_at(place)];
         }
-        out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
     }
 
     /// A piece has a free end where it reaches one of its path.
@@ -279,8 +281,8 @@ class Projector {
     const View& view_;
     const ProjectOptions& options_;
     Projected p_;
-    Index placement_ = none;
-    dmat4 object_to_view_{1.0}, object_to_clip_{1.0};
+    Index placement_ = none;  // what lies in view space
+    dmat4 object_to_view_{1.0}, object_to_clip_{view_.view_to_clip};
     std::vector<Stop> stops_;  // of the piece that is being clipped
 };
 

@@ -142,7 +142,7 @@ struct Tracer::Bvh {
         ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(top, &ray, &arguments);
         if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-        return Hit{placement_of_instance[ray.hit.instID[0]], ray.hit.primID, ray.ray.tfar};
+        return Hit{placement_of_instance[ray.hit.instID[0]], ray.hit.primID, ray.ray.tfar, ray.hit.u, ray.hit.v};
     }
 };
 

@@ -39,6 +39,8 @@ struct Hit {
     Index triangle;
     /// Share of the way from the eye to the point asked about.
     float t;
+    /// Barycentric coordinates: the share of the triangle's second corner, and of its third.
+    float u = 0.0f, v = 0.0f;
 };
 
 /// A flat convex polygon of three or four corners, in order, in view space.
