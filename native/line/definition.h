@@ -65,6 +65,13 @@ struct LineDefinition {
     void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
     /// Lines across triangles, instead.
     Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
+    /// Of such lines, which chains of pieces stay; null: all.
+    Selection (*select)(const Surface& surface, const Values& values) = nullptr;
+    /// Such lines are where the smooth surface is that the mesh stands for, not on its flat triangles: there contours
+    /// are seen from the side.
+    bool on_smooth_surface = false;
+    /// The definition of which this one finds some of the pieces: whichever line set comes first has them.
+    const LineDefinition* part_of = nullptr;
 };
 
 }  // namespace fovea
