@@ -4,16 +4,21 @@
 // Out  where the curvature along g, the direction in which curvature changes most, is zero. Triangles whose corners
 //      disagree about g by more than 45 degrees have no line: there another maximum takes over.
 #include "line/seen_vertices.h"
+#include "line/threshold.h"
 #include "line/zero_set.h"
 
 namespace fovea {
 namespace {
 
+Thresholds thresholds_of(const Surface& surface, const Values& values) {
+    const double size = fields_of(surface)->feature_size;
+    return {values, 1.0 / (size * size)};
+}
+
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface, {});
-    const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
-    const auto threshold = static_cast<float>(values[0] * unit);
+    const Thresholds thresholds = thresholds_of(surface, values);
     Array<vec3> along(surface.vertex_count());
     Array<float> bend(along.size()), above(along.size());
     parallel_for(along.size(), [&](std::size_t v) {
@@ -21,7 +26,7 @@ Curves find(const SurfaceView& seen, const Values& values) {
         const DemarcatingOf<float> d = demarcating(c);
         along[v] = d.g1 * c.e1 + d.g2 * c.e2;
         bend[v] = d.curvature;
-        above[v] = d.strength - threshold;
+        above[v] = d.strength - thresholds.low;
     });
     const auto agreed = [&](Index t) {
         constexpr float cosine = 0.70710678f;
@@ -30,7 +35,7 @@ Curves find(const SurfaceView& seen, const Values& values) {
                glm::dot(along[c.z], along[c.x]) > cosine;
     };
     return trace_zero_set(surface, agreed, [&](Index v) { return bend[v]; }, [&](Index v) { return above[v]; },
-                          fading(threshold));
+                          fading(thresholds));
 }
 
 }  // namespace
@@ -42,9 +47,13 @@ const LineDefinition demarcating_curve = {
     .source = "Kolomenkin, Shimshoni & Tal 2008",
     .description = "Where a valley turns into a ridge: inflections of the strongest change of curvature",
     .scope = Scope::surface,
-    .parameters = {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least change of curvature, in units of 1 / feature size squared"}},
+    .parameters = threshold_parameters(
+        0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared"),
     .on_by_default = false,
     .find = find,
+    .select = [](const Surface& surface, const Values& values) {
+        return thresholds_of(surface, values).selection(surface, values);
+    },
 };
 
 }  // namespace fovea

@@ -17,6 +17,16 @@ const std::vector<const LineDefinition*>& line_definitions() {
     return all;
 }
 
+Kinds smooth_contours() {
+    static const Kinds bits = [] {
+        Kinds all = 0;
+        for (Index i = 0; i < line_definitions().size(); ++i)
+            if (line_definitions()[i]->on_smooth_surface) all |= Kinds(1) << i;
+        return all;
+    }();
+    return bits;
+}
+
 Index definition_index(std::string_view name) {
     std::string known;
     const auto& all = line_definitions();

@@ -2,23 +2,32 @@
 #pragma once
 
 #include "line/seen_vertices.h"
+#include "line/threshold.h"
 #include "line/zero_set.h"
 
 namespace fovea {
 
 inline std::vector<Parameter> suggestive_parameters(double threshold) {
-    return {{"threshold", "Threshold", threshold, 0.0, 10.0, "", "Least strength, in units of the feature size"},
-            {"fade", "Fade", 0.03, 0.0, 10.0, "", "How far above the threshold a line has half its strength"}};
+    return threshold_parameters(threshold, 0.5, 1.0,
+                                "Strength that a line reaches somewhere: tan(theta) D_W k_r, in units of 1 / feature size squared");
+}
+
+inline Thresholds suggestive_thresholds(const Surface& surface, const Values& values) {
+    const double size = fields_of(surface)->feature_size;
+    return {values, 1.0 / (size * size)};
+}
+
+inline Selection select_suggestive(const Surface& surface, const Values& values) {
+    return suggestive_thresholds(surface, values).selection(surface, values);
 }
 
 /// Zeros of the radial curvature where it rises along the view (sign 1) or falls (sign -1) by more than the threshold:
-/// tan(theta) D_W k_r, in units of 1 / feature size squared, on the side that faces the viewer. The threshold is asked
+/// tan(theta) D_W k_r, on the side that faces the viewer. The threshold is asked
 /// times n . v, which is finite at contours.
 inline Curves find_suggestive(const SurfaceView& seen, const Values& values, float sign) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface, {});
-    const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
-    const auto threshold = static_cast<float>(values[0] * unit);
+    const Thresholds thresholds = suggestive_thresholds(surface, values);
     Array<float> scaled(surface.vertex_count()), above(scaled.size()), facing(scaled.size());
     parallel_for(scaled.size(), [&](std::size_t v) {
         const Curvature& c = fields->curvature[v];
@@ -26,14 +35,14 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
         const RadialOf<float> r = radial(c, s);
         scaled[v] = r.scaled;
         facing[v] = s.facing;
-        above[v] = sign * r.derivative - threshold * s.facing;
+        above[v] = sign * r.derivative - thresholds.low * s.facing;
     });
     const auto front = [&](Index t) {
         const Triangle& corners = surface.triangles[t];
         return facing[corners.x] > 0.0f || facing[corners.y] > 0.0f || facing[corners.z] > 0.0f;
     };
     return trace_zero_set(surface, front, [&](Index v) { return scaled[v]; }, [&](Index v) { return above[v]; },
-                          fading(values[1] * unit));
+                          fading(thresholds));
 }
 
 }  // namespace fovea

@@ -7,7 +7,7 @@
 
 #include "base/hash.h"
 #include "path/chain.h"
-#include "path/chain_curves.h"
+#include "path/curves_of.h"
 
 namespace fovea {
 namespace {
@@ -93,7 +93,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition, chain_curves(definition.find(seen, kind.values))});
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition, curves_of(definition, seen, kind.values)});
         }
     return found;
 }

@@ -180,20 +180,19 @@ std::vector<Stretch> find_stretches(const CurveChains& chains, const Find& find)
 
 CurveChains select_stretches(const CurveChains& chains, const Selection& selection) {
     const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
-        const std::size_t before = out.size();
+        std::vector<Stretch> stretches;
         if (selection.whole) {
-            cut_whole(walk, [&](Index i) { return walk.strength(i) >= selection.level; }, out);
+            cut_whole(walk, [&](Index i) { return walk.strength(i) >= selection.level; }, stretches);
         } else {
             const auto low = gaps(walk, selection);
             const auto crossing = [&](Index i) {
                 const float a = walk.strength(i), b = walk.strength(i + 1), t = (selection.level - a) / (b - a);
                 return Place{i, t > 0.0f && t < 1.0f ? t : 0.5f};
             };
-            cut(walk, [&](Index i) { return low[i < walk.points() ? i : i % walk.segments()] != 0; }, crossing, out);
+            cut(walk, [&](Index i) { return low[i < walk.points() ? i : i % walk.segments()] != 0; }, crossing, stretches);
         }
-        std::erase_if(out, [&, n = std::size_t(0)](const Stretch& stretch) mutable {
-            return n++ >= before && !is_strong(walk, stretch, selection);
-        });
+        for (const Stretch& stretch : stretches)
+            if (is_strong(walk, stretch, selection)) out.push_back(stretch);
     };
     return gather(chains, find_stretches(chains, find), selection.uniform);
 }

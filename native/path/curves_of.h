@@ -1,0 +1,12 @@
+// The lines across triangles that one definition finds, as they are drawn.
+#pragma once
+
+#include "line/definition.h"
+#include "path/chain_curves.h"
+
+namespace fovea {
+
+/// Found, chained, smoothed and selected.
+CurveChains curves_of(const LineDefinition& definition, const SurfaceView& seen, const Values& values);
+
+}  // namespace fovea
