@@ -20,7 +20,7 @@ Thresholds thresholds_of(const Surface& surface, const Values& values) {
 
 std::vector<Parameter> parameters() {
     auto all = threshold_parameters(
-        0.1, 0.5, 2.0,
+        0.1, 0.5, 3.0,
         "Squared view-dependent curvature that a line reaches somewhere, in units of 1 / feature size squared");
     all.push_back({"ridges", "Ridges", 1, 0, 1, "bool", "Draw lines where the surface bulges across them"});
     all.push_back({"valleys", "Valleys", 1, 0, 1, "bool", "Draw lines where the surface is hollow across them"});

@@ -9,7 +9,7 @@ namespace fovea {
 
 inline std::vector<Parameter> crest_parameters() {
     auto parameters = threshold_parameters(
-        0.1, 0.5, 2.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
+        0.1, 0.5, 6.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
     parameters.push_back({"sharpness", "Sharpness", 0.002, 0.0, 100.0, "",
                           "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"});
     return parameters;

@@ -4,14 +4,14 @@
 
 namespace fovea {
 
-extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
+extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour, smooth_silhouette,
     suggestive_contour, suggestive_highlight, ridge, valley, apparent_ridge, demarcating_curve,
     laplacian_line, parabolic, zero_mean_curvature, isophote, topographic;
 
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {
         &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
-        &smooth_contour, &suggestive_contour, &suggestive_highlight, &ridge, &valley, &apparent_ridge,
+        &smooth_contour, &smooth_silhouette, &suggestive_contour, &suggestive_highlight, &ridge, &valley, &apparent_ridge,
         &demarcating_curve, &laplacian_line, &parabolic, &zero_mean_curvature, &isophote, &topographic,
     };
     return all;

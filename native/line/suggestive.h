@@ -8,7 +8,7 @@
 namespace fovea {
 
 inline std::vector<Parameter> suggestive_parameters(double threshold) {
-    return threshold_parameters(threshold, 0.5, 1.0,
+    return threshold_parameters(threshold, 0.5, 2.0,
                                 "Strength that a line reaches somewhere: tan(theta) D_W k_r, in units of 1 / feature size squared");
 }
 

@@ -6,7 +6,8 @@
 
 namespace fovea {
 
-/// Found, chained, smoothed and selected.
-CurveChains curves_of(const LineDefinition& definition, const SurfaceView& seen, const Values& values);
+/// Found, chained, smoothed, freed of what runs along a contour (`near` of doubles.h; empty: nothing) and selected.
+CurveChains curves_of(const LineDefinition& definition, const SurfaceView& seen, const Values& values,
+                      In<std::uint8_t> near = {});
 
 }  // namespace fovea

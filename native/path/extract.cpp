@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "path/chain.h"
 #include "path/curves_of.h"
+#include "path/doubles.h"
 
 namespace fovea {
 namespace {
@@ -84,8 +85,10 @@ StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets
 }
 
 /// The first line set that asks for a definition across triangles has all that it finds.
-std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface) {
+std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface,
+                                     In<std::uint8_t> near = {}) {
     std::vector<FoundCurves> found;
+    Claims claims(seen.surface);
     Kinds done = 0;
     for (std::size_t s = 0; s < sets.size(); ++s)
         for (const LineSet::Kind& kind : sets[s].kinds) {
@@ -93,9 +96,35 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition, curves_of(definition, seen, kind.values)});
+            CurveChains chains = curves_of(definition, seen, kind.values, near);
+            if (definition.on_smooth_surface) chains = claims.claim(definition, std::move(chains));
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition, std::move(chains)});
         }
     return found;
+}
+
+/// Every definition that some line set asks for.
+Kinds asked_of(const std::vector<LineSet>& sets) {
+    Kinds asked = 0;
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
+    return asked;
+}
+
+bool has_curves(const std::vector<LineSet>& sets) {
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds)
+            if (line_definitions()[kind.definition]->find) return true;
+    return false;
+}
+
+/// Contours of mesh edges whose smooth counterpart is asked for too.
+Kinds doubled_edges(Kinds asked) {
+    const auto bit = [](const char* name) { return Kinds(1) << definition_index(name); };
+    Kinds doubled = 0;
+    if (asked & bit("smooth_contour")) doubled |= bit("contour");
+    if (asked & bit("smooth_silhouette")) doubled |= bit("silhouette");
+    return doubled;
 }
 
 SurfaceView look_at(const Scene& scene, Index placement, const View& view, const Tracer& tracer) {
@@ -184,9 +213,15 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
+    Array<std::uint8_t> near;
     if (view_dependent) {
         find_facing(seen);
-        for (std::size_t s = 0; s < sets.size(); ++s) trace_kinds(sets[s], seen, false, kinds[s]);
+        const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
+        if (has_curves(sets) && (asked & contours)) near = near_smooth_contour(seen);
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            trace_kinds(sets[s], seen, false, kinds[s]);
+            if (const Kinds doubled = doubled_edges(asked)) drop_doubled_edges(surface, near, doubled, kinds[s]);
+        }
     }
     const Labelled labelled = label_edges(*lines, kinds);
     // With one line set the labels never change, so its static chains are made once.
@@ -202,7 +237,7 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     paths.seen_free = free_ends(paths.seen, lines_at);
     paths.kept_curves = surface.cache().get<StaticCurves>(
         sets_hash, [&] { return StaticCurves{find_curves({.surface = surface}, sets, true)}; });
-    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false);
+    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near);
     return paths;
 }
 
