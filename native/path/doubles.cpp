@@ -1,5 +1,6 @@
 #include "path/doubles.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -11,10 +12,13 @@
 namespace fovea {
 namespace {
 
-/// All three corners.
-template <typename Corner>
-bool all_of(const Triangle& t, const Corner& corner) {
-    return corner(t.x) && corner(t.y) && corner(t.z);
+/// An edge between two facets that the smooth surface does not go around.
+bool is_hard(const Surface& surface, Index edge) {
+    static const double hard = std::cos(glm::radians(default_hard_angle));
+    const Index begin = surface.edge_rows.begin(edge);
+    if (surface.edge_rows.size(edge) != 2) return true;
+    const auto normal = [&](Index side) { return vec3(surface.facet_plane[surface.edge_sides[side].facet()]); };
+    return glm::dot(normal(begin), normal(begin + 1)) <= hard;
 }
 
 /// Marks the corners of the triangles for which `wanted` holds.
@@ -29,13 +33,16 @@ Array<std::uint8_t> mark_corners(const Surface& surface, const Wanted& wanted) {
     return marked;
 }
 
-/// Where the chain runs within triangles that are `near` for long: per triangle.
+/// Marks the triangles where the chain runs for long with at least so many corners near.
 void mark_long_stretches(const CurveChains& chains, Index chain, const Surface& surface, const TriangleSides& sides,
-                         In<std::uint8_t> near, Array<std::uint8_t>& removed) {
+                         In<std::uint8_t> near, int corners, Array<std::uint8_t>& removed) {
     constexpr double longest = 4.0;
-    const auto is_near = [&](Index i) {
-        return all_of(surface.triangles[chains.triangle[i]], [&](Index v) { return near[v] != 0; });
+    const auto corners_near = [&](Index i) {
+        const Triangle& t = surface.triangles[chains.triangle[i]];
+        return (near[t.x] != 0) + (near[t.y] != 0) + (near[t.z] != 0);
     };
+    const auto is_near = [&](Index i) { return corners_near(i) >= corners; };
+    const auto leads_away = [&](Index i) { return corners_near(i) < std::min(corners + 1, 3); };
     const Index begin = chains.rows.begin(chain), last = chains.rows.end(chain) - 1;
     for (Index i = begin; i < last;) {
         Index j = i;
@@ -45,9 +52,13 @@ void mark_long_stretches(const CurveChains& chains, Index chain, const Surface& 
             const Edge e = sides.vertices[sides.of_triangle[chains.triangle[j]].x];
             side += glm::distance(surface.positions[e.x], surface.positions[e.y]);
         }
-        if (j > i && length > longest * side / (j - i))
-            for (Index k = i; k < j; ++k) removed[chains.triangle[k]] = 1;
-        i = j + 1;
+        const Index next = j + 1;
+        if (j > i && length > longest * side / (j - i)) {
+            while (i < j && leads_away(i)) ++i;
+            while (i < j && leads_away(j - 1)) --j;
+            for (; i < j; ++i) removed[chains.triangle[i]] = 1;
+        }
+        i = next;
     }
 }
 
@@ -74,24 +85,29 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen) {
 }
 
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, Kinds bits, Array<Kinds>& kinds) {
-    const double hard = std::cos(glm::radians(default_hard_angle));
     parallel_for(kinds.size(), [&](std::size_t e) {
         const Edge edge = surface.edges[e];
-        if (!(kinds[e] & bits) || !near[edge.x] || !near[edge.y]) return;
-        const Index begin = surface.edge_rows.begin(static_cast<Index>(e)), end = surface.edge_rows.end(static_cast<Index>(e));
-        if (end - begin != 2) return;
-        const auto normal = [&](Index side) { return vec3(surface.facet_plane[surface.edge_sides[side].facet()]); };
-        if (glm::dot(normal(begin), normal(begin + 1)) > hard) kinds[e] &= ~bits;
+        if ((kinds[e] & bits) && near[edge.x] && near[edge.y] && !is_hard(surface, static_cast<Index>(e))) kinds[e] &= ~bits;
     });
 }
 
-CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near) {
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds) {
+    Array<std::uint8_t> at(surface.vertex_count(), 0);
+    parallel_for(kinds.size(), [&](std::size_t e) {
+        if (!(kinds[e] & bits) || !is_hard(surface, static_cast<Index>(e))) return;
+        for (Index v : {surface.edges[e].x, surface.edges[e].y})
+            std::atomic_ref(at[v]).store(1, std::memory_order_relaxed);
+    });
+    return at;
+}
+
+CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners) {
     const auto sides = triangle_sides(surface);
     // Chains of one level share no triangle, and curves that run along contours have but one.
     Array<std::uint8_t> removed(surface.triangles.size(), 0);
     parallel_for(
         chains.rows.count(),
-        [&](std::size_t c) { mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, removed); }, 16);
+        [&](std::size_t c) { mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, corners, removed); }, 16);
     return without_triangles(chains, removed);
 }
 

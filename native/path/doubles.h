@@ -26,8 +26,11 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen);
 /// Clears `bits` on edges near a smooth contour, which is drawn instead, but where the mesh has a hard edge.
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, Kinds bits, Array<Kinds>& kinds);
 
-/// What is left of chains without the stretches that run along a contour for more than four side lengths: a contour is
-/// drawn there. Lines that cross it, or go on from its end, stay.
-CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near);
+/// Per vertex: 1 at the ends of hard edges of the mesh that have one of `bits`.
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds);
+
+/// What is left of chains without the stretches that run for more than four side lengths through triangles with at least
+/// so many corners that are `near` a line: that one is drawn there. Lines that cross it, or go on from its end, stay.
+CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners = 3);
 
 }  // namespace fovea

@@ -86,7 +86,7 @@ StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets
 
 /// The first line set that asks for a definition across triangles has all that it finds.
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface,
-                                     In<std::uint8_t> near = {}) {
+                                     In<std::uint8_t> near = {}, In<std::uint8_t> hard = {}) {
     std::vector<FoundCurves> found;
     Claims claims(seen.surface);
     Kinds done = 0;
@@ -97,6 +97,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
             CurveChains chains = curves_of(definition, seen, kind.values, near);
+            if (definition.on_smooth_surface && !hard.empty()) chains = without_doubles(chains, seen.surface, hard, 1);
             if (definition.on_smooth_surface) chains = claims.claim(definition, std::move(chains));
             found.push_back({static_cast<std::uint8_t>(s), kind.definition, std::move(chains)});
         }
@@ -213,15 +214,19 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
-    Array<std::uint8_t> near;
+    Array<std::uint8_t> near, hard;
     if (view_dependent) {
         find_facing(seen);
         const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
         if (has_curves(sets) && (asked & contours)) near = near_smooth_contour(seen);
+        const Kinds doubled = doubled_edges(asked);
+        Array<Kinds> all(doubled ? surface.edges.size() : 0, 0);
         for (std::size_t s = 0; s < sets.size(); ++s) {
             trace_kinds(sets[s], seen, false, kinds[s]);
-            if (const Kinds doubled = doubled_edges(asked)) drop_doubled_edges(surface, near, doubled, kinds[s]);
+            if (doubled) drop_doubled_edges(surface, near, doubled, kinds[s]);
+            parallel_for(all.size(), [&](std::size_t e) { all[e] |= kinds[s][e]; });
         }
+        if (doubled) hard = at_hard_edges(surface, doubled, all);
     }
     const Labelled labelled = label_edges(*lines, kinds);
     // With one line set the labels never change, so its static chains are made once.
@@ -237,7 +242,7 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     paths.seen_free = free_ends(paths.seen, lines_at);
     paths.kept_curves = surface.cache().get<StaticCurves>(
         sets_hash, [&] { return StaticCurves{find_curves({.surface = surface}, sets, true)}; });
-    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near);
+    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
     return paths;
 }
 

@@ -241,7 +241,8 @@ Ignore Tracer::ignore_at(Index placement, Index place, bool contour) const {
     const bool away = glm::dot(normal, view_.orthographic ? dvec3(0, 0, 1) : -c[0]) < 0.0;
     // Of a sheet either side may be seen; a contour has but one outside.
     const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
-    if (size > 0.0) ignore.above = vec3(sign * longest * (contour ? 0.1 : 0.02) / size * normal);
+    const double height = size > 0.0 ? size / longest : 0.0;
+    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.2 : 0.1) / size * normal);
     if (contour) ignore.reach = static_cast<float>(2.0 * longest);
     return ignore;
 }
