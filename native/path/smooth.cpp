@@ -55,20 +55,21 @@ class Smoother {
         }
     }
 
+    /// Along the sides.
     void run() {
         if (count_ < 5) return;
-        std::vector<dvec3> moved(count_);
-        for (int round = 0; round < options_.rounds; ++round) {
-            measure();
-            for (int i = 0; i < count_; ++i) moved[i] = on_[i].fixed ? point(i) : fitted(i);
-            for (int i = 0; i < count_; ++i) chains_.point[first_ + i] = vec3(moved[i]);
-        }
+        for (int round = 0; round < options_.rounds; ++round) move_all([&](int i) { return fitted_on_side(i); });
         measure();
         average_strength();
-        if (closed_) {
-            chains_.point[first_ + count_] = chains_.point[first_];
-            chains_.strength[first_ + count_] = chains_.strength[first_];
-        }
+        if (closed_) chains_.strength[first_ + count_] = chains_.strength[first_];
+    }
+
+    /// Off the surface.
+    void run_free() {
+        if (count_ < 5) return;
+        std::vector<dvec3> start(count_);
+        for (int i = 0; i < count_; ++i) start[i] = point(i);
+        for (int round = 0; round < options_.rounds; ++round) move_all([&](int i) { return fitted_near(i, start[i]); });
     }
 
    private:
@@ -78,6 +79,15 @@ class Smoother {
         bool fixed = true;
     };
 
+    template <typename Fitted>
+    void move_all(const Fitted& fitted) {
+        measure();
+        std::vector<dvec3> moved(count_);
+        for (int i = 0; i < count_; ++i) moved[i] = on_[i].fixed ? point(i) : fitted(i);
+        for (int i = 0; i < count_; ++i) chains_.point[first_ + i] = vec3(moved[i]);
+        if (closed_) chains_.point[first_ + count_] = chains_.point[first_];
+    }
+
     int wrapped(int i) const { return (i % count_ + count_) % count_; }
     dvec3 point(int i) const { return dvec3(chains_.point[first_ + i]); }
 
@@ -85,6 +95,7 @@ class Smoother {
     void measure() {
         constexpr int near = 4;
         length_.resize(count_);
+        unit_.resize(count_);
         total_ = 0.0;
         double sum = 0.0;
         int sides = 0;
@@ -101,6 +112,7 @@ class Smoother {
             count_side(i + near, 1);
             const bool last = !closed_ && i + 1 == count_;
             const double unit = sides > 0 ? sum / sides : 0.0;
+            unit_[i] = unit;
             length_[i] = last || !(unit > 0.0) ? 0.0 : glm::distance(point(i), point(wrapped(i + 1))) / unit;
             total_ += length_[i];
             count_side(i - near, -1);
@@ -132,16 +144,31 @@ class Smoother {
         return u > 0.0 ? u * u : 0.0;
     }
 
-    /// Where point i goes: on its side, as near as may be to the curve that fits; how far along that matters little.
-    dvec3 fitted(int i) {
-        constexpr double least_share = 0.02, slide = 0.1, from_vertex = 1e-3;
+    /// The parabola around point i, there.
+    bool fit_around(int i, dvec3& value, dvec3& slope) const {
+        constexpr double least_share = 0.02;
         Fit fit;
         around(i, options_.window, [&](int j, double s, double share) {
             fit.add(s / options_.window, kernel(s, options_.window) * (share + least_share), point(j));
         });
+        return fit.solve(value, slope);
+    }
+
+    dvec3 fitted_near(int i, const dvec3& start) const {
+        constexpr double farthest = 0.1;
+        dvec3 value, slope;
+        if (!fit_around(i, value, slope)) return point(i);
+        const dvec3 way = value - start;
+        const double length = glm::length(way), most = farthest * unit_[i];
+        return length > most ? start + most / length * way : value;
+    }
+
+    /// Where point i goes: on its side, as near as may be to the curve that fits; how far along that matters little.
+    dvec3 fitted_on_side(int i) {
+        constexpr double slide = 0.1, from_vertex = 1e-3;
         dvec3 value, slope;
         On& on = on_[i];
-        if (!fit.solve(value, slope)) return point(i);
+        if (!fit_around(i, value, slope)) return point(i);
         const double speed = glm::dot(slope, slope);
         const auto across = [&](const dvec3& x) { return speed > 0.0 ? x - glm::dot(x, slope) / speed * slope : x; };
         const dvec3 aim = value - on.from, aim_across = across(aim), along_across = across(on.along);
@@ -174,10 +201,10 @@ class Smoother {
     CurveChains& chains_;
     Index first_;
     bool closed_;
-    const Smoothing& options_;
+    const Smoothing options_;
     int count_ = 0;
     std::vector<On> on_;
-    std::vector<double> length_;
+    std::vector<double> length_, unit_;  // of the segment from each point, in units; the unit there
     double total_ = 0.0;
 };
 
@@ -206,6 +233,9 @@ void lift(CurveChains& chains, const Surface& surface, In<vec3> normals) {
         if (high > farthest * length) rise *= farthest * length / high;
         chains.point[i] += rise;
     });
+    parallel_for(
+        chains.rows.count(),
+        [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, {}).run_free(); }, 16);
 }
 
 }  // namespace fovea

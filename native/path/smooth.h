@@ -9,8 +9,8 @@ struct Smoothing {
     /// Half width of the stretch that a point is fitted to, in local edge lengths.
     double window = 3.0;
     /// How far a point may move along the side that it is on, as a share of the side.
-    double tolerance = 0.25;
-    int rounds = 2;
+    double tolerance = 0.4;
+    int rounds = 3;
 };
 
 /// Moves every point of a chain along the side that it is on, towards the parabola that fits the chain around it best
@@ -23,6 +23,9 @@ void smooth(CurveChains& chains, const Surface& surface, const Smoothing& option
 /// ends with the normals there (per vertex, unit or 0). Never farther from the side than a tenth of its length; a side
 /// between normals more than 60 degrees apart stays straight: there is an edge.
 /// Vlachos et al., "Curved PN Triangles", I3D 2001.
+///
+/// Then moves points freely as `smooth` does along sides, but by no more than a tenth of the mean side length nearby: an
+/// estimated normal is not so exact as the eye that looks along a contour.
 void lift(CurveChains& chains, const Surface& surface, In<vec3> normals);
 
 }  // namespace fovea

@@ -242,7 +242,7 @@ Ignore Tracer::ignore_at(Index placement, Index place, bool contour) const {
     // Of a sheet either side may be seen; a contour has but one outside.
     const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
     const double height = size > 0.0 ? size / longest : 0.0;
-    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.2 : 0.1) / size * normal);
+    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
     if (contour) ignore.reach = static_cast<float>(2.0 * longest);
     return ignore;
 }
