@@ -11,7 +11,7 @@ namespace {
 
 /// Strength where the radial curvature is zero, and how fast it grows with it, in units of 1 / feature size. Between 0
 /// and 1 it says how sure the sign is, so that noise does not break a contour.
-constexpr float at_cusp = 0.5f, sureness = 10.0f, surely = 0.1f;
+constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
 
 Curves find(const SurfaceView& seen, const Values& values) {
     if (values[0] == 0.0) return find_smooth_contour(seen, [](Index) { return 1.0f; });

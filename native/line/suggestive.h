@@ -22,9 +22,10 @@ inline Selection select_suggestive(const Surface& surface, const Values& values)
 }
 
 /// Zeros of the radial curvature where it rises along the view (sign 1) or falls (sign -1) by more than the threshold:
-/// tan(theta) D_W k_r, on the side that faces the viewer. The threshold is asked
-/// times n . v, which is finite at contours.
+/// tan(theta) D_W k_r, on the side that faces the viewer; near contours, where it
+/// grows beyond all bounds, it is kept finite.
 inline Curves find_suggestive(const SurfaceView& seen, const Values& values, float sign) {
+    constexpr float least_facing = 0.05f;  // n . v
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface, {});
     const Thresholds thresholds = suggestive_thresholds(surface, values);
@@ -35,7 +36,7 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
         const RadialOf<float> r = radial(c, s);
         scaled[v] = r.scaled;
         facing[v] = s.facing;
-        above[v] = sign * r.derivative - thresholds.low * s.facing;
+        above[v] = sign * r.derivative / std::max(s.facing, least_facing) - thresholds.low;
     });
     const auto front = [&](Index t) {
         const Triangle& corners = surface.triangles[t];

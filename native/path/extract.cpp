@@ -300,6 +300,8 @@ void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths
         [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
         [&](std::size_t c) { return hash_numbers(placement.id, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
+    if (slot.of_view && line_definitions()[found.definition]->on_smooth_surface)
+        std::fill_n(paths.of_view.begin() + slot.path, chains.rows.count(), ends_at_cusps);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
         paths.place[n] = placement.surface->place_of_triangle(chains.triangle[i]);

@@ -33,8 +33,7 @@ struct Fit {
     }
 };
 
-/// One chain while it is smoothed. Lengths are in units of the local side length: its points stand closer together where
-/// the mesh is finer.
+/// One chain while it is smoothed.
 class Smoother {
    public:
     Smoother(CurveChains& chains, Index chain, const Surface& surface, const TriangleSides& sides, const Smoothing& options)
@@ -91,7 +90,7 @@ class Smoother {
     int wrapped(int i) const { return (i % count_ + count_) % count_; }
     dvec3 point(int i) const { return dvec3(chains_.point[first_ + i]); }
 
-    /// Lengths of segments in local units: over the mean length of the sides nearby.
+    /// Lengths of segments, and mean lengths of the sides nearby: lines bend more closely where the mesh is finer.
     void measure() {
         constexpr int near = 4;
         length_.resize(count_);
@@ -111,9 +110,8 @@ class Smoother {
         for (int i = 0; i < count_; ++i) {
             count_side(i + near, 1);
             const bool last = !closed_ && i + 1 == count_;
-            const double unit = sides > 0 ? sum / sides : 0.0;
-            unit_[i] = unit;
-            length_[i] = last || !(unit > 0.0) ? 0.0 : glm::distance(point(i), point(wrapped(i + 1))) / unit;
+            unit_[i] = sides > 0 ? sum / sides : 0.0;
+            length_[i] = last ? 0.0 : glm::distance(point(i), point(wrapped(i + 1)));
             total_ += length_[i];
             count_side(i - near, -1);
         }
@@ -146,10 +144,11 @@ class Smoother {
 
     /// The parabola around point i, there.
     bool fit_around(int i, dvec3& value, dvec3& slope) const {
-        constexpr double least_share = 0.02;
+        constexpr double least_share = 0.01;
+        const double window = options_.window * unit_[i];
         Fit fit;
-        around(i, options_.window, [&](int j, double s, double share) {
-            fit.add(s / options_.window, kernel(s, options_.window) * (share + least_share), point(j));
+        around(i, window, [&](int j, double s, double share) {
+            fit.add(s / window, kernel(s, window) * (share + least_share * window), point(j));
         });
         return fit.solve(value, slope);
     }
@@ -184,7 +183,8 @@ class Smoother {
         std::vector<float> mean(count_);
         double before = 0.0;
         for (int i = 0; i < count_; ++i) {
-            const double window = closed_ ? options_.window : std::min({options_.window, before, total_ - before});
+            const double wide = options_.window * unit_[i];
+            const double window = closed_ ? wide : std::min({wide, before, total_ - before});
             double sum = 0.0, weights = 0.0;
             if (window > 0.0)
                 around(i, window, [&](int j, double s, double share) {
@@ -204,7 +204,7 @@ class Smoother {
     const Smoothing options_;
     int count_ = 0;
     std::vector<On> on_;
-    std::vector<double> length_, unit_;  // of the segment from each point, in units; the unit there
+    std::vector<double> length_, unit_;  // of the segment from each point; of the sides there
     double total_ = 0.0;
 };
 
