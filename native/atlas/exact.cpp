@@ -5,6 +5,7 @@
 
 #include "atlas/shadow.h"
 #include "base/check.h"
+#include "line/registry.h"
 
 namespace fovea {
 namespace {
@@ -192,15 +193,17 @@ class Runner {
     Segment segment(Index i) const {
         const bool ortho = tracer_.view().orthographic;
         Segment s{dvec3(clipped_.position_view[i]), dvec3(clipped_.position_view[i + 1]), 1.0, 1.0, {}};
-        if (!ortho) {
-            s.wa = -s.a.z;
-            s.wb = -s.b.z;
-        }
         const Index placement = paths_.placement[clipped_.path[piece_]], place = paths_.place[clipped_.source[i]];
         const auto& placements = tracer_.scene().placements;
         check(placement < placements.size() && place < placements[placement].surface->place_count(),
               "exact_visibility: the paths are not of this scene");
-        s.ignore = tracer_.ignore_at(placement, place);
+        s.ignore = tracer_.ignore_at(placement, place, (paths_.kinds[clipped_.source[i]] & smooth_contours()) != 0);
+        s.a += dvec3(s.ignore.above);
+        s.b += dvec3(s.ignore.above);
+        if (!ortho) {
+            s.wa = -s.a.z;
+            s.wb = -s.b.z;
+        }
         return s;
     }
 

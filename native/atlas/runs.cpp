@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "path/paths.h"
 
 namespace fovea {
 namespace {
@@ -192,8 +193,9 @@ Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> 
         if (!of_view[clipped.path[piece]]) return;
         const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
         double start = runs.start_px[r], end = runs.end_px[r];
-        if (end < last - 1e-6) end = trim_end(clipped, piece, start, end, 1, fold_px);
-        if (start > first + 1e-6) start = trim_end(clipped, piece, end, start, -1, fold_px);
+        const bool cusps = of_view[clipped.path[piece]] == ends_at_cusps && !clipped.closed[piece];
+        if (cusps || end < last - 1e-6) end = trim_end(clipped, piece, start, end, 1, fold_px);
+        if (cusps || start > first + 1e-6) start = trim_end(clipped, piece, end, start, -1, fold_px);
         const bool goes_on = r + 1 < count && runs.piece[r + 1] == piece && runs.start_px[r + 1] - end < fold_px;
         if (goes_on) end = meet_next(clipped, piece, start, end, runs.start_px[r + 1], fold_px);
         trimmed.start_px[r] = start;

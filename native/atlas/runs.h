@@ -25,7 +25,7 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
 
 /// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
 /// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of runs (not of
-/// pieces), and ends a run where the next one goes on beside it.
+/// pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
 
 }  // namespace fovea

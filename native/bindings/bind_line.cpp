@@ -92,7 +92,7 @@ void bind_line(py::module_& m) {
         .def_property_readonly("line_set", array(&Paths::line_set), "(P,) uint8")
         .def_property_readonly("free_ends", array(&Paths::free_ends),
                                "(P,) uint8: 1 where the start touches no other line, 2 where the end does not")
-        .def_property_readonly("of_view", array(&Paths::of_view), "(P,) uint8: 1 where the path changes with the view")
+        .def_property_readonly("of_view", array(&Paths::of_view), "(P,) uint8: not 0 where the path changes with the view; 2 where it ends at cusps")
         .def("__len__", &Paths::count);
 
     m.def(

@@ -2,14 +2,21 @@
 #pragma once
 
 #include "line/seen_vertices.h"
+#include "line/threshold.h"
 #include "line/zero_set.h"
 
 namespace fovea {
 
 inline std::vector<Parameter> crest_parameters() {
-    return {{"threshold", "Threshold", 0.1, 0.0, 100.0, "", "Least curvature, in units of 1 / feature size"},
-            {"sharpness", "Sharpness", 0.002, 0.0, 100.0, "",
-             "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"}};
+    auto parameters = threshold_parameters(
+        0.1, 0.5, 6.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
+    parameters.push_back({"sharpness", "Sharpness", 0.002, 0.0, 100.0, "",
+                          "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"});
+    return parameters;
+}
+
+inline Selection select_crests(const Surface& surface, const Values& values) {
+    return Thresholds(values, 1.0 / fields_of(surface)->feature_size).selection(surface, values);
 }
 
 /// Maxima of sign k1, where it is positive. Where curvature hardly changes across a line, on tubes, spheres and tori,
@@ -18,7 +25,7 @@ inline Curves find_crests(const SurfaceView& seen, const Values& values, float s
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const double unit = 1.0 / fields->feature_size;
-    const auto threshold = static_cast<float>(values[0] * unit);
+    const Thresholds thresholds(values, unit);
     const auto k1 = [&](Index v) { return sign * fields->curvature[v].k1; };
     const auto same_kind = [&](Index t) {
         const Triangle& c = surface.triangles[t];
@@ -28,8 +35,8 @@ inline Curves find_crests(const SurfaceView& seen, const Values& values, float s
         const Curvature& c = fields->curvature[v];
         return sign * c.C[0] * c.e1;
     };
-    return trace_maxima(surface, same_kind, uphill, static_cast<float>(values[1] * unit * unit * unit),
-                        [&](Index v) { return k1(v) - threshold; }, fading(threshold));
+    return trace_maxima(surface, same_kind, uphill, static_cast<float>(values[3] * unit * unit * unit),
+                        [&](Index v) { return k1(v) - thresholds.low; }, fading(thresholds));
 }
 
 }  // namespace fovea

@@ -18,4 +18,16 @@ struct CurvePiece {
 
 using Curves = Array<CurvePiece>;
 
+/// Which stretches of chained pieces are lines: hysteresis, asked of a whole stretch. Lengths are in object units.
+/// Canny, "A Computational Approach to Edge Detection", PAMI 1986; integrals along lines as in Ohtake et al. 2004 and
+/// Yoshizawa, Belyaev & Seidel, "Fast and Robust Detection of Crest Lines on Meshes", SPM 2005.
+struct Selection {
+    float level = 0.0f;   ///< chains are cut where their strength is below it; 0: nowhere
+    float depth = 0.0f;   ///< but only through gaps that somewhere go deeper below the level than this
+    float reach = 0.0f;   ///< a stretch stays when its strength somewhere is at least this,
+    double least = 0.0;   ///< and over its length sums up to at least this much of it: a longer one may be weaker
+    bool whole = false;   ///< cut at points of the chain, else between them
+    bool uniform = false; ///< what stays has full strength; else its own
+};
+
 }  // namespace fovea

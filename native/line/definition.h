@@ -76,6 +76,13 @@ struct LineDefinition {
     Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
     /// Lines in the image, instead: asked once per frame. Points in view space; triangles and sides are of a lattice.
     Curves (*find_in_image)(const FrameView& frame, const Values& values) = nullptr;
+    /// Of such lines, which chains of pieces stay; null: all.
+    Selection (*select)(const Surface& surface, const Values& values) = nullptr;
+    /// Such lines are where the smooth surface is that the mesh stands for, not on its flat triangles: there contours
+    /// are seen from the side.
+    bool on_smooth_surface = false;
+    /// The definition of which this one finds some of the pieces: whichever line set comes first has them.
+    const LineDefinition* part_of = nullptr;
 };
 
 }  // namespace fovea

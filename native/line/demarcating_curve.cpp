@@ -5,6 +5,7 @@
 //      disagree about g by more than 45 degrees have no line: there another maximum takes over. But where two directions
 //      are about as good, as everywhere on a surface of revolution, all corners follow the one of the strongest.
 #include "line/seen_vertices.h"
+#include "line/threshold.h"
 #include "line/zero_set.h"
 
 namespace fovea {
@@ -41,11 +42,15 @@ bool agree(const Fields& fields, const Triangle& t, Corner (&corners)[3]) {
            glm::dot(corners[2].along, corners[0].along) > least_cosine;
 }
 
+Thresholds thresholds_of(const Surface& surface, const Values& values) {
+    const double size = fields_of(surface)->feature_size;
+    return {values, 1.0 / (size * size)};
+}
+
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
-    const auto threshold = static_cast<float>(values[0] * unit);
+    const Thresholds thresholds = thresholds_of(surface, values);
     Array<Corner> strongest(surface.vertex_count());
     parallel_for(strongest.size(), [&](std::size_t v) {
         const Curvature& c = fields->curvature[v];
@@ -55,11 +60,11 @@ Curves find(const SurfaceView& seen, const Values& values) {
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
         const Triangle& t = surface.triangles[triangle];
         Corner corners[3] = {strongest[t.x], strongest[t.y], strongest[t.z]};
-        const auto strong = [&](const Corner& c) { return c.strength > threshold; };
+        const auto strong = [&](const Corner& c) { return c.strength > thresholds.low; };
         if (!std::any_of(corners, corners + 3, strong) || !agree(*fields, t, corners)) return;
         const auto at = [&](Index v) -> const Corner& { return corners[v == t.x ? 0 : v == t.y ? 1 : 2]; };
         append_zero(surface, *sides, triangle, [&](Index v) { return at(v).bend; },
-                    [&](Index v) { return at(v).strength - threshold; }, fading(threshold), out);
+                    [&](Index v) { return at(v).strength - thresholds.low; }, fading(thresholds), out);
     });
 }
 
@@ -72,9 +77,13 @@ const LineDefinition demarcating_curve = {
     .source = "Kolomenkin, Shimshoni & Tal 2008",
     .description = "Where a valley turns into a ridge: inflections of the strongest change of curvature",
     .scope = Scope::surface,
-    .parameters = {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least change of curvature, in units of 1 / feature size squared"}},
+    .parameters = threshold_parameters(
+        0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared"),
     .on_by_default = false,
     .find = find,
+    .select = [](const Surface& surface, const Values& values) {
+        return thresholds_of(surface, values).selection(surface, values);
+    },
 };
 
 }  // namespace fovea

@@ -4,13 +4,24 @@
 #include <limits>
 
 #include "line/seen_vertices.h"
+#include "line/threshold.h"
 #include "line/zero_set.h"
 
 namespace fovea {
 
 inline std::vector<Parameter> principal_highlight_parameters() {
-    return {{"threshold", "Threshold", 0.04, 0.0, 10.0, "",
-             "Least difference of the squared curvatures times n . v, in units of 1 / feature size squared"}};
+    return threshold_parameters(0.04, 0.5, 3.0,
+                                "Difference of the squared curvatures times n . v that a line reaches somewhere, in "
+                                "units of 1 / feature size squared");
+}
+
+inline Thresholds principal_highlight_thresholds(const Surface& surface, const Values& values) {
+    const double size = fields_of(surface)->feature_size;
+    return {values, 1.0 / (size * size)};
+}
+
+inline Selection select_principal_highlights(const Surface& surface, const Values& values) {
+    return principal_highlight_thresholds(surface, values).selection(surface, values);
 }
 
 /// Zeros of v . e1 where sign k1 is positive and (k1^2 - k2^2) n . v above the threshold, which is so on the side that
@@ -21,7 +32,7 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Values& v
     constexpr float least_cosine = 0.70710678f, greatest_ratio = 0.98f;  // of |k2| and |k1|
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const auto threshold = static_cast<float>(values[0] / (double(fields->feature_size) * fields->feature_size));
+    const Thresholds thresholds = principal_highlight_thresholds(surface, values);
     Array<float> along(surface.vertex_count()), above(along.size());
     parallel_for(along.size(), [&](std::size_t v) {
         const Curvature& c = fields->curvature[v];
@@ -29,7 +40,7 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Values& v
         const bool known = sign * c.k1 > 0.0f && std::abs(c.k2) < greatest_ratio * std::abs(c.k1);
         // NaN crosses nothing. A zero lies on the side that its own e1 points to, however that is turned later.
         along[v] = !known ? std::nanf("") : s.u == 0.0f ? std::numeric_limits<float>::min() : s.u;
-        above[v] = (c.k1 * c.k1 - c.k2 * c.k2) * s.facing - threshold;
+        above[v] = (c.k1 * c.k1 - c.k2 * c.k2) * s.facing - thresholds.low;
     });
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
@@ -44,7 +55,7 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Values& v
         const auto value = [&](Index v) {
             return glm::dot(curvature(most).e1, curvature(v).e1) < 0.0f ? -along[v] : along[v];
         };
-        append_zero(surface, *sides, triangle, value, [&](Index v) { return above[v]; }, fading(threshold), out);
+        append_zero(surface, *sides, triangle, value, [&](Index v) { return above[v]; }, fading(thresholds), out);
     });
 }
 

@@ -17,6 +17,7 @@ const LineDefinition principal_highlight_valley = {
     .parameters = principal_highlight_parameters(),
     .on_by_default = false,
     .find = [](const SurfaceView& seen, const Values& values) { return find_principal_highlights(seen, values, -1.0f); },
+    .select = select_principal_highlights,
 };
 
 }  // namespace fovea

@@ -5,6 +5,7 @@
 namespace fovea {
 
 extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
+    smooth_silhouette,
     suggestive_contour, suggestive_highlight, principal_highlight_ridge, principal_highlight_valley, ridge, valley,
     apparent_ridge, demarcating_curve, laplacian_line, parabolic, zero_mean_curvature, isophote, topographic,
     image_edge, abstracted_shading;
@@ -12,12 +13,22 @@ extern const LineDefinition contour, silhouette, crease, border, material_bounda
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {
         &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
-        &smooth_contour, &suggestive_contour, &suggestive_highlight, &principal_highlight_ridge,
+        &smooth_contour, &smooth_silhouette, &suggestive_contour, &suggestive_highlight, &principal_highlight_ridge,
         &principal_highlight_valley, &ridge, &valley, &apparent_ridge,
         &demarcating_curve, &laplacian_line, &parabolic, &zero_mean_curvature, &isophote, &topographic,
         &image_edge, &abstracted_shading,
     };
     return all;
+}
+
+Kinds smooth_contours() {
+    static const Kinds bits = [] {
+        Kinds all = 0;
+        for (Index i = 0; i < line_definitions().size(); ++i)
+            if (line_definitions()[i]->on_smooth_surface) all |= Kinds(1) << i;
+        return all;
+    }();
+    return bits;
 }
 
 Index definition_index(std::string_view name) {

@@ -15,4 +15,7 @@ const std::vector<const LineDefinition*>& line_definitions();
 /// Index of a definition; throws std::invalid_argument, listing the known names, for an unknown one.
 Index definition_index(std::string_view name);
 
+/// Bits of the definitions that lie on the smooth surface: its contours.
+Kinds smooth_contours();
+
 }  // namespace fovea

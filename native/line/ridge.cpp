@@ -16,6 +16,7 @@ const LineDefinition ridge = {
     .parameters = crest_parameters(),
     .on_by_default = false,
     .find = [](const SurfaceView& seen, const Values& values) { return find_crests(seen, values, 1.0f); },
+    .select = select_crests,
 };
 
 }  // namespace fovea

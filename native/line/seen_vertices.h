@@ -39,11 +39,4 @@ inline auto facing_anywhere(const Surface& surface, const Array<float>& facing) 
     };
 }
 
-/// Fading of lines by how far they are above their threshold: 0 at it, a half where they are `fade` above it.
-inline auto fading(double fade) {
-    return [fade = static_cast<float>(fade)](float above) {
-        return above > 0.0f ? above / (above + fade) : 0.0f;
-    };
-}
-
 }  // namespace fovea

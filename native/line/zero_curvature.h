@@ -2,12 +2,17 @@
 #pragma once
 
 #include "line/seen_vertices.h"
+#include "line/threshold.h"
 #include "line/zero_set.h"
 
 namespace fovea {
 
 inline std::vector<Parameter> zero_curvature_parameters() {
-    return {{"threshold", "Threshold", 0.02, 0.0, 100.0, "", "Least curvature, in units of 1 / feature size"}};
+    return threshold_parameters(0.02, 0.5, 2.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
+}
+
+inline Selection select_zero_curvature(const Surface& surface, const Values& values) {
+    return Thresholds(values, 1.0 / fields_of(surface)->feature_size).selection(surface, values);
 }
 
 /// Where curvature(Curvature) is zero and |k1| above the threshold. Asked of the difference of k1 and k2: |k1| has a
@@ -15,12 +20,12 @@ inline std::vector<Parameter> zero_curvature_parameters() {
 template <typename Measure>
 Curves find_zero_curvature(const SurfaceView& seen, const Values& values, float share, const Measure& curvature) {
     const auto fields = fields_of(seen.surface);
-    const auto threshold = static_cast<float>(values[0] / fields->feature_size);
+    const Thresholds thresholds(values, 1.0 / fields->feature_size);
     const auto all = [](Index) { return true; };
     return trace_zero_set(
         seen.surface, all, [&](Index v) { return curvature(fields->curvature[v]); },
-        [&](Index v) { return share * std::abs(fields->curvature[v].k1 - fields->curvature[v].k2) - threshold; },
-        fading(threshold));
+        [&](Index v) { return share * std::abs(fields->curvature[v].k1 - fields->curvature[v].k2) - thresholds.low; },
+        fading(thresholds));
 }
 
 }  // namespace fovea

@@ -68,6 +68,7 @@ class Chainer {
         out_.point.push_back(piece.point[end]);
         out_.strength.push_back(piece.strength[end]);
         out_.triangle.push_back(piece.triangle);
+        out_.side.push_back(piece.side[end]);
     }
 
     const Curves& pieces_;

@@ -16,6 +16,7 @@ struct CurveChains {
     Array<vec3> point;           ///< object space
     Array<float> strength;
     Array<Index> triangle;       ///< of the piece from this point; the last repeats the one before
+    Array<Index> side;           ///< of triangles (mesh/triangle_sides.h) that the point is on; `none`: inside a triangle
 };
 
 /// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where

@@ -9,7 +9,8 @@
 #include "field/fields.h"
 #include "mesh/stretch.h"
 #include "path/chain.h"
-#include "path/chain_curves.h"
+#include "path/curves_of.h"
+#include "path/doubles.h"
 
 namespace fovea {
 namespace {
@@ -91,8 +92,10 @@ void to_object(const dmat3& stretch, Array<vec3>& points) {
 }
 
 /// The first line set that asks for a definition across triangles has all that it finds.
-std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface) {
+std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface,
+                                     In<std::uint8_t> near = {}, In<std::uint8_t> hard = {}) {
     std::vector<FoundCurves> found;
+    Claims claims(seen.surface);
     Kinds done = 0;
     for (std::size_t s = 0; s < sets.size(); ++s)
         for (const LineSet::Kind& kind : sets[s].kinds) {
@@ -100,11 +103,37 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            CurveChains chains = chain_curves(definition.find(seen, kind.values));
+            CurveChains chains = curves_of(definition, seen, kind.values, near);
+            if (definition.on_smooth_surface && !hard.empty()) chains = without_doubles(chains, seen.surface, hard, 1);
+            if (definition.on_smooth_surface) chains = claims.claim(definition, std::move(chains));
             if (seen.surface.source()) to_object(seen.surface.stretch(), chains.point);
             found.push_back({static_cast<std::uint8_t>(s), kind.definition, std::move(chains)});
         }
     return found;
+}
+
+/// Every definition that some line set asks for.
+Kinds asked_of(const std::vector<LineSet>& sets) {
+    Kinds asked = 0;
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
+    return asked;
+}
+
+bool has_curves(const std::vector<LineSet>& sets) {
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds)
+            if (line_definitions()[kind.definition]->find) return true;
+    return false;
+}
+
+/// Contours of mesh edges whose smooth counterpart is asked for too.
+Kinds doubled_edges(Kinds asked) {
+    const auto bit = [](const char* name) { return Kinds(1) << definition_index(name); };
+    Kinds doubled = 0;
+    if (asked & bit("smooth_contour")) doubled |= bit("contour");
+    if (asked & bit("smooth_silhouette")) doubled |= bit("silhouette");
+    return doubled;
 }
 
 /// Lines of the frame as a whole, in view space.
@@ -220,9 +249,19 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
+    Array<std::uint8_t> near, hard;
     if (view_dependent) {
         find_facing(seen);
-        for (std::size_t s = 0; s < sets.size(); ++s) trace_kinds(sets[s], seen, false, kinds[s]);
+        const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
+        if (has_curves(sets) && (asked & contours)) near = near_smooth_contour(seen);
+        const Kinds doubled = doubled_edges(asked);
+        Array<Kinds> all(doubled ? surface.edges.size() : 0, 0);
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            trace_kinds(sets[s], seen, false, kinds[s]);
+            if (doubled) drop_doubled_edges(surface, near, doubled, kinds[s]);
+            parallel_for(all.size(), [&](std::size_t e) { all[e] |= kinds[s][e]; });
+        }
+        if (doubled) hard = at_hard_edges(surface, doubled, all);
     }
     const Labelled labelled = label_edges(*lines, kinds);
     // With one line set the labels never change, so its static chains are made once.
@@ -238,7 +277,7 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     paths.seen_free = free_ends(paths.seen, lines_at);
     paths.kept_curves = surface.cache().get<StaticCurves>(
         sets_hash, [&] { return StaticCurves{find_curves({.surface = surface}, sets, true)}; });
-    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false);
+    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
     return paths;
 }
 
@@ -297,6 +336,8 @@ void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths
         [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
         [&](std::size_t c) { return hash_numbers(placement ? placement->id : 0, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
+    if (slot.of_view && line_definitions()[found.definition]->on_smooth_surface)
+        std::fill_n(paths.of_view.begin() + slot.path, chains.rows.count(), ends_at_cusps);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
         paths.place[n] = placement ? placement->surface->place_of_triangle(chains.triangle[i]) : none;

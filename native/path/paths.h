@@ -8,6 +8,8 @@ namespace fovea {
 /// Ends of a path that touch no other line.
 enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2 };
 
+inline constexpr std::uint8_t ends_at_cusps = 2;
+
 /// Polylines in object space, all placements together; points of path p are rows.begin(p) .. rows.end(p). Segment i
 /// runs from point i to point i + 1 of its path. A closed path repeats its first point at the end. Paths found in the
 /// image belong to no placement: theirs is `none`, they lie in view space, in no place, and nothing hides them.
@@ -19,7 +21,9 @@ struct Paths {
     Array<Index> placement;
     Array<std::uint8_t> line_set;  ///< the first line set that wants the path
     Array<std::uint8_t> free_ends; ///< FreeEnds bits
-    Array<std::uint8_t> of_view;   ///< 1 where no definition of the surface alone finds it: the path changes with the view
+    /// Not 0 where no definition of the surface alone finds it: the path changes with the view. `ends_at_cusps`: its ends
+    /// are where it turns away, too.
+    Array<std::uint8_t> of_view;
     // Per point.
     Array<vec3> points_obj;
     Array<double> arc_obj;         ///< arc length from the path's start, object units

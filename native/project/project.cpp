@@ -104,11 +104,20 @@ class Projector {
         });
     }
 
-    /// A short path that leads nowhere.
+    /// A short path that leads nowhere; what fades away at its ends does not make it longer.
     bool is_speck(Index path) const {
         const std::size_t set = paths_.line_set[path];
         return set < options_.least_length_px.size() && paths_.free_ends[path] != 0 &&
-               p_.arc_px.back() < options_.least_length_px[set];
+               drawn_px(path) < options_.least_length_px[set];
+    }
+
+    /// Pixels of a path that are strong enough to be seen.
+    double drawn_px(Index path) const {
+        constexpr float faint = 0.1f;
+        double length = 0.0;
+        for (Index i = paths_.rows.begin(path), k = 0; i + 1 < paths_.rows.end(path); ++i, ++k)
+            if (paths_.strength[i] + paths_.strength[i + 1] >= 2.0f * faint) length += p_.arc_px[k + 1] - p_.arc_px[k];
+        return length;
     }
 
     /// A short contour around nothing: noise of the mesh where a smooth surface is seen at a grazing angle.

@@ -224,7 +224,7 @@ void Tracer::check_current() const {
     }
 }
 
-Ignore Tracer::ignore_at(Index placement, Index place) const {
+Ignore Tracer::ignore_at(Index placement, Index place, bool contour) const {
     const Surface& surface = *scene_.placements[placement].surface;
     if (surface.is_edge(place)) {
         const EdgeSide* sides = surface.edge_sides.data();
@@ -234,7 +234,17 @@ Ignore Tracer::ignore_at(Index placement, Index place) const {
     dvec3 c[3];
     corners(placement, triangle, c);
     const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
-    return {placement, nullptr, nullptr, surface.triangles[triangle], static_cast<float>(2.0 * longest)};
+    Ignore ignore{.placement = placement, .around = surface.triangles[triangle]};
+    const dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+    const double size = glm::length(normal);
+    const bool mirrored = glm::determinant(dmat3(bvh_->object_to_view[placement])) < 0.0;
+    const bool away = glm::dot(normal, view_.orthographic ? dvec3(0, 0, 1) : -c[0]) < 0.0;
+    // Of a sheet either side may be seen; a contour has but one outside.
+    const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
+    const double height = size > 0.0 ? size / longest : 0.0;
+    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
+    if (contour) ignore.reach = static_cast<float>(2.0 * longest);
+    return ignore;
 }
 
 void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {

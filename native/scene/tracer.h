@@ -9,14 +9,17 @@
 namespace fovea {
 
 /// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked, or, for a line
-/// across triangles, all of the surface that is as near to it as its own triangle is large: a smooth contour runs beside
-/// the edges where the mesh turns away, before them or behind.
+/// across triangles, those that share a corner with its own; for a contour also all of the surface that is as near to
+/// it as its triangle is large: it runs beside the edges where the mesh turns away, before them or behind.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
     const EdgeSide* end = nullptr;
     Triangle around{none, none, none};  ///< vertices; `none`: the line lies on an edge
     float reach = 0.0f;                 ///< view space
+    /// What to add to points before rays ask for them, view space: a line across triangles is seen from a hair's breadth
+    /// above the surface, so that what is rough there does not hide it. Above, at a contour, is aside in the image.
+    vec3 above{0.0f};
 
     bool across_triangles() const { return around.x != none; }
     bool holds(const Surface& surface, Index triangle) const {
@@ -76,8 +79,9 @@ class Tracer {
     /// Throws std::invalid_argument where a surface has moved since: its triangles are no longer those of the rays.
     void check_current() const;
 
-    /// What is ignored at a place of a placement's surface (Surface::place).
-    Ignore ignore_at(Index placement, Index place) const;
+    /// What is ignored at a place of a placement's surface (Surface::place); `contour`: where the smooth surface turns
+    /// away from the viewer.
+    Ignore ignore_at(Index placement, Index place, bool contour = false) const;
 
     const View& view() const { return view_; }
     const Scene& scene() const { return scene_; }

@@ -160,6 +160,16 @@ TEST(TrimFolds, CutsTheWayBackOffTheEndsOfContours) {
         EXPECT_NEAR(trimmed(8, 12, 0), 8.0, 1e-9) << "not a line of the view";
         EXPECT_NEAR(trimmed(8, 5, 1), 8.0, 1e-9) << "too long a way back";
         EXPECT_NEAR(trimmed(60, 80, 1), 60.0, 1e-9) << "it goes on elsewhere";
+        std::vector<dvec3> short_way(turned ? way.begin() + 1 : way.begin(), turned ? way.end() : way.end() - 1);
+        const ClippedPaths ending = Wires({short_way}).project(camera());
+        const auto whole = [&](std::uint8_t of_view) {
+            Runs runs;
+            add_run(runs, 0, ending.arc_px[0], ending.arc_px[2]);
+            const Runs result = trim_folds(ending, runs, std::vector<std::uint8_t>{of_view}, 30);
+            return turned ? ending.arc_px[1] - result.start_px[0] : result.end_px[0] - ending.arc_px[1];
+        };
+        EXPECT_NEAR(whole(1), glm::length(vec2(20, 2)), 0.1) << "the line's own end";
+        EXPECT_NEAR(whole(ends_at_cusps), 0.0, 1e-9);
         std::reverse(way.begin(), way.end());
     }
 }

@@ -1,0 +1,15 @@
+// Hysteresis along chains: which stretches of them are lines.
+#pragma once
+
+#include "path/chain_curves.h"
+
+namespace fovea {
+
+/// The stretches of chains that a selection keeps, in their order. Cut chains are open; a closed one that is cut nowhere
+/// stays closed.
+CurveChains select_stretches(const CurveChains& chains, const Selection& selection);
+
+/// What is left of chains where `removed` (per triangle of the surface) is not set.
+CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed);
+
+}  // namespace fovea
