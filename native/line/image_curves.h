@@ -54,7 +54,8 @@ template <typename Emit>
 Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     return collect_pieces(2 * lattice.size(), [&](Index number, std::vector<CurvePiece>& out) {
         const int node = int(number / 2), x = node % lattice.width, y = node / lattice.width;
-        const bool inside = x > border && y > border && x + 2 + border < lattice.width && y + 2 + border < lattice.height;
+        const int last_x = lattice.width - border - 2, last_y = lattice.height - border - 2;
+        const bool inside = x > border && y > border && x < last_x && y < last_y;
         if (inside) emit(lattice_triangle(lattice, x, y, number % 2), out);
     });
 }
