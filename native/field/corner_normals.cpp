@@ -39,7 +39,9 @@ CornerNormals find_normals(const Surface& surface) {
     normals.vertex.resize(surface.vertex_count());
     parallel_for(normals.vertex.size(), [&](std::size_t v) { normals.vertex[v] = fields->curvature[v].normal; });
     const auto own = [&](std::size_t t) { return vec3(surface.facet_plane[surface.triangle_facet[t]]); };
-    const auto fits = [&](Index v, const vec3& facet) { return !smooth->hard[v] && glm::dot(normals.vertex[v], facet) > 0.0f; };
+    const auto fits = [&](Index v, const vec3& facet) {
+        return !smooth->hard[v] && glm::dot(normals.vertex[v], facet) > 0.0f;
+    };
 
     normals.first.resize(surface.triangles.size());
     parallel_for(normals.first.size(), [&](std::size_t t) {

@@ -12,7 +12,7 @@ namespace fovea {
 /// within the hard angle of the corner's own. A corner of which nothing is known has the normal of its facet.
 struct CornerNormals {
     Array<vec3> vertex;
-    Array<Index> first;   ///< per triangle: its three normals in `corner` begin here; `none`: they are those of `vertex`
+    Array<Index> first;   ///< per triangle: where its three normals begin in `corner`; `none`: those of `vertex` serve
     Array<vec3> corner;
 
     vec3 at(const Triangle& vertices, Index triangle, int k) const {

@@ -36,14 +36,14 @@ inline LatticeSide lattice_side(const Lattice& lattice, Index side) {
     return {n - step, n, n + step, n + 2 * step};
 }
 
-/// Where between a (0) and b (1) the cubic through the values at the four nodes of a side is zero. The values at a and b
-/// are of unlike sign.
+/// Where between a (0) and b (1) the cubic through the values at the four nodes of a side is zero. The values at a and
+/// b are of unlike sign.
 inline float zero_on_side(float before, float a, float b, float after) {
     float low = 0.0f, high = 1.0f, t = a / (a - b);
     for (int step = 0; step < 6; ++step) {
         // Lagrange's form, at -1, 0, 1 and 2.
-        const float value = -before * t * (t - 1.0f) * (t - 2.0f) / 6.0f + a * (t + 1.0f) * (t - 1.0f) * (t - 2.0f) / 2.0f -
-                            b * (t + 1.0f) * t * (t - 2.0f) / 2.0f + after * (t + 1.0f) * t * (t - 1.0f) / 6.0f;
+        const float p = t + 1.0f, q = t - 1.0f, r = t - 2.0f;
+        const float value = (after * p * t * q - before * t * q * r) / 6.0f + (a * p * q * r - b * p * t * r) / 2.0f;
         if (!std::isfinite(value)) return a / (a - b);
         ((value >= 0.0f) == (a >= 0.0f) ? low : high) = t;
         // Newton's step with the chord's slope, kept inside the bracket.

@@ -12,7 +12,8 @@ struct LocalFit {
     vec2 gradient{0.0f};
     float xx = 0.0f, xy = 0.0f, yy = 0.0f;
 
-    /// Derivative along the gradient of the logarithm of its length: linear across a smoothed step. 0 without a gradient.
+    /// Derivative along the gradient of the logarithm of its length: linear across a smoothed step. 0 where there is no
+    /// gradient.
     float growth_of_slope() const {
         const float slope = glm::length(gradient);
         const vec2 d = slope > 0.0f ? gradient / slope : vec2(0.0f);

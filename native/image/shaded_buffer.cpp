@@ -61,10 +61,12 @@ class Shader {
         const Placed& placed = placed_[hit.placement];
         const Triangle& triangle = surface.triangles[hit.triangle];
         const auto normal_at = [&](int k) { return placed.normals->at(triangle, hit.triangle, k); };
-        const vec3 normal =
-            placed.normal_to_view * ((1.0f - hit.u - hit.v) * normal_at(0) + hit.u * normal_at(1) + hit.v * normal_at(2));
+        const vec3 mixed = (1.0f - hit.u - hit.v) * normal_at(0) + hit.u * normal_at(1) + hit.v * normal_at(2);
+        const vec3 normal = placed.normal_to_view * mixed;
         const vec3 facet = placed.normal_to_view * vec3(surface.facet_plane[surface.triangle_facet[hit.triangle]]);
-        const vec3 to_eye = view.orthographic ? vec3(0, 0, 1) : glm::normalize(vec3(-from_pixels(view, clip_to_view_, px, 1.0)));
+        const vec3 to_eye = view.orthographic
+                                ? vec3(0, 0, 1)
+                                : vec3(glm::normalize(-from_pixels(view, clip_to_view_, px, 1.0)));
         const float side = glm::dot(facet, to_eye) < 0.0f ? -1.0f : 1.0f;
         const float value = side * glm::dot(normal, to_lamp_ * to_eye) / glm::length(normal);
         return value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // also what is not a number
@@ -131,7 +133,8 @@ ShadedBuffer shade(const Tracer& tracer, const Lattice& lattice, const Lamp& lam
             buffer.drawn[node] = shader.drawn(here.placement);
             buffer.coverage[node] = buffer.drawn[node];
             buffer.distance[node] = here.distance;
-            if ((x > 0 && differ(here, samples[node - 1])) || (x + 1 < lattice.width && differ(here, samples[node + 1])) ||
+            if ((x > 0 && differ(here, samples[node - 1])) ||
+                (x + 1 < lattice.width && differ(here, samples[node + 1])) ||
                 (y > 0 && differ(here, samples[node - lattice.width])) ||
                 (y + 1 < lattice.height && differ(here, samples[node + lattice.width])))
                 sample_finely(shader, node, x, y, buffer);

@@ -74,7 +74,7 @@ struct LineDefinition {
     void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
     /// Lines across triangles, instead.
     Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
-    /// Lines in the image, instead: asked once per frame. Points in view space; triangles and sides are of a lattice.
+    /// Lines in the image, instead: once per frame. Points in view space; triangles and sides are those of a lattice.
     Curves (*find_in_image)(const FrameView& frame, const Values& values) = nullptr;
     /// Of such lines, which chains of pieces stay; null: all.
     Selection (*select)(const Surface& surface, const Values& values) = nullptr;

@@ -60,8 +60,8 @@ std::vector<Parameter> image_parameters(double threshold, const char* meaning, d
             {"low", "Low", 0.4, 0.0, 1.0, "", "Share of the threshold down to which a line goes on, fading"},
             {"sigma", "Sigma", sigma, 1.0, 50.0, "pixels", "Width of the smoothing, in pixels of a picture 1080 high"},
             {"outline", "Outline", 1.0, 0.0, 1.0, "bool", "Also lines of the outline, against a light background"},
-            {"light_right", "Light Right", 0.0, -180.0, 180.0, "degrees", "Direction of the light, right of the viewer"},
-            {"light_up", "Light Up", 0.0, -90.0, 90.0, "degrees", "Direction of the light, above the viewer"}};
+            {"light_right", "Light Right", 0.0, -180.0, 180.0, "degrees", "Direction of the light, to the right"},
+            {"light_up", "Light Up", 0.0, -90.0, 90.0, "degrees", "Direction of the light, upwards from the viewer"}};
 }
 
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values) {

@@ -26,8 +26,8 @@ struct ImageValues {
 inline constexpr int image_values = 6;
 std::vector<Parameter> image_parameters(double threshold, const char* meaning, double sigma);
 
-/// The shaded scene under a Gaussian. With `outline` it stands on its background; else what lies beyond its outline takes
-/// no part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within reach it is NaN.
+/// The shaded scene under a Gaussian. With `outline` it stands on its background; else what lies beyond its outline
+/// takes no part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within reach it is NaN.
 struct SmoothTone {
     std::shared_ptr<const ShadedBuffer> shaded;
     Buffer value;
@@ -43,7 +43,8 @@ template <typename Node, typename Make>
 Array<Node> per_node(const Lattice& lattice, const Make& make) {
     Array<Node> nodes(lattice.size());
     parallel_for(lattice.height - 2 * border, [&](std::size_t row) {
-        for (int y = int(row) + border, x = border; x < lattice.width - border; ++x) nodes[lattice.at(x, y)] = make(x, y);
+        const int y = int(row) + border;
+        for (int x = border; x < lattice.width - border; ++x) nodes[lattice.at(x, y)] = make(x, y);
     }, 8);
     return nodes;
 }
@@ -53,12 +54,14 @@ template <typename Emit>
 Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     return collect_pieces(2 * lattice.size(), [&](Index number, std::vector<CurvePiece>& out) {
         const int node = int(number / 2), x = node % lattice.width, y = node / lattice.width;
-        if (x <= border || y <= border || x + 2 + border >= lattice.width || y + 2 + border >= lattice.height) return;
-        emit(lattice_triangle(lattice, x, y, number % 2), out);
+        const int last_x = lattice.width - border - 2, last_y = lattice.height - border - 2;
+        const bool inside = x > border && y > border && x < last_x && y < last_y;
+        if (inside) emit(lattice_triangle(lattice, x, y, number % 2), out);
     });
 }
 
-/// Appends the part of a piece where `measure` (per node) exceeds the low threshold: strength 0 there, 1 at the high one.
+/// Appends the part of a piece where `measure` (per node) exceeds the low threshold: strength 0 there, 1 at the high
+/// one.
 template <typename Measure>
 void append_in_lattice(const Lattice& lattice, const LatticeTriangle& triangle, const Crossing (&ends)[2],
                        const Measure& measure, const ImageValues& values, std::vector<CurvePiece>& out) {

@@ -156,7 +156,8 @@ TEST(ImageEdge, OfAStepIsStraightAndWhereTheStepIs) {
             const dvec2 normal(std::cos(glm::radians(turn)), std::sin(glm::radians(turn)));
             for (const Point& p : points_of(drawing)) {
                 const dvec2 from_middle = p.px - dvec2(320 + shift, 240);
-                const double across = glm::dot(from_middle, normal), along = glm::dot(from_middle, dvec2(-normal.y, normal.x));
+                const double across = glm::dot(from_middle, normal);
+                const double along = glm::dot(from_middle, dvec2(-normal.y, normal.x));
                 if (std::abs(along) > 50) continue;
                 EXPECT_NEAR(std::abs(across), 80, 0.05) << "shift " << shift << ", turned " << turn;
                 EXPECT_EQ(p.strength, 1.0);
@@ -238,20 +239,21 @@ TEST(AbstractedShading, FollowsAGrooveAndARidge) {
             ASSERT_GT(x.size(), 50u) << shift;
             for (const double found : x) EXPECT_NEAR(found, 320 + shift, 0.05);
         }
-        EXPECT_TRUE(Drawing({place(groove)}, from_above, {with("abstracted_shading", {{"valleys", 0}})}).paths.count() == 0);
+        const Drawing neither({place(groove)}, from_above, {with("abstracted_shading", {{"valleys", 0}})});
+        EXPECT_EQ(neither.paths.count(), 0u);
     }
 }
 
 TEST(AbstractedShading, OfACylinderIsItsDarkRims) {
     const double valley = extremum(round_tone(1), 79, 4, 2);
-    // Long, so that its ends are outside the picture.
-    const Drawing drawing({place(cylinder(256), scaled({1, 1, 9}))}, from_front, {with("abstracted_shading", {{"sigma", 2}})});
+    const Placement pillar = place(cylinder(256), scaled({1, 1, 9}));  // its ends are outside the picture
+    const Drawing drawing({pillar}, from_front, {with("abstracted_shading", {{"sigma", 2}})});
     const auto x = x_of_middle(drawing);
     ASSERT_GT(x.size(), 100u);
     for (const double found : x) EXPECT_NEAR(std::abs(found - 320), valley, 0.15);
     EXPECT_LT(valley, 80) << "inside the outline";
-    EXPECT_EQ(Drawing({place(cylinder(256), scaled({1, 1, 9}))}, from_front,
-                      {with("abstracted_shading", {{"outline", 0}})}).paths.count(), 0u);
+    const Drawing without({pillar}, from_front, {with("abstracted_shading", {{"outline", 0}})});
+    EXPECT_EQ(without.paths.count(), 0u);
 }
 
 TEST(ImageLines, FadeWhereTheyEnd) {
@@ -320,21 +322,21 @@ TEST(ImageLines, AreHiddenByNothing) {
         const Array<float> exact = samples_from_runs(drawing.clipped, drawing.runs);
         const DepthOptions depth;
         const DepthBuffer buffer = draw_depth(view, depth_meshes(drawing.scene, view, depth.margin), depth, nullptr);
-        const Array<float> sampled = sampled_visibility(drawing.clipped, own_sides(drawing.clipped, drawing.scene, view), buffer, {});
+        const OwnSides sides = own_sides(drawing.clipped, drawing.scene, view);
+        const Array<float> sampled = sampled_visibility(drawing.clipped, sides, buffer, {});
+        const ClippedPaths& clipped = drawing.clipped;
         int in_image = 0, hidden = 0;
-        for (Index q = 0; q < drawing.clipped.pieces.count(); ++q) {
-            const bool whole = drawing.paths.placement[drawing.clipped.path[q]] == none;
-            for (Index i = drawing.clipped.pieces.begin(q); i + 1 < drawing.clipped.pieces.end(q); ++i)
-                for (Index s = drawing.clipped.sample_start[i]; s < drawing.clipped.sample_start[i] + drawing.clipped.sample_count[i]; ++s) {
-                    if (whole) {
-                        EXPECT_GT(exact[s], 0.9999f);
-                        EXPECT_EQ(sampled[s], 1.0f);
-                        ++in_image;
-                    } else {
+        for (Index q = 0; q < clipped.pieces.count(); ++q)
+            for (Index i = clipped.pieces.begin(q); i < clipped.pieces.end(q); ++i)
+                for (Index s = clipped.sample_start[i]; s < clipped.sample_start[i] + clipped.sample_count[i]; ++s) {
+                    if (drawing.paths.placement[clipped.path[q]] != none) {
                         hidden += exact[s] < 0.5f;
+                        continue;
                     }
+                    EXPECT_GT(exact[s], 0.9999f);
+                    EXPECT_EQ(sampled[s], 1.0f);
+                    ++in_image;
                 }
-        }
         EXPECT_GT(in_image, 500);
         EXPECT_GT(hidden, 10) << "other lines are hidden as ever";
     }
@@ -363,7 +365,8 @@ TEST(ImageLines, DoNotDependOnTheNumberOfThreads) {
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const Drawing single(scene, view, sets);
     ASSERT_EQ(many.paths.points_obj.size(), single.paths.points_obj.size());
-    EXPECT_TRUE(std::equal(many.paths.points_obj.begin(), many.paths.points_obj.end(), single.paths.points_obj.begin()));
+    EXPECT_TRUE(std::equal(many.paths.points_obj.begin(),
+                           many.paths.points_obj.end(), single.paths.points_obj.begin()));
     EXPECT_TRUE(std::equal(many.paths.strength.begin(), many.paths.strength.end(), single.paths.strength.begin()));
     EXPECT_TRUE(std::equal(many.paths.id.begin(), many.paths.id.end(), single.paths.id.begin()));
 }
