@@ -217,13 +217,14 @@ void smooth(CurveChains& chains, const Surface& surface, const Smoothing& option
         [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, options).run(); }, 16);
 }
 
-void lift(CurveChains& chains, const Surface& surface, In<vec3> normals) {
+void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature) {
     constexpr float farthest = 0.1f, least_cosine = 0.5f;
     const auto sides = triangle_sides(surface);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         if (chains.side[i] == none) return;
         const Edge e = sides->vertices[chains.side[i]];
-        const vec3 along = surface.positions[e.y] - surface.positions[e.x], n0 = normals[e.x], n1 = normals[e.y];
+        const vec3 along = surface.positions[e.y] - surface.positions[e.x];
+        const vec3 &n0 = curvature[e.x].normal, &n1 = curvature[e.y].normal;
         const float length = glm::length(along);
         if (!(glm::dot(n0, n1) >= least_cosine) || !(length > 0.0f)) return;
         const float t = glm::dot(chains.point[i] - surface.positions[e.x], along) / (length * length);
