@@ -87,7 +87,8 @@ class Smoother {
         if (closed_) chains_.point[first_ + count_] = chains_.point[first_];
     }
 
-    int wrapped(int i) const { return (i % count_ + count_) % count_; }
+    /// Of a closed chain, less than a turn away.
+    int wrapped(int i) const { return i < 0 ? i + count_ : i < count_ ? i : i - count_; }
     dvec3 point(int i) const { return dvec3(chains_.point[first_ + i]); }
 
     /// Lengths of segments, and mean lengths of the sides nearby: lines bend more closely where the mesh is finer.
@@ -137,8 +138,9 @@ class Smoother {
         }
     }
 
-    static double kernel(double s, double window) {
-        const double u = 1.0 - (s / window) * (s / window);
+    /// `s` in windows.
+    static double kernel(double s) {
+        const double u = 1.0 - s * s;
         return u > 0.0 ? u * u : 0.0;
     }
 
@@ -147,8 +149,10 @@ class Smoother {
         constexpr double least_share = 0.01;
         const double window = options_.window * unit_[i];
         Fit fit;
+        const double per_window = window > 0.0 ? 1.0 / window : 0.0;
         around(i, window, [&](int j, double s, double share) {
-            fit.add(s / window, kernel(s, window) * (share + least_share * window), point(j));
+            const double u = s * per_window;
+            fit.add(u, kernel(u) * (share + least_share * window), point(j));
         });
         return fit.solve(value, slope);
     }
@@ -188,7 +192,7 @@ class Smoother {
             double sum = 0.0, weights = 0.0;
             if (window > 0.0)
                 around(i, window, [&](int j, double s, double share) {
-                    const double weight = kernel(s, window) * share;
+                    const double weight = kernel(s / window) * share;
                     sum += weight * chains_.strength[first_ + j];
                     weights += weight;
                 });
