@@ -210,7 +210,8 @@ CurveChains select_stretches(const CurveChains& chains, const Selection& selecti
                 const float a = walk.strength(i), b = walk.strength(i + 1), t = (selection.level - a) / (b - a);
                 return Place{i, t > 0.0f && t < 1.0f ? t : 0.5f};
             };
-            cut(walk, [&](Index i) { return low[i < walk.points() ? i : i % walk.segments()] != 0; }, crossing, stretches);
+            const auto is_low = [&](Index i) { return low[i < walk.points() ? i : i % walk.segments()] != 0; };
+            cut(walk, is_low, crossing, stretches);
         }
         for (const Stretch& stretch : stretches)
             if (is_strong(walk, stretch, selection)) out.push_back(stretch);
