@@ -1,9 +1,10 @@
 // Smooth contour: the contour of the surface that the mesh stands for, across its triangles.
 // Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000, section 4.
-// In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles), its curvature where
-//      hidden parts are left out, the view
-// Out  where the interpolated n . v is zero; without the parts behind cusps, where the radial curvature is negative: there
-//      the surface hides its own contour (Koenderink, "What does the occluding contour tell us about solid shape?", 1984)
+// In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles), its curvature
+//      where hidden parts are left out, the view
+// Out  where the interpolated n . v is zero; without the parts behind cusps, where the radial curvature is negative:
+//      there the surface hides its own contour (Koenderink, "What does the occluding contour tell us about solid
+//      shape?", Perception 1984)
 #include "line/smooth_contour.h"
 
 namespace fovea {
@@ -38,7 +39,8 @@ const LineDefinition smooth_contour = {
     .description = "The contour of the smooth surface that a mesh stands for, across its faces",
     .scope = Scope::view,
     .parameters = {{"end_at_cusps", "End at Cusps", 1, 0, 1, "bool",
-                    "Leave out what the surface hides of its own contour behind a cusp; not for open surfaces seen from behind"}},
+                    "Leave out what the surface hides of its own contour behind a cusp; "
+                    "not for open surfaces seen from behind"}},
     .on_by_default = false,
     .find = find,
     .select = select,

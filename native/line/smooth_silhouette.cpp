@@ -35,7 +35,8 @@ const LineDefinition smooth_silhouette = {
     .name = "smooth_silhouette",
     .label = "Smooth Silhouette",
     .source = "Isenberg et al. 2003; Hertzmann & Zorin 2000, section 4",
-    .description = "The outer boundary of the smooth surface that a mesh stands for, against the background or another object",
+    .description = "The outer boundary of the smooth surface that a mesh stands for, "
+                   "against the background or another object",
     .scope = Scope::scene,
     .parameters = {},
     .on_by_default = false,

@@ -9,7 +9,8 @@ namespace fovea {
 
 inline std::vector<Parameter> suggestive_parameters(double threshold) {
     return threshold_parameters(threshold, 0.5, 2.0,
-                                "Strength that a line reaches somewhere: tan(theta) D_W k_r, in units of 1 / feature size squared");
+                                "Strength that a line reaches somewhere: tan(theta) D_W k_r, "
+                                "in units of 1 / feature size squared");
 }
 
 inline Thresholds suggestive_thresholds(const Surface& surface, const Values& values) {

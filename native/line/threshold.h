@@ -12,7 +12,8 @@ inline std::vector<Parameter> threshold_parameters(double threshold, double low,
             {"low", "Low Threshold", low, 0.0, 1.0, "",
              "Share of the threshold above which a line goes on that reaches the threshold somewhere"},
             {"length", "Length", length, 0.0, 1000.0, "",
-             "Least length of a line as strong as the threshold, in units of the feature size; a stronger one may be shorter"}};
+             "Least length of a line as strong as the threshold, in units of the feature size; "
+             "a stronger one may be shorter"}};
 }
 
 /// Threshold, low threshold, and how far above the low one a line has half its strength; all in the measure's own unit.

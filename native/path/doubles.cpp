@@ -87,7 +87,8 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen) {
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, Kinds bits, Array<Kinds>& kinds) {
     parallel_for(kinds.size(), [&](std::size_t e) {
         const Edge edge = surface.edges[e];
-        if ((kinds[e] & bits) && near[edge.x] && near[edge.y] && !is_hard(surface, static_cast<Index>(e))) kinds[e] &= ~bits;
+        if (!(kinds[e] & bits) || !near[edge.x] || !near[edge.y]) return;
+        if (!is_hard(surface, static_cast<Index>(e))) kinds[e] &= ~bits;
     });
 }
 
@@ -107,7 +108,10 @@ CurveChains without_doubles(const CurveChains& chains, const Surface& surface, I
     Array<std::uint8_t> removed(surface.triangles.size(), 0);
     parallel_for(
         chains.rows.count(),
-        [&](std::size_t c) { mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, corners, removed); }, 16);
+        [&](std::size_t c) {
+            mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, corners, removed);
+        },
+        16);
     return without_triangles(chains, removed);
 }
 

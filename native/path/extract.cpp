@@ -91,16 +91,30 @@ void to_object(const dmat3& stretch, Array<vec3>& points) {
     parallel_for(points.size(), [&](std::size_t i) { points[i] = vec3(inverse * dvec3(points[i])); });
 }
 
+/// Every definition that some line set asks for.
+Kinds asked_of(const std::vector<LineSet>& sets) {
+    Kinds asked = 0;
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
+    return asked;
+}
+
 /// The first line set that asks for a definition across triangles has all that it finds.
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface,
                                      In<std::uint8_t> near = {}, In<std::uint8_t> hard = {}) {
     std::vector<FoundCurves> found;
     Claims claims(seen.surface);
+    const Kinds asked = asked_of(sets);
     Kinds done = 0;
     for (std::size_t s = 0; s < sets.size(); ++s)
         for (const LineSet::Kind& kind : sets[s].kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const Kinds bit = Kinds(1) << kind.definition;
+            // A silhouette of mesh edges stands for the smooth one.
+            if (!of_surface && definition.name == std::string_view("silhouette") && (asked & smooth_contours())) {
+                const LineDefinition& smooth = *line_definitions()[definition_index("smooth_silhouette")];
+                claims.claim(smooth, curves_of(smooth, seen, {}));
+            }
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
             CurveChains chains = curves_of(definition, seen, kind.values, near);
@@ -112,18 +126,11 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
     return found;
 }
 
-/// Every definition that some line set asks for.
-Kinds asked_of(const std::vector<LineSet>& sets) {
-    Kinds asked = 0;
-    for (const LineSet& set : sets)
-        for (const LineSet::Kind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
-    return asked;
-}
-
-bool has_curves(const std::vector<LineSet>& sets) {
-    for (const LineSet& set : sets)
-        for (const LineSet::Kind& kind : set.kinds)
-            if (line_definitions()[kind.definition]->find) return true;
+/// Lines of the view that a contour would double.
+bool any_beside_contours(Kinds asked) {
+    const auto& all = line_definitions();
+    for (Index i = 0; i < all.size(); ++i)
+        if ((asked >> i & 1) && all[i]->scope != Scope::surface && all[i]->select && !all[i]->on_smooth_surface) return true;
     return false;
 }
 
@@ -253,8 +260,8 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     if (view_dependent) {
         find_facing(seen);
         const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
-        if (has_curves(sets) && (asked & contours)) near = near_smooth_contour(seen);
         const Kinds doubled = doubled_edges(asked);
+        if ((asked & contours) && (doubled || any_beside_contours(asked))) near = near_smooth_contour(seen);
         Array<Kinds> all(doubled ? surface.edges.size() : 0, 0);
         for (std::size_t s = 0; s < sets.size(); ++s) {
             trace_kinds(sets[s], seen, false, kinds[s]);

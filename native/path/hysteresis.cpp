@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "mesh/triangle_sides.h"
 
 namespace fovea {
 namespace {
@@ -130,6 +131,26 @@ bool is_strong(const Walk& walk, const Stretch& stretch, const Selection& select
     return most >= selection.reach && sum >= selection.least * selection.reach;
 }
 
+/// How many points a hook has at an end of an open chain: at its first point (way 1) or its last (way -1). `side`:
+/// the length of sides there.
+Index hook(const Walk& walk, int way, float side) {
+    constexpr float least_cosine = 0.5f, longest = 2.0f, before = 1.5f;
+    const Index count = walk.points();
+    const auto at = [&](Index n) { return walk.point({way > 0 ? n : count - 1 - n, 0.0f}); };
+    const vec3 tip = at(0);
+    Index found = 0, inner = 0;
+    float arc = 0.0f, inner_arc = 0.0f;
+    for (Index n = 1; n + 1 < count; ++n) {
+        arc += glm::distance(at(n - 1), at(n));
+        if (arc > longest * side) break;
+        for (; inner + 1 < count && inner_arc < arc + before * side; ++inner)
+            inner_arc += glm::distance(at(inner), at(inner + 1));
+        const vec3 onward = at(n) - at(inner), rest = tip - at(n);
+        if (glm::dot(onward, rest) < least_cosine * glm::length(onward) * glm::length(rest)) found = n;
+    }
+    return found;
+}
+
 /// Chains of stretches, which are of `chains` and in their order.
 CurveChains gather(const CurveChains& chains, const std::vector<Stretch>& stretches, bool uniform) {
     CurveChains out;
@@ -189,12 +210,35 @@ CurveChains select_stretches(const CurveChains& chains, const Selection& selecti
                 const float a = walk.strength(i), b = walk.strength(i + 1), t = (selection.level - a) / (b - a);
                 return Place{i, t > 0.0f && t < 1.0f ? t : 0.5f};
             };
-            cut(walk, [&](Index i) { return low[i < walk.points() ? i : i % walk.segments()] != 0; }, crossing, stretches);
+            const auto is_low = [&](Index i) { return low[i < walk.points() ? i : i % walk.segments()] != 0; };
+            cut(walk, is_low, crossing, stretches);
         }
         for (const Stretch& stretch : stretches)
             if (is_strong(walk, stretch, selection)) out.push_back(stretch);
     };
     return gather(chains, find_stretches(chains, find), selection.uniform);
+}
+
+CurveChains without_hooks(const CurveChains& chains, const Surface& surface) {
+    const auto sides = triangle_sides(surface);
+    const auto side_at = [&](Index point) {
+        const glm::uvec3& of = sides->of_triangle[chains.triangle[point]];
+        float sum = 0.0f;
+        for (int i = 0; i < 3; ++i) {
+            const Edge e = sides->vertices[of[i]];
+            sum += glm::distance(surface.positions[e.x], surface.positions[e.y]);
+        }
+        return sum / 3.0f;
+    };
+    const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
+        Index begin = 0, end = walk.segments();
+        if (!walk.closed()) {
+            begin = hook(walk, 1, side_at(walk.at(begin)));
+            end -= hook(walk, -1, side_at(walk.at(end)));
+        }
+        if (begin < end) out.push_back({walk.chain(), {begin, 0.0f}, {end, 0.0f}, walk.closed()});
+    };
+    return gather(chains, find_stretches(chains, find), false);
 }
 
 CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed) {

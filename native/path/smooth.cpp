@@ -87,7 +87,8 @@ class Smoother {
         if (closed_) chains_.point[first_ + count_] = chains_.point[first_];
     }
 
-    int wrapped(int i) const { return (i % count_ + count_) % count_; }
+    /// Of a closed chain, less than a turn away.
+    int wrapped(int i) const { return i < 0 ? i + count_ : i < count_ ? i : i - count_; }
     dvec3 point(int i) const { return dvec3(chains_.point[first_ + i]); }
 
     /// Lengths of segments, and mean lengths of the sides nearby: lines bend more closely where the mesh is finer.
@@ -137,8 +138,9 @@ class Smoother {
         }
     }
 
-    static double kernel(double s, double window) {
-        const double u = 1.0 - (s / window) * (s / window);
+    /// `s` in windows.
+    static double kernel(double s) {
+        const double u = 1.0 - s * s;
         return u > 0.0 ? u * u : 0.0;
     }
 
@@ -147,8 +149,10 @@ class Smoother {
         constexpr double least_share = 0.01;
         const double window = options_.window * unit_[i];
         Fit fit;
+        const double per_window = window > 0.0 ? 1.0 / window : 0.0;
         around(i, window, [&](int j, double s, double share) {
-            fit.add(s / window, kernel(s, window) * (share + least_share * window), point(j));
+            const double u = s * per_window;
+            fit.add(u, kernel(u) * (share + least_share * window), point(j));
         });
         return fit.solve(value, slope);
     }
@@ -188,7 +192,7 @@ class Smoother {
             double sum = 0.0, weights = 0.0;
             if (window > 0.0)
                 around(i, window, [&](int j, double s, double share) {
-                    const double weight = kernel(s, window) * share;
+                    const double weight = kernel(s / window) * share;
                     sum += weight * chains_.strength[first_ + j];
                     weights += weight;
                 });
@@ -217,13 +221,14 @@ void smooth(CurveChains& chains, const Surface& surface, const Smoothing& option
         [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, options).run(); }, 16);
 }
 
-void lift(CurveChains& chains, const Surface& surface, In<vec3> normals) {
+void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature) {
     constexpr float farthest = 0.1f, least_cosine = 0.5f;
     const auto sides = triangle_sides(surface);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         if (chains.side[i] == none) return;
         const Edge e = sides->vertices[chains.side[i]];
-        const vec3 along = surface.positions[e.y] - surface.positions[e.x], n0 = normals[e.x], n1 = normals[e.y];
+        const vec3 along = surface.positions[e.y] - surface.positions[e.x];
+        const vec3 &n0 = curvature[e.x].normal, &n1 = curvature[e.y].normal;
         const float length = glm::length(along);
         if (!(glm::dot(n0, n1) >= least_cosine) || !(length > 0.0f)) return;
         const float t = glm::dot(chains.point[i] - surface.positions[e.x], along) / (length * length);

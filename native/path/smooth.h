@@ -1,6 +1,7 @@
 // Chains across triangles made as smooth as a pen draws them, without leaving the surface.
 #pragma once
 
+#include "field/curvature.h"
 #include "path/chain_curves.h"
 
 namespace fovea {
@@ -10,7 +11,7 @@ struct Smoothing {
     double window = 3.0;
     /// How far a point may move along the side that it is on, as a share of the side.
     double tolerance = 0.4;
-    int rounds = 3;
+    int rounds = 2;
 };
 
 /// Moves every point of a chain along the side that it is on, towards the parabola that fits the chain around it best
@@ -20,12 +21,12 @@ struct Smoothing {
 void smooth(CurveChains& chains, const Surface& surface, const Smoothing& options = {});
 
 /// Puts points on the surface that the mesh stands for, instead of its straight sides: on the cubic through the side's
-/// ends with the normals there (per vertex, unit or 0). Never farther from the side than a tenth of its length; a side
+/// ends with the normals there (of the curvature per vertex). Never farther from the side than a tenth of its length; a side
 /// between normals more than 60 degrees apart stays straight: there is an edge.
 /// Vlachos et al., "Curved PN Triangles", I3D 2001.
 ///
 /// Then moves points freely as `smooth` does along sides, but by no more than a tenth of the mean side length nearby: an
 /// estimated normal is not so exact as the eye that looks along a contour.
-void lift(CurveChains& chains, const Surface& surface, In<vec3> normals);
+void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature);
 
 }  // namespace fovea

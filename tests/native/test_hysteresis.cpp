@@ -111,6 +111,24 @@ TEST(Hysteresis, TrianglesLeaveTheirGapsInChains) {
     for (Index t : left.triangle) EXPECT_NE(t, 12u);
 }
 
+TEST(Hysteresis, HooksGoFromTheEndsOfOpenChains) {
+    const auto surface = meshes::grid(10).surface();  // sides of .2 and diagonals
+    const auto bent = [&](std::size_t corner, double angle, bool from_start) {
+        CurveChains chains = chain_of(std::vector<float>(20, 1.0f));
+        for (std::size_t i = 0; i < 20; ++i) {
+            const double past = 0.1 * std::max(0.0, double(i) - double(corner)), before = 0.1 * double(std::min(i, corner));
+            chains.point[i] = vec3(dvec3(before + past * std::cos(angle), past * std::sin(angle), 0));
+        }
+        if (from_start) std::reverse(chains.point.begin(), chains.point.end());
+        return without_hooks(chains, *surface).point.size();
+    };
+    for (const bool from_start : {false, true}) {
+        EXPECT_NEAR(double(bent(17, M_PI / 2, from_start)), 18.0, 1.0) << "to the corner, or the point before it";
+        EXPECT_EQ(bent(17, M_PI / 4, from_start), 20u) << "a gentle turn";
+        EXPECT_EQ(bent(10, M_PI / 2, from_start), 20u) << "a corner far from the end";
+    }
+}
+
 TEST(Hysteresis, LowersThresholdsOfWholeLinesAlone) {
     // A line that is well above the threshold anywhere is drawn, and all of it; others are not.
     const auto surface = analytic::waves({.n = 96, .irregular = true}).mesh.surface();
@@ -132,13 +150,21 @@ TEST(Hysteresis, LowersThresholdsOfWholeLinesAlone) {
 
 TEST(Hysteresis, ApparentRidgesAndValleysAreAllThereIs) {
     const auto surface = analytic::waves({.n = 64, .irregular = true}).mesh.surface();
-    const auto all = curves(*surface, "apparent_ridge", {{"threshold", .005}, {"low", 1}, {"length", 0}});
-    const auto ridges = curves(*surface, "apparent_ridge", {{"threshold", .005}, {"low", 1}, {"length", 0}, {"valleys", 0}});
-    const auto valleys = curves(*surface, "apparent_ridge", {{"threshold", .005}, {"low", 1}, {"length", 0}, {"ridges", 0}});
-    EXPECT_GT(ridges.rows.count(), 0u);
-    EXPECT_GT(valleys.rows.count(), 0u);
-    std::multiset<Index> both(ridges.triangle.begin(), ridges.triangle.end());
-    both.insert(valleys.triangle.begin(), valleys.triangle.end());
-    const std::set<Index> one(all.triangle.begin(), all.triangle.end()), other(both.begin(), both.end());
-    EXPECT_EQ(one, other);
+    SurfaceView seen{.surface = *surface};
+    seen.eye_obj = glm::normalize(dvec3(.8, .5, 1));
+    seen.orthographic = true;
+    const auto found = [&](double ridges, double valleys) {
+        std::set<Index> triangles;
+        const auto& definition = *line_definitions()[definition_index("apparent_ridge")];
+        for (const CurvePiece& piece : definition.find(seen, {.005, 1, 0, ridges, valleys})) triangles.insert(piece.triangle);
+        return triangles;
+    };
+    const auto ridges = found(1, 0), valleys = found(0, 1);
+    EXPECT_GT(ridges.size(), 100u);
+    EXPECT_GT(valleys.size(), 100u);
+    EXPECT_TRUE(found(0, 0).empty());
+    for (Index t : ridges) EXPECT_EQ(valleys.count(t), 0u);
+    auto both = ridges;
+    both.insert(valleys.begin(), valleys.end());
+    EXPECT_EQ(both, found(1, 1));
 }

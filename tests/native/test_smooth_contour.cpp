@@ -145,6 +145,14 @@ TEST(SmoothSilhouette, IsTheOuterBoundaryAndNothingTwice) {
     for (Index t : contour.triangles.at(0)) EXPECT_TRUE(both.count(t)) << "missing";
 }
 
+TEST(SmoothSilhouette, OfMeshEdgesStandsForIt) {
+    // Drawn thick along mesh edges, it has no thin smooth contour beside it.
+    const View view = perspective({4, -5, 3}, dvec3(0));
+    const Drawn drawn(Drawing({place(meshes::sphere(32))}, view, {line_set({"silhouette"}), line_set({"smooth_contour"})}));
+    EXPECT_EQ(drawn.triangles.size(), 0u);
+    EXPECT_GT(drawn.kinds.at(bit_of("silhouette")), 30);
+}
+
 TEST(SmoothSilhouette, AnObjectBeforeAnotherHasItsOwn) {
     const Drawing drawing({place(meshes::sphere(32), moved({2, -2.5, 1.5}) * scaled(dvec3(0.3)), 1), place(meshes::sphere(32), dmat4(1.0), 2)},
                           perspective({6, -7.5, 4.5}, dvec3(0)), {line_set({"smooth_silhouette"}), line_set({"smooth_contour"})});
