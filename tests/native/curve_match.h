@@ -19,8 +19,8 @@ class NearSegments {
         }
     }
 
-    /// In the tangent plane with the normal `n`, or 0 for all of it: chords of a mesh lie below its surface. `reach` where
-    /// none is nearer.
+    /// In the tangent plane with the normal `n`, or 0 for all of it: chords of a mesh lie below its surface. `reach`
+    /// where none is nearer.
     double distance(const dvec3& p, const dvec3& n) const {
         double least = reach_;
         each(cell(p - reach_), cell(p + reach_), [&](std::uint64_t key) {
@@ -76,7 +76,8 @@ Match match(const Sample& sample, const ExactCurves& found, const ExactCurves& e
         std::vector<std::pair<double, double>> list;  // distance, length
         for (const ExactSegment& s : curves) {
             const dvec3 middle = 0.5 * (s.a + s.b);
-            if (counts(middle)) list.push_back({others.distance(middle, sample.exact(middle).normal) / edge, glm::distance(s.a, s.b)});
+            if (counts(middle))
+                list.push_back({others.distance(middle, sample.exact(middle).normal) / edge, glm::distance(s.a, s.b)});
         }
         std::sort(list.begin(), list.end());
         return list;

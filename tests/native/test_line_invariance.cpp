@@ -30,7 +30,8 @@ Mesh reordered(const Mesh& mesh, bool shuffle, bool reverse) {
     for (std::size_t v = 0; v < vertex.size(); ++v) result.positions[vertex[v]] = mesh.positions[v];
     for (const int f : polygon) {
         std::vector<int> corners;
-        for (int c = mesh.polygon_offsets[f]; c < mesh.polygon_offsets[f + 1]; ++c) corners.push_back(vertex[mesh.corner_verts[c]]);
+        for (int c = mesh.polygon_offsets[f]; c < mesh.polygon_offsets[f + 1]; ++c)
+            corners.push_back(vertex[mesh.corner_verts[c]]);
         if (reverse) std::reverse(corners.begin(), corners.end());
         if (shuffle) std::rotate(corners.begin(), corners.begin() + random() % corners.size(), corners.end());
         result.add_polygon(corners);
@@ -52,15 +53,17 @@ struct Change {
 
 std::vector<Change> changes() {
     const dmat4 turn = glm::mat4_cast(glm::angleAxis(1.1, glm::normalize(dvec3(1, 2, -1))));
-    return {{"rotation", turn}, {"translation", moved({3, -2, 1})}, {"large", scaled(dvec3(64))},
-            {"small", scaled(dvec3(1.0 / 64))}, {"order", dmat4(1.0), true}, {"mirror", scaled({-1, 1, 1}), false, true}};
+    return {{"rotation", turn},           {"translation", moved({3, -2, 1})},
+            {"large", scaled(dvec3(64))}, {"small", scaled(dvec3(1.0 / 64))},
+            {"order", dmat4(1.0), true},  {"mirror", scaled({-1, 1, 1}), false, true}};
 }
 
 /// A wavy surface, and what cuts it: a box with materials and marks, or, for curves of the smooth surface that a mesh
 /// stands for, an ellipsoid. A box stands for none: of its three faces, a corner takes the normal of the first.
 std::vector<Mesh> bodies(const LineDefinition& definition) {
     if (definition.find && definition.scope != Scope::scene)
-        return {analytic::waves({.n = 96, .irregular = true}).mesh, analytic::ellipsoid(4, true, dvec3(.5, .3, .4)).mesh};
+        return {analytic::waves({.n = 96, .irregular = true}).mesh,
+                analytic::ellipsoid(4, true, dvec3(.5, .3, .4)).mesh};
     Mesh cube = box(vec3(-.4f), vec3(.3f));
     cube.material = {0, 1, 0, 1, 0, 1};
     cube.edge_mark = cube.edge_flags({0, 3});
@@ -94,14 +97,9 @@ ExactCurves lines_after(Index definition, const Change& change) {
     ExactCurves segments;
     const auto point = [&](Index i) { return dvec3(back * dvec4(dvec3(paths.points_obj[i]), 1.0)); };
     for (Index p = 0; p < paths.count(); ++p)
-        for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i) segments.push_back({point(i), point(i + 1)});
+        for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i)
+            segments.push_back({point(i), point(i + 1)});
     return segments;
-}
-
-double length(const ExactCurves& curves) {
-    double sum = 0.0;
-    for (const auto& s : curves) sum += glm::distance(s.a, s.b);
-    return sum;
 }
 
 /// Share of the one that has the other within a tenth of an edge.
@@ -123,7 +121,9 @@ TEST_P(Invariance, OfLines) {
     EXPECT_GT(length(before), 0.1);
     for (const Change& change : changes()) {
         // Levels of depth begin and end at the sphere around the bounding box, which turns with the object, not in it.
-        if (line_definitions()[GetParam()]->name == std::string("topographic") && change.name == std::string("rotation")) continue;
+        if (line_definitions()[GetParam()]->name == std::string("topographic") &&
+            change.name == std::string("rotation"))
+            continue;
         const ExactCurves after = lines_after(GetParam(), change);
         EXPECT_NEAR(length(after) / length(before), 1.0, .005) << change.name;
         EXPECT_GE(share_near(before, after), .995) << change.name;

@@ -39,8 +39,8 @@ std::vector<Placement> small_scene() {
     cube.edge_mark = cube.edge_flags({0, 3});
     const Mesh hills = analytic::waves({.n = 40, .irregular = true}).mesh;
     const Mesh ring = analytic::torus({.n = 48}).mesh;
-    return {place(hills, scaled(dvec3(2)), 1), place(ring, moved({0.3, 0, 0.4}), 2), place(cube, moved({-1, 1, 0.2}), 3),
-            place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
+    return {place(hills, scaled(dvec3(2)), 1), place(ring, moved({0.3, 0, 0.4}), 2),
+            place(cube, moved({-1, 1, 0.2}), 3), place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
 }
 
 /// Paths of one definition, and the camera they were found for.
@@ -51,7 +51,10 @@ struct Found {
     Paths paths;
 
     Found(std::vector<Placement> placements, const View& seen, const LineSet& set)
-        : scene(std::move(placements)), view(seen), tracer(scene, view), paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}
+        : scene(std::move(placements)),
+          view(seen),
+          tracer(scene, view),
+          paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}
     Found(const Found&) = delete;
 };
 
@@ -94,15 +97,18 @@ void expect_sound(const Found& found, const std::string& name) {
         const Index begin = paths.rows.begin(p), end = paths.rows.end(p);
         ASSERT_GE(end - begin, 2u) << name << ": a path has two points";
         const Index placement = paths.placement[p];
-        const Surface* surface = placement < found.scene.placements.size() ? found.scene.placements[placement].surface.get() : nullptr;
+        const Surface* surface =
+            placement < found.scene.placements.size() ? found.scene.placements[placement].surface.get() : nullptr;
         for (Index i = begin; i < end; ++i) {
             const vec3 point = paths.points_obj[i];
             ASSERT_TRUE(std::isfinite(point.x + point.y + point.z)) << name;
             ASSERT_TRUE(paths.strength[i] >= 0.0f && paths.strength[i] <= 1.0f) << name << " " << paths.strength[i];
-            ASSERT_TRUE(std::isfinite(paths.arc_obj[i]) && (i == begin || paths.arc_obj[i] >= paths.arc_obj[i - 1])) << name;
+            ASSERT_TRUE(std::isfinite(paths.arc_obj[i]) && (i == begin || paths.arc_obj[i] >= paths.arc_obj[i - 1]))
+                << name;
             ASSERT_EQ(paths.kinds[i] & ~bit_of(name.c_str()), 0u) << name << ": kinds that were not asked for";
             if (!surface) continue;
-            ASSERT_LE(glm::distance(point, surface->center), surface->radius * 1.0001f) << name << ": outside of the mesh";
+            ASSERT_LE(glm::distance(point, surface->center), surface->radius * 1.0001f)
+                << name << ": outside of the mesh";
         }
         EXPECT_TRUE(!paths.closed[p] || paths.points_obj[begin] == paths.points_obj[end - 1]) << name;
         // Lines of the scene need not lie on one surface.
@@ -123,7 +129,8 @@ std::vector<Mesh> degenerate_meshes() {
     broken.positions[100].z = std::numeric_limits<float>::infinity();
     Mesh slivers = analytic::waves({.n = 12}).mesh;
     slivers.name = "slivers";
-    for (std::size_t v = 0; v + 1 < slivers.positions.size(); v += 3) slivers.positions[v] = slivers.positions[v + 1] + vec3(1e-7f, 0, 0);
+    for (std::size_t v = 0; v + 1 < slivers.positions.size(); v += 3)
+        slivers.positions[v] = slivers.positions[v + 1] + vec3(1e-7f, 0, 0);
     Mesh line = grid(4);
     line.name = "line";
     for (vec3& p : line.positions) p.y = p.z = 0.0f;
@@ -133,11 +140,23 @@ std::vector<Mesh> degenerate_meshes() {
     Mesh tiny = sphere(6);
     tiny.name = "tiny";
     for (vec3& p : tiny.positions) p *= 1e-18f;
-    return {broken, slivers, line, huge, tiny, Mesh("nothing", {}), sphere(8), grid(6), box(), cylinder(5), moebius(9),
+    return {broken,
+            slivers,
+            line,
+            huge,
+            tiny,
+            Mesh("nothing", {}),
+            sphere(8),
+            grid(6),
+            box(),
+            cylinder(5),
+            moebius(9),
             of_polygons("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}),
             of_polygons("three faces at an edge", {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 1}, {-1, 0, -1}},
                         {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),
-            two_boxes_at_an_edge(), bent_quad(), analytic::ellipsoid(2, true).mesh};
+            two_boxes_at_an_edge(),
+            bent_quad(),
+            analytic::ellipsoid(2, true).mesh};
 }
 
 const View corner_view = perspective({6, -5, 4}, {0, 0, 0});
@@ -234,12 +253,14 @@ TEST_P(Definition, TakesDegenerateMeshes) {
     for (const Mesh& mesh : degenerate_meshes())
         for (const Values& values : {defaults(definition), least})
             // The last looks along a face, from a vertex.
-            for (const View& view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
+            for (const View& view :
+                 {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
                 expect_sound(Found({place(mesh)}, view, every(values, index)), name);
             }
     // Two of a kind in one place, and a scene of nothing.
-    expect_sound(Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(defaults(definition), index)), name);
+    expect_sound(Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(defaults(definition), index)),
+                 name);
     EXPECT_EQ(Found({}, corner_view, every(defaults(definition), index)).paths.count(), 0u);
 }
 
