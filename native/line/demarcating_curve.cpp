@@ -2,8 +2,8 @@
 // Kolomenkin, Shimshoni & Tal, "Demarcating Curves for Shape Illustration", SIGGRAPH Asia 2008.
 // In   curvature and its derivative
 // Out  where the curvature along g, the direction in which curvature changes most, is zero. Triangles whose corners
-//      disagree about g by more than 45 degrees have no line: there another maximum takes over. But where two directions
-//      are about as good, as everywhere on a surface of revolution, all corners follow the one of the strongest.
+//      disagree about g by more than 45 degrees have no line: there another maximum takes over. But where two
+//      directions are about as good, as everywhere on a surface of revolution, all corners follow that of the strongest.
 #include "line/seen_vertices.h"
 #include "line/threshold.h"
 #include "line/zero_set.h"
@@ -34,7 +34,8 @@ bool agree(const Fields& fields, const Triangle& t, Corner (&corners)[3]) {
         if (glm::dot(corners[i].along, along) > least_cosine) continue;
         const Curvature& c = fields.curvature[t[i]];
         const Corner other = corner(c, demarcating_near(c, glm::dot(along, c.e1), glm::dot(along, c.e2)));
-        if (!(glm::dot(other.along, along) > least_cosine) || !(other.strength > tied * corners[i].strength)) return false;
+        if (!(glm::dot(other.along, along) > least_cosine)) return false;
+        if (!(other.strength > tied * corners[i].strength)) return false;
         corners[i] = other;
     }
     return glm::dot(corners[0].along, corners[1].along) > least_cosine &&

@@ -16,7 +16,8 @@ const LineDefinition principal_highlight_valley = {
     .scope = Scope::view,
     .parameters = principal_highlight_parameters(),
     .on_by_default = false,
-    .find = [](const SurfaceView& seen, const Values& values) { return find_principal_highlights(seen, values, -1.0f); },
+    .find = [](const SurfaceView& seen,
+               const Values& values) { return find_principal_highlights(seen, values, -1.0f); },
     .select = select_principal_highlights,
 };
 

@@ -41,8 +41,8 @@ Curves collect_pieces(std::size_t triangles, const Emit& emit) {
     return curves;
 }
 
-/// How far what has to be positive is above zero: one number, or two that are cut by each for itself, of which the first
-/// gives the strength.
+/// How far what has to be positive is above zero: one number, or two that cut each for itself, of which the first gives
+/// the strength.
 inline vec2 margins(float one) { return {one, 1.0f}; }
 inline vec2 margins(const vec2& two) { return two; }
 
@@ -97,9 +97,9 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
     append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
 }
 
-/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Triangles for which `wanted(triangle)`
-/// is false are passed over. Zero counts as positive, so that each side is crossed by both of its triangles or by
-/// neither (simulation of simplicity). NaN crosses nothing.
+/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Triangles for which
+/// `wanted(triangle)` is false are passed over. Zero counts as positive, so that each side is crossed by both of its
+/// triangles or by neither (simulation of simplicity). NaN crosses nothing.
 template <typename Wanted, typename Value, typename Margin, typename Strength>
 Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value& value, const Margin& margin,
                       const Strength& strength) {
@@ -130,13 +130,13 @@ Curves trace_levels(const Surface& surface, const Value& value, float first, flo
 /// How fast the lengths of vectors fall along their own direction in a triangle, where that of corner `alone` points
 /// against the two others: the second derivative, turned around, of the quantity that they are derivatives of. Positive
 /// where it has a maximum between them.
-inline float bend_across(const vec3 (&p)[3], const vec3 (&uphill)[3], int alone) {
-    const vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-    vec3 gradient(0.0f), direction(0.0f);
+inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alone) {
+    const dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    dvec3 gradient(0.0), direction(0.0);
     for (int i = 0; i < 3; ++i) {
-        const float length = glm::length(uphill[i]), sign = i == alone ? -1.0f : 1.0f;
+        const double length = glm::length(uphill[i]), sign = i == alone ? -1.0 : 1.0;
         gradient += sign * length * glm::cross(normal, p[(i + 2) % 3] - p[(i + 1) % 3]);
-        if (length > 0.0f) direction += sign / length * uphill[i];
+        if (length > 0.0) direction += sign / length * uphill[i];
     }
     return -glm::dot(gradient, direction) / (glm::dot(normal, normal) * glm::length(direction));
 }
@@ -169,9 +169,10 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
             ends[count++] = {side, e.x, e.y, a / (a + b)};
         }
         if (count != 2) return;
-        const vec3 at[3] = {surface.positions[corners.x], surface.positions[corners.y], surface.positions[corners.z]};
-        const float bend = bend_across(at, climb, alone);
-        if (!(bend > 0.0f) || bend < least_bend) return;
+        const auto position = [&](Index v) { return dvec3(surface.positions[v]); };
+        const double bend = bend_across({position(corners.x), position(corners.y), position(corners.z)},
+                                        {dvec3(climb[0]), dvec3(climb[1]), dvec3(climb[2])}, alone);
+        if (!(bend > 0.0) || bend < least_bend) return;
         append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
     });
 }

@@ -19,21 +19,18 @@ class NearSegments {
         }
     }
 
-    /// In the tangent plane with the normal `n`: chords of a mesh lie below its surface. `reach` where none is nearer.
+    /// In the tangent plane with the normal `n`, or 0 for all of it: chords of a mesh lie below its surface. `reach`
+    /// where none is nearer.
     double distance(const dvec3& p, const dvec3& n) const {
         double least = reach_;
         each(cell(p - reach_), cell(p + reach_), [&](std::uint64_t key) {
             const auto it = cells_.find(key);
             if (it == cells_.end()) return;
             for (const std::size_t i : it->second) {
-                dvec3 a = segments_[i].a - p, b = segments_[i].b - p;
-                if (glm::length(a) > 2 * reach_ && glm::length(b) > 2 * reach_) continue;
-                a -= glm::dot(a, n) * n;
-                b -= glm::dot(b, n) * n;
-                const dvec3 d = b - a;
+                const dvec3 a = segments_[i].a - p, d = segments_[i].b - segments_[i].a;
                 const double square = glm::dot(d, d);
-                const double t = square > 0 ? std::clamp(-glm::dot(a, d) / square, 0.0, 1.0) : 0.0;
-                least = std::min(least, glm::length(a + t * d));
+                const dvec3 to = a + (square > 0 ? std::clamp(-glm::dot(a, d) / square, 0.0, 1.0) : 0.0) * d;
+                if (glm::length(to) < reach_) least = std::min(least, glm::length(to - glm::dot(to, n) * n));
             }
         });
         return least;
@@ -79,7 +76,8 @@ Match match(const Sample& sample, const ExactCurves& found, const ExactCurves& e
         std::vector<std::pair<double, double>> list;  // distance, length
         for (const ExactSegment& s : curves) {
             const dvec3 middle = 0.5 * (s.a + s.b);
-            if (counts(middle)) list.push_back({others.distance(middle, sample.exact(middle).normal) / edge, glm::distance(s.a, s.b)});
+            if (counts(middle))
+                list.push_back({others.distance(middle, sample.exact(middle).normal) / edge, glm::distance(s.a, s.b)});
         }
         std::sort(list.begin(), list.end());
         return list;

@@ -15,6 +15,12 @@ struct ExactSegment {
 };
 using ExactCurves = std::vector<ExactSegment>;
 
+inline double length(const ExactCurves& curves) {
+    double sum = 0.0;
+    for (const ExactSegment& s : curves) sum += glm::distance(s.a, s.b);
+    return sum;
+}
+
 /// Value of a function at a point, and the tangent that it is taken along: turning that around turns the value around,
 /// unless `one_way`. Zero where the value depends on no such direction.
 struct Along {
@@ -31,8 +37,8 @@ struct Along {
     }
 };
 
-/// Points of a surface with their curvature, over n x n cells of the parameters. An odd number: planes of symmetry, where
-/// values are zero but for rounding, then pass between the nodes.
+/// Points of a surface with their curvature, over n x n cells of the parameters. An odd number: planes of symmetry,
+/// where values are zero but for rounding, then pass between the nodes.
 struct ExactGrid {
     const Sample& sample;
     int n;
@@ -59,13 +65,16 @@ class ExactTrace {
     ExactCurves run() {
         parallel_for(values_.size(), [&](std::size_t k) { values_[k] = at_(grid_.point[k], grid_.curvature[k]); });
         std::vector<ExactCurves> rows(n_);
-        parallel_for(n_, [&](std::size_t j) {
-            for (int i = 0; i < n_; ++i) {
-                const int a = int(j) * (n_ + 1) + i, b = a + 1, c = b + n_ + 1, d = a + n_ + 1;
-                add({a, b, c}, rows[j]);
-                add({a, c, d}, rows[j]);
-            }
-        }, 8);
+        parallel_for(
+            n_,
+            [&](std::size_t j) {
+                for (int i = 0; i < n_; ++i) {
+                    const int a = int(j) * (n_ + 1) + i, b = a + 1, c = b + n_ + 1, d = a + n_ + 1;
+                    add({a, b, c}, rows[j]);
+                    add({a, c, d}, rows[j]);
+                }
+            },
+            8);
         ExactCurves curves;
         for (const ExactCurves& row : rows) curves.insert(curves.end(), row.begin(), row.end());
         return curves;
@@ -90,7 +99,8 @@ class ExactTrace {
         int count = 0;
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3;
-            if ((*value[i] >= 0) != (*value[j] >= 0)) ends[count++] = root(grid_.parameters(corners[i]), grid_.parameters(corners[j]));
+            if ((*value[i] >= 0) != (*value[j] >= 0))
+                ends[count++] = root(grid_.parameters(corners[i]), grid_.parameters(corners[j]));
         }
         if (count == 2) trim(ends[0], ends[1], out);
     }

@@ -28,14 +28,20 @@ struct Eye {
     }
 };
 
+inline Values defaults(const std::string& name) {
+    Values values;
+    for (const Parameter& p : line_definitions()[definition_index(name)]->parameters) values.push_back(p.value);
+    return values;
+}
+
 /// One definition with its thresholds: what is zero, and what is kept (the least of all conditions, positive).
 struct ExactLine {
     using Field = std::function<Along(const CurvatureD&, const SeenOf<double>&)>;
     using Condition = std::function<double(const CurvatureD&, const SeenOf<double>&)>;
     Field field;
     Condition kept = [](const CurvatureD&, const SeenOf<double>&) { return 1.0; };
-    bool maximum = false;      ///< the value is a derivative along its direction; only where it falls
-    double least_bend = 0.0;   ///< by at least so much per length
+    bool maximum = false;     ///< the value is a derivative along its direction; only where it falls
+    double least_bend = 0.0;  ///< by at least so much per length
 };
 
 inline ExactLine exact_line(const std::string& name, const Values& values, double feature_size) {
@@ -51,10 +57,14 @@ inline ExactLine exact_line(const std::string& name, const Values& values, doubl
                     return std::min(sign * radial(c, s).derivative - t * squared * s.facing, s.facing);
                 }};
     if (name == "ridge" || name == "valley")
-        return {[=](const C& c, const S&) { return Along{sign * c.C[0], c.e1}; },
+        return {[=](const C& c, const S&) {
+                    return Along{sign * c.C[0], c.e1};
+                },
                 [=](const C& c, const S&) { return sign * c.k1 - t * unit; }, true, values[1] * squared * unit};
     if (name == "principal_highlight_ridge" || name == "principal_highlight_valley")
-        return {[](const C& c, const S& s) { return Along{s.u, c.e1}; },
+        return {[](const C& c, const S& s) {
+                    return Along{s.u, c.e1};
+                },
                 [=](const C& c, const S& s) {
                     return std::min((c.k1 * c.k1 - c.k2 * c.k2) * s.facing - t * squared, sign * c.k1);
                 }};
@@ -66,7 +76,8 @@ inline ExactLine exact_line(const std::string& name, const Values& values, doubl
                 },
                 [=](const C& c, const S& s) {
                     return std::min(view_curvature(c, s).squared - t * squared, s.facing - 0.1);
-                }, true};
+                },
+                true};
     if (name == "demarcating_curve")
         return {[](const C& c, const S&) {
                     const auto d = demarcating(c);

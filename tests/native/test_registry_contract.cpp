@@ -5,7 +5,6 @@
 #include <cstring>
 #include <limits>
 #include <random>
-#include <regex>
 
 #include "analytic.h"
 #include "drawing.h"
@@ -18,6 +17,16 @@ using namespace fovea::drawing;
 namespace {
 
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+
+/// Words of small letters, one underscore between them.
+bool is_snake_case(const std::string& name) {
+    bool word = false;
+    for (const char c : name) {
+        if (!(c >= 'a' && c <= 'z') && !(c == '_' && word)) return false;
+        word = c != '_';
+    }
+    return word;
+}
 
 LineSet every(const Values& values, Index definition) {
     LineSet set;
@@ -39,8 +48,8 @@ std::vector<Placement> small_scene() {
     cube.edge_mark = cube.edge_flags({0, 3});
     const Mesh hills = analytic::waves({.n = 40, .irregular = true}).mesh;
     const Mesh ring = analytic::torus({.n = 48}).mesh;
-    return {place(hills, scaled(dvec3(2)), 1), place(ring, moved({0.3, 0, 0.4}), 2), place(cube, moved({-1, 1, 0.2}), 3),
-            place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
+    return {place(hills, scaled(dvec3(2)), 1), place(ring, moved({0.3, 0, 0.4}), 2),
+            place(cube, moved({-1, 1, 0.2}), 3), place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
 }
 
 /// Paths of one definition, and the camera they were found for.
@@ -51,14 +60,17 @@ struct Found {
     Paths paths;
 
     Found(std::vector<Placement> placements, const View& seen, const LineSet& set)
-        : scene(std::move(placements)), view(seen), tracer(scene, view), paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}
+        : scene(std::move(placements)),
+          view(seen),
+          tracer(scene, view),
+          paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}
     Found(const Found&) = delete;
 };
 
 template <typename T>
 void expect_same_bytes(const Array<T>& a, const Array<T>& b, const std::string& what) {
     ASSERT_EQ(a.size(), b.size()) << what;
-    if (!a.empty()) EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(T)), 0) << what;
+    EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0) << what;
 }
 
 void expect_same(const Paths& a, const Paths& b, const std::string& name) {
@@ -80,11 +92,12 @@ std::vector<Index> corners_of(const Surface& surface, Index place) {
     return {t.x, t.y, t.z};
 }
 
-bool share_a_corner(const Surface& surface, Index a, Index b) {
+/// Edges have a vertex in common, triangles a side.
+bool touch(const Surface& surface, Index a, Index b) {
+    int common = 0;
     for (const Index i : corners_of(surface, a))
-        for (const Index j : corners_of(surface, b))
-            if (i == j) return true;
-    return false;
+        for (const Index j : corners_of(surface, b)) common += i == j;
+    return common >= (surface.is_edge(a) ? 1 : 2);
 }
 
 void expect_sound(const Found& found, const std::string& name) {
@@ -93,22 +106,25 @@ void expect_sound(const Found& found, const std::string& name) {
         const Index begin = paths.rows.begin(p), end = paths.rows.end(p);
         ASSERT_GE(end - begin, 2u) << name << ": a path has two points";
         const Index placement = paths.placement[p];
-        const Surface* surface = placement < found.scene.placements.size() ? found.scene.placements[placement].surface.get() : nullptr;
+        const Surface* surface =
+            placement < found.scene.placements.size() ? found.scene.placements[placement].surface.get() : nullptr;
         for (Index i = begin; i < end; ++i) {
             const vec3 point = paths.points_obj[i];
             ASSERT_TRUE(std::isfinite(point.x + point.y + point.z)) << name;
             ASSERT_TRUE(paths.strength[i] >= 0.0f && paths.strength[i] <= 1.0f) << name << " " << paths.strength[i];
-            ASSERT_TRUE(std::isfinite(paths.arc_obj[i]) && (i == begin || paths.arc_obj[i] >= paths.arc_obj[i - 1])) << name;
+            ASSERT_TRUE(std::isfinite(paths.arc_obj[i]) && (i == begin || paths.arc_obj[i] >= paths.arc_obj[i - 1]))
+                << name;
             ASSERT_EQ(paths.kinds[i] & ~bit_of(name.c_str()), 0u) << name << ": kinds that were not asked for";
             if (!surface) continue;
-            ASSERT_LE(glm::distance(point, surface->center), surface->radius * 1.0001f) << name << ": outside of the mesh";
+            ASSERT_LE(glm::distance(point, surface->center), surface->radius * 1.0001f)
+                << name << ": outside of the mesh";
         }
-        if (paths.closed[p]) EXPECT_EQ(paths.points_obj[begin], paths.points_obj[end - 1]) << name;
+        EXPECT_TRUE(!paths.closed[p] || paths.points_obj[begin] == paths.points_obj[end - 1]) << name;
         // Lines of the scene need not lie on one surface.
         if (!surface || line_definitions()[definition_index(name)]->scope == Scope::scene) continue;
         for (Index i = begin; i + 1 < end; ++i) {
             ASSERT_LT(paths.place[i], surface->place_count()) << name;
-            if (i + 2 < end) ASSERT_TRUE(share_a_corner(*surface, paths.place[i], paths.place[i + 1])) << name;
+            ASSERT_TRUE(i + 2 >= end || touch(*surface, paths.place[i], paths.place[i + 1])) << name;
         }
     }
     std::set<std::uint64_t> ids(paths.id.begin(), paths.id.end());
@@ -122,7 +138,8 @@ std::vector<Mesh> degenerate_meshes() {
     broken.positions[100].z = std::numeric_limits<float>::infinity();
     Mesh slivers = analytic::waves({.n = 12}).mesh;
     slivers.name = "slivers";
-    for (std::size_t v = 0; v + 1 < slivers.positions.size(); v += 3) slivers.positions[v] = slivers.positions[v + 1] + vec3(1e-7f, 0, 0);
+    for (std::size_t v = 0; v + 1 < slivers.positions.size(); v += 3)
+        slivers.positions[v] = slivers.positions[v + 1] + vec3(1e-7f, 0, 0);
     Mesh line = grid(4);
     line.name = "line";
     for (vec3& p : line.positions) p.y = p.z = 0.0f;
@@ -132,11 +149,23 @@ std::vector<Mesh> degenerate_meshes() {
     Mesh tiny = sphere(6);
     tiny.name = "tiny";
     for (vec3& p : tiny.positions) p *= 1e-18f;
-    return {broken, slivers, line, huge, tiny, Mesh("nothing", {}), sphere(8), grid(6), box(), cylinder(5), moebius(9),
+    return {broken,
+            slivers,
+            line,
+            huge,
+            tiny,
+            Mesh("nothing", {}),
+            sphere(8),
+            grid(6),
+            box(),
+            cylinder(5),
+            moebius(9),
             of_polygons("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}),
             of_polygons("three faces at an edge", {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 1}, {-1, 0, -1}},
                         {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),
-            two_boxes_at_an_edge(), bent_quad(), analytic::ellipsoid(2, true).mesh};
+            two_boxes_at_an_edge(),
+            bent_quad(),
+            analytic::ellipsoid(2, true).mesh};
 }
 
 const View corner_view = perspective({6, -5, 4}, {0, 0, 0});
@@ -151,21 +180,21 @@ class Definition : public testing::TestWithParam<Index> {
 };
 
 TEST_P(Definition, SaysWhatItIs) {
-    EXPECT_TRUE(std::regex_match(name, std::regex("[a-z]+(_[a-z]+)*"))) << name;
+    EXPECT_TRUE(is_snake_case(name)) << name;
     EXPECT_GT(std::string(definition.label).size(), 2u);
     EXPECT_GT(std::string(definition.source).size(), 5u);
     EXPECT_GT(std::string(definition.description).size(), 10u);
     EXPECT_LT(index, 8 * sizeof(Kinds));
     std::set<std::string> names;
     for (const Parameter& p : definition.parameters) {
-        EXPECT_TRUE(std::regex_match(p.name, std::regex("[a-z]+(_[a-z]+)*"))) << p.name;
+        EXPECT_TRUE(is_snake_case(p.name)) << p.name;
         EXPECT_TRUE(names.insert(p.name).second) << p.name << " twice";
         EXPECT_TRUE(p.low < p.high && p.low <= p.value && p.value <= p.high) << p.name;
         EXPECT_GT(std::string(p.label).size(), 1u);
         EXPECT_GT(std::string(p.meaning).size(), 10u);
     }
     for (Index other = 0; other < line_definitions().size(); ++other)
-        if (other != index) EXPECT_STRNE(line_definitions()[other]->name, definition.name);
+        EXPECT_TRUE(other == index || line_definitions()[other]->name != name);
 }
 
 TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
@@ -177,6 +206,44 @@ TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
         tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
         const Found alone(small_scene(), view, every(defaults(definition), index));
         expect_same(all.paths, alone.paths, name);
+    }
+}
+
+TEST_P(Definition, FindsSomethingWhenItsParametersAllowIt) {
+    Index count = 0;
+    for (const bool least : {false, true}) {
+        Values values = defaults(definition);
+        for (std::size_t p = 0; least && p < values.size(); ++p) values[p] = definition.parameters[p].low;
+        count += Found(small_scene(), corner_view, every(values, index)).paths.count();
+    }
+    EXPECT_GT(count, 0u) << "give the scene of this test what the definition finds";
+}
+
+TEST_P(Definition, EndsPiecesOnTheSidesThatTheyName) {
+    if (!definition.find || definition.scope == Scope::scene) return;  // not pieces of curves on a surface
+    const auto surface = analytic::waves({.n = 40, .irregular = true}).mesh.surface();
+    const auto sides = triangle_sides(*surface);
+    SurfaceView seen{.surface = *surface};
+    seen.eye_obj = dvec3(5, -4, 4);
+    Values values = defaults(definition);
+    if (!values.empty()) values[0] = definition.parameters[0].low;
+    std::map<std::pair<Index, Index>, std::vector<vec3>> at_side;
+    for (const CurvePiece& piece : definition.find(seen, values))
+        for (int k = 0; k < 2; ++k) {
+            if (piece.side[k] == none) continue;
+            const glm::uvec3& own = sides->of_triangle[piece.triangle];
+            ASSERT_TRUE(own.x == piece.side[k] || own.y == piece.side[k] || own.z == piece.side[k]);
+            const Edge e = sides->vertices[piece.side[k]];
+            const dvec3 a(surface->positions[e.x]), b(surface->positions[e.y]), p(piece.point[k]);
+            EXPECT_NEAR(glm::distance(a, p) + glm::distance(p, b), glm::distance(a, b), 1e-6);
+            at_side[{piece.side[k], piece.level}].push_back(piece.point[k]);
+        }
+    for (const auto& [side, points] : at_side) {
+        ASSERT_LE(points.size(), 2u) << "one piece of a level in a triangle";
+        if (points.size() < 2) continue;
+        const Edge e = sides->vertices[side.first];
+        const float length = glm::distance(surface->positions[e.x], surface->positions[e.y]);
+        EXPECT_LE(glm::distance(points[0], points[1]), 0.1f * length) << "a curve goes on where it left";
     }
 }
 
@@ -195,12 +262,14 @@ TEST_P(Definition, TakesDegenerateMeshes) {
     for (const Mesh& mesh : degenerate_meshes())
         for (const Values& values : {defaults(definition), least})
             // The last looks along a face, from a vertex.
-            for (const View& view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
+            for (const View& view :
+                 {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
                 expect_sound(Found({place(mesh)}, view, every(values, index)), name);
             }
     // Two of a kind in one place, and a scene of nothing.
-    expect_sound(Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(defaults(definition), index)), name);
+    expect_sound(Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(defaults(definition), index)),
+                 name);
     EXPECT_EQ(Found({}, corner_view, every(defaults(definition), index)).paths.count(), 0u);
 }
 
