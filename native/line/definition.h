@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/view.h"
 #include "line/curves.h"
 #include "mesh/surface.h"
@@ -48,9 +49,10 @@ using Kinds = std::uint32_t;
 
 /// Which quantities a definition depends on.
 enum class Scope {
-    surface,  ///< the surface alone: found once and kept
-    view,     ///< the surface and the eye
-    scene,    ///< also what lies around and behind it
+    surface,     ///< the surface alone: found once and kept
+    placements,  ///< all surfaces and where they are, not the view: found once for the scene, and kept
+    view,        ///< the surface and the eye
+    scene,       ///< also what lies around and behind it
 };
 
 struct LineDefinition {
@@ -65,6 +67,9 @@ struct LineDefinition {
     void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
     /// Lines across triangles, instead.
     Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
+    /// Lines across triangles of the whole scene, instead: those of the placements that are drawn.
+    std::vector<SceneCurves> (*find_in_scene)(const Scene& scene, In<Index> drawn, const Values& values,
+                                              const Cancel& cancel) = nullptr;
 };
 
 }  // namespace fovea

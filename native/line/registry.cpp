@@ -5,7 +5,7 @@
 namespace fovea {
 
 extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
-    suggestive_contour, suggestive_highlight, ridge, valley, apparent_ridge, demarcating_curve,
+    intersection, suggestive_contour, suggestive_highlight, ridge, valley, apparent_ridge, demarcating_curve,
     laplacian_line, parabolic, zero_mean_curvature, isophote, topographic;
 
 const std::vector<const LineDefinition*>& line_definitions() {
@@ -13,6 +13,7 @@ const std::vector<const LineDefinition*>& line_definitions() {
         &contour, &silhouette, &crease, &border, &material_boundary, &edge_mark,
         &smooth_contour, &suggestive_contour, &suggestive_highlight, &ridge, &valley, &apparent_ridge,
         &demarcating_curve, &laplacian_line, &parabolic, &zero_mean_curvature, &isophote, &topographic,
+        &intersection,
     };
     return all;
 }

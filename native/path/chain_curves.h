@@ -11,11 +11,12 @@ struct CurveChains {
     Rows rows;
     // Per curve.
     Array<std::uint8_t> closed;  ///< the last point repeats the first
-    Array<std::uint64_t> anchor; ///< no two have the same: their level (high half) and their lowest triangle
+    Array<std::uint64_t> anchor; ///< no two have the same: level and lowest triangle (high and low half), or lowest triangles of both surfaces
     // Per point.
     Array<vec3> point;           ///< object space
     Array<float> strength;
     Array<Index> triangle;       ///< of the piece from this point; the last repeats the one before
+    Array<Index> other;          ///< the same of the second surface, or `none`
 };
 
 /// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where

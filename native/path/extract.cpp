@@ -26,7 +26,8 @@ struct StaticLines {
 struct FoundCurves {
     std::uint8_t line_set;
     Index definition;
-    CurveChains chains;
+    std::shared_ptr<const CurveChains> chains;
+    Index other = none;  // the second placement on which they lie
 };
 
 /// Those of a style that depend on the surface alone.
@@ -93,7 +94,29 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition, chain_curves(definition.find(seen, kind.values))});
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition,
+                             std::make_shared<CurveChains>(chain_curves(definition.find(seen, kind.values)))});
+        }
+    return found;
+}
+
+/// Curves of the whole scene, each with the placement that has it.
+std::vector<std::pair<Index, FoundCurves>> find_scene_curves(const Scene& scene, In<Index> drawn,
+                                                             const std::vector<LineSet>& sets, const Cancel& cancel) {
+    std::vector<std::pair<Index, FoundCurves>> found;
+    Kinds done = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        for (const LineSet::Kind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const Kinds bit = Kinds(1) << kind.definition;
+            if (!definition.find_in_scene || (done & bit)) continue;
+            done |= bit;
+            for (const SceneCurves& part : definition.find_in_scene(scene, drawn, kind.values, cancel)) {
+                if (part.curves->pieces.empty()) continue;
+                const auto chains =
+                    part.curves->derived.get<CurveChains>(0, [&] { return chain_curves(part.curves->pieces); });
+                found.push_back({part.placement, {static_cast<std::uint8_t>(s), kind.definition, chains, part.other}});
+            }
         }
     return found;
 }
@@ -249,16 +272,19 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
         paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
         paths.kinds[n] = kinds[i];
         paths.strength[n] = 1.0f;
+        paths.other_facet[n] = none;
     });
 }
 
 void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
     const Placement& placement = scene.placements[slot.placement];
-    const CurveChains& chains = found.chains;
+    const CurveChains& chains = *found.chains;
+    const std::uint64_t id = found.other == none || found.other == slot.placement
+                                 ? placement.id : hash_numbers(placement.id, scene.placements[found.other].id);
     write_paths(
         chains, slot, [&](std::size_t) { return found.line_set; },
         [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
-        [&](std::size_t c) { return hash_numbers(placement.id, found.definition + 1, chains.anchor[c]); },
+        [&](std::size_t c) { return hash_numbers(id, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
@@ -266,6 +292,10 @@ void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths
         paths.edge_t[n] = 0.0f;
         paths.kinds[n] = Kinds(1) << found.definition;
         paths.strength[n] = chains.strength[i];
+        paths.other_facet[n] = found.other == none
+                                   ? none
+                                   : scene.facet_base[found.other] +
+                                         scene.placements[found.other].surface->triangle_facet[chains.other[i]];
     });
 }
 
@@ -284,6 +314,7 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     paths.edge_t.resize(point_count);
     paths.kinds.resize(point_count);
     paths.strength.resize(point_count);
+    paths.other_facet.resize(point_count);
 }
 
 }  // namespace
@@ -306,6 +337,8 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         found[i] = extract_placement(look_at(scene, drawn[i], view, tracer), sets, sets_hash, view_dependent);
     });
 
+    const auto of_scene = find_scene_curves(scene, drawn, sets, cancel);
+
     struct CurveSlot {
         const FoundCurves* found;
         Slot slot;
@@ -313,6 +346,11 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     std::vector<std::pair<Slot, Slot>> slots(drawn.size());
     std::vector<CurveSlot> curve_slots;
     Index path = 0, point = 0;
+    const auto add_curves = [&](Index placement, const FoundCurves& curves, bool of_view) {
+        curve_slots.push_back({&curves, {placement, path, point, of_view}});
+        path += curves.chains->rows.count();
+        point += static_cast<Index>(curves.chains->point.size());
+    };
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         slots[i].first = {drawn[i], path, point, false};
         path += found[i].kept->rows.count();
@@ -320,16 +358,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         slots[i].second = {drawn[i], path, point, true};
         path += found[i].seen.rows.count();
         point += static_cast<Index>(found[i].seen.vertex.size());
-        const auto add_curves = [&](const std::vector<FoundCurves>& curves, bool of_view) {
-            for (const FoundCurves& c : curves) {
-                curve_slots.push_back({&c, {drawn[i], path, point, of_view}});
-                path += c.chains.rows.count();
-                point += static_cast<Index>(c.chains.point.size());
-            }
-        };
-        add_curves(found[i].kept_curves->found, false);
-        add_curves(found[i].seen_curves, true);
+        for (const FoundCurves& c : found[i].kept_curves->found) add_curves(drawn[i], c, false);
+        for (const FoundCurves& c : found[i].seen_curves) add_curves(drawn[i], c, true);
     }
+    for (const auto& [placement, curves] : of_scene) add_curves(placement, curves, false);
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);
