@@ -21,6 +21,9 @@ namespace {
 /// Frames for which crossings that nobody asks for are kept.
 constexpr std::uint64_t kept_frames = 16;
 
+/// Larger numbers are nobody's scene.
+constexpr double farthest = 1e18;
+
 /// Crossings of a surface with others, and with itself.
 struct KeptPairs {
     struct Entry {
@@ -54,18 +57,28 @@ struct Pair {
     std::uint64_t key = 0;
 };
 
-/// To single precision: the same for objects that move together.
+/// To multiples of 2^-24 of the size; without a sign on zero.
+double rounded(double value, double size) {
+    const double step = std::ldexp(1.0, std::ilogb(size) - 24);
+    return std::nearbyint(value / step) * step + 0.0;
+}
+
+/// To single precision: the same for objects that move together. False where there is no such map.
 bool relate(const Scene& scene, Pair& pair) {
     const Placement &first = scene.placements[pair.first], &second = scene.placements[pair.second];
-    const glm::mat4x3 relative(glm::inverse(first.object_to_world) * second.object_to_world);
-    pair.key = second.surface->version();
-    for (int column = 0; column < 4; ++column) {
-        const vec3 rounded = relative[column] + 0.0f;  // one zero
-        for (int row = 0; row < 3; ++row)
-            if (!std::isfinite(rounded[row])) return false;
-        pair.key = hash_bytes(&rounded, sizeof(rounded), pair.key);
-        pair.second_to_first[column] = dvec3(rounded);
-    }
+    Affine& map = pair.second_to_first;
+    map = Affine(glm::inverse(first.object_to_world) * second.object_to_world);
+    double turn = 0.0, shift = glm::length(first.surface->center) + first.surface->radius;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) {
+            double& size = column < 3 ? turn : shift;
+            if (!(std::abs(map[column][row]) < farthest)) return false;
+            size = std::max(size, std::abs(map[column][row]));
+        }
+    if (turn == 0.0 || shift == 0.0) return false;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) map[column][row] = rounded(map[column][row], column < 3 ? turn : shift);
+    pair.key = hash_bytes(&map, sizeof(map), second.surface->version());
     return true;
 }
 

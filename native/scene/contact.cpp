@@ -7,6 +7,9 @@
 namespace fovea {
 namespace {
 
+/// Tolerances that a curve must be long; what is left of one that touches is shorter.
+constexpr double shortest_curve = 16.0;
+
 /// Triangles at each side of a triangle.
 struct SideTriangles {
     Rows rows;
@@ -55,6 +58,8 @@ class ContactTest {
 
    private:
     bool runs_along(const Crossing& crossing, int own, int side) const {
+        // A shorter piece has no direction.
+        if (glm::distance(dvec3(crossing.point[0]), dvec3(crossing.point[1])) <= 4.0 * tolerance_) return false;
         const Index t = crossing.triangle[own];
         const dvec3 from = mapped_[own].corner(t, side), along = mapped_[own].corner(t, (side + 1) % 3) - from;
         const double room = tolerance_ * glm::length(along);
@@ -114,7 +119,7 @@ Crossings without_contact(const Crossings& crossings, const Mapped& first, const
         if (!contact[i]) kept.push_back(crossings[i]);
     const Array<double> lengths = curve_lengths(kept);
     for (std::size_t i = 0; i < kept.size(); ++i)
-        if (lengths[i] > 4.0 * tolerance) result.push_back(kept[i]);
+        if (lengths[i] > shortest_curve * tolerance) result.push_back(kept[i]);
     return result;
 }
 

@@ -50,8 +50,9 @@ class Grid {
         size_ = size;
     }
     bool usable() const { return usable_; }
-    double size() const { return size_; }
-    double tolerance() const { return contact_tolerance * size_ * scale_; }
+    /// In object space; in steps of the grid.
+    double tolerance() const { return contact_tolerance * size_; }
+    double tolerance_steps() const { return tolerance() * scale_; }
 
     /// Without a sign on zero: positions are compared and hashed by their bits.
     dvec3 point(const dvec3& p) const {
@@ -155,7 +156,7 @@ class Finder {
 
     bool in_one_plane(const Corners& a, const Orientation (&of_a)[3], const Corners& b, const Orientation (&of_b)[3]) const {
         const dvec3 na = a.normal(), nb = b.normal();
-        const double length_a = glm::length(na), length_b = glm::length(nb), tolerance = grid_.tolerance();
+        const double length_a = glm::length(na), length_b = glm::length(nb), tolerance = grid_.tolerance_steps();
         const auto within = [](const Orientation(&of)[3], double room) {
             return std::max({std::abs(of[0].value), std::abs(of[1].value), std::abs(of[2].value)}) <= room;
         };
@@ -205,20 +206,17 @@ Crossings find(const Mapped& first, const Mapped& second, bool within, const Can
     const Grid grid(*tree_a, tree_b->bounds().mapped(second.map));
     if (!grid.usable()) return {};
     const Finder finder(first, second, grid, within);
-    std::vector<std::vector<Piece>> parts;
-    std::size_t blocks = 0;
-    const auto in_block = [&](std::size_t block) {
-        cancel.poll();
-        const auto visit = [&](Index i, Index j) { finder.meet(tree_a->order[i], tree_b->order[j], parts[block]); };
-        TreeMeeting(*tree_a, *tree_b, second.map, within, visit).block(block);
+    const auto visit = [&](Index i, Index j, std::vector<Piece>& out) {
+        finder.meet(tree_a->order[i], tree_b->order[j], out);
     };
-    {
-        const auto nothing = [](Index, Index) {};
-        blocks = TreeMeeting(*tree_a, *tree_b, second.map, within, nothing).block_count();
-    }
-    parts.resize(blocks);
-    parallel_blocks(blocks, 1, [&](std::size_t b, std::size_t, std::size_t) { in_block(b); });
-    return without_contact(numbered(parts, grid), first, second, contact_tolerance * grid.size());
+    // The margin is more than rounding to the grid moves a box.
+    const TreeMeeting meeting(*tree_a, *tree_b, second.map, static_cast<float>(grid.tolerance()), within, visit);
+    std::vector<std::vector<Piece>> parts(meeting.block_count());
+    parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+        cancel.poll();
+        meeting.block(b, parts[b]);
+    });
+    return without_contact(numbered(parts, grid), first, second, grid.tolerance());
 }
 
 }  // namespace

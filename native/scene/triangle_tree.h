@@ -20,6 +20,7 @@ struct Box {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
                low.z <= other.high.z && other.low.z <= high.z;
     }
+    Box grown(float by) const { return {low - by, high + by}; }
     /// A box around this one's image.
     Box mapped(const Affine& map) const;
 };
@@ -46,55 +47,59 @@ struct TriangleTree {
 /// Kept with the surface.
 std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface);
 
-/// Walks down two trees at once and calls visit(i, j) for the positions in `order` of all triangles i of `a` and j of
-/// `b` whose boxes meet; `b_to_a` maps the objects onto each other. With `within`, a and b being the same tree, every
-/// pair comes once, with i < j. The work comes in blocks, whose number and pairs do not depend on the threads.
+/// Walks down two trees at once and calls visit(i, j, out) for the positions in `order` of all triangles i of `a` and j of
+/// `b` whose boxes come as near as `margin`; `b_to_a` maps the objects onto each other. With `within`, a and b being the
+/// same tree, every pair comes once, with i < j. The work comes in blocks, whose number and pairs do not depend on the threads.
 template <typename Visit>
 class TreeMeeting {
    public:
-    TreeMeeting(const TriangleTree& a, const TriangleTree& b, const Affine& b_to_a, bool within, const Visit& visit)
-        : a_(a), b_(b), b_to_a_(b_to_a), within_(within), visit_(visit), start_a_(a.level_of(64)), start_b_(b.level_of(8)) {}
+    TreeMeeting(const TriangleTree& a, const TriangleTree& b, const Affine& b_to_a, float margin, bool within, const Visit& visit)
+        : a_(a), b_(b), b_to_a_(b_to_a), margin_(margin), within_(within), visit_(visit) {}
 
     std::size_t block_count() const { return a_.levels[start_a_].size() * b_.levels[start_b_].size(); }
-    void block(std::size_t block) const {
+    template <typename Out>
+    void block(std::size_t block, Out& out) const {
         const std::size_t parts = b_.levels[start_b_].size();
-        nodes(start_a_, static_cast<Index>(block / parts), start_b_, static_cast<Index>(block % parts));
+        nodes(start_a_, static_cast<Index>(block / parts), start_b_, static_cast<Index>(block % parts), out);
     }
 
    private:
-    Box of_b(const Box& box) const { return within_ ? box : box.mapped(b_to_a_); }
+    Box of_b(const Box& box) const { return (within_ ? box : box.mapped(b_to_a_)).grown(margin_); }
 
-    void nodes(Index level_a, Index a, Index level_b, Index b) const {
+    template <typename Out>
+    void nodes(Index level_a, Index a, Index level_b, Index b, Out& out) const {
         // All of b comes before a.
         if (within_ && (std::uint64_t(b) + 1) << level_b <= std::uint64_t(a) << level_a) return;
         if (!a_.levels[level_a][a].meets(of_b(b_.levels[level_b][b]))) return;
         if (level_a == 0 && level_b == 0) {
-            leaves(a, b);
+            leaves(a, b, out);
         } else if (level_a >= level_b) {
             for (Index child = 2 * a; child < std::min<std::size_t>(2 * a + 2, a_.levels[level_a - 1].size()); ++child)
-                nodes(level_a - 1, child, level_b, b);
+                nodes(level_a - 1, child, level_b, b, out);
         } else {
             for (Index child = 2 * b; child < std::min<std::size_t>(2 * b + 2, b_.levels[level_b - 1].size()); ++child)
-                nodes(level_a, a, level_b - 1, child);
+                nodes(level_a, a, level_b - 1, child, out);
         }
     }
 
-    void leaves(Index a, Index b) const {
+    template <typename Out>
+    void leaves(Index a, Index b, Out& out) const {
         constexpr Index size = TriangleTree::leaf_size;
         const Index end_a = std::min<std::size_t>(size * (a + 1), a_.order.size());
         const Index end_b = std::min<std::size_t>(size * (b + 1), b_.order.size());
         for (Index j = size * b; j < end_b; ++j) {
             const Box box = of_b(b_.boxes[j]);
             for (Index i = size * a; i < (within_ ? std::min(end_a, j) : end_a); ++i)
-                if (a_.boxes[i].meets(box)) visit_(i, j);
+                if (a_.boxes[i].meets(box)) visit_(i, j, out);
         }
     }
 
     const TriangleTree &a_, &b_;
     const Affine& b_to_a_;
+    const float margin_;
     const bool within_;
     const Visit& visit_;
-    const Index start_a_, start_b_;
+    const Index start_a_ = a_.level_of(64), start_b_ = b_.level_of(8);
 };
 
 }  // namespace fovea
