@@ -198,7 +198,7 @@ class Runner {
         const auto& placements = tracer_.scene().placements;
         check(placement < placements.size() && place < placements[placement].surface->place_count(),
               "exact_visibility: the paths are not of this scene");
-        s.ignore = tracer_.ignore_at(placement, place, paths_.other_facet[clipped_.source[i]]);
+        s.ignore = tracer_.ignore_at(placement, place, paths_.other_facet_at(clipped_.source[i]));
         return s;
     }
 

@@ -261,7 +261,7 @@ class Projector {
             if (sides > 1) out.facet1[at] = base + surface.edge_sides[side + 1].facet();
         } else {
             out.facet0[at] = base + surface.triangle_facet[surface.triangle_at(place)];
-            out.facet1[at] = paths_.other_facet[source];
+            out.facet1[at] = paths_.other_facet_at(source);
         }
         out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
     }
