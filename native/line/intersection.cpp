@@ -144,7 +144,7 @@ const LineDefinition intersection = {
     .name = "intersection",
     .label = "Intersection",
     .source = "Saito & Takahashi 1990; Edelsbrunner & Mücke 1990, Simulation of Simplicity",
-    .description = "Where surfaces pass through each other",
+    .description = "Where surfaces pass through each other; not where they only touch",
     .scope = Scope::placements,
     .parameters = {{"between", "Between Objects", 1.0, 0.0, 1.0, "bool", "Where two objects pass through each other"},
                    {"within", "Within Objects", 1.0, 0.0, 1.0, "bool", "Where an object passes through itself"}},

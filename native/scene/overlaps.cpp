@@ -15,7 +15,9 @@ std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, 
     for (Index i = 0; i < placements.size(); ++i) {
         const Placement& placement = scene.placements[placements[i]];
         const auto tree = triangle_tree(*placement.surface);
-        if (!tree->empty()) entries.push_back({tree->bounds().mapped(Affine(placement.object_to_world)), i});
+        if (tree->empty()) continue;
+        const Box box = tree->bounds().mapped(Affine(placement.object_to_world));
+        if (box.meets(box)) entries.push_back({box, i});  // not where a placement is no number
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.position < b.position;

@@ -13,8 +13,9 @@ Box box_of(const Surface& surface, Index triangle) {
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-/// Every third bit of the result is one of the lower 21 of x.
-std::uint64_t spread(std::uint64_t x) {
+/// Every third bit of the result is one of the 20 of a place among 2^20, from 0 upwards.
+std::uint64_t spread(double place) {
+    std::uint64_t x = place > 0.0 ? static_cast<std::uint64_t>(std::min(place, 1048575.0)) : 0;  // rounding, overflow
     x = (x | x << 32) & 0x1f00000000ffffull;
     x = (x | x << 16) & 0x1f0000ff0000ffull;
     x = (x | x << 8) & 0x100f00f00f00f00full;
@@ -30,12 +31,11 @@ struct Placed {
 Array<Index> morton_order(const Surface& surface) {
     Array<Placed> placed(surface.triangles.size());
     const dvec3 low = dvec3(surface.center) - double(surface.radius);
-    const double cells = surface.radius > 0.0f ? 1048575.0 / surface.radius : 0.0;
+    const double cells = surface.radius > 0.0f ? 524288.0 / surface.radius : 0.0;
     parallel_for(placed.size(), [&](std::size_t t) {
         const Box box = box_of(surface, static_cast<Index>(t));
         const dvec3 at = (0.5 * (dvec3(box.low) + dvec3(box.high)) - low) * cells;
-        placed[t] = {spread(std::uint64_t(at.x)) | spread(std::uint64_t(at.y)) << 1 | spread(std::uint64_t(at.z)) << 2,
-                     static_cast<Index>(t)};
+        placed[t] = {spread(at.x) | spread(at.y) << 1 | spread(at.z) << 2, static_cast<Index>(t)};
     });
     tbb::parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;

@@ -1,19 +1,14 @@
 // What is seen of intersections: not hidden by the two surfaces they lie on, and not seen through them.
 #include <gtest/gtest.h>
 
-#include <glm/gtc/quaternion.hpp>
-
 #include "atlas/own_sides.h"
 #include "atlas/sampled.h"
-#include "drawing.h"
+#include "intersections.h"
 
 using namespace fovea;
-using namespace fovea::meshes;
-using namespace fovea::drawing;
+using namespace fovea::intersections;
 
 namespace {
-
-dmat4 turned(double angle, dvec3 axis) { return glm::mat4_cast(glm::angleAxis(angle, glm::normalize(axis))); }
 
 std::vector<View> views() {
     std::vector<View> all;
@@ -117,14 +112,7 @@ TEST(IntersectionSeen, OfASphereInASheetIsSeenFromBothSides) {
 
 TEST(IntersectionSeen, WithinOneObjectAsBetweenTwo) {
     const dmat4 other = moved({0.7, -0.5, 0.6}) * turned(0.5, {1, 2, 3});
-    Mesh both = box();
-    const Mesh second = box();
-    for (const vec3& p : second.positions) both.positions.push_back(vec3(other * dvec4(dvec3(p), 1.0)));
-    for (int f = 0; f < 6; ++f) {
-        std::vector<int> verts;
-        for (int c = 4 * f; c < 4 * f + 4; ++c) verts.push_back(8 + second.corner_verts[c]);
-        both.add_polygon(verts);
-    }
+    const Mesh both = joined({{box(), dmat4(1.0)}, {box(), other}});
     expect_right({place(both)}, none, 0.01, "boxes in one object");
     for (const View& view : views()) {
         const Seen one({place(both)}, view), two({place(box(), dmat4(1.0), 1), place(box(), other, 2)}, view);
