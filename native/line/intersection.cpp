@@ -101,14 +101,17 @@ std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, bool between, bo
 
 std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair, const Cancel& cancel) {
     const Surface &first = *scene.placements[pair.first].surface, &second = *scene.placements[pair.second].surface;
-    const Crossings crossings = pair.first == pair.second ? cross_itself(first, cancel)
-                                                          : cross(first, second, pair.second_to_first, cancel);
+    const Crossings crossings =
+        pair.first == pair.second ? cross_itself(first, cancel) : cross(first, second, pair.second_to_first, cancel);
     auto curves = std::make_shared<KeptCurves>();
     curves->pieces.resize(crossings.size());
     parallel_for(crossings.size(), [&](std::size_t i) {
         const Crossing& c = crossings[i];
-        curves->pieces[i] = {.triangle = c.triangle[0], .side = {c.end[0], c.end[1]}, .point = {c.point[0], c.point[1]},
-                             .strength = {1.0f, 1.0f}, .other = c.triangle[1]};
+        curves->pieces[i] = {.triangle = c.triangle[0],
+                             .side = {c.end[0], c.end[1]},
+                             .point = {c.point[0], c.point[1]},
+                             .strength = {1.0f, 1.0f},
+                             .other = c.triangle[1]};
     });
     return curves;
 }

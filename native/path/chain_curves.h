@@ -11,7 +11,8 @@ struct CurveChains {
     Rows rows;
     // Per curve.
     Array<std::uint8_t> closed;  ///< the last point repeats the first
-    Array<std::uint64_t> anchor; ///< no two have the same: level and lowest triangle (high and low half), or lowest triangles of both surfaces
+    /// No two have the same: level (high half) and lowest triangle, or the lowest triangles of both surfaces.
+    Array<std::uint64_t> anchor;
     // Per point.
     Array<vec3> point;           ///< object space
     Array<float> strength;

@@ -42,7 +42,8 @@ class Grid {
     Grid(const TriangleTree& first, const Box& second) {
         double size = 0.0;
         for (const Box& box : {first.bounds(), second})
-            for (int i = 0; i < 3; ++i) size = std::max({size, std::abs(double(box.low[i])), std::abs(double(box.high[i]))});
+            for (int i = 0; i < 3; ++i)
+                size = std::max({size, std::abs(double(box.low[i])), std::abs(double(box.high[i]))});
         usable_ = size > 0.0 && size < 1e18;
         int exponent = 0;
         std::frexp(size, &exponent);  // size < 2^exponent
@@ -56,7 +57,8 @@ class Grid {
 
     /// Without a sign on zero: positions are compared and hashed by their bits.
     dvec3 point(const dvec3& p) const {
-        return {std::nearbyint(p.x * scale_) + 0.0, std::nearbyint(p.y * scale_) + 0.0, std::nearbyint(p.z * scale_) + 0.0};
+        return {std::nearbyint(p.x * scale_) + 0.0, std::nearbyint(p.y * scale_) + 0.0,
+                std::nearbyint(p.z * scale_) + 0.0};
     }
     vec3 back(const dvec3& p) const { return vec3(p / scale_); }
 
@@ -154,7 +156,8 @@ class Finder {
         return above && below;
     }
 
-    bool in_one_plane(const Corners& a, const Orientation (&of_a)[3], const Corners& b, const Orientation (&of_b)[3]) const {
+    bool in_one_plane(const Corners& a, const Orientation (&of_a)[3], const Corners& b,
+                      const Orientation (&of_b)[3]) const {
         const dvec3 na = a.normal(), nb = b.normal();
         const double length_a = glm::length(na), length_b = glm::length(nb), tolerance = grid_.tolerance_steps();
         const auto within = [](const Orientation(&of)[3], double room) {

@@ -10,13 +10,13 @@ namespace fovea {
 struct Crossing {
     Index triangle[2];  ///< of the first and of the second surface
     Index end[2];
-    vec3 point[2];      ///< object space of the first surface
+    vec3 point[2];  ///< object space of the first surface
 };
 
 using Crossings = Array<Crossing>;
 
 /// What is nearer than this share of the size of two surfaces (as large as rounding of positions is) touches.
-inline constexpr double contact_tolerance = 1e-6;
+inline constexpr double contact_tolerance = 4e-7;
 
 /// Crossings of two surfaces, the second mapped into the object space of the first. Signs are exact (orientation.h) for
 /// vertices rounded to 2^-39 of the size of both, so that curves are closed where both surfaces are: every end has two

@@ -26,7 +26,8 @@ std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, 
     std::vector<std::pair<Index, Index>> pairs;
     for (std::size_t i = 0; i < entries.size(); ++i)
         for (std::size_t j = i + 1; j < entries.size() && entries[j].box.low.x <= entries[i].box.high.x; ++j)
-            if (entries[i].box.meets(entries[j].box)) pairs.push_back(std::minmax({entries[i].position, entries[j].position}));
+            if (entries[i].box.meets(entries[j].box))
+                pairs.push_back(std::minmax({entries[i].position, entries[j].position}));
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }

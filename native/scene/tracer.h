@@ -8,9 +8,9 @@
 
 namespace fovea {
 
-/// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked; those of the two
-/// facets in which a line on two surfaces lies; or, for a line across triangles, all of the surface that is as near to
-/// it as its own triangle is large: a smooth contour runs beside the edges where the mesh turns away, before them or
+/// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked; those of the
+/// two facets in which a line on two surfaces lies; or, for a line across triangles, all of the surface that is as near
+/// to it as its own triangle is large: a smooth contour runs beside the edges where the mesh turns away, before them or
 /// behind.
 struct Ignore {
     Index placement = none;

@@ -30,9 +30,10 @@ struct Box {
 struct TriangleTree {
     static constexpr Index leaf_size = 4;
 
-    Array<Index> order;              ///< triangles along the curve; leaf i holds leaf_size of them from leaf_size * i
-    Array<Box> boxes;                ///< of triangles, in `order`
-    std::vector<Array<Box>> levels;  ///< node j of level k is around nodes 2 j and 2 j + 1 of level k - 1; the last has one
+    Array<Index> order;  ///< triangles along the curve; leaf i holds leaf_size of them from leaf_size * i
+    Array<Box> boxes;    ///< of triangles, in `order`
+    std::vector<Array<Box>>
+        levels;  ///< node j of level k is around nodes 2 j and 2 j + 1 of level k - 1; the last has one
 
     bool empty() const { return levels.empty(); }
     const Box& bounds() const { return levels.back()[0]; }
@@ -47,13 +48,15 @@ struct TriangleTree {
 /// Kept with the surface.
 std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface);
 
-/// Walks down two trees at once and calls visit(i, j, out) for the positions in `order` of all triangles i of `a` and j of
-/// `b` whose boxes come as near as `margin`; `b_to_a` maps the objects onto each other. With `within`, a and b being the
-/// same tree, every pair comes once, with i < j. The work comes in blocks, whose number and pairs do not depend on the threads.
+/// Walks down two trees at once and calls visit(i, j, out) for the positions in `order` of all triangles i of `a` and j
+/// of `b` whose boxes come as near as `margin`; `b_to_a` maps the objects onto each other. With `within`, a and b being
+/// the same tree, every pair comes once, with i < j. The work comes in blocks, whose number and pairs do not depend on
+/// the threads.
 template <typename Visit>
 class TreeMeeting {
    public:
-    TreeMeeting(const TriangleTree& a, const TriangleTree& b, const Affine& b_to_a, float margin, bool within, const Visit& visit)
+    TreeMeeting(const TriangleTree& a, const TriangleTree& b, const Affine& b_to_a, float margin, bool within,
+                const Visit& visit)
         : a_(a), b_(b), b_to_a_(b_to_a), margin_(margin), within_(within), visit_(visit) {}
 
     std::size_t block_count() const { return a_.levels[start_a_].size() * b_.levels[start_b_].size(); }

@@ -16,7 +16,7 @@ inline const View somewhere = perspective({9, -12, 7}, {0, 0, 0}, 30);
 struct Found {
     Index count = 0, closed = 0, points = 0;
     double length = 0.0;
-    std::vector<double> lengths;   // per path, ascending
+    std::vector<double> lengths;  // per path, ascending
     std::vector<dvec3> at;
 
     explicit Found(std::vector<Placement> placements, const Values& values = {1, 1}) {
@@ -78,7 +78,8 @@ inline Mesh eight(int n) {
     Mesh mesh("eight", {});
     for (int i = 0; i < n; ++i) {
         const double t = 2 * std::numbers::pi * (i + 0.5) / n;
-        for (const float z : {-1.0f, 1.0f}) mesh.positions.push_back({float(std::sin(2 * t)), float(2 * std::sin(t)), z});
+        for (const float z : {-1.0f, 1.0f})
+            mesh.positions.push_back({float(std::sin(2 * t)), float(2 * std::sin(t)), z});
     }
     for (int i = 0; i < n; ++i) {
         const int j = (i + 1) % n;

@@ -8,8 +8,8 @@ using namespace fovea::intersections;
 
 TEST(Intersection, OfTwoSpheresIsACircle) {
     const int n = 48;
-    const Found found({put(sphere(n), moved({-0.5, 0, 0}), 1),
-                       put(sphere(n), moved({0.5, 0, 0}) * turned(0.7, {1, 2, 3}), 2)});
+    const Found found(
+        {put(sphere(n), moved({-0.5, 0, 0}), 1), put(sphere(n), moved({0.5, 0, 0}) * turned(0.7, {1, 2, 3}), 2)});
     ASSERT_EQ(found.count, 1u);
     EXPECT_EQ(found.closed, 1u);
     const double radius = std::sqrt(0.75), facet = 1.0 - std::cos(std::numbers::pi / n);
@@ -66,16 +66,16 @@ TEST(Intersection, OfASurfaceThatCrossesItself) {
     EXPECT_NEAR(found.length, 2.0, 1e-5);
     for (const dvec3& p : found.at) EXPECT_NEAR(std::hypot(p.x, p.y), 0.0, 1e-6);
     // Through a vertex of both parts at once: two cones tip to tip in a mesh, one through the other.
-    const Mesh cross = of_polygons("cross", {{0, 0, 0}, {1, -1, 0}, {1, 1, 0}, {0.5, 0, -1}, {0.5, 0, 1}},
-                                   {{0, 1, 2}, {0, 3, 4}});
+    const Mesh cross =
+        of_polygons("cross", {{0, 0, 0}, {1, -1, 0}, {1, 1, 0}, {0.5, 0, -1}, {0.5, 0, 1}}, {{0, 1, 2}, {0, 3, 4}});
     const Found at_vertex({put(cross, dmat4(1.0), 1)});
     ASSERT_EQ(at_vertex.count, 1u);
     EXPECT_NEAR(at_vertex.length, 0.5, 1e-6);
 }
 
 TEST(Intersection, NeighboursDoNotIntersect) {
-    for (const Mesh& mesh : {box(), sphere(24), two_boxes_at_an_edge(), moebius(24), grid(8), tetrahedron(), bent_quad(),
-                             l_shape(), torus(2, 0.5, 24, 12), cylinder(12)}) {
+    for (const Mesh& mesh : {box(), sphere(24), two_boxes_at_an_edge(), moebius(24), grid(8), tetrahedron(),
+                             bent_quad(), l_shape(), torus(2, 0.5, 24, 12), cylinder(12)}) {
         EXPECT_EQ(Found({put(mesh, turned(0.3, {1, 2, 3}), 1)}).count, 0u) << mesh.name;
         EXPECT_EQ(Found({put(split(mesh), dmat4(1.0), 1)}).count, 0u) << mesh.name << ", split";
     }
@@ -84,14 +84,18 @@ TEST(Intersection, NeighboursDoNotIntersect) {
 TEST(Intersection, SurfacesThatTouchHaveNone) {
     const Mesh floor = grid(3, 4);
     const dmat4 on_floor = moved({0.3, 0.1, 1});
-    const dmat4 motions[] = {dmat4(1.0), moved({5, 3, 1}) * turned(1.1, {1, 2, 3}), turned(2.2, {-3, 1, 1}) * scaled(dvec3(3))};
+    const dmat4 motions[] = {dmat4(1.0), moved({5, 3, 1}) * turned(1.1, {1, 2, 3}),
+                             turned(2.2, {-3, 1, 1}) * scaled(dvec3(3))};
     for (const dmat4& motion : motions) {
         EXPECT_EQ(Found({put(floor, motion, 1), put(box(), motion * on_floor, 2)}).count, 0u) << "a box on a floor";
         EXPECT_EQ(Found({put(floor, motion, 2), put(box(), motion * on_floor, 1)}).count, 0u);
-        EXPECT_EQ(Found({put(joined({{floor, dmat4(1.0)}, {box(), on_floor}}), motion, 1)}).count, 0u) << "in one object";
-        EXPECT_EQ(Found({put(box(), motion, 1), put(box(), motion * moved({2, 0.5, 0.5}), 2)}).count, 0u) << "side by side";
+        EXPECT_EQ(Found({put(joined({{floor, dmat4(1.0)}, {box(), on_floor}}), motion, 1)}).count, 0u)
+            << "in one object";
+        EXPECT_EQ(Found({put(box(), motion, 1), put(box(), motion * moved({2, 0.5, 0.5}), 2)}).count, 0u)
+            << "side by side";
         EXPECT_EQ(Found({put(box(), motion, 1), put(box(), motion, 2)}).count, 0u) << "in the same place";
-        EXPECT_EQ(Found({put(floor, motion, 1), put(tetrahedron(), motion * moved({0, 0, 1}), 2)}).count, 0u) << "on an edge";
+        EXPECT_EQ(Found({put(floor, motion, 1), put(tetrahedron(), motion * moved({0, 0, 1}), 2)}).count, 0u)
+            << "on an edge";
     }
     for (const double depth : {1e-7, -1e-7})
         EXPECT_EQ(Found({put(floor, dmat4(1.0), 1), put(box(), moved({0.3, 0.1, 1 - depth}), 2)}).count, 0u);

@@ -95,11 +95,13 @@ void expect_right(std::vector<Placement> placements, Index sheet, double sampled
 TEST(IntersectionSeen, OfBoxesIsWhereBothFaceTheViewer) {
     expect_right({place(box(), dmat4(1.0), 1), place(box(), moved({0.7, -0.5, 0.6}) * turned(0.5, {1, 2, 3}), 2)}, none,
                  0.01, "boxes");
-    expect_right({place(box(), dmat4(1.0), 1), place(box(), scaled({0.5, 0.5, 1.5}), 2)}, none, 0.01, "a box through a box");
+    expect_right({place(box(), dmat4(1.0), 1), place(box(), scaled({0.5, 0.5, 1.5}), 2)}, none, 0.01,
+                 "a box through a box");
 }
 
 TEST(IntersectionSeen, OfSpheresIsWhereBothFaceTheViewer) {
-    expect_right({place(sphere(40), moved({-0.6, 0.3, 0}), 1), place(sphere(40), moved({0.6, 0, 0.2}) * turned(0.5, {1, 2, 3}), 2)},
+    expect_right({place(sphere(40), moved({-0.6, 0.3, 0}), 1),
+                  place(sphere(40), moved({0.6, 0, 0.2}) * turned(0.5, {1, 2, 3}), 2)},
                  none, 0.03, "spheres");
 }
 

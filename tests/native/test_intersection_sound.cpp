@@ -92,7 +92,9 @@ TEST(Intersection, DoesNotDependOnMotionOrOrder) {
         std::sort(f.at.begin(), f.at.end(), [](const dvec3& a, const dvec3& b) {
             return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
         });
-        f.at.erase(std::unique(f.at.begin(), f.at.end(), [](const dvec3& a, const dvec3& b) { return glm::distance(a, b) < 1e-9; }), f.at.end());
+        f.at.erase(std::unique(f.at.begin(), f.at.end(),
+                               [](const dvec3& a, const dvec3& b) { return glm::distance(a, b) < 1e-9; }),
+                   f.at.end());
         return f.at;
     };
     // Faces in another order and turned around.
@@ -113,7 +115,8 @@ TEST(Intersection, IsTheSameWithOneThreadAndMany) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         std::vector<Placement> placements;
         for (std::uint64_t i = 0; i < 12; ++i)
-            placements.push_back(put(i % 2 ? sphere(60) : torus(1, 0.4, 50, 30), moved({0.3 * double(i % 4), 0.4 * double(i / 4), 0.1}), i));
+            placements.push_back(put(i % 2 ? sphere(60) : torus(1, 0.4, 50, 30),
+                                     moved({0.3 * double(i % 4), 0.4 * double(i / 4), 0.1}), i));
         Drawing drawing(placements, somewhere, {line_set({"intersection"})});
         return std::move(drawing.paths);
     };
@@ -146,7 +149,8 @@ TEST(Intersection, IsFoundOnceForAllViewsAndForWhatMovesTogether) {
     EXPECT_EQ(find(motion, motion * apart), once);
     EXPECT_NE(find(dmat4(1.0), moved({0.5, 0.5, 0.6})), once);
     // Pairs of instances, too.
-    const Scene instances({{ball, dmat4(1.0), 1}, {brick, apart, 2}, {ball, moved({9, 0, 0}), 3}, {brick, moved({9, 0, 0}) * apart, 4}});
+    const Scene instances(
+        {{ball, dmat4(1.0), 1}, {brick, apart, 2}, {ball, moved({9, 0, 0}), 3}, {brick, moved({9, 0, 0}) * apart, 4}});
     const std::vector<Index> all = {0, 1, 2, 3};
     const auto pairs = definition.find_in_scene(instances, all, {1, 0}, Cancel());
     ASSERT_EQ(pairs.size(), 2u);
@@ -167,8 +171,10 @@ TEST(Intersection, FlattenedAndHiddenObjectsDoNoHarm) {
     EXPECT_EQ(Found({put(box(), scaled(dvec3(1e30)), 1), put(box(), dmat4(1.0), 2)}).count, 0u);
     EXPECT_EQ(Found({place(box(), dmat4(1.0), 1, usage_occlude), put(box(), moved(dvec3(0.5)), 2)}).count, 0u);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(Found({put(box(), moved({nan, 0, 0}), 1), put(box(), moved(dvec3(0.5)), 2), put(box(), dmat4(1.0), 3)}).count, 1u);
-    const Found far({put(box(vec3(1e6f), vec3(1e6f + 4)), moved(dvec3(-1e6)), 1), put(box(), dmat4(1.0), 2)});
+    EXPECT_EQ(
+        Found({put(box(), moved({nan, 0, 0}), 1), put(box(), moved(dvec3(0.5)), 2), put(box(), dmat4(1.0), 3)}).count,
+        1u);
+    const Found far({put(box(vec3(1e5f), vec3(1e5f + 4)), moved(dvec3(-1e5)), 1), put(box(), dmat4(1.0), 2)});
     EXPECT_EQ(far.closed, 1u) << "a mesh far from its origin";
     EXPECT_EQ(Found({put(Mesh("empty", {}), dmat4(1.0), 1), put(box(), dmat4(1.0), 2)}).count, 0u);
 }

@@ -1,10 +1,10 @@
 // Exact orientation: signs that never contradict each other, in general position and out of it.
-#include "scene/orientation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+
+#include "scene/orientation.h"
 
 using namespace fovea;
 
@@ -41,7 +41,8 @@ TEST(Orientation, TellsTheLastUnitOfTheGrid) {
     const dvec3 a(-far, -far, -far), b(far, far, far), c(-far, far, 0);
     // The middle of a and b, and its neighbours on the grid.
     EXPECT_EQ(orientation({a, b, c, dvec3(0, 0, 0)}, 8).value, 0.0);
-    const Orientation above = orientation({a, b, c, dvec3(0, 0, 1)}, 8), below = orientation({a, b, c, dvec3(0, 0, -1)}, 8);
+    const Orientation above = orientation({a, b, c, dvec3(0, 0, 1)}, 8),
+                      below = orientation({a, b, c, dvec3(0, 0, -1)}, 8);
     EXPECT_NE(above.value, 0.0);
     EXPECT_EQ(above.value, -below.value);
     EXPECT_EQ(above.sign, -below.sign);
@@ -73,6 +74,7 @@ TEST(Orientation, AShiftedSurfaceIsOnOneSideOfAllThatItTouches) {
     const int first = orientation({a, b, c, a}, 8).sign;
     EXPECT_NE(first, 0);
     for (int i = -3; i <= 3; ++i)
-        for (int j = -3; j <= 3; ++j) EXPECT_EQ(orientation({a, b, c, a + double(i) * u + double(j) * v}, 8).sign, first);
+        for (int j = -3; j <= 3; ++j)
+            EXPECT_EQ(orientation({a, b, c, a + double(i) * u + double(j) * v}, 8).sign, first);
     EXPECT_EQ(orientation({a, a + u, a + 2.0 * u, dvec3(1, 2, 3)}, 8).sign, 0) << "a triangle without area";
 }
