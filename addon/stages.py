@@ -34,6 +34,7 @@ class Paths:
     edge_t: np.ndarray  # (N,) float32, where on its edge the point is
     kinds: np.ndarray  # (N,) uint32, bits of the registry: what the segment from this point is
     strength: np.ndarray  # (N,) float32 in [0, 1]
+    other_facet: np.ndarray  # (N,) uint32 of a line on two surfaces: the second's facet over the scene; else 0xffffffff
     closed: np.ndarray  # (P,) uint8; a closed path repeats its first point at the end
     ids: np.ndarray  # (P,) uint64, stable over frames for static lines
     placement: np.ndarray  # (P,) uint32, index into the scene's placements; 0xffffffff: found in the image

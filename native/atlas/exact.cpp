@@ -105,13 +105,12 @@ class Marcher {
     }
 
     Interval interval_of(const Known& known) const {
-        if (known.placement == segment_->ignore.placement) {
-            const Surface& surface = *tracer_.scene().placements[known.placement].surface;
-            // How near a curve's own surface may be, only rays know.
-            if (segment_->ignore.across_triangles()) return {};
-            if (segment_->ignore.holds(surface, known.triangle)) return {};
-            if (known.other != none && segment_->ignore.holds(surface, known.other)) return {};
-        }
+        const Ignore& ignore = segment_->ignore;
+        const Surface& surface = *tracer_.scene().placements[known.placement].surface;
+        // How near a curve's own surface may be, only rays know.
+        if (known.placement == ignore.placement && ignore.across_triangles()) return {};
+        if (ignore.holds(known.placement, surface, known.triangle)) return {};
+        if (known.other != none && ignore.holds(known.placement, surface, known.other)) return {};
         Interval interval = known.shadow.hides(segment_->a, segment_->b);
         if (interval.begin > interval.end) return {};
         return {segment_->to_screen(interval.begin), segment_->to_screen(interval.end)};
@@ -197,7 +196,8 @@ class Runner {
         const auto& placements = tracer_.scene().placements;
         check(placement < placements.size() && place < placements[placement].surface->place_count(),
               "exact_visibility: the paths are not of this scene");
-        s.ignore = tracer_.ignore_at(placement, place, (paths_.kinds[clipped_.source[i]] & smooth_contours()) != 0);
+        s.ignore = tracer_.ignore_at(placement, place, paths_.other_facet_at(clipped_.source[i]),
+                                     (paths_.kinds[clipped_.source[i]] & smooth_contours()) != 0);
         s.a += dvec3(s.ignore.above);
         s.b += dvec3(s.ignore.above);
         if (!ortho) {

@@ -79,16 +79,19 @@ Facet find_facet(const Scene& scene, const std::vector<PlacedSurface>& placed, I
     return number < placed[i].surface->facet_count() ? Facet{&placed[i], number} : Facet{};
 }
 
-/// True where `b` rises in front of `a`: their edge is a groove, not a ridge.
+/// True where `b` rises in front of `a`: their edge is a groove, not a ridge. It does where they pass through each
+/// other, of two placements or one.
 bool groove(const Facet& a, const Facet& b) {
+    if (a.placed != b.placed) return true;
     const Surface& surface = *b.placed->surface;
-    double farthest = 0.0;
+    double farthest = 0.0, front = 0.0;
     for (int k = 0; k < 3; ++k) {
         const vec3 corner = surface.positions[surface.triangles[b.triangle()][k]];
         const double away = glm::dot(a.plane(), dvec4(dvec3(corner), 1.0));
         if (std::abs(away) > std::abs(farthest)) farthest = away;
+        front = std::max(front, away);
     }
-    return farthest > 0.0;
+    return front > 1e-3 * std::abs(farthest);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ py::list definitions() {
                                py::arg("scope") = scope_name(definition->scope),
                                py::arg("source") = definition->source, py::arg("description") = definition->description,
                                py::arg("parameters") = parameters, py::arg("default") = definition->on_by_default,
-                               py::arg("view_dependent") = definition->scope != Scope::surface));
+                               py::arg("view_dependent") = definition->scope >= Scope::view));
     }
     return result;
 }
@@ -85,6 +85,8 @@ void bind_line(py::module_& m) {
         .def_property_readonly("edge_t", array(&Paths::edge_t), "(N,) float32, where on that edge the point is")
         .def_property_readonly("kinds", array(&Paths::kinds), "(N,) uint32, registry bits of the segment from this point")
         .def_property_readonly("strength", array(&Paths::strength), "(N,) float32 in [0, 1]")
+        .def_property_readonly("other_facet", array(&Paths::other_facet),
+                               "(N,) uint32 of a line on two surfaces: the second's facet over the scene; else 0xffffffff")
         .def_property_readonly("closed", array(&Paths::closed), "(P,) uint8; a closed path repeats its first point")
         .def_property_readonly("ids", array(&Paths::id), "(P,) uint64, stable over frames for static lines")
         .def_property_readonly("placement", array(&Paths::placement),

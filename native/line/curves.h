@@ -14,6 +14,7 @@ struct CurvePiece {
     vec3 point[2];      ///< in the surface's space
     float strength[2];  ///< in [0, 1]
     Index level = 0;    ///< pieces of other levels are other curves, though they cross the same sides
+    Index other = none; ///< of a line on two surfaces: the triangle of the second
 };
 
 using Curves = Array<CurvePiece>;
@@ -28,6 +29,19 @@ struct Selection {
     double least = 0.0;   ///< and over its length sums up to at least this much of it: a longer one may be weaker
     bool whole = false;   ///< cut at points of the chain, else between them
     bool uniform = false; ///< what stays has full strength; else its own
+};
+
+/// Curves of the scene that outlive a frame, with what is derived from them.
+struct KeptCurves {
+    Curves pieces;
+    mutable Cache derived;
+};
+
+/// Curves of a placement that lie on another one, too (or on itself again). `side` of their pieces numbers what the
+/// definition likes, per set of curves; two pieces with the same number go on from each other.
+struct SceneCurves {
+    Index placement, other;
+    std::shared_ptr<const KeptCurves> curves;
 };
 
 }  // namespace fovea

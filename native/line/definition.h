@@ -57,9 +57,10 @@ using Kinds = std::uint32_t;
 
 /// Which quantities a definition depends on.
 enum class Scope {
-    surface,  ///< the surface alone: found once and kept
-    view,     ///< the surface and the eye
-    scene,    ///< also what lies around and behind it
+    surface,     ///< the surface alone: found once and kept
+    placements,  ///< all surfaces and where they are, not the view: found once for the scene, and kept
+    view,        ///< the surface and the eye
+    scene,       ///< also what lies around and behind it
 };
 
 struct LineDefinition {
@@ -83,6 +84,9 @@ struct LineDefinition {
     bool on_smooth_surface = false;
     /// The definition of which this one finds some of the pieces: whichever line set comes first has them.
     const LineDefinition* part_of = nullptr;
+    /// Lines across triangles of the whole scene, instead: those of the placements that are drawn.
+    std::vector<SceneCurves> (*find_in_scene)(const Scene& scene, In<Index> drawn, const Values& values,
+                                              const Cancel& cancel) = nullptr;
 };
 
 }  // namespace fovea

@@ -5,10 +5,9 @@
 namespace fovea {
 
 extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
-    smooth_silhouette,
-    suggestive_contour, suggestive_highlight, principal_highlight_ridge, principal_highlight_valley, ridge, valley,
-    apparent_ridge, demarcating_curve, laplacian_line, parabolic, zero_mean_curvature, isophote, topographic,
-    image_edge, abstracted_shading;
+    smooth_silhouette, suggestive_contour, suggestive_highlight, principal_highlight_ridge, principal_highlight_valley,
+    ridge, valley, apparent_ridge, demarcating_curve, laplacian_line, parabolic, zero_mean_curvature, isophote,
+    topographic, intersection, image_edge, abstracted_shading;
 
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {
@@ -16,7 +15,7 @@ const std::vector<const LineDefinition*>& line_definitions() {
         &smooth_contour, &smooth_silhouette, &suggestive_contour, &suggestive_highlight, &principal_highlight_ridge,
         &principal_highlight_valley, &ridge, &valley, &apparent_ridge,
         &demarcating_curve, &laplacian_line, &parabolic, &zero_mean_curvature, &isophote, &topographic,
-        &image_edge, &abstracted_shading,
+        &intersection, &image_edge, &abstracted_shading,
     };
     return all;
 }

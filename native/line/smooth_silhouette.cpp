@@ -10,7 +10,7 @@ namespace {
 
 bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
     const dvec3 middle = 0.5 * (dvec3(piece.point[0]) + dvec3(piece.point[1]));
-    const auto own = seen.tracer->ignore_at(seen.placement, seen.surface.place_of_triangle(piece.triangle), true);
+    const auto own = seen.tracer->ignore_at(seen.placement, seen.surface.place_of_triangle(piece.triangle), none, true);
     const vec3 point = vec3(seen.object_to_view * dvec4(middle, 1.0)) + own.above;
     if (!seen.tracer->view().orthographic && point.z >= 0.0f) return false;
     const auto behind = seen.tracer->behind(point, own);

@@ -29,6 +29,12 @@ Array<End> link(const Curves& pieces) {
     return next;
 }
 
+/// No two pieces have the same.
+std::uint64_t key_of(const CurvePiece& piece) {
+    return piece.other == none ? std::uint64_t(piece.level) << 32 | piece.triangle
+                               : std::uint64_t(piece.triangle) << 32 | piece.other;
+}
+
 class Chainer {
    public:
     explicit Chainer(const Curves& pieces) : pieces_(pieces), next_(link(pieces)), used_(pieces.size(), 0) {}
@@ -45,13 +51,13 @@ class Chainer {
     /// From an end along all pieces that follow.
     void walk(End start) {
         const Index first = static_cast<Index>(out_.point.size());
-        Index lowest = none;
+        std::uint64_t lowest = ~std::uint64_t(0);
         End from = start;
         while (true) {
             const Index i = from / 2;
             used_[i] = 1;
             const CurvePiece& piece = pieces_[i];
-            lowest = std::min(lowest, piece.triangle);
+            lowest = std::min(lowest, key_of(piece));
             add(piece, from % 2);
             const End to = from ^ 1;
             from = next_[to];
@@ -60,7 +66,7 @@ class Chainer {
             out_.closed.push_back(from == start && out_.point.size() - first > 2);
             break;
         }
-        out_.anchor.push_back(std::uint64_t(pieces_[start / 2].level) << 32 | lowest);
+        out_.anchor.push_back(lowest);
         out_.rows.offsets.push_back(static_cast<Index>(out_.point.size()));
     }
 
@@ -69,6 +75,7 @@ class Chainer {
         out_.strength.push_back(piece.strength[end]);
         out_.triangle.push_back(piece.triangle);
         out_.side.push_back(piece.side[end]);
+        out_.other.push_back(piece.other);
     }
 
     const Curves& pieces_;

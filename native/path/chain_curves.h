@@ -11,12 +11,14 @@ struct CurveChains {
     Rows rows;
     // Per curve.
     Array<std::uint8_t> closed;  ///< the last point repeats the first
-    Array<std::uint64_t> anchor; ///< no two have the same: their level (high half) and their lowest triangle
+    /// No two have the same: level (high half) and lowest triangle, or the lowest triangles of both surfaces.
+    Array<std::uint64_t> anchor;
     // Per point.
     Array<vec3> point;           ///< object space
     Array<float> strength;
     Array<Index> triangle;       ///< of the piece from this point; the last repeats the one before
     Array<Index> side;           ///< of triangles (mesh/triangle_sides.h) that the point is on; `none`: inside a triangle
+    Array<Index> other;          ///< the same of the second surface, or `none`
 };
 
 /// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where

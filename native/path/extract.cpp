@@ -29,7 +29,8 @@ struct StaticLines {
 struct FoundCurves {
     std::uint8_t line_set;
     Index definition;
-    CurveChains chains;
+    std::shared_ptr<const CurveChains> chains;
+    Index other = none;  // the second placement on which they lie
 };
 
 /// Those of a style that depend on the surface alone.
@@ -121,7 +122,29 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             if (definition.on_smooth_surface && !hard.empty()) chains = without_doubles(chains, seen.surface, hard, 1);
             if (definition.on_smooth_surface) chains = claims.claim(definition, std::move(chains));
             if (seen.surface.source()) to_object(seen.surface.stretch(), chains.point);
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition, std::move(chains)});
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition,
+                             std::make_shared<const CurveChains>(std::move(chains))});
+        }
+    return found;
+}
+
+/// Curves of the whole scene, each with the placement that has it.
+std::vector<std::pair<Index, FoundCurves>> find_scene_curves(const Scene& scene, In<Index> drawn,
+                                                             const std::vector<LineSet>& sets, const Cancel& cancel) {
+    std::vector<std::pair<Index, FoundCurves>> found;
+    Kinds done = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        for (const LineSet::Kind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const Kinds bit = Kinds(1) << kind.definition;
+            if (!definition.find_in_scene || (done & bit)) continue;
+            done |= bit;
+            for (const SceneCurves& part : definition.find_in_scene(scene, drawn, kind.values, cancel)) {
+                if (part.curves->pieces.empty()) continue;
+                const auto chains =
+                    part.curves->derived.get<CurveChains>(0, [&] { return chain_curves(part.curves->pieces); });
+                found.push_back({part.placement, {static_cast<std::uint8_t>(s), kind.definition, chains, part.other}});
+            }
         }
     return found;
 }
@@ -156,7 +179,7 @@ std::vector<FoundCurves> find_in_image(const std::vector<LineSet>& sets, const T
             done |= bit;
             const FrameView frame{tracer, cancel, shared};
             found.push_back({static_cast<std::uint8_t>(s), kind.definition,
-                             chain_curves(definition.find_in_image(frame, kind.values))});
+                             std::make_shared<const CurveChains>(chain_curves(definition.find_in_image(frame, kind.values)))});
         }
     return found;
 }
@@ -332,16 +355,19 @@ void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& 
         paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
         paths.kinds[n] = kinds[i];
         paths.strength[n] = 1.0f;
+        paths.other_facet[n] = none;
     });
 }
 
 void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
     const Placement* placement = slot.placement == none ? nullptr : &scene.placements[slot.placement];
-    const CurveChains& chains = found.chains;
+    const CurveChains& chains = *found.chains;
+    std::uint64_t id = placement ? placement->id : 0;
+    if (found.other != none && found.other != slot.placement) id = hash_numbers(id, scene.placements[found.other].id);
     write_paths(
         chains, slot, [&](std::size_t) { return found.line_set; },
         [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
-        [&](std::size_t c) { return hash_numbers(placement ? placement->id : 0, found.definition + 1, chains.anchor[c]); },
+        [&](std::size_t c) { return hash_numbers(id, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
     if (slot.of_view && line_definitions()[found.definition]->on_smooth_surface)
         std::fill_n(paths.of_view.begin() + slot.path, chains.rows.count(), ends_at_cusps);
@@ -351,6 +377,10 @@ void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths
         paths.edge_t[n] = 0.0f;
         paths.kinds[n] = Kinds(1) << found.definition;
         paths.strength[n] = chains.strength[i];
+        paths.other_facet[n] = found.other == none
+                                   ? none
+                                   : scene.facet_base[found.other] +
+                                         scene.placements[found.other].surface->triangle_facet[chains.other[i]];
     });
 }
 
@@ -369,6 +399,7 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     paths.edge_t.resize(point_count);
     paths.kinds.resize(point_count);
     paths.strength.resize(point_count);
+    paths.other_facet.resize(point_count);
 }
 
 }  // namespace
@@ -395,6 +426,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     });
 
     const std::vector<FoundCurves> in_image = find_in_image(sets, tracer, cancel);
+    const auto of_scene = find_scene_curves(scene, drawn, sets, cancel);
 
     struct CurveSlot {
         const FoundCurves* found;
@@ -403,12 +435,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     std::vector<std::pair<Slot, Slot>> slots(drawn.size());
     std::vector<CurveSlot> curve_slots;
     Index path = 0, point = 0;
-    const auto add_curves = [&](const std::vector<FoundCurves>& curves, Index placement, bool of_view) {
-        for (const FoundCurves& c : curves) {
-            curve_slots.push_back({&c, {placement, path, point, of_view}});
-            path += c.chains.rows.count();
-            point += static_cast<Index>(c.chains.point.size());
-        }
+    const auto add_curves = [&](Index placement, const FoundCurves& curves, bool of_view) {
+        curve_slots.push_back({&curves, {placement, path, point, of_view}});
+        path += curves.chains->rows.count();
+        point += static_cast<Index>(curves.chains->point.size());
     };
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         slots[i].first = {drawn[i], path, point, false};
@@ -417,10 +447,11 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         slots[i].second = {drawn[i], path, point, true};
         path += found[i].seen.rows.count();
         point += static_cast<Index>(found[i].seen.vertex.size());
-        add_curves(found[i].kept_curves->found, drawn[i], false);
-        add_curves(found[i].seen_curves, drawn[i], true);
+        for (const FoundCurves& c : found[i].kept_curves->found) add_curves(drawn[i], c, false);
+        for (const FoundCurves& c : found[i].seen_curves) add_curves(drawn[i], c, true);
     }
-    add_curves(in_image, none, true);
+    for (const FoundCurves& c : in_image) add_curves(none, c, true);
+    for (const auto& [placement, curves] : of_scene) add_curves(placement, curves, false);
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);

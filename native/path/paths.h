@@ -31,8 +31,11 @@ struct Paths {
     Array<float> edge_t;           ///< on an edge, where the point is: 0 at its first vertex, 1 at its second; else 0
     Array<Kinds> kinds;            ///< what the segment from this point is
     Array<float> strength;         ///< in [0,1]
+    Array<Index> other_facet;      ///< of a line on two surfaces: the second's facet, numbered over the scene; else
+                                   ///< `none`. May be empty: no line lies on two
 
     Index count() const { return rows.count(); }
+    Index other_facet_at(Index point) const { return point < other_facet.size() ? other_facet[point] : none; }
 };
 
 }  // namespace fovea

@@ -273,6 +273,7 @@ class Projector {
             if (sides > 1) out.facet1[at] = base + surface.edge_sides[side + 1].facet();
         } else {
             out.facet0[at] = base + surface.triangle_facet[surface.triangle_at(place)];
+            out.facet1[at] = paths_.other_facet_at(source);
         }
     }
 

@@ -68,11 +68,11 @@ struct Context {
 void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
     const auto* context = reinterpret_cast<const Context*>(arguments->context);
     const Index placement = context->placement_of_instance[RTCHitN_instID(arguments->hit, 1, 0, 0)];
-    if (placement != context->ignore->placement) return;
     const Index triangle = RTCHitN_primID(arguments->hit, 1, 0);
     const Surface& surface = *context->scene->placements[placement].surface;
     const float before = 1.0f - RTCRayN_tfar(arguments->ray, 1, 0);
-    if (std::abs(before) < context->reach_t || context->ignore->holds(surface, triangle)) arguments->valid[0] = 0;
+    const bool near_own = placement == context->ignore->placement && std::abs(before) < context->reach_t;
+    if (near_own || context->ignore->holds(placement, surface, triangle)) arguments->valid[0] = 0;
 }
 
 /// Flat to the margin of rays, so that it hides no more than its two triangles do.
@@ -224,13 +224,21 @@ void Tracer::check_current() const {
     }
 }
 
-Ignore Tracer::ignore_at(Index placement, Index place, bool contour) const {
+Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool contour) const {
     const Surface& surface = *scene_.placements[placement].surface;
     if (surface.is_edge(place)) {
         const EdgeSide* sides = surface.edge_sides.data();
         return {placement, sides + surface.edge_rows.begin(place), sides + surface.edge_rows.end(place)};
     }
     const Index triangle = surface.triangle_at(place);
+    if (other_facet != none) {
+        const auto& base = scene_.facet_base;
+        const auto other = static_cast<Index>(std::upper_bound(base.begin(), base.end(), other_facet) - base.begin() - 1);
+        Ignore ignore{.placement = placement, .facet = surface.triangle_facet[triangle]};
+        ignore.other_placement = other;
+        ignore.other_facet = other_facet - base[other];
+        return ignore;
+    }
     dvec3 c[3];
     corners(placement, triangle, c);
     const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});

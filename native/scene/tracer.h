@@ -8,9 +8,10 @@
 
 namespace fovea {
 
-/// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked, or, for a line
-/// across triangles, those that share a corner with its own; for a contour also all of the surface that is as near to
-/// it as its triangle is large: it runs beside the edges where the mesh turns away, before them or behind.
+/// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked; those of the
+/// two facets in which a line on two surfaces lies; or, for a line across triangles, those that share a corner with its
+/// own; for a contour also all of the surface that is as near to it as its triangle is large: it runs beside the edges
+/// where the mesh turns away, before them or behind.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
@@ -20,18 +21,24 @@ struct Ignore {
     /// What to add to points before rays ask for them, view space: a line across triangles is seen from a hair's breadth
     /// above the surface, so that what is rough there does not hide it. Above, at a contour, is aside in the image.
     vec3 above{0.0f};
+    Index facet = none;                 ///< of a line on two surfaces, with that of the second
+    Index other_placement = none, other_facet = none;
 
     bool across_triangles() const { return around.x != none; }
-    bool holds(const Surface& surface, Index triangle) const {
+    /// `surface`: that of the placement.
+    bool holds(Index of, const Surface& surface, Index triangle) const {
+        if (of == other_placement && surface.triangle_facet[triangle] == other_facet) return true;
+        if (of != placement) return false;
+        if (facet != none) return surface.triangle_facet[triangle] == facet;
         if (across_triangles()) {
             const Triangle& t = surface.triangles[triangle];
             for (int i = 0; i < 3; ++i)
                 if (t[i] == around.x || t[i] == around.y || t[i] == around.z) return true;
             return false;
         }
-        const Index facet = surface.triangle_facet[triangle];
+        const Index own = surface.triangle_facet[triangle];
         for (const EdgeSide* side = begin; side != end; ++side)
-            if (side->facet() == facet) return true;
+            if (side->facet() == own) return true;
         return false;
     }
 };
@@ -79,9 +86,9 @@ class Tracer {
     /// Throws std::invalid_argument where a surface has moved since: its triangles are no longer those of the rays.
     void check_current() const;
 
-    /// What is ignored at a place of a placement's surface (Surface::place); `contour`: where the smooth surface turns
-    /// away from the viewer.
-    Ignore ignore_at(Index placement, Index place, bool contour = false) const;
+    /// What is ignored at a place of a placement's surface (Surface::place); for a line on two surfaces also the facet
+    /// of the second, numbered over the scene; `contour`: where the smooth surface turns away from the viewer.
+    Ignore ignore_at(Index placement, Index place, Index other_facet = none, bool contour = false) const;
 
     const View& view() const { return view_; }
     const Scene& scene() const { return scene_; }
