@@ -45,7 +45,7 @@ def parse(words):
 
 
 def extract(native, options):
-    """The arrays of the file, the counts of what was skipped in the model, and how curvature was estimated, if it was."""
+    """The arrays of the file, counts of what was skipped in the model, and how curvature was estimated, if it was."""
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)

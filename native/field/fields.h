@@ -18,8 +18,8 @@ struct Fields {
     std::string reason;          ///< one sentence: which estimator was taken, and why
 };
 
-/// With the surface's own options, and with others. Kept with the surface, by the options. Automatic takes jets, of degree
-/// 4 over 3 rings where the positions are clean and of degree 3 over more rings the noisier they are. Throws
+/// With the surface's own options, and with others. Kept with the surface, by the options. Automatic takes jets, of
+/// degree 4 over 3 rings where the positions are clean and of degree 3 over more rings the noisier they are. Throws
 /// std::invalid_argument for options out of range. A stretched surface has the fields of its source, mapped in closed
 /// form, and the source's hard edges.
 std::shared_ptr<const Fields> fields_of(const Surface& surface);
