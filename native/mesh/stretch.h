@@ -14,8 +14,8 @@ namespace fovea {
 dmat3 stretch_of(const dmat3& linear);
 
 /// The surface with its vertices stretched: all elements keep their numbers, and what was outside stays outside. In
-/// this space normals, curvature and angles are those of the placement, but for its size. Kept with the surface, with which
-/// it ends; the surface itself where it is not stretched.
+/// this space normals, curvature and angles are those of the placement, but for its size. Kept with the surface, with
+/// which it ends; the surface itself where it is not stretched.
 std::shared_ptr<const Surface> as_placed(const std::shared_ptr<const Surface>& surface, const dmat4& object_to_world);
 
 }  // namespace fovea
