@@ -34,8 +34,8 @@ REMARKS = {  # what a surface's report counts
 
 def last_statistics():
     """Of the last picture: stages {name: ms}, backend, strokes, triangles, curvature {object: how it was estimated, and
-    why; where a line needed it}, and lines_s: the seconds from Blender's evaluated meshes (reading them and building what
-    rays need included) to visible runs."""
+    why; where a line needed it}, and lines_s: the seconds from Blender's evaluated meshes (reading them and building
+    what rays need included) to visible runs."""
     return dict(_statistics)
 
 

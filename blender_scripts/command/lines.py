@@ -35,7 +35,7 @@ def parse(words):
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
     parser.add_argument("--param", action="append", type=assignment.parse, default=[], metavar="NAME=VALUE")
     parser.add_argument("--corner-angle", type=float, default=60.0, metavar="DEG", help="paths end at sharper turns")
-    parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic", help="of curvature")
+    parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic")
     parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
     parser.add_argument("--rings", type=int, default=0, help="of neighbours that jets are fitted to (0: automatic)")
     parser.add_argument("--smoothing", type=float, default=0.0, metavar="EDGES", help="how far curvature is averaged")
@@ -47,7 +47,7 @@ def parse(words):
 
 
 def extract(native, options):
-    """The arrays of the file, the counts of what was skipped in the model, and how curvature was estimated ("": not)."""
+    """The arrays of the file, counts of what was skipped in the model, and how curvature was estimated, if it was."""
     style = importlib.import_module("addon.style")
     definitions, given = native.line_definitions(), dict(options.param)
     kinds = {options.definition: style.parameters(options.definition, given, "definition", definitions)}

@@ -86,8 +86,8 @@ edge_marks (E,) bool. Raises ValueError, naming the object, where sizes or indic
             py::arg("positions"), "Moves the vertices, (V, 3) float32; the topology stays.")
         .def("set_field_options", &set_field_options, py::arg("estimator") = "automatic", py::arg("degree") = 0,
              py::arg("rings") = 0, py::arg("smoothing") = 0.0,
-             R"(How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and rings
-(1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian that curvature is averaged with.)")
+             R"(How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and
+rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian it is averaged with.)")
         .def_property_readonly(
             "fields_reason", [](const Surface& surface) { return fields_reason(surface); },
             "How curvature was estimated, and why, in one sentence; empty while no line has asked for it.")

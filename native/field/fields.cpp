@@ -160,8 +160,9 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
 }  // namespace
 
 std::uint64_t hash_of(const FieldOptions& options) {
-    return hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings,
-                        std::bit_cast<std::uint64_t>(options.smoothing), std::bit_cast<std::uint64_t>(options.hard_angle));
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    return hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings, bits(options.smoothing),
+                        bits(options.hard_angle));
 }
 
 std::shared_ptr<const Fields> fields_of(const Surface& surface) { return fields_of(surface, surface.field_options()); }

@@ -25,7 +25,8 @@ struct FieldOptions {
 
 /// Throws std::invalid_argument for options out of range; `name`: of the object.
 inline void check_options(const FieldOptions& options, const std::string& name) {
-    check(options.degree == 0 || (options.degree >= 2 && options.degree <= 4), name + ": degree of jets must be 0, 2, 3 or 4");
+    const bool known = options.degree == 0 || (options.degree >= 2 && options.degree <= 4);
+    check(known, name + ": degree of jets must be 0, 2, 3 or 4");
     check(options.rings >= 0 && options.rings <= 32, name + ": rings of jets must be 0 to 32");
     check(options.smoothing >= 0.0 && options.smoothing <= 8.0, name + ": smoothing of curvature must be 0 to 8 edges");
 }

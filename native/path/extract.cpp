@@ -191,7 +191,8 @@ dvec3 eye_of(const View& view, const Placement& placed) {
 }
 
 /// `surface`: the placement's as it is placed.
-SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view, const Tracer& tracer) {
+SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view,
+                    const Tracer& tracer) {
     const Placement& placed = scene.placements[placement];
     SurfaceView seen{.surface = surface};
     seen.object_to_view = view.world_to_view * placed.object_to_world * dmat4(glm::inverse(surface.stretch()));

@@ -39,7 +39,8 @@ TEST(FieldJets, Ellipsoid) {
 
 TEST(FieldJets, ErrorsFallWithTheEdge) {
     for (const bool irregular : {false, true}) {
-        const Errors coarse = jet_errors(ellipsoid(4, irregular), 4, 3), fine = jet_errors(ellipsoid(5, irregular), 4, 3);
+        const Errors coarse = jet_errors(ellipsoid(4, irregular), 4, 3);
+        const Errors fine = jet_errors(ellipsoid(5, irregular), 4, 3);
         EXPECT_LT(fine.k_median, coarse.k_median / 8) << "with its fourth power";
         EXPECT_LT(fine.c_median, coarse.c_median / 3) << "with its square";
     }

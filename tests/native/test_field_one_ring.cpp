@@ -18,7 +18,9 @@ TEST(FieldOneRing, TorusRegular) {
 }
 
 TEST(FieldOneRing, Ellipsoid) {
-    const auto errors = [](const Sample& sample) { return errors_of(sample, one_ring_curvature(*sample.mesh.surface())); };
+    const auto errors = [](const Sample& sample) {
+        return errors_of(sample, one_ring_curvature(*sample.mesh.surface()));
+    };
     expect_below(errors(ellipsoid(6, false)), .0006, .015, .014, .9);
     expect_below(errors(ellipsoid(6, true)), .012, .085, .45, 3.8);
 }

@@ -61,9 +61,11 @@ TEST(Normals, OfFlatFacesAreTheirs) {
 }
 
 TEST(Areas, OfVerticesSumToThatOfTheSurface) {
-    const Mesh obtuse = meshes::of_polygons("obtuse", {{0, 0, 0}, {9, 0, 0}, {1, 1, 0}, {4, -1, 2}}, {{0, 1, 2}, {1, 0, 3}});
+    const Mesh obtuse =
+        meshes::of_polygons("obtuse", {{0, 0, 0}, {9, 0, 0}, {1, 1, 0}, {4, -1, 2}}, {{0, 1, 2}, {1, 0, 3}});
     for (const Mesh& mesh : {obtuse, torus({.n = 32, .irregular = true}).mesh, waves({.n = 16}).mesh, meshes::box(),
-                             meshes::sphere(9), meshes::moebius(12), meshes::l_shape(), meshes::two_boxes_at_an_edge()}) {
+                             meshes::sphere(9), meshes::moebius(12), meshes::l_shape(),
+                             meshes::two_boxes_at_an_edge()}) {
         const auto surface = mesh.surface();
         const double area = area_of(*surface);
         EXPECT_NEAR(sum_of_areas(*surface) / area, 1.0, 1e-6) << mesh.name;

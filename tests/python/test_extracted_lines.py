@@ -75,8 +75,8 @@ def test_how_curvature_is_estimated_is_asked_for_and_told(tmp_path):
     corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel() + 1
     quads = np.stack([corner, corner + 1, corner + n + 2, corner + n + 1], axis=-1)
     model = tmp_path / "wave.obj"
-    rows = [("v", points), ("f", quads)]
-    model.write_text("".join(f"{key} {a} {b} {' '.join(map(str, c))}\n" for key, values in rows for a, b, *c in values.tolist()))
+    rows = [("v", *point) for point in points.tolist()] + [("f", *quad) for quad in quads.tolist()]
+    model.write_text("".join(" ".join(map(str, row)) + "\n" for row in rows))
 
     def reason(*words, definition="parabolic"):
         file = ["-o", str(tmp_path / "out.npz"), "--definition", definition, "--eye", "0,0,5"]
