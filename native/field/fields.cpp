@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "base/hash.h"
 #include "field/jets.h"
+#include "field/limit_curvature.h"
 #include "field/normals.h"
 #include "field/one_ring.h"
 
@@ -95,7 +96,10 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
     const auto around = neighbours_of(surface, options.hard_angle);
     const Neighbours& neighbours = *around;
     Fields fields;
-    if (options.estimator == Estimator::one_ring) {
+    if (options.estimator == Estimator::automatic && !surface.jets.empty()) {
+        fields.curvature = curvature_of(surface.jets);
+        fields.reason = "exact: derivatives of the subdivision's limit surface";
+    } else if (options.estimator == Estimator::one_ring) {
         fields.curvature = one_ring_curvature(surface, neighbours);
         fields.reason = "one-rings as asked for";
     } else {

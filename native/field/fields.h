@@ -27,8 +27,9 @@ struct Fields {
     std::string reason;          ///< one sentence: which estimator was taken, and why
 };
 
-/// Kept with the surface, by the options. Automatic takes jets, of degree 4 over 3 rings where the positions are clean
-/// and of degree 3 over more rings the noisier they are. Throws std::invalid_argument for options out of range.
+/// Kept with the surface, by the options. Automatic takes the jets that come with a surface; without, it fits some, of
+/// degree 4 over 3 rings where the positions are clean and of degree 3 over more rings the noisier they are. Throws
+/// std::invalid_argument for options out of range.
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options = {});
 
 }  // namespace fovea
