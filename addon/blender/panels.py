@@ -84,6 +84,10 @@ class OBJECT_PT_fovea(_Panel, bpy.types.Panel):
         layout = self.columns()
         layout.prop(context.object.fovea, "usage", text="Usage")
         layout.prop(context.object, "is_holdout")
+        settings = context.object.fovea
+        layout.prop(settings, "refine")
+        if settings.refine:
+            layout.prop(settings, "refine_level")
 
 
 class MATERIAL_PT_fovea(_Panel, bpy.types.Panel):

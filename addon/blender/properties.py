@@ -9,7 +9,7 @@ import zlib
 from dataclasses import replace
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
 from . import gpu_context
@@ -210,10 +210,23 @@ _registered = []  # (type that has the settings, group)
 
 def register():
     usage = EnumProperty(name="Line Drawing", items=USAGES, update=_redraw)
+    refine = BoolProperty(
+        name="Refine",
+        description="Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give",
+        update=_redraw,
+    )
+    refine_level = IntProperty(
+        name="Level",
+        description="Each face becomes 2 x 2 per level; a subdivision modifier at the end keeps its levels at least",
+        default=2,
+        min=1,
+        max=6,
+        update=_redraw,
+    )
     occlusion = EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=_redraw)
     _registered[:] = [
         (bpy.types.Scene, _scene_group()),
-        (bpy.types.Object, _group("FoveaObjectSettings", {"usage": usage})),
+        (bpy.types.Object, _group("FoveaObjectSettings", {"usage": usage, "refine": refine, "refine_level": refine_level})),
         (bpy.types.Material, _group("FoveaMaterialSettings", {"occlusion": occlusion})),
     ]
     for owner, group in _registered:

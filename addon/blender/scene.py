@@ -2,11 +2,12 @@
 
 import hashlib
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 import numpy as np
 
-from . import materials
+from . import materials, subdivision
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
@@ -65,15 +66,23 @@ class _Gathering:
         met = (place, obj.name_full)
         if met not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
-            shared = (place, slots)
+            plan = subdivision.plan(obj, mesh, self.depsgraph)
+            shared = (place, slots, plan)
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
-                key = (obj.name_full, mesh.name_full, slots)
-                surface = self.cache.surface(key, obj.name, mesh, slots, with_marks=self.with_marks)
-                self.surfaces.append(surface)
+                self.surfaces.append(self.surface(obj, mesh, slots, plan))
                 self.slots.append(slots)
             self.index_of[met] = self.index_of[shared]
         return self.index_of[met]
+
+    def surface(self, obj, mesh, slots, plan):
+        key, found = (obj.name_full, mesh.name_full, slots), None
+        if plan is not None:
+            cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, with_marks=self.with_marks)
+        if found is None:
+            found = self.cache.surface(key, obj.name, mesh, slots, with_marks=self.with_marks)
+        return found
 
     def add(self, step, obj, mesh, instance, usage):
         """One placement of an evaluated mesh; `step` counts the depsgraph's instances."""

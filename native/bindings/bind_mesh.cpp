@@ -5,6 +5,7 @@
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "mesh/polygon_edges.h"
+#include "mesh/refine.h"
 #include "mesh/surface.h"
 
 namespace fovea::bindings {
@@ -13,7 +14,7 @@ namespace {
 template <typename T>
 using Optional = std::optional<Arg<T>>;
 
-std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& positions,
+MeshArrays borrowed(const Arg<vec3>& positions,
                                       const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
                                       const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
                                       const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
@@ -33,8 +34,34 @@ std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& 
     mesh.sharp = borrow<std::uint8_t>(sharp_edges, "sharp_edges");
     mesh.seam = borrow<std::uint8_t>(seams, "seams");
     mesh.edge_mark = borrow<std::uint8_t>(edge_marks, "edge_marks");
+    return mesh;
+}
+
+std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& positions,
+                                      const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
+                                      const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
+                                      const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
+                                      const Optional<int>& material, const Optional<std::uint8_t>& occluding,
+                                      const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
+                                      const Optional<std::uint8_t>& edge_marks) {
+    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles,
+                                     ngon_polygon, material, occluding, sharp_edges, seams, edge_marks);
     py::gil_scoped_release release;
     return std::make_shared<Surface>(name, mesh);
+}
+
+std::shared_ptr<RefinedSurface> make_refined(
+    const std::string& name, const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
+    const Arg<int>& corner_edges, const Arg<int>& polygon_offsets, int level, bool round_corners,
+    const Optional<float>& edge_creases, const Optional<float>& vertex_creases, const Optional<int>& material,
+    const Optional<std::uint8_t>& occluding, const Optional<std::uint8_t>& sharp_edges,
+    const Optional<std::uint8_t>& seams, const Optional<std::uint8_t>& edge_marks) {
+    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, {}, {}, material,
+                                     occluding, sharp_edges, seams, edge_marks);
+    const Refinement refinement{level, round_corners, borrow<float>(edge_creases, "edge_creases"),
+                                borrow<float>(vertex_creases, "vertex_creases")};
+    py::gil_scoped_release release;
+    return std::make_shared<RefinedSurface>(name, mesh, refinement);
 }
 
 py::dict report(const Surface& surface) {
@@ -92,6 +119,26 @@ edge_marks (E,) bool. Raises ValueError, naming the object, where sizes or indic
         .def_property_readonly("mesh_edges", [](const Surface& s) { return s.mesh_edges; })
         .def_property_readonly("facet_count", &Surface::facet_count)
         .def_property_readonly("polygon_count", &Surface::polygon_count);
+
+    py::class_<RefinedSurface, Surface, std::shared_ptr<RefinedSurface>>(
+        m, "RefinedSurface", "The refined mesh of a cage, on the limit of its subdivision; see native/mesh/refine.h.")
+        .def(py::init(&make_refined), py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
+             py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"), py::arg("level"),
+             py::arg("round_corners") = true, py::arg("edge_creases") = py::none(),
+             py::arg("vertex_creases") = py::none(), py::arg("material") = py::none(),
+             py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
+             py::arg("edge_marks") = py::none(),
+             R"(The cage's arrays as Surface takes them; level 1 to 7; round_corners: also at corners of one polygon on a
+border; edge_creases (E,) and vertex_creases (V,) float32, weights from 0 to 1. Raises ValueError, naming the object,
+for a cage without a limit surface.)")
+        .def(
+            "set_positions",
+            [](RefinedSurface& surface, const Arg<vec3>& positions) {
+                const In<vec3> moved = borrow<vec3>(positions, "positions");
+                py::gil_scoped_release release;
+                surface.move_cage(moved);
+            },
+            py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.");
 
     m.def(
         "polygon_edges",
