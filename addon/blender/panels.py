@@ -88,6 +88,13 @@ class OBJECT_PT_fovea(_Panel, bpy.types.Panel):
         layout.prop(settings, "refine")
         if settings.refine:
             layout.prop(settings, "refine_level")
+        header, body = layout.panel("fovea_repair", default_closed=True)
+        header.label(text="Repair")
+        if body:
+            for name in ("weld", "orient", "smooth", "resample"):
+                body.prop(settings, f"repair_{name}")
+            if settings.repair_resample:
+                body.prop(settings, "repair_edge_length")
 
 
 class MATERIAL_PT_fovea(_Panel, bpy.types.Panel):

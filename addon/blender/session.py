@@ -142,8 +142,8 @@ def _progress(engine, share, text):
 
 def _report_skipped(engine, cache):
     """Says once per mesh what of it was left out or looks wrong."""
-    for sentence in cache.refused:
-        engine.report({"INFO"}, f"{sentence}; drawn as Blender subdivides it")
+    for sentence in cache.remarks:
+        engine.report({"INFO"}, sentence)
     for surface in cache.rebuilt:
         found = [f"{surface.report[what]} {words}" for what, words in REMARKS.items() if surface.report.get(what)]
         if found:

@@ -196,9 +196,9 @@ def test_a_cage_without_limit_is_said_once():
     subdivided(obj)
     cache = new_cache(NATIVE)
     assert not is_refined(only_surface(cache))
-    assert len(cache.refused) == 1 and "Fan" in cache.refused[0]
+    assert len(cache.remarks) == 1 and "Fan" in cache.remarks[0]
     surface = only_surface(cache)
-    assert cache.refused == [] and surface.polygon_count == 9 * 16 / 4
+    assert cache.remarks == [] and surface.polygon_count == 9 * 16 / 4
 
 
 def test_marks_and_materials_of_the_cage():
