@@ -215,7 +215,7 @@ def _shape_properties():
         ),
         "refine_level": IntProperty(
             name="Level",
-            description="Each face becomes 2 x 2 per level; a subdivision modifier at the end keeps its levels at least",
+            description="Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end",
             default=2,
             min=1,
             max=6,
@@ -233,7 +233,11 @@ def _shape_properties():
             name="Face Outwards", description="Turn faces that disagree with their neighbours", update=_redraw
         ),
         "repair_smooth": IntProperty(
-            name="Smooth", description="Steps of smoothing between creases, marks and borders", max=100, min=0, update=_redraw
+            name="Smooth",
+            description="Steps of smoothing between creases, marks and borders",
+            min=0,
+            max=100,
+            update=_redraw,
         ),
         "repair_resample": IntProperty(
             name="Resample", description="Steps towards triangles of equal sides", min=0, max=50, update=_redraw

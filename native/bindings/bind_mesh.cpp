@@ -15,8 +15,7 @@ namespace {
 template <typename T>
 using Optional = std::optional<Arg<T>>;
 
-MeshArrays borrowed(const Arg<vec3>& positions,
-                                      const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
+MeshArrays borrowed(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
                                       const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
                                       const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
                                       const Optional<int>& material, const Optional<std::uint8_t>& occluding,
@@ -52,13 +51,13 @@ std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& 
 }
 
 std::shared_ptr<RefinedSurface> make_refined(
-    const std::string& name, const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
-    const Arg<int>& corner_edges, const Arg<int>& polygon_offsets, int level, bool round_corners,
-    const Optional<float>& edge_creases, const Optional<float>& vertex_creases, const Optional<int>& material,
+    const std::string& name, const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts,
+    const Arg<int>& corner_verts, const Arg<int>& corner_edges, const Arg<int>& polygon_offsets, int level,
+    bool round_corners, const Optional<float>& edge_creases, const Optional<float>& vertex_creases, const Optional<int>& material,
     const Optional<std::uint8_t>& occluding, const Optional<std::uint8_t>& sharp_edges,
     const Optional<std::uint8_t>& seams, const Optional<std::uint8_t>& edge_marks) {
-    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, {}, {}, material,
-                                     occluding, sharp_edges, seams, edge_marks);
+    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, {}, {},
+                                     material, occluding, sharp_edges, seams, edge_marks);
     const Refinement refinement{level, round_corners, borrow<float>(edge_creases, "edge_creases"),
                                 borrow<float>(vertex_creases, "vertex_creases")};
     py::gil_scoped_release release;
@@ -163,8 +162,8 @@ edge_marks (E,) bool. Raises ValueError, naming the object, where sizes or indic
              py::arg("vertex_creases") = py::none(), py::arg("material") = py::none(),
              py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
              py::arg("edge_marks") = py::none(),
-             R"(The cage's arrays as Surface takes them; level 1 to 7; round_corners: also at corners of one polygon on a
-border; edge_creases (E,) and vertex_creases (V,) float32, weights from 0 to 1. Raises ValueError, naming the object,
+             R"(The cage's arrays as Surface takes them; level 1 to 7; round_corners: also at corners of one polygon on
+a border; edge_creases (E,) and vertex_creases (V,) float32, weights from 0 to 1. Raises ValueError, naming the object,
 for a cage without a limit surface.)")
         .def(
             "set_positions",
@@ -177,12 +176,12 @@ for a cage without a limit surface.)")
 
     m.def("repaired", &repaired_arrays, py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
           py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
-          py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(), py::arg("material") = py::none(),
-          py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
+          py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(),
+          py::arg("material") = py::none(), py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
           py::arg("edge_marks") = py::none(), py::arg("weld") = 0.0, py::arg("orient") = false, py::arg("smooth") = 0,
           py::arg("resample") = 0, py::arg("edge_length") = 0.0,
-          R"(A mesh put in order, see native/mesh/repair.h: a tuple of the arrays that Surface takes after its name, and a dict of
-counts. Raises ValueError, naming the object, as Surface does.)");
+          R"(A mesh put in order, see native/mesh/repair.h: a tuple of the arrays that Surface takes after its name,
+and a dict of counts. Raises ValueError, naming the object, as Surface does.)");
 
     m.def(
         "polygon_edges",

@@ -41,7 +41,8 @@ NearestPoint::NearestPoint(std::vector<dvec3> positions, std::vector<glm::uvec3>
     cell_ = std::max({cell, longest / 200.0, std::numeric_limits<double>::min()});
     size_ = glm::ivec3(extent / cell_) + 1;
     for (Index t = 0; t < triangles_.size(); ++t) {
-        const dvec3 &a = positions_[triangles_[t].x], &b = positions_[triangles_[t].y], &c = positions_[triangles_[t].z];
+        const glm::uvec3& v = triangles_[t];
+        const dvec3 &a = positions_[v.x], &b = positions_[v.y], &c = positions_[v.z];
         const glm::ivec3 first = cell_of(glm::min(a, glm::min(b, c))), last = cell_of(glm::max(a, glm::max(b, c)));
         for (int z = first.z; z <= last.z; ++z)
             for (int y = first.y; y <= last.y; ++y)

@@ -34,8 +34,8 @@ void check_manifold(const std::string& name, const Far::TopologyLevel& base) {
     check(edges == 0, name + ": " + std::to_string(edges) + " edges lie between more than two faces, or between faces "
                       "that disagree about which side is out, so it has no limit surface (Mesh > Normals > Recalculate "
                       "Outside, or Select > All by Trait > Non Manifold shows them)");
-    check(vertices == 0, name + ": in " + std::to_string(vertices) + " vertices surfaces only touch, so it has no limit "
-                         "surface (Select > All by Trait > Non Manifold shows them)");
+    check(vertices == 0, name + ": in " + std::to_string(vertices) + " vertices surfaces only touch, so it has no "
+                         "limit surface (Select > All by Trait > Non Manifold shows them)");
 }
 
 /// The cage as OpenSubdiv's descriptor borrows it.

@@ -263,8 +263,11 @@ class Resampling {
             const int after = off(a, -1) + off(b, -1) + off(c, 1) + off(d, 1);
             // cda and dcb instead of abc and bad, neither of them turned over.
             const dvec3 n = glm::cross(at(b) - at(a), at(c) - at(a)) + glm::cross(at(a) - at(b), at(d) - at(b));
-            const dvec3 left = glm::cross(at(d) - at(c), at(a) - at(c)), right = glm::cross(at(c) - at(d), at(b) - at(d));
-            const auto faces_well = [&](const dvec3& m) { return glm::dot(m, n) > 0.2 * glm::length(m) * glm::length(n); };
+            const dvec3 left = glm::cross(at(d) - at(c), at(a) - at(c));
+            const dvec3 right = glm::cross(at(c) - at(d), at(b) - at(d));
+            const auto faces_well = [&](const dvec3& m) {
+                return glm::dot(m, n) > 0.2 * glm::length(m) * glm::length(n);
+            };
             if (after < before && faces_well(left) && faces_well(right)) mesh_.flip(e);
         }
     }

@@ -23,7 +23,8 @@ RefinedSurface refined(const Mesh& cage, int level, std::vector<float> creases =
 /// The distance from a point to the nearest vertex.
 float distance_to(const Surface& surface, const vec3& point) {
     float least = 1e30f;
-    for (Index v = 0; v < surface.vertex_count(); ++v) least = std::min(least, glm::distance(surface.positions[v], point));
+    for (Index v = 0; v < surface.vertex_count(); ++v)
+        least = std::min(least, glm::distance(surface.positions[v], point));
     return least;
 }
 
@@ -350,7 +351,7 @@ TEST(Refine, AMovedCageIsTheSameAsANewOne) {
 }
 
 TEST(Refine, CagesWithoutALimitSurface) {
-    EXPECT_NE(message_of(two_boxes_at_an_edge()).find("two boxes: 1 edges lie between more than two"), std::string::npos);
+    EXPECT_NE(message_of(two_boxes_at_an_edge()).find("two boxes: 1 edges lie between more than"), std::string::npos);
     EXPECT_NE(message_of(flipped(box(), [](int f) { return f == 0; })).find("disagree"), std::string::npos);
     EXPECT_NE(message_of(moebius(8)).find("disagree"), std::string::npos);
     Mesh touching = box();

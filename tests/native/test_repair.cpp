@@ -13,7 +13,9 @@ using namespace fovea::meshes;
 
 namespace {
 
-RepairedMesh repaired(const Mesh& mesh, const Repair& repair) { return fovea::repaired(mesh.name, mesh.arrays(), repair); }
+RepairedMesh repaired(const Mesh& mesh, const Repair& repair) {
+    return fovea::repaired(mesh.name, mesh.arrays(), repair);
+}
 
 Surface surface_of(const RepairedMesh& mesh) { return Surface("repaired", mesh.arrays()); }
 
@@ -98,8 +100,9 @@ TEST(Repair, WeldingDropsWhatHasNoAreaLeft) {
 }
 
 TEST(Repair, NegativeAndPositiveZeroAreOnePlace) {
-    const Mesh mesh = of_polygons("zeros", {{0.0f, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, -0.0f, -0.0f}, {-1, 0, 0}, {0, -1, 0}},
-                                  {{0, 1, 2}, {3, 4, 5}});
+    const Mesh mesh = of_polygons(
+        "zeros", {{0.0f, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, -0.0f, -0.0f}, {-1, 0, 0}, {0, -1, 0}},
+        {{0, 1, 2}, {3, 4, 5}});
     EXPECT_EQ(repaired(mesh, {.weld = 1e-4}).report.welded_vertices, 1u);
 }
 
@@ -187,7 +190,8 @@ TEST(Repair, MarksAndMaterialsSurviveResampling) {
     EXPECT_NEAR(area[0], 2.0, 1e-5);
     EXPECT_NEAR(area[1], 2.0, 1e-5);
     for (std::size_t e = 0; e < out.edge_verts.size(); ++e)
-        if (out.edge_mark[e]) marked += glm::distance(out.positions[out.edge_verts[e].x], out.positions[out.edge_verts[e].y]);
+        if (out.edge_mark[e])
+            marked += glm::distance(out.positions[out.edge_verts[e].x], out.positions[out.edge_verts[e].y]);
     EXPECT_NEAR(marked, 1.0, 1e-5);
 }
 
@@ -211,21 +215,23 @@ TEST(Repair, BrokenPolygonsAreRefusedNotFatal) {
     EXPECT_EQ(surface_of(out).report().degenerate_polygons, 4u);
     EXPECT_THROW(repaired(grid(1), {.weld = -1.0}), std::invalid_argument);
     EXPECT_THROW(repaired(grid(1), {.smooth = -1}), std::invalid_argument);
-    EXPECT_EQ(repaired(Mesh("nothing", {}), {.weld = 1, .orient = true, .smooth = 1, .resample = 1}).positions.size(), 0u);
+    const Repair all{.weld = 1, .orient = true, .smooth = 1, .resample = 1};
+    EXPECT_EQ(repaired(Mesh("nothing", {}), all).positions.size(), 0u);
 }
 
 TEST(Repair, NearestPointsOfATetrahedron) {
     const Mesh mesh = tetrahedron();
     std::vector<dvec3> p(mesh.positions.begin(), mesh.positions.end());
     std::vector<glm::uvec3> t;
-    for (int f = 0; f < 4; ++f) t.push_back({mesh.corner_verts[3 * f], mesh.corner_verts[3 * f + 1], mesh.corner_verts[3 * f + 2]});
+    for (const int* v = mesh.corner_verts.data(); t.size() < 4; v += 3) t.push_back({v[0], v[1], v[2]});
     const NearestPoint nearest(p, t, 0.1);
     std::mt19937 random(2);
     std::uniform_real_distribution<double> at(-3.0, 3.0);
     for (int i = 0; i < 500; ++i) {
         const dvec3 q(at(random), at(random), at(random));
         double least = 1e30;
-        for (const auto& v : t) least = std::min(least, glm::distance(q, nearest_in_triangle(q, p[v.x], p[v.y], p[v.z])));
+        for (const auto& v : t)
+            least = std::min(least, glm::distance(q, nearest_in_triangle(q, p[v.x], p[v.y], p[v.z])));
         EXPECT_NEAR(glm::distance(q, nearest.to(q)), least, 1e-12);
     }
     EXPECT_EQ(NearestPoint({}, {}, 1.0).to(dvec3(3)), dvec3(3));
