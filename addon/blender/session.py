@@ -99,7 +99,7 @@ def _draw(engine, depsgraph, view, viewport=None):
     placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
     ingest = time.perf_counter() - start
 
-    _report_skipped(engine, cache)
+    _report_skipped(engine, cache.rebuilt, cache.remarks)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     options = pipeline.Options(visibility=visibility, with_depth=with_depth)
@@ -140,11 +140,11 @@ def _progress(engine, share, text):
     engine.update_stats("Fovea", text)
 
 
-def _report_skipped(engine, cache):
+def _report_skipped(engine, built, remarks=()):
     """Says once per mesh what of it was left out or looks wrong."""
-    for sentence in cache.remarks:
+    for sentence in remarks:
         engine.report({"INFO"}, sentence)
-    for surface in cache.rebuilt:
+    for surface in built:
         found = [f"{surface.report[what]} {words}" for what, words in REMARKS.items() if surface.report.get(what)]
         if found:
             engine.report({"INFO"}, f"'{surface.name}': {'; '.join(found)}")

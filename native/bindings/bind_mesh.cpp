@@ -53,8 +53,8 @@ std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& 
 std::shared_ptr<RefinedSurface> make_refined(
     const std::string& name, const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts,
     const Arg<int>& corner_verts, const Arg<int>& corner_edges, const Arg<int>& polygon_offsets, int level,
-    bool round_corners, const Optional<float>& edge_creases, const Optional<float>& vertex_creases, const Optional<int>& material,
-    const Optional<std::uint8_t>& occluding, const Optional<std::uint8_t>& sharp_edges,
+    bool round_corners, const Optional<float>& edge_creases, const Optional<float>& vertex_creases,
+    const Optional<int>& material, const Optional<std::uint8_t>& occluding, const Optional<std::uint8_t>& sharp_edges,
     const Optional<std::uint8_t>& seams, const Optional<std::uint8_t>& edge_marks) {
     const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, {}, {},
                                      material, occluding, sharp_edges, seams, edge_marks);
@@ -177,7 +177,8 @@ for a cage without a limit surface.)")
     m.def("repaired", &repaired_arrays, py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
           py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
           py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(),
-          py::arg("material") = py::none(), py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
+          py::arg("material") = py::none(), py::arg("occluding") = py::none(),
+          py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
           py::arg("edge_marks") = py::none(), py::arg("weld") = 0.0, py::arg("orient") = false, py::arg("smooth") = 0,
           py::arg("resample") = 0, py::arg("edge_length") = 0.0,
           R"(A mesh put in order, see native/mesh/repair.h: a tuple of the arrays that Surface takes after its name,
