@@ -22,7 +22,7 @@ class FoveaEngine(bpy.types.RenderEngine):
         session.render(self, depsgraph)
 
     def view_update(self, context, depsgraph):
-        session.view_update(self)
+        session.view_update(self, depsgraph)
 
     def view_draw(self, context, depsgraph):
         session.view_draw(self, context, depsgraph)

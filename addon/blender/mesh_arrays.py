@@ -59,6 +59,12 @@ def read(mesh, buffers, *, with_marks):
     )
 
 
+def creases(mesh, buffers):
+    """Crease weights of edges (E,) and vertices (V,) float32 from 0 to 1; None where there are none."""
+    of_edges = _optional(mesh, "crease_edge", buffers, (len(mesh.edges),), np.float32)
+    return of_edges, _optional(mesh, "crease_vert", buffers, (len(mesh.vertices),), np.float32)
+
+
 def ngon_triangles(mesh, polygon_offsets, buffers):
     """Blender's triangles of the polygons with more than four corners, or (None, None).
 

@@ -95,7 +95,9 @@ class OBJECT_PT_fovea(_Panel, bpy.types.Panel):
         layout = self.columns()
         layout.prop(context.object.fovea, "usage", text="Usage")
         layout.prop(context.object, "is_holdout")
+        settings = context.object.fovea
         _draw_curvature(layout, context.object)
+        _draw_shape(layout, settings)
 
 
 def _draw_curvature(layout, obj):
@@ -106,6 +108,19 @@ def _draw_curvature(layout, obj):
     reason = session.last_statistics().get("curvature", {}).get(obj.name)
     if reason:
         layout.label(text=reason, icon="INFO")
+
+
+def _draw_shape(layout, settings):
+    layout.prop(settings, "refine")
+    if settings.refine:
+        layout.prop(settings, "refine_level")
+    header, body = layout.panel("fovea_repair", default_closed=True)
+    header.label(text="Repair")
+    if body:
+        for name in ("weld", "orient", "smooth", "resample"):
+            body.prop(settings, f"repair_{name}")
+        if settings.repair_resample:
+            body.prop(settings, "repair_edge_length")
 
 
 class MATERIAL_PT_fovea(_Panel, bpy.types.Panel):

@@ -237,7 +237,55 @@ def _object_group():
             update=_redraw,
         ),
     }
-    return _group("FoveaObjectSettings", annotations)
+    return _group("FoveaObjectSettings", {**annotations, **_shape_properties()})
+
+
+def _shape_properties():
+    """What is done to an object's mesh before it is drawn: subdivision.py and repair.py."""
+    return {
+        "refine": BoolProperty(
+            name="Refine",
+            description="Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give",
+            update=_redraw,
+        ),
+        "refine_level": IntProperty(
+            name="Level",
+            description="Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end",
+            default=2,
+            min=1,
+            max=6,
+            update=_redraw,
+        ),
+        "repair_weld": FloatProperty(
+            name="Weld",
+            description="Vertices that are not farther apart become one",
+            subtype="DISTANCE",
+            min=0.0,
+            precision=4,
+            update=_redraw,
+        ),
+        "repair_orient": BoolProperty(
+            name="Face Outwards", description="Turn faces that disagree with their neighbours", update=_redraw
+        ),
+        "repair_smooth": IntProperty(
+            name="Smooth",
+            description="Steps of smoothing between creases, marks and borders",
+            min=0,
+            max=100,
+            update=_redraw,
+        ),
+        "repair_resample": IntProperty(
+            name="Resample", description="Steps towards triangles of equal sides", min=0, max=50, update=_redraw
+        ),
+        "repair_edge_length": FloatProperty(
+            name="Edge Length",
+            description="Of the triangles; 0: as the mesh has it on average",
+            subtype="DISTANCE",
+            min=0.0,
+            precision=4,
+            update=_redraw,
+        ),
+    }
 
 
 _registered = []  # (type that has the settings, group)

@@ -2,11 +2,12 @@
 
 import hashlib
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 import numpy as np
 
-from . import materials
+from . import materials, repair, subdivision
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
@@ -71,17 +72,27 @@ class _Gathering:
         met = (place, obj.name_full)
         if met not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
+            plan, mend = subdivision.plan(obj, mesh, self.depsgraph), repair.of(obj, self.depsgraph)
             curvature = self.curvature(obj)
-            shared = (place, slots, curvature)
+            shared = (place, slots, plan, mend, curvature)
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
-                key = (obj.name_full, mesh.name_full, slots)
-                surface = self.cache.surface(key, obj.name, mesh, slots, with_marks=self.with_marks)
+                surface = self.surface(obj, mesh, slots, plan, mend)
                 surface.set_field_options(*curvature)
                 self.surfaces.append(surface)
                 self.slots.append(slots)
             self.index_of[met] = self.index_of[shared]
         return self.index_of[met]
+
+    def surface(self, obj, mesh, slots, plan, mend):
+        """The native surface of an evaluated mesh, refined and repaired as the user wants it."""
+        key, found = (obj.name_full, mesh.name_full, slots), None
+        if plan is not None:
+            cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, with_marks=self.with_marks)
+        if found is None:
+            found = self.cache.surface(key, obj.name, mesh, slots, mend, with_marks=self.with_marks)
+        return found
 
     def add(self, step, obj, mesh, instance, usage):
         """One placement of an evaluated mesh; `step` counts the depsgraph's instances."""

@@ -16,7 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
 from ..backend import gpu_viewport
-from . import camera, methods, properties, scene, surfaces
+from . import camera, methods, properties, scene, subdivision, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -56,9 +56,10 @@ def render(engine, depsgraph):
             _hand_over(engine, depsgraph.view_layer, passes)
 
 
-def view_update(engine):
-    """Something in the scene changed."""
-    engine.drawing = None
+def view_update(engine, depsgraph):
+    """Something in the scene changed, unless it was us who read a cage (subdivision.py): that changes nothing."""
+    if not subdivision.is_echo(depsgraph.updates):
+        engine.drawing = None
 
 
 def view_draw(engine, context, depsgraph):
@@ -99,7 +100,7 @@ def _draw(engine, depsgraph, view, viewport=None):
     placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
     ingest = time.perf_counter() - start
 
-    _report_skipped(engine, cache.rebuilt)
+    _report_skipped(engine, cache.rebuilt, cache.remarks)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     options = pipeline.Options(visibility=visibility, with_depth=with_depth)
@@ -140,8 +141,10 @@ def _progress(engine, share, text):
     engine.update_stats("Fovea", text)
 
 
-def _report_skipped(engine, built):
+def _report_skipped(engine, built, remarks=()):
     """Says once per mesh what of it was left out or looks wrong."""
+    for sentence in remarks:
+        engine.report({"INFO"}, sentence)
     for surface in built:
         found = [f"{surface.report[what]} {words}" for what, words in REMARKS.items() if surface.report.get(what)]
         if found:

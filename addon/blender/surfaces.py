@@ -5,14 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import mesh_arrays
+from . import repair as repairs
 
 
 @dataclass
 class _Entry:
-    surface: object
+    surface: object  # None: a cage without a limit surface
     topology: tuple  # content hashes of everything but the positions
     positions: int
     ngons: tuple
+    seen: tuple = ()  # of a refined one: content hashes of what Blender made of the cage
     age: int = 0  # passes since it was last asked for
 
 
@@ -26,10 +28,11 @@ class SurfaceCache:
         self._buffers = mesh_arrays.Buffers()
         self.rebuilt = []  # surfaces built in this pass
         self.moved = []  # surfaces whose positions changed in this pass
+        self.remarks = []  # sentences for the user about what was built in this pass
 
     def begin(self):
         """Starts a pass over a depsgraph."""
-        self._asked, self.rebuilt, self.moved = {}, [], []
+        self._asked, self.rebuilt, self.moved, self.remarks = {}, [], [], []
         for entry in self._entries.values():
             entry.age += 1
 
@@ -37,31 +40,95 @@ class SurfaceCache:
         """Ends it: lets go of surfaces that none of the last `kept_passes` passes asked for."""
         self._entries = {key: entry for key, entry in self._entries.items() if entry.age < kept_passes}
 
-    def surface(self, key, name, mesh, slots, *, with_marks):
+    def surface(self, key, name, mesh, slots, repair=None, *, with_marks):
         """The native surface of an evaluated mesh. `slots`: its materials; `name` is for messages."""
-        ordinal = self._asked[key] = self._asked.get(key, 0) + 1
-        arrays = mesh_arrays.read(mesh, self._buffers, with_marks=with_marks)
-        material, occluding = _per_polygon(arrays, slots)
-        static = (arrays.edge_verts, arrays.corner_verts, arrays.corner_edges, arrays.polygon_offsets)
-        static += (material, occluding, arrays.sharp_edges, arrays.seams, arrays.edge_marks)
-        topology = (len(arrays.positions), *(self._hash(array) for array in static))
-        positions = self._hash(arrays.positions)
-
-        entry = self._entries.get((key, ordinal))
+        key = self._ordered((key, repair))
+        arrays, static, topology, positions = self._read(mesh, slots, with_marks)
+        entry = self._entries.get(key)
         if entry is None or (entry.topology, entry.positions) != (topology, positions):
             triangles, polygon = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
             ngons = (self._hash(triangles), self._hash(polygon))
-            if entry is not None and (entry.topology, entry.ngons) == (topology, ngons):
+            if entry is not None and repair is None and (entry.topology, entry.ngons) == (topology, ngons):
                 entry.surface.set_positions(arrays.positions)
                 entry.positions = positions
                 self.moved.append(entry.surface)
             else:
-                head = (name, arrays.positions, *static[:4], triangles, polygon)
-                entry = _Entry(self._core.Surface(*head, *static[4:]), topology, positions, ngons)
-                self._entries[key, ordinal] = entry
+                whole = (arrays.positions, *static[:4], triangles, polygon, *static[4:])
+                whole = self._repaired(name, whole, repair)
+                entry = _Entry(self._core.Surface(name, *whole), topology, positions, ngons)
+                self._entries[key] = entry
                 self.rebuilt.append(entry.surface)
         entry.age = 0
         return entry.surface
+
+    def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks):
+        """The native surface on the limit of a cage's subdivision; None where it has no limit surface, said once.
+
+        `mesh`: what Blender made of the cage, which tells whether it has changed; `cage()`: a context with the cage.
+        """
+        key = self._ordered((key, plan, repair))
+        _, _, topology, positions = self._read(mesh, slots, with_marks)
+        seen = (*topology, *self._hashes(mesh_arrays.creases(mesh, self._buffers)), positions)
+        entry = self._entries.get(key)
+        if entry is None or entry.seen != seen:
+            with cage() as mesh:
+                entry = self._entries[key] = self._refined(entry, name, mesh, slots, plan, repair, with_marks)
+            entry.seen = seen
+        entry.age = 0
+        return entry.surface
+
+    def _refined(self, entry, name, cage, slots, plan, repair, with_marks):
+        """The entry for a cage: the one there is, moved when only positions differ, or a new one.
+
+        A repaired cage has other edges, and so no creases.
+        """
+        arrays, static, topology, positions = self._read(cage, slots, with_marks)
+        creases = mesh_arrays.creases(cage, self._buffers) if plan.use_creases and not repair else (None, None)
+        topology += self._hashes(creases)
+        moved = entry is not None and entry.positions != positions
+        if entry is None or entry.topology != topology or (moved and repair):
+            entry = _Entry(None, topology, positions, ())
+            whole = (arrays.positions, *static[:4], None, None, *static[4:])
+            if repair:
+                triangles = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers)
+                whole = self._repaired(name, (*whole[:5], *triangles, *whole[7:]), repair)
+            how = (plan.level, plan.round_corners, *creases)
+            try:
+                entry.surface = self._core.RefinedSurface(name, *whole[:5], *how, *whole[7:])
+                self.rebuilt.append(entry.surface)
+            except ValueError as error:
+                self.remarks.append(f"{error}; drawn as Blender subdivides it")
+        elif entry.surface is not None and moved:
+            entry.surface.set_positions(arrays.positions)
+            entry.positions = positions
+            self.moved.append(entry.surface)
+        return entry
+
+    def _repaired(self, name, whole, repair):
+        """A mesh's arrays as Surface takes them, repaired where the user wants it."""
+        if not repair:
+            return whole
+        whole, report = self._core.repaired(name, *whole, *repair.words())
+        if remark := repairs.remark(name, report):
+            self.remarks.append(remark)
+        return whole
+
+    def _ordered(self, key):
+        """The key, and which of those with it in this pass it is."""
+        self._asked[key] = self._asked.get(key, 0) + 1
+        return key, self._asked[key]
+
+    def _read(self, mesh, slots, with_marks):
+        """The mesh's arrays, those that do not move, and content hashes of the latter and of the positions."""
+        arrays = mesh_arrays.read(mesh, self._buffers, with_marks=with_marks)
+        material, occluding = _per_polygon(arrays, slots)
+        static = (arrays.edge_verts, arrays.corner_verts, arrays.corner_edges, arrays.polygon_offsets)
+        static += (material, occluding, arrays.sharp_edges, arrays.seams, arrays.edge_marks)
+        topology = (len(arrays.positions), *self._hashes(static))
+        return arrays, static, topology, self._hash(arrays.positions)
+
+    def _hashes(self, arrays):
+        return tuple(self._hash(array) for array in arrays)
 
     def _hash(self, array):
         return 0 if array is None else self._core.content_hash(array)

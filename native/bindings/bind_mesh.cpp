@@ -6,6 +6,8 @@
 #include "bindings/bind.h"
 #include "field/fields.h"
 #include "mesh/polygon_edges.h"
+#include "mesh/refine.h"
+#include "mesh/repair.h"
 #include "mesh/surface.h"
 
 namespace fovea::bindings {
@@ -14,8 +16,7 @@ namespace {
 template <typename T>
 using Optional = std::optional<Arg<T>>;
 
-std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& positions,
-                                      const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
+MeshArrays borrowed(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
                                       const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
                                       const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
                                       const Optional<int>& material, const Optional<std::uint8_t>& occluding,
@@ -34,6 +35,18 @@ std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& 
     mesh.sharp = borrow<std::uint8_t>(sharp_edges, "sharp_edges");
     mesh.seam = borrow<std::uint8_t>(seams, "seams");
     mesh.edge_mark = borrow<std::uint8_t>(edge_marks, "edge_marks");
+    return mesh;
+}
+
+std::shared_ptr<Surface> make_surface(const std::string& name, const Arg<vec3>& positions,
+                                      const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
+                                      const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
+                                      const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
+                                      const Optional<int>& material, const Optional<std::uint8_t>& occluding,
+                                      const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
+                                      const Optional<std::uint8_t>& edge_marks) {
+    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles,
+                                     ngon_polygon, material, occluding, sharp_edges, seams, edge_marks);
     py::gil_scoped_release release;
     return std::make_shared<Surface>(name, mesh);
 }
@@ -48,6 +61,54 @@ void set_field_options(Surface& surface, const std::string& estimator, int degre
         check(estimator == "automatic", surface.name() + ": no estimator of curvature is called '" + estimator +
                                             "'; there are: automatic, jets, one_ring");
     surface.set_field_options(options);
+}
+
+std::shared_ptr<RefinedSurface> make_refined(
+    const std::string& name, const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts,
+    const Arg<int>& corner_verts, const Arg<int>& corner_edges, const Arg<int>& polygon_offsets, int level,
+    bool round_corners, const Optional<float>& edge_creases, const Optional<float>& vertex_creases,
+    const Optional<int>& material, const Optional<std::uint8_t>& occluding, const Optional<std::uint8_t>& sharp_edges,
+    const Optional<std::uint8_t>& seams, const Optional<std::uint8_t>& edge_marks) {
+    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, {}, {},
+                                     material, occluding, sharp_edges, seams, edge_marks);
+    const Refinement refinement{level, round_corners, borrow<float>(edge_creases, "edge_creases"),
+                                borrow<float>(vertex_creases, "vertex_creases")};
+    py::gil_scoped_release release;
+    return std::make_shared<RefinedSurface>(name, mesh, refinement);
+}
+
+/// The arrays as Surface takes them, None for those that are empty and optional, and the report.
+py::tuple repaired_arrays(const std::string& name, const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts,
+                          const Arg<int>& corner_verts, const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
+                          const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
+                          const Optional<int>& material, const Optional<std::uint8_t>& occluding,
+                          const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
+                          const Optional<std::uint8_t>& edge_marks, double weld, bool orient, int smooth, int resample,
+                          double edge_length) {
+    const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles,
+                                     ngon_polygon, material, occluding, sharp_edges, seams, edge_marks);
+    RepairedMesh out;
+    {
+        py::gil_scoped_release release;
+        out = repaired(name, mesh, {weld, orient, smooth, resample, edge_length});
+    }
+    const auto array = [](const auto& values) {
+        using T = typename std::decay_t<decltype(values)>::value_type;
+        return to_numpy(Array<T>(values.begin(), values.end()));
+    };
+    const auto optional = [&](const auto& values) -> py::object {
+        if (values.empty()) return py::none();
+        return array(values);
+    };
+    const py::dict report(py::arg("welded_vertices") = out.report.welded_vertices,
+                          py::arg("turned_polygons") = out.report.turned_polygons,
+                          py::arg("refused_polygons") = out.report.refused_polygons);
+    return py::make_tuple(
+        py::make_tuple(array(out.positions), array(out.edge_verts), array(out.corner_verts), array(out.corner_edges),
+                       array(out.polygon_offsets), optional(out.ngon_triangles), optional(out.ngon_polygon),
+                       optional(out.material), optional(out.occluding), optional(out.sharp), optional(out.seam),
+                       optional(out.edge_mark)),
+        report);
 }
 
 py::dict report(const Surface& surface) {
@@ -112,6 +173,36 @@ rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of
         .def_property_readonly("mesh_edges", [](const Surface& s) { return s.mesh_edges; })
         .def_property_readonly("facet_count", &Surface::facet_count)
         .def_property_readonly("polygon_count", &Surface::polygon_count);
+
+    py::class_<RefinedSurface, Surface, std::shared_ptr<RefinedSurface>>(
+        m, "RefinedSurface", "The refined mesh of a cage, on the limit of its subdivision; see native/mesh/refine.h.")
+        .def(py::init(&make_refined), py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
+             py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"), py::arg("level"),
+             py::arg("round_corners") = true, py::arg("edge_creases") = py::none(),
+             py::arg("vertex_creases") = py::none(), py::arg("material") = py::none(),
+             py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
+             py::arg("edge_marks") = py::none(),
+             R"(The cage's arrays as Surface takes them; level 1 to 7; round_corners: also at corners of one polygon on
+a border; edge_creases (E,) and vertex_creases (V,) float32, weights from 0 to 1. Raises ValueError, naming the object,
+for a cage without a limit surface.)")
+        .def(
+            "set_positions",
+            [](RefinedSurface& surface, const Arg<vec3>& positions) {
+                const In<vec3> moved = borrow<vec3>(positions, "positions");
+                py::gil_scoped_release release;
+                surface.move_cage(moved);
+            },
+            py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.");
+
+    m.def("repaired", &repaired_arrays, py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
+          py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
+          py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(),
+          py::arg("material") = py::none(), py::arg("occluding") = py::none(),
+          py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
+          py::arg("edge_marks") = py::none(), py::arg("weld") = 0.0, py::arg("orient") = false, py::arg("smooth") = 0,
+          py::arg("resample") = 0, py::arg("edge_length") = 0.0,
+          R"(A mesh put in order, see native/mesh/repair.h: a tuple of the arrays that Surface takes after its name,
+and a dict of counts. Raises ValueError, naming the object, as Surface does.)");
 
     m.def(
         "polygon_edges",

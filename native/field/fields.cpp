@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "field/implicit.h"
 #include "field/jets.h"
+#include "field/limit_curvature.h"
 #include "field/normals.h"
 #include "field/one_ring.h"
 #include "field/smooth.h"
@@ -137,7 +138,10 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
     const Neighbours& neighbours = *around;
     Fields fields;
     double smoothing = options.smoothing;
-    if (options.estimator == Estimator::one_ring) {
+    if (options.estimator == Estimator::automatic && !surface.jets.empty()) {
+        fields.curvature = curvature_of(surface.jets);
+        fields.reason = "exact: derivatives of the subdivision's limit surface";
+    } else if (options.estimator == Estimator::one_ring) {
         fields.curvature = one_ring_curvature(surface, neighbours);
         fields.reason = "one-rings as asked for";
     } else {

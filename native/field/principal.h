@@ -5,14 +5,9 @@
 #include <utility>
 
 #include "field/curvature.h"
+#include "mesh/height_jet.h"
 
 namespace fovea {
-
-/// Some unit tangent at a point with the unit normal n.
-inline dvec3 any_tangent(const dvec3& n) {
-    const dvec3 axis = std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : std::abs(n.y) < 0.6 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
-    return glm::normalize(glm::cross(axis, n));
-}
 
 /// Sets k and e of `c` from the shape operator [pp pq; pq qq] in the orthonormal frame (p, q), p x q the normal.
 inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double pp, double pq, double qq) {

@@ -43,6 +43,29 @@ In<int> flat(In<glm::vec<N, int>> values) {
 
 }  // namespace
 
+void check_mesh(const std::string& name, const MeshArrays& mesh) {
+    const std::size_t corners = mesh.corner_verts.size(), edge_count = mesh.edge_verts.size();
+    const std::size_t polygon_total = mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1;
+    check(mesh.positions.size() < none / 4 && corners < none / 4, name + ": more than a billion elements");
+    check(mesh.corner_edges.size() == corners, name + ": corner_edges and corner_verts differ in length");
+    check_range(mesh.corner_verts, mesh.positions.size(), name, "corner_verts");
+    check_range(mesh.corner_edges, edge_count, name, "corner_edges");
+    check_range(flat(mesh.edge_verts), mesh.positions.size(), name, "edge_verts");
+    check_range(flat(mesh.ngon_triangles), mesh.positions.size(), name, "ngon_triangles");
+    check_range(mesh.ngon_polygon, polygon_total, name, "ngon_polygon");
+    check(mesh.ngon_triangles.size() == mesh.ngon_polygon.size(), name + ": ngon_triangles and ngon_polygon differ in length");
+    check(std::is_sorted(mesh.ngon_polygon.begin(), mesh.ngon_polygon.end()), name + ": ngon_polygon must ascend");
+    check(std::is_sorted(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end()) &&
+              (polygon_total == 0 || (mesh.polygon_offsets.front() == 0 &&
+                                      std::size_t(mesh.polygon_offsets.back()) == corners)),
+          name + ": polygon_offsets must ascend from 0 to the number of corners");
+    check_size(mesh.material, polygon_total, name, "material");
+    check_size(mesh.occluding, polygon_total, name, "occluding");
+    check_size(mesh.sharp, edge_count, name, "sharp_edges");
+    check_size(mesh.seam, edge_count, name, "seams");
+    check_size(mesh.edge_mark, edge_count, name, "edge_marks");
+}
+
 Surface::Surface(std::string name, const MeshArrays& mesh) : name_(std::move(name)) {
     take_topology(mesh);
     build_edge_corners();
@@ -55,6 +78,7 @@ void Surface::set_positions(In<vec3> moved) {
     positions.resize(moved.size() + 1);
     std::copy(moved.begin(), moved.end(), positions.begin());
     positions.back() = vec3(0.0f);
+    jets.clear();
     version_ = next_version();
     cache_->clear();
     build_geometry();
@@ -66,26 +90,9 @@ void Surface::set_field_options(const FieldOptions& options) {
 }
 
 void Surface::take_topology(const MeshArrays& mesh) {
-    const std::size_t corners = mesh.corner_verts.size(), edge_count = mesh.edge_verts.size();
+    const std::size_t edge_count = mesh.edge_verts.size();
     const std::size_t polygon_total = mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1;
-    check(mesh.positions.size() < none / 4 && corners < none / 4, name_ + ": more than a billion elements");
-    check(mesh.corner_edges.size() == corners, name_ + ": corner_edges and corner_verts differ in length");
-    check_range(mesh.corner_verts, mesh.positions.size(), name_, "corner_verts");
-    check_range(mesh.corner_edges, edge_count, name_, "corner_edges");
-    check_range(flat(mesh.edge_verts), mesh.positions.size(), name_, "edge_verts");
-    check_range(flat(mesh.ngon_triangles), mesh.positions.size(), name_, "ngon_triangles");
-    check_range(mesh.ngon_polygon, polygon_total, name_, "ngon_polygon");
-    check(mesh.ngon_triangles.size() == mesh.ngon_polygon.size(), name_ + ": ngon_triangles and ngon_polygon differ in length");
-    check(std::is_sorted(mesh.ngon_polygon.begin(), mesh.ngon_polygon.end()), name_ + ": ngon_polygon must ascend");
-    check(std::is_sorted(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end()) &&
-              (polygon_total == 0 || (mesh.polygon_offsets.front() == 0 &&
-                                      std::size_t(mesh.polygon_offsets.back()) == corners)),
-          name_ + ": polygon_offsets must ascend from 0 to the number of corners");
-    check_size(mesh.material, polygon_total, name_, "material");
-    check_size(mesh.occluding, polygon_total, name_, "occluding");
-    check_size(mesh.sharp, edge_count, name_, "sharp_edges");
-    check_size(mesh.seam, edge_count, name_, "seams");
-    check_size(mesh.edge_mark, edge_count, name_, "edge_marks");
+    check_mesh(name_, mesh);
 
     polygons_.offsets.assign(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end());
     if (polygons_.offsets.empty()) polygons_.offsets.push_back(0);

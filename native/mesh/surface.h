@@ -7,6 +7,7 @@
 #include "base/cache.h"
 #include "base/types.h"
 #include "mesh/field_options.h"
+#include "mesh/height_jet.h"
 
 namespace fovea {
 
@@ -26,6 +27,9 @@ struct MeshArrays {
     In<std::uint8_t> occluding;  ///< optional, per polygon: 0 where the material lets lines behind it show
     In<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
 };
+
+/// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
+void check_mesh(const std::string& name, const MeshArrays& mesh);
 
 /// Marks of an edge.
 enum Mark : std::uint8_t { mark_sharp = 1, mark_seam = 2, mark_edge = 4 };
@@ -94,6 +98,8 @@ class Surface {
     Array<EdgeSide> edge_sides;
     vec3 center{0.0f};                 ///< of the bounding box
     float radius = 0.0f;               ///< of the sphere around it that holds all vertices
+    /// Per vertex, of the smooth surface that the vertices lie on; empty where nothing but the vertices is known.
+    Array<HeightJet> jets;
 
     /// Where a line can lie: on an edge, by its number, or in a triangle, numbered after the edges.
     Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }

@@ -26,7 +26,7 @@ class RecordedSurface(SimpleNamespace):
         self.positions = positions.copy()
 
 
-RECORDING = SimpleNamespace(Surface=RecordedSurface, content_hash=NATIVE.content_hash)
+RECORDING = SimpleNamespace(Surface=RecordedSurface, RefinedSurface=NATIVE.RefinedSurface, content_hash=NATIVE.content_hash)
 
 
 class Capture(bpy.types.RenderEngine):

@@ -1,0 +1,16 @@
+// Curvature of a surface whose derivatives are known.
+#pragma once
+
+#include "field/curvature.h"
+#include "mesh/height_jet.h"
+
+namespace fovea {
+
+/// Over its own tangent plane a height function's second derivatives are -h and its third ones -C. All zero where the
+/// jet is.
+CurvatureD curvature_of(const HeightJetD& jet);
+
+/// One per jet.
+Array<Curvature> curvature_of(const Array<HeightJet>& jets);
+
+}  // namespace fovea

@@ -1,0 +1,75 @@
+"""Meshes that are put in order before they are drawn, as their objects say."""
+
+import bpy
+import numpy as np
+import pytest
+from snapshots import NATIVE, fresh_scene, in_viewport, new_cache
+from the_addon import box_mesh, new_mesh, new_object
+
+pytestmark = pytest.mark.usefixtures(fresh_scene.__name__)
+
+
+def torn_box(flip=()):
+    """Six quads with vertices of their own; those of `flip` face inwards."""
+    box = box_mesh()
+    vertices, quads = [], []
+    for polygon in box.polygons:
+        quads.append([len(vertices) + i for i in range(4)])
+        vertices += [tuple(box.vertices[v].co) for v in polygon.vertices]
+        if polygon.index in flip:
+            quads[-1].reverse()
+    return new_object(new_mesh(vertices, [], quads), "Torn")
+
+
+def only_surface(cache=None):
+    (surface,) = in_viewport(cache or new_cache(NATIVE)).surfaces
+    return surface
+
+
+def test_nothing_is_repaired_unasked():
+    torn_box(flip=[0])
+    cache = new_cache(NATIVE)
+    assert only_surface(cache).mesh_edges == 24 and cache.remarks == []
+
+
+def test_welded_and_oriented():
+    obj = torn_box(flip=[0, 3])
+    obj.fovea.repair_weld, obj.fovea.repair_orient = 1e-3, True
+    cache = new_cache(NATIVE)
+    surface = only_surface(cache)
+    assert surface.mesh_edges == 12 and surface.report["inconsistent_edges"] == 0
+    assert cache.remarks == ["'Torn': 16 vertices were joined to others; 2 faces were turned around"]
+    assert only_surface(cache) is surface and cache.remarks == []
+
+
+def test_resampled_with_its_materials():
+    obj = torn_box()
+    for name in ("Red", "Blue"):
+        obj.data.materials.append(bpy.data.materials.new(name))
+    obj.data.polygons[2].material_index = 1
+    obj.fovea.repair_weld, obj.fovea.repair_resample, obj.fovea.repair_edge_length = 1e-3, 4, 0.4
+    surface = only_surface()
+    assert len(surface.triangles) == surface.polygon_count > 100
+    assert np.abs(surface.positions).max(axis=1) == pytest.approx(1, abs=1e-5)
+
+
+def test_repaired_and_then_refined():
+    obj = torn_box()
+    obj.fovea.refine, obj.fovea.refine_level = True, 2
+    apart = only_surface()
+    assert isinstance(apart, NATIVE.RefinedSurface) and np.abs(apart.positions).max() == pytest.approx(1, abs=0.2)
+    obj.fovea.repair_weld = 1e-3
+    surface = only_surface()
+    assert np.linalg.norm(surface.positions, axis=1).max() == pytest.approx(np.sqrt(0.75), abs=1e-5)
+
+
+def test_a_mesh_that_moves_is_repaired_anew():
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=8, y_subdivisions=8)
+    obj = bpy.context.object
+    obj.modifiers.new("Wave", "WAVE")
+    obj.fovea.repair_smooth = 3
+    cache = new_cache(NATIVE)
+    bpy.context.scene.frame_set(1)
+    before = only_surface(cache).positions.copy()
+    bpy.context.scene.frame_set(10)
+    assert not np.array_equal(only_surface(cache).positions, before)

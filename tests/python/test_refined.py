@@ -1,0 +1,55 @@
+"""Refined and repaired meshes through the module: arguments, errors, and what comes back."""
+
+import numpy as np
+import pytest
+from native_core import core as native
+
+CORNERS = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
+QUADS = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]], np.int32)
+OFFSETS = np.arange(0, 25, 4, dtype=np.int32)
+
+
+def box():
+    edge_verts, corner_edges = native.polygon_edges(OFFSETS, QUADS.ravel())
+    return "box", CORNERS, edge_verts, QUADS.ravel(), corner_edges, OFFSETS
+
+
+def test_a_refined_surface_is_a_surface():
+    surface = native.RefinedSurface(*box(), level=3)
+    assert isinstance(surface, native.Surface) and surface.polygon_count == 6 * 4**3
+    assert np.linalg.norm(surface.positions, axis=1).max() == pytest.approx(np.sqrt(0.75), abs=1e-6)
+    version = surface.version
+    surface.set_positions(2 * CORNERS)
+    assert np.linalg.norm(surface.positions, axis=1).max() == pytest.approx(2 * np.sqrt(0.75), abs=1e-6)
+    assert surface.version != version
+
+
+@pytest.mark.parametrize(
+    "words, complaint",
+    [
+        ({"level": 0}, "1 to 7"),
+        ({"level": 8}, "1 to 7"),
+        ({"level": 2, "edge_creases": np.zeros(3, np.float32)}, "differ in number"),
+        ({"level": 2, "vertex_creases": np.zeros(9, np.float32)}, "differ in number"),
+        ({"level": 2, "material": np.zeros(5, np.int32)}, "material has 5"),
+    ],
+)
+def test_what_cannot_be_refined(words, complaint):
+    with pytest.raises(ValueError, match=f"box.*{complaint}"):
+        native.RefinedSurface(*box(), **words)
+
+
+def test_positions_of_another_cage():
+    with pytest.raises(ValueError, match="box: 3 positions for 8 vertices"):
+        native.RefinedSurface(*box(), level=1).set_positions(CORNERS[:3])
+
+
+def test_repaired_arrays_make_a_surface():
+    quads = np.arange(24, dtype=np.int32)
+    edge_verts, corner_edges = native.polygon_edges(OFFSETS, quads)
+    torn = "torn", CORNERS[QUADS.ravel()], edge_verts, quads, corner_edges, OFFSETS
+    arrays, report = native.repaired(*torn, weld=1e-6)
+    assert report == {"welded_vertices": 16, "turned_polygons": 0, "refused_polygons": 0}
+    assert native.Surface("torn", *arrays).mesh_edges == 12
+    with pytest.raises(ValueError, match="torn: repair: lengths"):
+        native.repaired(*torn, weld=-1.0)
