@@ -113,9 +113,12 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options) {
     check(options.degree == 0 || (options.degree >= 2 && options.degree <= 4), "fields: degree must be 0, 2, 3 or 4");
     check(options.rings >= 0 && options.rings <= 32, "fields: rings must be 0 to 32");
-    const std::uint64_t key = hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings,
-                                           std::bit_cast<std::uint64_t>(options.hard_angle));
-    return surface.cache().get<Fields>(key, [&] { return make_fields(surface, options); });
+    return surface.cache().get<Fields>(key_of(options), [&] { return make_fields(surface, options); });
+}
+
+std::uint64_t key_of(const FieldOptions& options) {
+    return hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings,
+                        std::bit_cast<std::uint64_t>(options.hard_angle));
 }
 
 }  // namespace fovea

@@ -31,4 +31,7 @@ struct Fields {
 /// and of degree 3 over more rings the noisier they are. Throws std::invalid_argument for options out of range.
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options = {});
 
+/// What tells options apart where something is kept by them.
+std::uint64_t key_of(const FieldOptions& options);
+
 }  // namespace fovea

@@ -3,8 +3,8 @@
 // In   curvature and its derivative, the view
 // Out  on the side that faces the viewer, maxima of the greatest view-dependent curvature along its own direction. Near
 //      contours, where it grows beyond all bounds, nothing: a contour is drawn there.
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 namespace {
@@ -17,21 +17,36 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const auto fields = fields_of(surface, {});
     const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
     const auto threshold = static_cast<float>(values[0] * unit);
-    Array<vec3> uphill(surface.vertex_count());
-    Array<float> above(uphill.size()), facing(uphill.size());
-    parallel_for(uphill.size(), [&](std::size_t v) {
+    // Nothing appears more curved than it is by more than 1 / n . v.
+    struct Glance {
+        float facing;
+        bool may_be_above;
+    };
+    const auto glance = [&](Index v) -> Glance {
         const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        facing[v] = s.facing;
-        if (s.facing <= 0.0f) return;
-        const ViewCurvatureOf<float> view = view_curvature(c, s);
+        const float facing = see_vertex(seen, c, v).facing;
+        return {facing, c.k1 * c.k1 > 0.9999f * threshold * facing * facing};
+    };
+    struct Detail {
+        vec3 uphill;
+        float margin;
+    };
+    const auto detail = [&](Index v) -> Detail {
+        const Curvature& c = fields->curvature[v];
+        const ViewCurvatureOf<float> view = view_curvature(c, see_vertex(seen, c, v));
         const vec3 along = view.a1 * c.e1 + view.a2 * c.e2;
-        uphill[v] = along * (view.derivative / glm::length(along));
-        above[v] = view.squared - threshold;
-    });
-    return trace_maxima(
-        surface, facing_above(surface, facing, contour_near), [&](Index v) { return uphill[v]; }, 0.0f,
-        [&](Index v) { return above[v]; }, fading(threshold));
+        return {along * (view.derivative / glm::length(along)), view.squared - threshold};
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        const Range facing = cluster.facing();
+        const float most = cluster.bounds().curvature / std::max(facing.low, contour_near);
+        return facing.high <= contour_near || most * most <= 0.9999f * threshold;
+    };
+    const auto wanted = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.facing > contour_near && b.facing > contour_near && c.facing > contour_near &&
+               (a.may_be_above || b.may_be_above || c.may_be_above);
+    };
+    return trace_maxima(seen, none_in, glance, wanted, detail, 0.0f, fading(threshold));
 }
 
 }  // namespace

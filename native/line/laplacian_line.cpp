@@ -2,8 +2,8 @@
 // Zhang et al., "Real-time Feature-based Line Drawing with Laplacian Lines", TVCG 2009.
 // In   curvature and its derivative, the view
 // Out  on the side that faces the viewer, where the Laplacian of n . v is zero and its gradient above the threshold
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 namespace {
@@ -12,17 +12,26 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface, {});
     const auto threshold = static_cast<float>(values[0] / fields->feature_size);
-    Array<float> value(surface.vertex_count()), above(value.size()), facing(value.size());
-    parallel_for(value.size(), [&](std::size_t v) {
+    struct Glance {
+        float value, facing;
+    };
+    const auto glance = [&](Index v) -> Glance {
         const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        value[v] = laplacian(c, s);
-        above[v] = std::sqrt(gradient2(c, s)) - threshold;
-        facing[v] = s.facing;
-    });
-    return trace_zero_set(
-        surface, facing_above(surface, facing, 0.0f), [&](Index v) { return value[v]; },
-        [&](Index v) { return above[v]; }, fading(threshold));
+        const SeenOf<float> s = see_vertex(seen, c, v);
+        return {laplacian(c, s), s.facing};
+    };
+    const auto margin = [&](Index v) {
+        const Curvature& c = fields->curvature[v];
+        return std::sqrt(gradient2(c, see_vertex(seen, c, v))) - threshold;
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        return cluster.facing().high <= 0.0f || cluster.bounds().curvature <= 0.9999f * threshold ||
+               !cluster.laplacian().may_hold(0.0f);
+    };
+    const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.facing > 0.0f && b.facing > 0.0f && c.facing > 0.0f;
+    };
+    return trace_zero_set(seen, none_in, glance, front, margin, fading(threshold));
 }
 
 }  // namespace

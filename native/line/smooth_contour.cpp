@@ -2,19 +2,21 @@
 // Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000, section 4.
 // In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles), the view
 // Out  where the interpolated n . v is zero
-#include "line/seen_vertices.h"
-#include "line/zero_set.h"
+#include "line/cluster_trace.h"
 
 namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values&) {
     const auto fields = fields_of(seen.surface, {});
-    const Array<float> facing =
-        per_vertex(seen, [&](Index v) { return glm::dot(fields->curvature[v].normal, seen.to_viewer(v)); });
-    const auto all = [](Index) { return true; };
-    const auto always = [](Index) { return 1.0f; };
-    return trace_zero_set(seen.surface, all, [&](Index v) { return facing[v]; }, always, [](float) { return 1.0f; });
+    struct Glance {
+        float value;
+    };
+    const auto glance = [&](Index v) { return Glance{glm::dot(fields->curvature[v].normal, seen.to_viewer(v))}; };
+    const auto none_in = [](const SeenCluster& cluster) { return !cluster.facing().may_hold(0.0f); };
+    const auto all = [](Glance, Glance, Glance) { return true; };
+    const auto always = [](auto) { return 1.0f; };
+    return trace_zero_set(seen, none_in, glance, all, always, always);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // What suggestive contours and highlights share.
 #pragma once
 
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 
@@ -19,21 +19,29 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
     const auto fields = fields_of(surface, {});
     const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
     const auto threshold = static_cast<float>(values[0] * unit);
-    Array<float> scaled(surface.vertex_count()), above(scaled.size()), facing(scaled.size());
-    parallel_for(scaled.size(), [&](std::size_t v) {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        const RadialOf<float> r = radial(c, s);
-        scaled[v] = r.scaled;
-        facing[v] = s.facing;
-        above[v] = sign * r.derivative - threshold * s.facing;
-    });
-    const auto front = [&](Index t) {
-        const Triangle& corners = surface.triangles[t];
-        return facing[corners.x] > 0.0f || facing[corners.y] > 0.0f || facing[corners.z] > 0.0f;
+    struct Glance {
+        float value, facing;
     };
-    return trace_zero_set(surface, front, [&](Index v) { return scaled[v]; }, [&](Index v) { return above[v]; },
-                          fading(values[1] * unit));
+    const auto glance = [&](Index v) -> Glance {
+        const Curvature& c = fields->curvature[v];
+        const SeenOf<float> s = see_vertex(seen, c, v);
+        return {radial_scaled(c, s), s.facing};
+    };
+    const auto margin = [&](Index v) {
+        const Curvature& c = fields->curvature[v];
+        const SeenOf<float> s = see_vertex(seen, c, v);
+        return sign * radial(c, s).derivative - threshold * s.facing;
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        const Range facing = cluster.facing();
+        if (facing.high <= 0.0f || !cluster.radial().may_hold(0.0f)) return true;
+        const float torsion = sign < 0.0f ? cluster.bounds().curvature : 0.0f;
+        return cluster.bounds().third + 2.0f * facing.high * torsion * torsion <= 0.9999f * threshold * facing.low;
+    };
+    const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.facing > 0.0f || b.facing > 0.0f || c.facing > 0.0f;
+    };
+    return trace_zero_set(seen, none_in, glance, front, margin, fading(values[1] * unit));
 }
 
 }  // namespace fovea

@@ -97,22 +97,84 @@ Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value&
     });
 }
 
-/// Curves where `value` is first + step, first + 2 step, ..., first + count step: a level of pieces for each.
+/// All numbers that a field can have somewhere lie in it. Without bounds, or NaN, where nothing is known: ask it in such
+/// a way that this means "may be".
+struct Range {
+    float low, high;
+    /// False only where it is certain.
+    bool may_hold(float x) const { return !(x < low) && !(x > high); }
+};
+
+/// Values first + step, first + 2 step, ..., first + count step.
+struct Levels {
+    float first, step;
+    int count;
+    float operator[](int i) const { return first + float(i) * step; }
+    /// How many levels are not above a value; 0 for NaN.
+    int below(float value) const {
+        const float share = (value - first) / step;
+        int i = share > 0.0f ? static_cast<int>(std::min(share, float(count))) : 0;
+        while (i < count && operator[](i + 1) <= value) ++i;  // arithmetic may be off by one
+        while (i > 0 && !(operator[](i) <= value)) --i;
+        return i;
+    }
+    /// True only where it is certain that no level lies in the range.
+    bool none_in(const Range& range) const {
+        const float from = (range.low - first) / step, to = (range.high - first) / step;
+        // Arithmetic may move a number by less than the share of a step that is left out here.
+        const float margin = 1e-5f * (std::abs(from) + std::abs(to)) + 1e-3f;
+        return to + margin < 1.0f || from - margin > float(count) || std::floor(to + margin) < std::ceil(from - margin);
+    }
+};
+
+/// Appends a piece for each level of `value` in one triangle.
+template <typename Value>
+void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
+                   const Levels& levels, std::vector<CurvePiece>& out) {
+    const Triangle& t = surface.triangles[triangle];
+    const auto [low, high] = std::minmax({levels.below(value(t.x)), levels.below(value(t.y)), levels.below(value(t.z))});
+    const auto always = [](auto) { return 1.0f; };
+    for (int i = low + 1; i <= high; ++i) {
+        const std::size_t before = out.size();
+        append_zero(surface, sides, triangle, [&](Index v) { return value(v) - levels[i]; }, always, always, out);
+        if (out.size() > before) out.back().level = static_cast<Index>(i);
+    }
+}
+
+/// Curves where `value` is one of the levels: pieces of its own for each.
 template <typename Value>
 Curves trace_levels(const Surface& surface, const Value& value, float first, float step, int count) {
     const auto sides = triangle_sides(surface);
-    const auto always = [](auto) { return 1.0f; };
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        const Triangle& t = surface.triangles[triangle];
-        const auto [low, high] = std::minmax({value(t.x), value(t.y), value(t.z)});
-        for (int i = 1; i <= count; ++i) {
-            const float level = first + float(i) * step;
-            if (!(low <= level && level <= high)) continue;
-            const std::size_t before = out.size();
-            append_zero(surface, *sides, triangle, [&](Index v) { return value(v) - level; }, always, always, out);
-            if (out.size() > before) out.back().level = static_cast<Index>(i);
-        }
+        append_levels(surface, *sides, triangle, value, {first, step, count}, out);
     });
+}
+
+/// Appends the piece in one triangle of a curve along which a quantity is greatest across it; see trace_maxima.
+template <typename Uphill, typename Margin, typename Strength>
+void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
+                    float least_bend, const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+    const glm::uvec3& of = sides.of_triangle[triangle];
+    Crossing ends[3];
+    int count = 0;
+    bool climbs = false;
+    float bend = 0.0f;
+    for (int i = 0; i < 3; ++i) {
+        const Edge e = sides.vertices[of[i]];
+        const vec3 a = uphill(e.x), b = uphill(e.y);
+        if (!(glm::dot(a, b) <= 0.0f)) continue;
+        const float la = glm::length(a), lb = glm::length(b);
+        if (!(la + lb > 0.0f)) continue;
+        ends[count++] = {of[i], e.x, e.y, la / (la + lb)};
+        // A maximum: at least one end climbs towards the other.
+        const vec3 along = surface.positions[e.y] - surface.positions[e.x];
+        bend = std::max(bend, (la + lb) / glm::length(along));
+        climbs = climbs || glm::dot(a, along) >= 0.0f || glm::dot(b, along) <= 0.0f;
+    }
+    // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
+    if (count != 2 || !climbs || bend < least_bend) return;
+    const Crossing two[2] = {ends[0], ends[1]};
+    append_trimmed(surface, triangle, two, {two[0].mix(margin), two[1].mix(margin)}, strength, out);
 }
 
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity
@@ -124,28 +186,7 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
                     const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        if (!wanted(triangle)) return;
-        const glm::uvec3& of = sides->of_triangle[triangle];
-        Crossing ends[3];
-        int count = 0;
-        bool climbs = false;
-        float bend = 0.0f;
-        for (int i = 0; i < 3; ++i) {
-            const Edge e = sides->vertices[of[i]];
-            const vec3 a = uphill(e.x), b = uphill(e.y);
-            if (!(glm::dot(a, b) <= 0.0f)) continue;
-            const float la = glm::length(a), lb = glm::length(b);
-            if (!(la + lb > 0.0f)) continue;
-            ends[count++] = {of[i], e.x, e.y, la / (la + lb)};
-            // A maximum: at least one end climbs towards the other.
-            const vec3 along = surface.positions[e.y] - surface.positions[e.x];
-            bend = std::max(bend, (la + lb) / glm::length(along));
-            climbs = climbs || glm::dot(a, along) >= 0.0f || glm::dot(b, along) <= 0.0f;
-        }
-        // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
-        if (count != 2 || !climbs || bend < least_bend) return;
-        const Crossing two[2] = {ends[0], ends[1]};
-        append_trimmed(surface, triangle, two, {two[0].mix(margin), two[1].mix(margin)}, strength, out);
+        if (wanted(triangle)) append_maximum(surface, *sides, triangle, uphill, least_bend, margin, strength, out);
     });
 }
 
