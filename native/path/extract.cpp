@@ -34,12 +34,17 @@ struct StaticCurves {
     std::vector<FoundCurves> found;
 };
 
-/// What one placement contributes: chains kept with the surface, chains of this view, and their kinds by edge.
-struct PlacementPaths {
+/// Chains of edges: kept with the surface, and of this view; and their kinds by edge.
+struct EdgePaths {
     std::shared_ptr<const Chains> kept;
     Chains seen;
     Array<Kinds> kept_kinds, seen_kinds;  // per point
     Array<std::uint8_t> kept_free, seen_free;  // per chain: FreeEnds
+};
+
+/// What one placement contributes.
+struct PlacementPaths {
+    std::shared_ptr<const EdgePaths> edges;
     std::shared_ptr<const StaticCurves> kept_curves;
     std::vector<FoundCurves> seen_curves;
 };
@@ -58,6 +63,16 @@ bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
     for (const LineSet& set : sets)
         for (const LineSet::Kind& kind : set.kinds)
             if (line_definitions()[kind.definition]->scope >= least) return true;
+    return false;
+}
+
+/// Of definitions that mark edges, and hold for all views or depend on the view.
+bool any_marks_edges(const std::vector<LineSet>& sets, bool of_surface) {
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            if (definition.trace && (definition.scope == Scope::surface) == of_surface) return true;
+        }
     return false;
 }
 
@@ -86,6 +101,7 @@ StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets
 /// The first line set that asks for a definition across triangles has all that it finds.
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface) {
     std::vector<FoundCurves> found;
+    std::vector<Curves> pieces;
     Kinds done = 0;
     for (std::size_t s = 0; s < sets.size(); ++s)
         for (const LineSet::Kind& kind : sets[s].kinds) {
@@ -93,8 +109,11 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition, chain_curves(definition.find(seen, kind.values))});
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition, {}});
+            pieces.push_back(definition.find(seen, kind.values));
         }
+    // Chaining goes along the lines, one piece after the other: every definition by itself.
+    parallel_blocks(found.size(), 1, [&](std::size_t i, std::size_t, std::size_t) { found[i].chains = chain_curves(pieces[i]); });
     return found;
 }
 
@@ -175,8 +194,7 @@ Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& l
     return free;
 }
 
-PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
-                                 bool view_dependent) {
+EdgePaths find_edges(SurfaceView seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash, bool of_view) {
     const Surface& surface = seen.surface;
     // Contours of a mesh fold back on themselves where they end on a smooth surface: one path through all folds, so
     // that what is seen of them can be told from a line.
@@ -184,14 +202,14 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
-    if (view_dependent) {
+    if (of_view) {
         find_facing(seen);
         for (std::size_t s = 0; s < sets.size(); ++s) trace_kinds(sets[s], seen, false, kinds[s]);
     }
     const Labelled labelled = label_edges(*lines, kinds);
     // With one line set the labels never change, so its static chains are made once.
     const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
-    PlacementPaths paths;
+    EdgePaths paths;
     paths.kept = surface.cache().get<Chains>(
         chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
     paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, never);
@@ -200,8 +218,19 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
     paths.kept_free = free_ends(*paths.kept, lines_at);
     paths.seen_free = free_ends(paths.seen, lines_at);
-    paths.kept_curves = surface.cache().get<StaticCurves>(
-        sets_hash, [&] { return StaticCurves{find_curves({.surface = surface}, sets, true)}; });
+    return paths;
+}
+
+PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
+                                 bool view_dependent) {
+    Cache& cache = seen.surface.cache();
+    PlacementPaths paths;
+    if (any_marks_edges(sets, false))
+        paths.edges = std::make_shared<const EdgePaths>(find_edges(seen, sets, sets_hash, true));
+    else if (any_marks_edges(sets, true))
+        paths.edges = cache.get<EdgePaths>(sets_hash, [&] { return find_edges(seen, sets, sets_hash, false); });
+    paths.kept_curves = cache.get<StaticCurves>(
+        sets_hash, [&] { return StaticCurves{find_curves({.surface = seen.surface}, sets, true)}; });
     if (view_dependent) paths.seen_curves = find_curves(seen, sets, false);
     return paths;
 }
@@ -314,12 +343,14 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     std::vector<CurveSlot> curve_slots;
     Index path = 0, point = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        slots[i].first = {drawn[i], path, point, false};
-        path += found[i].kept->rows.count();
-        point += static_cast<Index>(found[i].kept->vertex.size());
-        slots[i].second = {drawn[i], path, point, true};
-        path += found[i].seen.rows.count();
-        point += static_cast<Index>(found[i].seen.vertex.size());
+        if (const EdgePaths* edges = found[i].edges.get()) {
+            slots[i].first = {drawn[i], path, point, false};
+            path += edges->kept->rows.count();
+            point += static_cast<Index>(edges->kept->vertex.size());
+            slots[i].second = {drawn[i], path, point, true};
+            path += edges->seen.rows.count();
+            point += static_cast<Index>(edges->seen.vertex.size());
+        }
         const auto add_curves = [&](const std::vector<FoundCurves>& curves, bool of_view) {
             for (const FoundCurves& c : curves) {
                 curve_slots.push_back({&c, {drawn[i], path, point, of_view}});
@@ -332,8 +363,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     }
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-        write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);
-        write_chains(scene, found[i].seen, found[i].seen_kinds, found[i].seen_free, slots[i].second, paths);
+        const EdgePaths* edges = found[i].edges.get();
+        if (!edges) return;
+        write_chains(scene, *edges->kept, edges->kept_kinds, edges->kept_free, slots[i].first, paths);
+        write_chains(scene, edges->seen, edges->seen_kinds, edges->seen_free, slots[i].second, paths);
     });
     parallel_blocks(curve_slots.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         write_curves(scene, *curve_slots[i].found, curve_slots[i].slot, paths);
