@@ -12,7 +12,7 @@ namespace fovea {
 namespace {
 
 /// More than float arithmetic loses over one cluster.
-constexpr float rounding = 1e-5f;
+constexpr double rounding = 1e-5;
 
 /// Orders triangles so that every run of triangles_of_cluster of them lies together: halves at the median along the
 /// longest side of the box around their middles, again and again.
@@ -95,98 +95,106 @@ Clusters make_clusters(const Surface& surface) {
     return clusters;
 }
 
-/// h on object space: xx, yy, zz, xy, xz, yz.
-struct Form {
-    vec3 straight{0.0f}, mixed{0.0f};
-    explicit Form(const Curvature& c)
-        : straight(c.k1 * c.e1 * c.e1 + c.k2 * c.e2 * c.e2),
-          mixed(c.k1 * c.e1.x * c.e1.y + c.k2 * c.e2.x * c.e2.y, c.k1 * c.e1.x * c.e1.z + c.k2 * c.e2.x * c.e2.z,
-                c.k1 * c.e1.y * c.e1.z + c.k2 * c.e2.y * c.e2.z) {}
+/// What bounds are made of, at a vertex or as the middle of many. In double precision: squares must not vanish.
+struct Sample {
+    dvec3 place{0.0}, normal{0.0}, straight{0.0}, mixed{0.0}, laplacian{0.0};
+
+    Sample() = default;
+    Sample(const vec3& p, const Curvature& c) : place(p), normal(c.normal) {
+        const dvec3 e1(c.e1), e2(c.e2);
+        const double k1 = c.k1, k2 = c.k2;
+        straight = k1 * e1 * e1 + k2 * e2 * e2;
+        mixed = k1 * dvec3(e1.x * e1.y, e1.x * e1.z, e1.y * e1.z) + k2 * dvec3(e2.x * e2.y, e2.x * e2.z, e2.y * e2.z);
+        laplacian = double(c.C[0] + c.C[2]) * e1 + double(c.C[1] + c.C[3]) * e2 - (k1 * k1 + k2 * k2) * normal;
+    }
+    explicit Sample(const ClusterBounds& b)
+        : place(b.center), normal(b.normal), straight(b.form[0]), mixed(b.form[1]), laplacian(b.laplacian) {}
 };
 
-vec3 laplacian_of_normal(const Curvature& c) {
-    return (c.C[0] + c.C[2]) * c.e1 + (c.C[1] + c.C[3]) * c.e2 - (c.k1 * c.k1 + c.k2 * c.k2) * c.normal;
-}
+/// Bounds of what is added in two rounds: first for the middle, then for the spread around it.
+class Bounding {
+   public:
+    void add(const Sample& f, double curvature, double third) {
+        low_ = count_ ? glm::min(low_, f.place) : f.place;
+        high_ = count_ ? glm::max(high_, f.place) : f.place;
+        middle_.normal += f.normal;
+        middle_.straight += f.straight;
+        middle_.mixed += f.mixed;
+        middle_.laplacian += f.laplacian;
+        curvature_ = std::max(curvature_, curvature);
+        third_ = std::max(third_, third);
+        ++count_;
+    }
+
+    /// The middle as it is kept, in single precision.
+    void end_of_first_round() {
+        const double share = 1.0 / count_;
+        bounds_.center = vec3(0.5 * (low_ + high_));
+        bounds_.normal = vec3(share * middle_.normal);
+        bounds_.form[0] = vec3(share * middle_.straight);
+        bounds_.form[1] = vec3(share * middle_.mixed);
+        bounds_.laplacian = vec3(share * middle_.laplacian);
+        middle_ = Sample(bounds_);
+    }
+
+    /// `own`: bounds of what stands around f itself.
+    void add_spread(const Sample& f, const ClusterBounds& own = {}) {
+        const auto reach = [](double& most, double spread, double squared) { most = std::max(most, spread + std::sqrt(squared)); };
+        const auto squared = [](const dvec3& d) { return glm::dot(d, d); };
+        reach(radius_, own.radius, squared(f.place - middle_.place));
+        reach(normal_, own.normal_spread, squared(f.normal - middle_.normal));
+        reach(form_, own.form_spread, squared(f.straight - middle_.straight) + 2.0 * squared(f.mixed - middle_.mixed));
+        reach(laplacian_, own.laplacian_spread, squared(f.laplacian - middle_.laplacian));
+    }
+
+    ClusterBounds take() const {
+        ClusterBounds b = bounds_;
+        const auto up = [](double length, double scale) { return static_cast<float>(length + rounding * (length + scale)); };
+        b.radius = up(radius_, 0.1 * glm::length(middle_.place));
+        b.normal_spread = up(normal_, 1.0);
+        b.form_spread = up(form_, curvature_);
+        b.laplacian_spread = up(laplacian_, 2.0 * third_ + 2.0 * curvature_ * curvature_);
+        b.curvature = up(curvature_, 0.0);
+        b.third = up(third_, 0.0);
+        const vec3 all = b.center + b.normal + b.form[0] + b.form[1] + b.laplacian;
+        if (!std::isfinite(all.x + all.y + all.z + b.radius + b.form_spread + b.laplacian_spread))
+            b.radius = b.normal_spread = b.form_spread = b.laplacian_spread = b.curvature = b.third = HUGE_VALF;
+        return b;  // without bounds where numbers end
+    }
+
+   private:
+    int count_ = 0;
+    dvec3 low_{0.0}, high_{0.0};
+    Sample middle_;
+    double curvature_ = 0.0, third_ = 0.0, radius_ = 0.0, normal_ = 0.0, form_ = 0.0, laplacian_ = 0.0;
+    ClusterBounds bounds_{};
+};
 
 /// No less than C(x, x, x) of any unit tangent: its norm as a tensor.
-float norm_of_third(const Curvature& c) {
-    return std::sqrt(c.C[0] * c.C[0] + 3.0f * (c.C[1] * c.C[1] + c.C[2] * c.C[2]) + c.C[3] * c.C[3]);
-}
-
-ClusterBounds rounded_up(ClusterBounds b) {
-    const auto up = [](float& length, float scale) { length += rounding * (length + scale); };
-    up(b.radius, 0.1f * glm::length(b.center));
-    up(b.normal_spread, 1.0f);
-    up(b.form_spread, b.curvature);
-    up(b.laplacian_spread, 2.0f * b.third + 2.0f * b.curvature * b.curvature);
-    up(b.curvature, 0.0f);
-    up(b.third, 0.0f);
-    const vec3 all = b.center + b.normal + b.form[0] + b.form[1] + b.laplacian;
-    if (!std::isfinite(all.x + all.y + all.z + b.radius + b.form_spread + b.laplacian_spread))
-        b.radius = b.normal_spread = b.form_spread = b.laplacian_spread = b.curvature = b.third = HUGE_VALF;
-    return b;  // without bounds on an enormous mesh
+double norm_of_third(const Curvature& c) {
+    const double c0 = c.C[0], c1 = c.C[1], c2 = c.C[2], c3 = c.C[3];
+    return std::sqrt(c0 * c0 + 3.0 * (c1 * c1 + c2 * c2) + c3 * c3);
 }
 
 ClusterBounds bounds_of(const Surface& surface, const Array<Curvature>& curvature, In<Index> vertices) {
-    ClusterBounds b{};
-    vec3 low(surface.positions[vertices[0]]), high = low;
-    for (Index v : vertices) {
-        const Curvature& c = curvature[v];
-        const Form form(c);
-        low = glm::min(low, surface.positions[v]);
-        high = glm::max(high, surface.positions[v]);
-        b.normal += c.normal;
-        b.form[0] += form.straight;
-        b.form[1] += form.mixed;
-        b.laplacian += laplacian_of_normal(c);
-        b.curvature = std::max(b.curvature, std::abs(c.k1));
-        b.third = std::max(b.third, norm_of_third(c));
+    Sample fields[3 * triangles_of_cluster];
+    Bounding bounding;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Curvature& c = curvature[vertices[i]];
+        fields[i] = Sample(surface.positions[vertices[i]], c);
+        bounding.add(fields[i], std::abs(c.k1), norm_of_third(c));
     }
-    const float share = 1.0f / static_cast<float>(vertices.size());
-    b.center = 0.5f * (low + high);
-    b.normal *= share;
-    b.form[0] *= share;
-    b.form[1] *= share;
-    b.laplacian *= share;
-    const auto longest = [](float& most, const vec3& d) { most = std::max(most, glm::dot(d, d)); };
-    for (Index v : vertices) {
-        const Curvature& c = curvature[v];
-        const Form form(c);
-        longest(b.radius, surface.positions[v] - b.center);
-        longest(b.normal_spread, c.normal - b.normal);
-        longest(b.laplacian_spread, laplacian_of_normal(c) - b.laplacian);
-        const vec3 straight = form.straight - b.form[0], mixed = form.mixed - b.form[1];
-        b.form_spread = std::max(b.form_spread, glm::dot(straight, straight) + 2.0f * glm::dot(mixed, mixed));
-    }
-    b.radius = std::sqrt(b.radius);
-    b.normal_spread = std::sqrt(b.normal_spread);
-    b.form_spread = std::sqrt(b.form_spread);
-    b.laplacian_spread = std::sqrt(b.laplacian_spread);
-    return rounded_up(b);
+    bounding.end_of_first_round();
+    for (std::size_t i = 0; i < vertices.size(); ++i) bounding.add_spread(fields[i]);
+    return bounding.take();
 }
 
-/// Of several clusters together.
 ClusterBounds bounds_of(In<ClusterBounds> parts) {
-    ClusterBounds b{};
-    const float share = 1.0f / static_cast<float>(parts.size());
-    for (const ClusterBounds& part : parts) {
-        b.center += share * part.center;
-        b.normal += share * part.normal;
-        b.form[0] += share * part.form[0];
-        b.form[1] += share * part.form[1];
-        b.laplacian += share * part.laplacian;
-        b.curvature = std::max(b.curvature, part.curvature);
-        b.third = std::max(b.third, part.third);
-    }
-    for (const ClusterBounds& part : parts) {
-        const auto reach = [](float& most, float spread, float squared) { most = std::max(most, spread + std::sqrt(squared)); };
-        const auto squared = [](const vec3& d) { return glm::dot(d, d); };
-        reach(b.radius, part.radius, squared(part.center - b.center));
-        reach(b.normal_spread, part.normal_spread, squared(part.normal - b.normal));
-        reach(b.form_spread, part.form_spread, squared(part.form[0] - b.form[0]) + 2.0f * squared(part.form[1] - b.form[1]));
-        reach(b.laplacian_spread, part.laplacian_spread, squared(part.laplacian - b.laplacian));
-    }
-    return rounded_up(b);
+    Bounding bounding;
+    for (const ClusterBounds& part : parts) bounding.add(Sample(part), part.curvature, part.third);
+    bounding.end_of_first_round();
+    for (const ClusterBounds& part : parts) bounding.add_spread(Sample(part), part);
+    return bounding.take();
 }
 
 }  // namespace
