@@ -5,6 +5,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/values.h"
 #include "field/fields.h"
 #include "line/registry.h"
 
@@ -51,9 +52,7 @@ Pieces find_curves(const Surface& surface, const std::string& name, const py::di
                    bool orthographic) {
     const LineDefinition& definition = *line_definitions()[definition_index(name)];
     check(definition.find && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
-    Values values;
-    for (const Parameter& p : definition.parameters)
-        values.push_back(given.contains(p.name) ? given[p.name].cast<double>() : p.value);
+    const Values values = values_of(definition, given.cast<std::map<std::string, double>>());
     py::gil_scoped_release release;
     SurfaceView seen{.surface = surface};
     seen.eye_obj = {eye[0], eye[1], eye[2]};
