@@ -19,21 +19,21 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const auto threshold = static_cast<float>(values[0] * unit);
     // Nothing appears more curved than it is by more than 1 / n . v.
     struct Glance {
-        float facing;
+        SeenOf<float> seen;
         bool may_be_above;
     };
     const auto glance = [&](Index v) -> Glance {
         const Curvature& c = fields->curvature[v];
-        const float facing = see_vertex(seen, c, v).facing;
-        return {facing, c.k1 * c.k1 > 0.9999f * threshold * facing * facing};
+        const SeenOf<float> s = see_vertex(seen, c, v);
+        return {s, c.k1 * c.k1 > 0.9999f * threshold * s.facing * s.facing};
     };
     struct Detail {
         vec3 uphill;
         float margin;
     };
-    const auto detail = [&](Index v) -> Detail {
+    const auto detail = [&](Index v, const Glance& at) -> Detail {
         const Curvature& c = fields->curvature[v];
-        const ViewCurvatureOf<float> view = view_curvature(c, see_vertex(seen, c, v));
+        const ViewCurvatureOf<float> view = view_curvature(c, at.seen);
         const vec3 along = view.a1 * c.e1 + view.a2 * c.e2;
         return {along * (view.derivative / glm::length(along)), view.squared - threshold};
     };
@@ -43,7 +43,7 @@ Curves find(const SurfaceView& seen, const Values& values) {
         return facing.high <= contour_near || most * most <= 0.9999f * threshold;
     };
     const auto wanted = [](const Glance& a, const Glance& b, const Glance& c) {
-        return a.facing > contour_near && b.facing > contour_near && c.facing > contour_near &&
+        return a.seen.facing > contour_near && b.seen.facing > contour_near && c.seen.facing > contour_near &&
                (a.may_be_above || b.may_be_above || c.may_be_above);
     };
     return trace_maxima(seen, none_in, glance, wanted, detail, 0.0f, fading(threshold));

@@ -1,9 +1,9 @@
 // Zero sets as in zero_set.h, cluster by cluster: the work follows the lines, not the surface.
 //
-//   none_in(SeenCluster)  true only where it is certain that a cluster has no line: it is passed over
-//   glance(vertex)        what decides which triangles matter, once per vertex of the clusters that are left
-//   wanted(a, b, c)       of the glances at the corners of a triangle: false passes it over
-//   detail(vertex)        the rest of what is to be known, at the corners of triangles that matter
+//   none_in(SeenCluster)    true only where it is certain that a cluster has no line: it is passed over
+//   glance(vertex)          what decides which triangles matter, once per vertex of the clusters that are left
+//   wanted(a, b, c)         of the glances at the corners of a triangle: false passes it over
+//   detail(vertex, glance)  the rest of what is to be known, at the corners of triangles that matter
 #pragma once
 
 #include <algorithm>
@@ -56,7 +56,7 @@ template <typename NoneIn, typename GlanceAt, typename Wanted, typename DetailAt
 Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const GlanceAt& glance, const Wanted& wanted,
                       const DetailAt& detail, const Emit& emit) {
     using Glance = decltype(glance(Index()));
-    using Detail = decltype(detail(Index()));
+    using Detail = decltype(detail(Index(), Glance()));
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const auto clusters = clusters_of(surface);
@@ -79,7 +79,7 @@ Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const Glan
             }
             if (count == 0) continue;
             for (std::size_t i = 0; i < vertices.size(); ++i)
-                if (looks.matters[i]) looks.details[i] = detail(vertices[i]);
+                if (looks.matters[i]) looks.details[i] = detail(vertices[i], looks.glances[i]);
             for (Index n = 0; n < count; ++n) {
                 const Index triangle = clusters->triangles[looks.entries[n]];
                 const glm::u16vec3 c = clusters->corners[looks.entries[n]];
@@ -124,7 +124,7 @@ Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value&
     const auto crossed = [](const Glance& a, const Glance& b, const Glance& c) {
         return a.below != b.below || a.below != c.below;
     };
-    const auto nothing = [](Index) { return true; };
+    const auto nothing = [](Index, const Glance&) { return true; };
     return trace_clusters(seen, none_in, glance, crossed, nothing,
                           [&](Index triangle, const auto& glance_at, const auto&, auto& out) {
                               append_levels(seen.surface, *sides, triangle,

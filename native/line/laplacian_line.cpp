@@ -13,23 +13,22 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const auto fields = fields_of(surface, {});
     const auto threshold = static_cast<float>(values[0] / fields->feature_size);
     struct Glance {
-        float value, facing;
+        float value;
+        SeenOf<float> seen;
     };
     const auto glance = [&](Index v) -> Glance {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, v);
-        return {laplacian(c, s), s.facing};
+        const SeenOf<float> s = see_vertex(seen, fields->curvature[v], v);
+        return {laplacian(fields->curvature[v], s), s};
     };
-    const auto margin = [&](Index v) {
-        const Curvature& c = fields->curvature[v];
-        return std::sqrt(gradient2(c, see_vertex(seen, c, v))) - threshold;
+    const auto margin = [&](Index v, const Glance& at) {
+        return std::sqrt(gradient2(fields->curvature[v], at.seen)) - threshold;
     };
     const auto none_in = [&](const SeenCluster& cluster) {
         return cluster.facing().high <= 0.0f || cluster.bounds().curvature <= 0.9999f * threshold ||
                !cluster.laplacian().may_hold(0.0f);
     };
     const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
-        return a.facing > 0.0f && b.facing > 0.0f && c.facing > 0.0f;
+        return a.seen.facing > 0.0f && b.seen.facing > 0.0f && c.seen.facing > 0.0f;
     };
     return trace_zero_set(seen, none_in, glance, front, margin, fading(threshold));
 }

@@ -15,7 +15,7 @@ Curves find(const SurfaceView& seen, const Values&) {
     const auto glance = [&](Index v) { return Glance{glm::dot(fields->curvature[v].normal, seen.to_viewer(v))}; };
     const auto none_in = [](const SeenCluster& cluster) { return !cluster.facing().may_hold(0.0f); };
     const auto all = [](Glance, Glance, Glance) { return true; };
-    const auto always = [](auto) { return 1.0f; };
+    const auto always = [](auto...) { return 1.0f; };
     return trace_zero_set(seen, none_in, glance, all, always, always);
 }
 

@@ -20,17 +20,15 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
     const double unit = 1.0 / (double(fields->feature_size) * fields->feature_size);
     const auto threshold = static_cast<float>(values[0] * unit);
     struct Glance {
-        float value, facing;
+        float value;
+        SeenOf<float> seen;
     };
     const auto glance = [&](Index v) -> Glance {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, v);
-        return {radial_scaled(c, s), s.facing};
+        const SeenOf<float> s = see_vertex(seen, fields->curvature[v], v);
+        return {radial_scaled(fields->curvature[v], s), s};
     };
-    const auto margin = [&](Index v) {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, v);
-        return sign * radial(c, s).derivative - threshold * s.facing;
+    const auto margin = [&](Index v, const Glance& at) {
+        return sign * radial(fields->curvature[v], at.seen).derivative - threshold * at.seen.facing;
     };
     const auto none_in = [&](const SeenCluster& cluster) {
         const Range facing = cluster.facing();
@@ -39,7 +37,7 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
         return cluster.bounds().third + 2.0f * facing.high * torsion * torsion <= 0.9999f * threshold * facing.low;
     };
     const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
-        return a.facing > 0.0f || b.facing > 0.0f || c.facing > 0.0f;
+        return a.seen.facing > 0.0f || b.seen.facing > 0.0f || c.seen.facing > 0.0f;
     };
     return trace_zero_set(seen, none_in, glance, front, margin, fading(values[1] * unit));
 }
