@@ -23,12 +23,14 @@ STATIC = ("ridge", "valley", "parabolic", "zero_mean_curvature", "demarcating_cu
 TOGETHER = VIEW[:3]
 KEPT = STATIC[:4]
 TOWARDS = np.array([0.4, 0.3, 1.0]) / math.sqrt(1.25)  # the viewer, five radii away
+ESTIMATORS = {"one_ring": {"estimator": "one_ring"}, "jets 3/3": {"degree": 3, "rings": 3}, "automatic": {}}
 COLUMNS = ("mesh", "triangles", "step", "ms", "cpu_ms", "count", "reference_ms", "ratio")
 
 # One thread, ms: curvature and its derivative; then, per view, fields and tracing.
 REFERENCE = {
     "1M": {"one_ring": 714, "smooth_contour": 11.8 + 2.7, "suggestive_contour": 16.6 + 3.6, "ridge": 9.2, "valley": 5.8,
-           "suggestive_highlight": 16.6 + 3.5, "apparent_ridge": 11.8 + 34.7 + 7.5, "together": 16.6 + 34.7 + 2.7 + 3.6 + 7.5},
+           "suggestive_highlight": 16.6 + 3.5, "apparent_ridge": 11.8 + 34.7 + 7.5,
+           "together": 16.6 + 34.7 + 2.7 + 3.6 + 7.5},
     "bunny": {"one_ring": 47, "smooth_contour": 0.81 + 0.16, "suggestive_contour": 1.12 + 0.37, "ridge": 0.57,
               "valley": 0.32, "suggestive_highlight": 1.12 + 0.37, "apparent_ridge": 0.81 + 3.3 + 0.89,
               "together": 1.12 + 3.3 + 0.16 + 0.37 + 0.89},
@@ -93,7 +95,7 @@ class Stopwatch:
 def steps(native, name, mesh, views):
     """(step, Stopwatch, count) of everything that is measured on one mesh."""
     surface = mesh.surface(native, name)
-    for step, options in (("one_ring", {"estimator": "one_ring"}), ("jets 3/3", {"degree": 3, "rings": 3}), ("automatic", {})):
+    for step, options in ESTIMATORS.items():
         fresh, watch = mesh.surface(native, name), Stopwatch()
         watch.time(lambda: native.fields(fresh, **options))
         yield step, watch, None
@@ -120,15 +122,16 @@ def eyes_around(mesh, count):
     """Positions on a turn of 40 degrees."""
     centre, radius = mesh.sphere()
     turn = np.radians(np.linspace(-20, 20, count))
-    for_each = np.stack([np.cos(turn) * TOWARDS[0] - np.sin(turn) * TOWARDS[1],
-                         np.sin(turn) * TOWARDS[0] + np.cos(turn) * TOWARDS[1], np.full(count, TOWARDS[2])], 1)  # fmt: skip
-    return [tuple(centre + 5 * radius * direction) for direction in for_each]
+    x, y, z = TOWARDS
+    directions = np.stack([np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y, np.full(count, z)], 1)
+    return [tuple(centre + 5 * radius * direction) for direction in directions]
 
 
 def placed(native, surface, mesh, eye):
     """A scene of the surface alone and a view that has it in its frame."""
     usage = native.DRAW | native.OCCLUDE
-    scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
+    ids, usages = np.ones(1, np.uint64), np.full(1, usage, np.uint8)
+    scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], ids, usages)
     return scene, camera.view(native, mesh.positions, np.array(eye), False)
 
 

@@ -58,7 +58,7 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone. `bench agreement [SCENE]`. `bench lines`."""
+    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [SCENE]`, `bench lines`."""
     from bench import peers
 
     name, *rest = words or ["peers"]

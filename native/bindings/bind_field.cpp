@@ -48,8 +48,16 @@ struct Pieces {
     Curves curves;
 };
 
-Pieces find_curves(const Surface& surface, const std::string& name, const py::dict& given, const std::array<double, 3>& eye,
-                   bool orthographic) {
+/// One value of every piece.
+template <typename T, typename Value>
+auto column(const Value& value) {
+    return [value](const Pieces& p) {
+        return per_element<T>(p.curves.size(), [&](std::size_t i) { return value(p.curves[i]); });
+    };
+}
+
+Pieces find_curves(const Surface& surface, const std::string& name, const py::dict& given,
+                   const std::array<double, 3>& eye, bool orthographic) {
     const LineDefinition& definition = *line_definitions()[definition_index(name)];
     check(definition.find && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
     const Values values = values_of(definition, given.cast<std::map<std::string, double>>());
@@ -71,20 +79,16 @@ automatic.)");
 
     py::class_<Pieces>(m, "Curves", "Pieces of curves in triangles, before they are chained.")
         .def("__len__", [](const Pieces& p) { return p.curves.size(); })
-        .def_property_readonly(
-            "triangle", [](const Pieces& p) { return per_element<Index>(p.curves.size(), [&](std::size_t i) { return p.curves[i].triangle; }); },
-            "(P,) uint32")
-        .def_property_readonly(
-            "start", [](const Pieces& p) { return per_element<vec3>(p.curves.size(), [&](std::size_t i) { return p.curves[i].point[0]; }); },
-            "(P, 3) float32, object space")
-        .def_property_readonly(
-            "end", [](const Pieces& p) { return per_element<vec3>(p.curves.size(), [&](std::size_t i) { return p.curves[i].point[1]; }); },
-            "(P, 3) float32, object space");
+        .def_property_readonly("triangle", column<Index>([](const CurvePiece& p) { return p.triangle; }), "(P,) uint32")
+        .def_property_readonly("start", column<vec3>([](const CurvePiece& p) { return p.point[0]; }),
+                               "(P, 3) float32, object space")
+        .def_property_readonly("end", column<vec3>([](const CurvePiece& p) { return p.point[1]; }),
+                               "(P, 3) float32, object space");
 
     m.def("find_curves", &find_curves, py::arg("surface"), py::arg("definition"), py::arg("parameters") = py::dict(),
           py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
-          R"(What a definition finds across the triangles of a surface alone, before chaining. eye: in object space; when
-orthographic the direction towards the viewer.)");
+          R"(What a definition finds across the triangles of a surface alone, before chaining. eye: in object space; for an
+orthographic view the direction towards the viewer.)");
 }
 
 }  // namespace fovea::bindings

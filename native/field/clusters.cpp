@@ -21,7 +21,8 @@ class Order {
     explicit Order(const Surface& surface) : middles_(surface.triangles.size()), triangles_(middles_.size()) {
         parallel_for(middles_.size(), [&](std::size_t t) {
             const Triangle& c = surface.triangles[t];
-            middles_[t] = (surface.positions[c.x] + surface.positions[c.y] + surface.positions[c.z]) / 3.0f;
+            const auto third = [&](Index v) { return surface.positions[v] / 3.0f; };  // sums of thirds stay finite
+            middles_[t] = third(c.x) + third(c.y) + third(c.z);
             triangles_[t] = static_cast<Index>(t);
         });
         split(0, triangles_.size());
@@ -90,7 +91,8 @@ Clusters make_clusters(const Surface& surface) {
     counts_to_offsets(clusters.vertex_rows.offsets);
     clusters.vertices.resize(clusters.vertex_rows.offsets.back());
     parallel_for(all, [&](std::size_t c) {
-        std::copy(vertices[c].begin(), vertices[c].end(), clusters.vertices.begin() + clusters.vertex_rows.begin(Index(c)));
+        const Index first = clusters.vertex_rows.begin(Index(c));
+        std::copy(vertices[c].begin(), vertices[c].end(), clusters.vertices.begin() + first);
     }, 64);
     return clusters;
 }
@@ -139,7 +141,9 @@ class Bounding {
 
     /// `own`: bounds of what stands around f itself.
     void add_spread(const Sample& f, const ClusterBounds& own = {}) {
-        const auto reach = [](double& most, double spread, double squared) { most = std::max(most, spread + std::sqrt(squared)); };
+        const auto reach = [](double& most, double spread, double squared) {
+            most = std::max(most, spread + std::sqrt(squared));
+        };
         const auto squared = [](const dvec3& d) { return glm::dot(d, d); };
         reach(radius_, own.radius, squared(f.place - middle_.place));
         reach(normal_, own.normal_spread, squared(f.normal - middle_.normal));
@@ -149,7 +153,9 @@ class Bounding {
 
     ClusterBounds take() const {
         ClusterBounds b = bounds_;
-        const auto up = [](double length, double scale) { return static_cast<float>(length + rounding * (length + scale)); };
+        const auto up = [](double length, double scale) {
+            return static_cast<float>(length + rounding * (length + scale));
+        };
         b.radius = up(radius_, 0.1 * glm::length(middle_.place));
         b.normal_spread = up(normal_, 1.0);
         b.form_spread = up(form_, curvature_);

@@ -12,13 +12,13 @@ namespace fovea {
 
 inline constexpr Index triangles_of_cluster = 64;
 
-/// Of all vertices of a cluster. A spread is the greatest distance from the middle; lengths in object space, rounded up.
+/// Of all vertices of a cluster. A spread is the greatest distance from the middle. Object space, rounded up.
 struct ClusterBounds {
     vec3 center;  ///< of a sphere that holds the vertices
     float radius;
     vec3 normal;
     float normal_spread;
-    /// The form h on object space, k1 e1 e1^T + k2 e2 e2^T, as xx, yy, zz, xy, xz, yz; its spread in the Frobenius norm.
+    /// The form h on object space, k1 e1 e1^T + k2 e2 e2^T, as xx, yy, zz, xy, xz, yz; spread in the Frobenius norm.
     vec3 form[2];
     float form_spread;
     /// Laplacian of the normal over the surface: (C0 + C2) e1 + (C1 + C3) e2 - (k1^2 + k2^2) n.
@@ -35,7 +35,9 @@ struct Clusters {
     Rows vertex_rows;
     Array<Index> vertices;                 ///< each once per cluster
     Index count() const { return vertex_rows.count(); }
-    In<Index> vertices_of(Index c) const { return In<Index>(vertices).subspan(vertex_rows.begin(c), vertex_rows.size(c)); }
+    In<Index> vertices_of(Index c) const {
+        return In<Index>(vertices).subspan(vertex_rows.begin(c), vertex_rows.size(c));
+    }
     Index begin(Index c) const { return c * triangles_of_cluster; }
     Index end(Index c) const { return std::min(begin(c + 1), static_cast<Index>(triangles.size())); }
 };

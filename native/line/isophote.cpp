@@ -13,7 +13,8 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const int count = std::max(1, static_cast<int>(values[0]));
     const auto sample = [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; };
     const Levels levels{0.0f, 1.0f / float(count), count};
-    return trace_levels(seen, [&](const SeenCluster& cluster) { return levels.none_in(cluster.facing()); }, sample, levels);
+    const auto none_in = [&](const SeenCluster& cluster) { return levels.none_in(cluster.facing()); };
+    return trace_levels(seen, none_in, sample, levels);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class SeenCluster {
 
     dvec3 times_form(const dvec3& x) const {
         const dvec3 s(bounds_.form[0]), m(bounds_.form[1]);
-        return {s.x * x.x + m.x * x.y + m.y * x.z, m.x * x.x + s.y * x.y + m.z * x.z, m.y * x.x + m.z * x.y + s.z * x.z};
+        return s * x + dvec3(m.x * x.y + m.y * x.z, m.x * x.x + m.z * x.z, m.y * x.x + m.z * x.y);
     }
 
     const ClusterBounds& bounds_;

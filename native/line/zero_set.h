@@ -97,8 +97,8 @@ Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value&
     });
 }
 
-/// All numbers that a field can have somewhere lie in it. Without bounds, or NaN, where nothing is known: ask it in such
-/// a way that this means "may be".
+/// All numbers that a field can have somewhere lie in it. Infinite or NaN where nothing is known: ask it in such a way
+/// that this means "may be".
 struct Range {
     float low, high;
     /// False only where it is certain.
@@ -132,7 +132,8 @@ template <typename Value>
 void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
                    const Levels& levels, std::vector<CurvePiece>& out) {
     const Triangle& t = surface.triangles[triangle];
-    const auto [low, high] = std::minmax({levels.below(value(t.x)), levels.below(value(t.y)), levels.below(value(t.z))});
+    const auto below = [&](Index v) { return levels.below(value(v)); };
+    const auto [low, high] = std::minmax({below(t.x), below(t.y), below(t.z)});
     const auto always = [](auto) { return 1.0f; };
     for (int i = low + 1; i <= high; ++i) {
         const std::size_t before = out.size();

@@ -9,7 +9,7 @@ namespace {
 /// One end of a piece: 2 piece + end.
 using End = Index;
 
-/// Ends by the side and level that they lie on: a table of places, each end where its hash says or in the next free one.
+/// Ends by the side and level that they lie on: a table of sides, each where its hash says or in the next free place.
 class EndsBySide {
    public:
     explicit EndsBySide(const Curves& pieces)

@@ -113,7 +113,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
             pieces.push_back(definition.find(seen, kind.values));
         }
     // Chaining goes along the lines, one piece after the other: every definition by itself.
-    parallel_blocks(found.size(), 1, [&](std::size_t i, std::size_t, std::size_t) { found[i].chains = chain_curves(pieces[i]); });
+    parallel_for(found.size(), [&](std::size_t i) { found[i].chains = chain_curves(pieces[i]); }, 1);
     return found;
 }
 
