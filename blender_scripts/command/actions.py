@@ -1,8 +1,10 @@
 """The shorter sub-commands, one function each: takes the target and the words after the sub-command, returns the exit status."""
 
 import argparse
+import importlib
 import os
 import shutil
+import sys
 from pathlib import Path
 
 from . import build as native
@@ -56,10 +58,12 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone. `bench agreement [SCENE]`."""
+    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [SCENE]`, `bench lines`."""
     from bench import peers
 
     name, *rest = words or ["peers"]
+    if name == "lines":
+        return bench_lines(target, rest)
     if name == "agreement":
         return agreement(target, *(rest or ["office"]))
     if name != "peers":
@@ -67,6 +71,16 @@ def bench(target, words):
     peers.parse(rest)  # mistakes show before anything is built
     extension.install(target)
     return peers.main(rest, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+
+
+def bench_lines(target, words):
+    from bench import lines
+
+    lines.parse(words)
+    extension.stage(target)
+    sys.path.insert(0, str(extension.importable(target)))
+    native = importlib.import_module("addon.native").load()
+    return lines.main(words, native, SHARED if SHARED.is_dir() else None)
 
 
 def agreement(target, scene):

@@ -87,28 +87,29 @@ def _paths(native, surface, positions, kinds, options):
     """The model alone in a scene, seen by a view that has all of it in its frame; and the way back from the view."""
     usage = native.DRAW | native.OCCLUDE
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
-    world_to_view, *image = _view(positions, options)
-    tracer = native.Tracer(scene, native.View(world_to_view, *image))
+    seen_from = view(positions, options.eye, options.ortho)
+    tracer = native.Tracer(scene, native.View(*seen_from))
     paths = native.extract_paths(tracer, [(kinds, options.corner_angle)])
-    return paths, np.linalg.inv(world_to_view)
+    return paths, np.linalg.inv(seen_from[0])
 
 
-def _view(positions, options):
-    """What a native View is made of."""
+def view(positions, eye, ortho):
+    """What a native View is made of, with world_to_view first: from `eye` (for an orthographic view the direction
+    towards the viewer), all positions in its frame."""
     finite = positions[np.isfinite(positions).all(axis=1)]
     low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
     centre, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
-    towards = options.eye if options.ortho else options.eye - centre
+    towards = eye if ortho else eye - centre
     if not towards.any():
-        if options.ortho:
+        if ortho:
             raise ValueError("--eye 0,0,0 is no direction")
         towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: what is partly in the frame is extracted whole
-    distance = 2 * radius if options.ortho else np.linalg.norm(towards)
+    distance = 2 * radius if ortho else np.linalg.norm(towards)
     backwards = towards / np.linalg.norm(towards)
-    eye = centre + distance * backwards if options.ortho else options.eye
-    near, far = (0.5 * radius, 4 * radius) if options.ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
-    clip = _orthographic(radius, near, far) if options.ortho else _perspective(near, far)
-    return _looking(eye, backwards), clip, 1024, 1024, options.ortho, near, far
+    eye = centre + distance * backwards if ortho else eye
+    near, far = (0.5 * radius, 4 * radius) if ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
+    clip = _orthographic(radius, near, far) if ortho else _perspective(near, far)
+    return _looking(eye, backwards), clip, 1024, 1024, ortho, near, far
 
 
 def _looking(eye, backwards):

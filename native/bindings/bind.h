@@ -6,6 +6,7 @@
 namespace fovea::bindings {
 
 void bind_mesh(pybind11::module_& m);
+void bind_field(pybind11::module_& m);
 void bind_line(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);
 void bind_sampled(pybind11::module_& m);

@@ -3,6 +3,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/values.h"
 #include "path/extract.h"
 
 namespace fovea::bindings {
@@ -37,14 +38,7 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
         LineSet::Kind kind;
         kind.definition = definition_index(name.cast<std::string>());
         const LineDefinition& definition = *line_definitions()[kind.definition];
-        auto values = given.cast<std::map<std::string, double>>();
-        for (const Parameter& p : definition.parameters) {
-            const auto it = values.find(p.name);
-            kind.values.push_back(it == values.end() ? p.value : it->second);
-            if (it != values.end()) values.erase(it);
-        }
-        check(values.empty(), std::string(definition.name) + ": unknown parameter '" +
-                                  (values.empty() ? "" : values.begin()->first) + "'");
+        kind.values = values_of(definition, given.cast<std::map<std::string, double>>());
         set.kinds.push_back(std::move(kind));
     }
     return set;
@@ -60,6 +54,18 @@ std::vector<LineSet> line_sets(const py::sequence& sets) {
 }
 
 }  // namespace
+
+Values values_of(const LineDefinition& definition, std::map<std::string, double> given) {
+    Values values;
+    for (const Parameter& p : definition.parameters) {
+        const auto it = given.find(p.name);
+        values.push_back(it == given.end() ? p.value : it->second);
+        if (it != given.end()) given.erase(it);
+    }
+    check(given.empty(), std::string(definition.name) + ": unknown parameter '" +
+                             (given.empty() ? "" : given.begin()->first) + "'");
+    return values;
+}
 
 void bind_line(py::module_& m) {
     m.def("line_definitions", &definitions,

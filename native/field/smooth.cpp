@@ -89,7 +89,10 @@ Array<Curvature> smooth(const Surface& surface, const Neighbours& neighbours, co
                 sum.add(c, Turn(dvec3(c.e1), dvec3(c.e2), dvec3(c.normal), t, b), weight);
                 total += weight;
             }
-            if (total > 0.0) result[v] = principal(sum, total, n, t, b);
+            // Beyond all numbers, on an enormous mesh: as it is.
+            const bool known = total > 0.0 && std::isfinite(sum.h[0] + sum.h[1] + sum.h[2]) &&
+                               std::isfinite(sum.C[0] + sum.C[1] + sum.C[2] + sum.C[3]);
+            if (known) result[v] = principal(sum, total, n, t, b);
         }
     });
     return result;

@@ -42,9 +42,14 @@ struct RadialOf {
 };
 
 template <typename Real>
+Real radial_scaled(const CurvatureOf<Real>& c, const SeenOf<Real>& seen) {
+    return c.k1 * (seen.u * seen.u) + c.k2 * (seen.w * seen.w);
+}
+
+template <typename Real>
 RadialOf<Real> radial(const CurvatureOf<Real>& c, const SeenOf<Real>& seen) {
-    const Real u2 = seen.u * seen.u, w2 = seen.w * seen.w, s2 = u2 + w2;
-    RadialOf<Real> r{c.k1 * u2 + c.k2 * w2, 0, 0, 0};
+    const Real s2 = seen.sine2();
+    RadialOf<Real> r{radial_scaled(c, seen), 0, 0, 0};
     if (s2 < Real(1e-12)) return r;
     r.curvature = r.scaled / s2;
     r.torsion = (c.k2 - c.k1) * seen.u * seen.w / s2;

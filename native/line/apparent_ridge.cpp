@@ -3,15 +3,17 @@
 // In   curvature and its derivative, the view
 // Out  on the side that faces the viewer, maxima of the greatest view-dependent curvature along its own direction. Near
 //      contours, where it grows beyond all bounds, nothing: a contour is drawn there.
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
 #include "line/threshold.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 namespace {
 
 /// n . v below which a contour is near.
 constexpr float contour_near = 0.1f;
+/// What view_curvature keeps n . v from.
+constexpr float least_facing = 1e-3f;
 
 Thresholds thresholds_of(const Surface& surface, const Values& values) {
     const double size = fields_of(surface)->feature_size;
@@ -32,28 +34,46 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const auto fields = fields_of(surface);
     const Thresholds thresholds = thresholds_of(surface, values);
     const bool ridges = values[3] != 0.0, valleys = values[4] != 0.0;
-    Array<vec3> uphill(surface.vertex_count());
-    Array<float> above(uphill.size()), bend(uphill.size()), facing(uphill.size());
-    parallel_for(uphill.size(), [&](std::size_t v) {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        facing[v] = s.facing;
-        if (s.facing <= 0.0f) return;
-        const ViewCurvatureOf<float> view = view_curvature(c, s);
-        const vec3 along = view.a1 * c.e1 + view.a2 * c.e2;
-        uphill[v] = along * (view.derivative / glm::length(along));
-        above[v] = view.squared - thresholds.low;
-        bend[v] = c.k1 * view.a1 * view.a1 + c.k2 * view.a2 * view.a2;
-    });
-    const auto in_front = facing_above(surface, facing, 0.0f);
-    const auto wanted = [&](Index t) {
-        if (!in_front(t)) return false;
-        const Triangle& corners = surface.triangles[t];
-        return bend[corners.x] + bend[corners.y] + bend[corners.z] >= 0.0f ? ridges : valleys;
+    // Nothing appears more curved than it is by more than 1 / n . v.
+    struct Glance {
+        SeenOf<float> seen;
+        bool may_be_above;
     };
-    return trace_maxima(
-        surface, wanted, [&](Index v) { return uphill[v]; }, 0.0f,
-        [&](Index v) { return vec2(above[v], facing[v] - contour_near); }, fading(thresholds));
+    const auto glance = [&](Index v) -> Glance {
+        const Curvature& c = fields->curvature[v];
+        const SeenOf<float> s = see_vertex(seen, c, v);
+        return {s, c.k1 * c.k1 > 0.9999f * thresholds.low * s.facing * s.facing};
+    };
+    struct Detail {
+        vec3 uphill;
+        float bend;
+        vec2 margin;
+    };
+    const auto detail = [&](Index v, const Glance& at) -> Detail {
+        const Curvature& c = fields->curvature[v];
+        const ViewCurvatureOf<float> view = view_curvature(c, at.seen, least_facing);
+        const vec3 along = view.a1 * c.e1 + view.a2 * c.e2;
+        return {along * (view.derivative / glm::length(along)), c.k1 * view.a1 * view.a1 + c.k2 * view.a2 * view.a2,
+                vec2(view.squared - thresholds.low, at.seen.facing - contour_near)};
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        const Range facing = cluster.facing();
+        const float most = cluster.bounds().curvature / std::max(facing.low, least_facing);
+        return facing.high <= contour_near || most * most <= 0.9999f * thresholds.low;
+    };
+    const auto wanted = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.seen.facing > 0.0f && b.seen.facing > 0.0f && c.seen.facing > 0.0f &&
+               (a.may_be_above || b.may_be_above || c.may_be_above);
+    };
+    const auto sides = triangle_sides(surface);
+    return trace_clusters(seen, none_in, glance, wanted, detail,
+                          [&](Index triangle, const auto&, const auto& at, auto& out) {
+                              const Triangle& t = surface.triangles[triangle];
+                              const bool bulges = at(t.x).bend + at(t.y).bend + at(t.z).bend >= 0.0f;
+                              if (bulges ? !ridges : !valleys) return;
+                              append_maximum(surface, *sides, triangle, [&](Index v) { return at(v).uphill; }, 0.0f,
+                                             [&](Index v) { return at(v).margin; }, fading(thresholds), out);
+                          });
 }
 
 }  // namespace

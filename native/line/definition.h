@@ -38,11 +38,12 @@ struct SurfaceView {
     Index placement = 0;
     dmat4 object_to_view{1.0};  ///< from the surface's space
     const Tracer* tracer = nullptr;
+    /// Clusters that cannot hold a line are passed over; the result is the same without.
+    bool pass_over = true;
 
-    /// From a vertex towards the viewer, in the surface's space; not normalized.
-    vec3 to_viewer(Index vertex) const {
-        return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(surface.positions[vertex]));
-    }
+    /// From a point or vertex towards the viewer, in the surface's space; not normalized.
+    vec3 to_viewer(const vec3& point) const { return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(point)); }
+    vec3 to_viewer(Index vertex) const { return to_viewer(surface.positions[vertex]); }
 };
 
 /// A frame, for definitions that look at a picture of the scene.
@@ -73,7 +74,8 @@ struct LineDefinition {
     bool on_by_default;
     /// Lines along edges: sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is one.
     void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
-    /// Lines across triangles, instead.
+    /// Lines across triangles, instead. One that depends on the view says which clusters of triangles cannot hold it
+    /// (line/seen_cluster.h) and what it needs to know of a vertex of the others; line/cluster_trace.h does the rest.
     Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
     /// Lines in the image, instead: once per frame. Points in view space; triangles and sides are those of a lattice.
     Curves (*find_in_image)(const FrameView& frame, const Values& values) = nullptr;

@@ -2,18 +2,19 @@
 // Cole 2009, section 2.2.
 // In   normals, the view
 // Out  where n . v is one of so many evenly spaced values between 0 and 1
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 namespace {
 
 Curves find(const SurfaceView& seen, const Values& values) {
     const auto fields = fields_of(seen.surface);
-    const Array<float> facing =
-        per_vertex(seen, [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; });
     const int count = std::max(1, static_cast<int>(values[0]));
-    return trace_levels(seen.surface, [&](Index v) { return facing[v]; }, 0.0f, 1.0f / float(count), count);
+    const auto sample = [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; };
+    const Levels levels{0.0f, 1.0f / float(count), count};
+    const auto none_in = [&](const SeenCluster& cluster) { return levels.none_in(cluster.facing()); };
+    return trace_levels(seen, none_in, sample, levels);
 }
 
 }  // namespace

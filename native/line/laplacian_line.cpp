@@ -2,9 +2,9 @@
 // Zhang et al., "Real-time Feature-based Line Drawing with Laplacian Lines", TVCG 2009.
 // In   curvature and its derivative, the view
 // Out  on the side that faces the viewer, where the Laplacian of n . v is zero and its gradient above the threshold
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
 #include "line/threshold.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 namespace {
@@ -13,17 +13,25 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(values, 1.0 / fields->feature_size);
-    Array<float> value(surface.vertex_count()), above(value.size()), facing(value.size());
-    parallel_for(value.size(), [&](std::size_t v) {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        value[v] = laplacian(c, s);
-        above[v] = std::sqrt(gradient2(c, s)) - thresholds.low;
-        facing[v] = s.facing;
-    });
-    return trace_zero_set(
-        surface, facing_anywhere(surface, facing), [&](Index v) { return value[v]; },
-        [&](Index v) { return vec2(above[v], facing[v]); }, fading(thresholds));
+    struct Glance {
+        float value;
+        SeenOf<float> seen;
+    };
+    const auto glance = [&](Index v) -> Glance {
+        const SeenOf<float> s = see_vertex(seen, fields->curvature[v], v);
+        return {laplacian(fields->curvature[v], s), s};
+    };
+    const auto margin = [&](Index v, const Glance& at) {
+        return vec2(std::sqrt(gradient2(fields->curvature[v], at.seen)) - thresholds.low, at.seen.facing);
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        return cluster.facing().high <= 0.0f || cluster.bounds().curvature <= 0.9999f * thresholds.low ||
+               !cluster.laplacian().may_hold(0.0f);
+    };
+    const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.seen.facing > 0.0f || b.seen.facing > 0.0f || c.seen.facing > 0.0f;
+    };
+    return trace_zero_set(seen, none_in, glance, front, margin, fading(thresholds));
 }
 
 }  // namespace

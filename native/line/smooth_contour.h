@@ -1,8 +1,8 @@
 // What smooth contours and smooth silhouettes share.
 #pragma once
 
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 
@@ -10,10 +10,14 @@ namespace fovea {
 template <typename Strength>
 Curves find_smooth_contour(const SurfaceView& seen, const Strength& strength) {
     const auto fields = fields_of(seen.surface);
-    const Array<float> facing =
-        per_vertex(seen, [&](Index v) { return glm::dot(fields->curvature[v].normal, seen.to_viewer(v)); });
-    const auto all = [](Index) { return true; };
-    return trace_zero_set(seen.surface, all, [&](Index v) { return facing[v]; }, strength, [](float s) { return s; });
+    struct Glance {
+        float value;
+    };
+    const auto glance = [&](Index v) { return Glance{glm::dot(fields->curvature[v].normal, seen.to_viewer(v))}; };
+    const auto none_in = [](const SeenCluster& cluster) { return !cluster.facing().may_hold(0.0f); };
+    const auto all = [](Glance, Glance, Glance) { return true; };
+    const auto margin = [&](Index v, Glance) { return strength(v); };
+    return trace_zero_set(seen, none_in, glance, all, margin, [](float s) { return s; });
 }
 
 }  // namespace fovea

@@ -1,9 +1,9 @@
 // What suggestive contours and highlights share.
 #pragma once
 
+#include "line/cluster_trace.h"
 #include "line/seen_vertices.h"
 #include "line/threshold.h"
-#include "line/zero_set.h"
 
 namespace fovea {
 
@@ -30,17 +30,29 @@ inline Curves find_suggestive(const SurfaceView& seen, const Values& values, flo
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds = suggestive_thresholds(surface, values);
-    Array<float> scaled(surface.vertex_count()), above(scaled.size()), facing(scaled.size());
-    parallel_for(scaled.size(), [&](std::size_t v) {
-        const Curvature& c = fields->curvature[v];
-        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
-        const RadialOf<float> r = radial(c, s);
-        scaled[v] = r.scaled;
-        facing[v] = s.facing;
-        above[v] = sign * r.derivative / std::max(s.facing, least_facing) - thresholds.low;
-    });
-    return trace_zero_set(surface, facing_anywhere(surface, facing), [&](Index v) { return scaled[v]; },
-                          [&](Index v) { return vec2(above[v], facing[v]); }, fading(thresholds));
+    struct Glance {
+        float value;
+        SeenOf<float> seen;
+    };
+    const auto glance = [&](Index v) -> Glance {
+        const SeenOf<float> s = see_vertex(seen, fields->curvature[v], v);
+        return {radial_scaled(fields->curvature[v], s), s};
+    };
+    const auto margin = [&](Index v, const Glance& at) {
+        const float derivative = radial(fields->curvature[v], at.seen).derivative;
+        return vec2(sign * derivative / std::max(at.seen.facing, least_facing) - thresholds.low, at.seen.facing);
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        const Range facing = cluster.facing();
+        if (facing.high <= 0.0f || !cluster.radial().may_hold(0.0f)) return true;
+        const float turned = std::max(0.0f, sign < 0.0f ? facing.high : -facing.low), k = cluster.bounds().curvature;
+        const float most = cluster.bounds().third + 2.0f * turned * k * k;
+        return most <= 0.9999f * thresholds.low * std::max(facing.low, least_facing);
+    };
+    const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.seen.facing > 0.0f || b.seen.facing > 0.0f || c.seen.facing > 0.0f;
+    };
+    return trace_zero_set(seen, none_in, glance, front, margin, fading(thresholds));
 }
 
 }  // namespace fovea

@@ -109,21 +109,57 @@ Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value&
     });
 }
 
-/// Curves where `value` is first + step, first + 2 step, ..., first + count step: a level of pieces for each.
+/// All numbers that a field can have somewhere lie in it. Infinite or NaN where nothing is known: ask it in such a way
+/// that this means "may be".
+struct Range {
+    float low, high;
+    /// False only where it is certain.
+    bool may_hold(float x) const { return !(x < low) && !(x > high); }
+};
+
+/// Values first + step, first + 2 step, ..., first + count step.
+struct Levels {
+    float first, step;
+    int count;
+    float operator[](int i) const { return first + float(i) * step; }
+    /// How many levels are not above a value; 0 for NaN.
+    int below(float value) const {
+        const float share = (value - first) / step;
+        int i = share > 0.0f ? static_cast<int>(std::min(share, float(count))) : 0;
+        while (i < count && operator[](i + 1) <= value) ++i;  // arithmetic may be off by one
+        while (i > 0 && !(operator[](i) <= value)) --i;
+        return i;
+    }
+    /// True only where it is certain that no level lies in the range.
+    bool none_in(const Range& range) const {
+        const float from = (range.low - first) / step, to = (range.high - first) / step;
+        // Arithmetic may move a number by less than the share of a step that is left out here.
+        const float margin = 1e-5f * (std::abs(from) + std::abs(to)) + 1e-3f;
+        return to + margin < 1.0f || from - margin > float(count) || std::floor(to + margin) < std::ceil(from - margin);
+    }
+};
+
+/// Appends a piece for each level of `value` in one triangle.
+template <typename Value>
+void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
+                   const Levels& levels, std::vector<CurvePiece>& out) {
+    const Triangle& t = surface.triangles[triangle];
+    const auto below = [&](Index v) { return levels.below(value(v)); };
+    const auto [low, high] = std::minmax({below(t.x), below(t.y), below(t.z)});
+    const auto always = [](auto) { return 1.0f; };
+    for (int i = low + 1; i <= high; ++i) {
+        const std::size_t before = out.size();
+        append_zero(surface, sides, triangle, [&](Index v) { return value(v) - levels[i]; }, always, always, out);
+        if (out.size() > before) out.back().level = static_cast<Index>(i);
+    }
+}
+
+/// Curves where `value` is one of the levels: pieces of its own for each.
 template <typename Value>
 Curves trace_levels(const Surface& surface, const Value& value, float first, float step, int count) {
     const auto sides = triangle_sides(surface);
-    const auto always = [](auto) { return 1.0f; };
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        const Triangle& t = surface.triangles[triangle];
-        const auto [low, high] = std::minmax({value(t.x), value(t.y), value(t.z)});
-        for (int i = 1; i <= count; ++i) {
-            const float level = first + float(i) * step;
-            if (!(low <= level && level <= high)) continue;
-            const std::size_t before = out.size();
-            append_zero(surface, *sides, triangle, [&](Index v) { return value(v) - level; }, always, always, out);
-            if (out.size() > before) out.back().level = static_cast<Index>(i);
-        }
+        append_levels(surface, *sides, triangle, value, {first, step, count}, out);
     });
 }
 
@@ -141,6 +177,34 @@ inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alo
     return -glm::dot(gradient, direction) / (glm::dot(normal, normal) * glm::length(direction));
 }
 
+/// Appends the piece in one triangle of a curve along which a quantity is greatest across it; see trace_maxima.
+template <typename Uphill, typename Margin, typename Strength>
+void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
+                    float least_bend, const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+    const Triangle& corners = surface.triangles[triangle];
+    const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
+    Crossing ends[2];
+    int count = 0, alone = 0;
+    for (int i = 0; i < 3; ++i) {
+        if (!(glm::dot(climb[i], climb[(i + 1) % 3]) <= 0.0f)) {
+            alone = (i + 2) % 3;
+            continue;
+        }
+        // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
+        if (count == 2) return;
+        const Index side = sides.of_triangle[triangle][i];
+        const Edge e = sides.vertices[side];
+        const float a = glm::length(uphill(e.x)), b = glm::length(uphill(e.y));
+        ends[count++] = {side, e.x, e.y, a / (a + b)};
+    }
+    if (count != 2) return;
+    const auto position = [&](Index v) { return dvec3(surface.positions[v]); };
+    const double bend = bend_across({position(corners.x), position(corners.y), position(corners.z)},
+                                    {dvec3(climb[0]), dvec3(climb[1]), dvec3(climb[2])}, alone);
+    if (!(bend > 0.0) || bend < least_bend) return;
+    append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
+}
+
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity
 /// grows, of the length of its derivative; its line matters, not the way it was turned (the derivative turns around with
 /// the direction). A side is crossed where its two vectors point against each other. Only where the quantity has a
@@ -151,29 +215,7 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
                     const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        if (!wanted(triangle)) return;
-        const Triangle& corners = surface.triangles[triangle];
-        const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
-        Crossing ends[2];
-        int count = 0, alone = 0;
-        for (int i = 0; i < 3; ++i) {
-            if (!(glm::dot(climb[i], climb[(i + 1) % 3]) <= 0.0f)) {
-                alone = (i + 2) % 3;
-                continue;
-            }
-            // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
-            if (count == 2) return;
-            const Index side = sides->of_triangle[triangle][i];
-            const Edge e = sides->vertices[side];
-            const float a = glm::length(uphill(e.x)), b = glm::length(uphill(e.y));
-            ends[count++] = {side, e.x, e.y, a / (a + b)};
-        }
-        if (count != 2) return;
-        const auto position = [&](Index v) { return dvec3(surface.positions[v]); };
-        const double bend = bend_across({position(corners.x), position(corners.y), position(corners.z)},
-                                        {dvec3(climb[0]), dvec3(climb[1]), dvec3(climb[2])}, alone);
-        if (!(bend > 0.0) || bend < least_bend) return;
-        append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
+        if (wanted(triangle)) append_maximum(surface, *sides, triangle, uphill, least_bend, margin, strength, out);
     });
 }
 

@@ -1,6 +1,7 @@
 #include "path/chain_curves.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace fovea {
 namespace {
@@ -8,23 +9,58 @@ namespace {
 /// One end of a piece: 2 piece + end.
 using End = Index;
 
+/// Ends by the side and level that they lie on: a table of sides, each where its hash says or in the next free place.
+class EndsBySide {
+   public:
+    explicit EndsBySide(const Curves& pieces)
+        : pieces_(pieces), places_(std::bit_ceil(4 * pieces.size() + 1), {none, none, 0}) {}
+
+    struct Side {
+        End first, second;  // the first two ends on it
+        Index count;
+    };
+
+    void add(End e) {
+        for (std::size_t i = place_of(e);; i = (i + 1) & (places_.size() - 1)) {
+            Side& side = places_[i];
+            if (side.count == 0) {
+                side = {e, none, 1};
+            } else if (same_side(side.first, e)) {
+                if (side.count++ == 1) side.second = e;
+            } else {
+                continue;
+            }
+            return;
+        }
+    }
+
+    const std::vector<Side>& sides() const { return places_; }
+
+   private:
+    std::size_t place_of(End e) const {
+        const CurvePiece& piece = pieces_[e / 2];
+        const std::uint64_t key = std::uint64_t(piece.level) << 32 | piece.side[e % 2];
+        return (key * 0x9e3779b97f4a7c15u) >> 32 & (places_.size() - 1);
+    }
+    bool same_side(End a, End b) const {
+        const CurvePiece &x = pieces_[a / 2], &y = pieces_[b / 2];
+        return x.side[a % 2] == y.side[b % 2] && x.level == y.level;
+    }
+
+    const Curves& pieces_;
+    std::vector<Side> places_;
+};
+
 /// Per end: the end of another piece that goes on from it, or `none`.
 Array<End> link(const Curves& pieces) {
-    Array<End> ends;
-    ends.reserve(2 * pieces.size());
-    const auto side = [&](End e) { return std::pair(pieces[e / 2].side[e % 2], pieces[e / 2].level); };
+    EndsBySide ends(pieces);
     for (End e = 0; e < 2 * pieces.size(); ++e)
-        if (side(e).first != none) ends.push_back(e);
-    std::sort(ends.begin(), ends.end(), [&](End a, End b) { return side(a) != side(b) ? side(a) < side(b) : a < b; });
+        if (pieces[e / 2].side[e % 2] != none) ends.add(e);
     Array<End> next(2 * pieces.size(), none);
-    for (std::size_t i = 0; i < ends.size();) {
-        std::size_t j = i + 1;
-        while (j < ends.size() && side(ends[j]) == side(ends[i])) ++j;
-        if (j - i == 2) {
-            next[ends[i]] = ends[i + 1];
-            next[ends[i + 1]] = ends[i];
-        }
-        i = j;
+    for (const EndsBySide::Side& side : ends.sides()) {
+        if (side.count != 2) continue;
+        next[side.first] = side.second;
+        next[side.second] = side.first;
     }
     return next;
 }

@@ -6,31 +6,25 @@
 
 #include "base/parallel.h"
 #include "field/fields.h"
+#include "line/smooth_contour.h"
 #include "mesh/triangle_sides.h"
 #include "path/hysteresis.h"
 
 namespace fovea {
 namespace {
 
-/// An edge between two facets that the smooth surface does not go around.
-bool is_hard(const Surface& surface, Index edge) {
+std::shared_ptr<const Neighbours> neighbours_in(const Surface& surface) {
+    return neighbours_of(surface, surface.field_options().hard_angle);
+}
+
+/// An edge that the smooth surface does not go around.
+bool is_hard(const Surface& surface, const Neighbours& neighbours, Index edge) {
     static const double hard = std::cos(glm::radians(default_hard_angle));
     const Index begin = surface.edge_rows.begin(edge);
     if (surface.edge_rows.size(edge) != 2) return true;
+    if (!neighbours.hard[surface.edges[edge].x] || !neighbours.hard[surface.edges[edge].y]) return false;
     const auto normal = [&](Index side) { return vec3(surface.facet_plane[surface.edge_sides[side].facet()]); };
     return glm::dot(normal(begin), normal(begin + 1)) <= hard;
-}
-
-/// Marks the corners of the triangles for which `wanted` holds.
-template <typename Wanted>
-Array<std::uint8_t> mark_corners(const Surface& surface, const Wanted& wanted) {
-    Array<std::uint8_t> marked(surface.vertex_count(), 0);
-    parallel_for(surface.triangles.size(), [&](std::size_t t) {
-        if (!wanted(surface.triangles[t])) return;
-        for (int i = 0; i < 3; ++i)
-            std::atomic_ref(marked[surface.triangles[t][i]]).store(1, std::memory_order_relaxed);
-    });
-    return marked;
 }
 
 /// Marks the triangles where the chain runs for long with at least so many corners near.
@@ -74,28 +68,37 @@ CurveChains Claims::claim(const LineDefinition& definition, CurveChains chains) 
 
 Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen) {
     const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface);
-    Array<std::uint8_t> front(surface.vertex_count());
-    parallel_for(front.size(), [&](std::size_t v) {
-        front[v] = glm::dot(fields->curvature[v].normal, seen.to_viewer(static_cast<Index>(v))) >= 0.0f;
-    });
-    const Array<std::uint8_t> at = mark_corners(
-        surface, [&](const Triangle& t) { return front[t.x] != front[t.y] || front[t.y] != front[t.z]; });
-    return mark_corners(surface, [&](const Triangle& t) { return at[t.x] || at[t.y] || at[t.z]; });
+    const auto neighbours = neighbours_in(surface);
+    Array<std::uint8_t> near(surface.vertex_count(), 0);
+    Array<Index> at;
+    const auto mark = [&](Index triangle, bool first) {
+        const Triangle& t = surface.triangles[triangle];
+        for (int i = 0; i < 3; ++i) {
+            if (first && !near[t[i]]) at.push_back(t[i]);
+            near[t[i]] = 1;
+        }
+    };
+    for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; })) mark(piece.triangle, true);
+    for (const Index v : at)
+        for (Index i = neighbours->triangle_rows.begin(v); i < neighbours->triangle_rows.end(v); ++i)
+            mark(neighbours->triangles[i], false);
+    return near;
 }
 
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, Kinds bits, Array<Kinds>& kinds) {
+    const auto neighbours = neighbours_in(surface);
     parallel_for(kinds.size(), [&](std::size_t e) {
         const Edge edge = surface.edges[e];
         if (!(kinds[e] & bits) || !near[edge.x] || !near[edge.y]) return;
-        if (!is_hard(surface, static_cast<Index>(e))) kinds[e] &= ~bits;
+        if (!is_hard(surface, *neighbours, static_cast<Index>(e))) kinds[e] &= ~bits;
     });
 }
 
 Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds) {
+    const auto neighbours = neighbours_in(surface);
     Array<std::uint8_t> at(surface.vertex_count(), 0);
     parallel_for(kinds.size(), [&](std::size_t e) {
-        if (!(kinds[e] & bits) || !is_hard(surface, static_cast<Index>(e))) return;
+        if (!(kinds[e] & bits) || !is_hard(surface, *neighbours, static_cast<Index>(e))) return;
         for (Index v : {surface.edges[e].x, surface.edges[e].y})
             std::atomic_ref(at[v]).store(1, std::memory_order_relaxed);
     });

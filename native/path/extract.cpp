@@ -38,12 +38,17 @@ struct StaticCurves {
     std::vector<FoundCurves> found;
 };
 
-/// What one placement contributes: chains kept with the surface, chains of this view, and their kinds by edge.
-struct PlacementPaths {
+/// Chains of edges: kept with the surface, and of this view; and their kinds by edge.
+struct EdgePaths {
     std::shared_ptr<const Chains> kept;
     Chains seen;
     Array<Kinds> kept_kinds, seen_kinds;  // per point
     Array<std::uint8_t> kept_free, seen_free;  // per chain: FreeEnds
+};
+
+/// What one placement contributes.
+struct PlacementPaths {
+    std::shared_ptr<const EdgePaths> edges;
     std::shared_ptr<const StaticCurves> kept_curves;
     std::vector<FoundCurves> seen_curves;
 };
@@ -62,6 +67,16 @@ bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
     for (const LineSet& set : sets)
         for (const LineSet::Kind& kind : set.kinds)
             if (line_definitions()[kind.definition]->scope >= least) return true;
+    return false;
+}
+
+/// Of definitions that mark edges, and hold for all views or depend on the view.
+bool any_marks_edges(const std::vector<LineSet>& sets, bool of_surface) {
+    for (const LineSet& set : sets)
+        for (const LineSet::Kind& kind : set.kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            if (definition.trace && (definition.scope == Scope::surface) == of_surface) return true;
+        }
     return false;
 }
 
@@ -100,31 +115,50 @@ Kinds asked_of(const std::vector<LineSet>& sets) {
     return asked;
 }
 
-/// The first line set that asks for a definition across triangles has all that it finds.
-std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface,
-                                     In<std::uint8_t> near = {}, In<std::uint8_t> hard = {}) {
-    std::vector<FoundCurves> found;
-    Claims claims(seen.surface);
+/// Definitions across triangles that the line sets ask for, in their order; each goes to the first set that has it. A
+/// silhouette of mesh edges stands for the smooth one, which is found for nobody then.
+struct Job {
+    const LineDefinition* definition;
+    Values values;
+    Index line_set, number;  // none, none: for nobody
+};
+
+std::vector<Job> jobs_of(const std::vector<LineSet>& sets, bool of_surface) {
+    std::vector<Job> jobs;
     const Kinds asked = asked_of(sets);
     Kinds done = 0;
-    for (std::size_t s = 0; s < sets.size(); ++s)
+    for (Index s = 0; s < sets.size(); ++s)
         for (const LineSet::Kind& kind : sets[s].kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const Kinds bit = Kinds(1) << kind.definition;
-            // A silhouette of mesh edges stands for the smooth one.
-            if (!of_surface && definition.name == std::string_view("silhouette") && (asked & smooth_contours())) {
-                const LineDefinition& smooth = *line_definitions()[definition_index("smooth_silhouette")];
-                claims.claim(smooth, curves_of(smooth, seen, {}));
-            }
+            if (!of_surface && definition.name == std::string_view("silhouette") && (asked & smooth_contours()))
+                jobs.push_back({line_definitions()[definition_index("smooth_silhouette")], {}, none, none});
             if (!definition.find || (definition.scope == Scope::surface) != of_surface || (done & bit)) continue;
             done |= bit;
-            CurveChains chains = curves_of(definition, seen, kind.values, near);
-            if (definition.on_smooth_surface && !hard.empty()) chains = without_doubles(chains, seen.surface, hard, 1);
-            if (definition.on_smooth_surface) chains = claims.claim(definition, std::move(chains));
-            if (seen.surface.source()) to_object(seen.surface.stretch(), chains.point);
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition,
-                             std::make_shared<const CurveChains>(std::move(chains))});
+            jobs.push_back({&definition, kind.values, s, kind.definition});
         }
+    return jobs;
+}
+
+/// `near`, `hard`: of doubles.h, or empty.
+std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<LineSet>& sets, bool of_surface,
+                                     In<std::uint8_t> near = {}, In<std::uint8_t> hard = {}) {
+    const std::vector<Job> jobs = jobs_of(sets, of_surface);
+    std::vector<CurveChains> chains(jobs.size());
+    parallel_for(jobs.size(), [&](std::size_t i) {
+        const LineDefinition& definition = *jobs[i].definition;
+        chains[i] = curves_of(definition, seen, jobs[i].values, near);
+        if (definition.on_smooth_surface && !hard.empty()) chains[i] = without_doubles(chains[i], seen.surface, hard, 1);
+    }, 1);
+    std::vector<FoundCurves> found;
+    Claims claims(seen.surface);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        if (jobs[i].definition->on_smooth_surface) chains[i] = claims.claim(*jobs[i].definition, std::move(chains[i]));
+        if (jobs[i].line_set == none) continue;
+        if (seen.surface.source()) to_object(seen.surface.stretch(), chains[i].point);
+        found.push_back({static_cast<std::uint8_t>(jobs[i].line_set), jobs[i].number,
+                         std::make_shared<const CurveChains>(std::move(chains[i]))});
+    }
     return found;
 }
 
@@ -271,8 +305,9 @@ Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& l
     return free;
 }
 
-PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
-                                 bool view_dependent) {
+/// Also, per vertex, `hard` of doubles.h. `near`: of doubles.h.
+std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<LineSet>& sets,
+                                                     std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near) {
     const Surface& surface = seen.surface;
     // Contours of a mesh fold back on themselves where they end on a smooth surface: one path through all folds, so
     // that what is seen of them can be told from a line.
@@ -280,12 +315,10 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
-    Array<std::uint8_t> near, hard;
-    if (view_dependent) {
+    Array<std::uint8_t> hard;
+    if (of_view) {
         find_facing(seen);
-        const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
-        const Kinds doubled = doubled_edges(asked);
-        if ((asked & contours) && (doubled || any_beside_contours(asked))) near = near_smooth_contour(seen);
+        const Kinds doubled = doubled_edges(asked_of(sets));
         Array<Kinds> all(doubled ? surface.edges.size() : 0, 0);
         for (std::size_t s = 0; s < sets.size(); ++s) {
             trace_kinds(sets[s], seen, false, kinds[s]);
@@ -297,7 +330,7 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     const Labelled labelled = label_edges(*lines, kinds);
     // With one line set the labels never change, so its static chains are made once.
     const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
-    PlacementPaths paths;
+    EdgePaths paths;
     paths.kept = surface.cache().get<Chains>(
         chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
     paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, never);
@@ -306,8 +339,26 @@ PlacementPaths extract_placement(SurfaceView seen, const std::vector<LineSet>& s
     const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
     paths.kept_free = free_ends(*paths.kept, lines_at);
     paths.seen_free = free_ends(paths.seen, lines_at);
-    paths.kept_curves = surface.cache().get<StaticCurves>(
-        sets_hash, [&] { return StaticCurves{find_curves({.surface = surface}, sets, true)}; });
+    return {paths, hard};
+}
+
+PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
+                                 bool view_dependent) {
+    Cache& cache = seen.surface.cache();
+    PlacementPaths paths;
+    Array<std::uint8_t> near, hard;
+    const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
+    if (view_dependent && (asked & contours) && (doubled_edges(asked) || any_beside_contours(asked)))
+        near = near_smooth_contour(seen);
+    if (any_marks_edges(sets, false)) {
+        auto [edges, hard_ones] = find_edges(seen, sets, sets_hash, true, near);
+        paths.edges = std::make_shared<const EdgePaths>(std::move(edges));
+        hard = std::move(hard_ones);
+    } else if (any_marks_edges(sets, true)) {
+        paths.edges = cache.get<EdgePaths>(sets_hash, [&] { return find_edges(seen, sets, sets_hash, false, {}).first; });
+    }
+    paths.kept_curves = cache.get<StaticCurves>(
+        sets_hash, [&] { return StaticCurves{find_curves({.surface = seen.surface}, sets, true)}; });
     if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
     return paths;
 }
@@ -442,12 +493,14 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         point += static_cast<Index>(curves.chains->point.size());
     };
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        slots[i].first = {drawn[i], path, point, false};
-        path += found[i].kept->rows.count();
-        point += static_cast<Index>(found[i].kept->vertex.size());
-        slots[i].second = {drawn[i], path, point, true};
-        path += found[i].seen.rows.count();
-        point += static_cast<Index>(found[i].seen.vertex.size());
+        if (const EdgePaths* edges = found[i].edges.get()) {
+            slots[i].first = {drawn[i], path, point, false};
+            path += edges->kept->rows.count();
+            point += static_cast<Index>(edges->kept->vertex.size());
+            slots[i].second = {drawn[i], path, point, true};
+            path += edges->seen.rows.count();
+            point += static_cast<Index>(edges->seen.vertex.size());
+        }
         for (const FoundCurves& c : found[i].kept_curves->found) add_curves(drawn[i], c, false);
         for (const FoundCurves& c : found[i].seen_curves) add_curves(drawn[i], c, true);
     }
@@ -455,8 +508,10 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     for (const auto& [placement, curves] : of_scene) add_curves(placement, curves, false);
     resize(paths, path, point);
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-        write_chains(scene, *found[i].kept, found[i].kept_kinds, found[i].kept_free, slots[i].first, paths);
-        write_chains(scene, found[i].seen, found[i].seen_kinds, found[i].seen_free, slots[i].second, paths);
+        const EdgePaths* edges = found[i].edges.get();
+        if (!edges) return;
+        write_chains(scene, *edges->kept, edges->kept_kinds, edges->kept_free, slots[i].first, paths);
+        write_chains(scene, edges->seen, edges->seen_kinds, edges->seen_free, slots[i].second, paths);
     });
     parallel_blocks(curve_slots.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         write_curves(scene, *curve_slots[i].found, curve_slots[i].slot, paths);

@@ -36,7 +36,8 @@ class Walk {
     Index points() const { return points_; }
     Index segments() const { return points_ - 1; }
     bool closed() const { return closed_; }
-    Index at(Index i) const { return first_ + (i < points_ ? i : i % segments()); }
+    /// The last point of a closed chain is its first, from which another piece goes on.
+    Index at(Index i) const { return first_ + (closed_ ? i % segments() : i); }
     float strength(Index i) const { return chains_.strength[at(i)]; }
     vec3 point(const Place& p) const {
         return p.t > 0.0f ? glm::mix(chains_.point[at(p.i)], chains_.point[at(p.i + 1)], p.t) : chains_.point[at(p.i)];

@@ -49,7 +49,14 @@ inline ExactLine exact_line(const std::string& name, const Values& values, doubl
     using S = SeenOf<double>;
     const double unit = 1.0 / feature_size, squared = unit * unit;
     const double sign = name.find("valley") != std::string::npos || name == "suggestive_highlight" ? -1.0 : 1.0;
-    const double t = values.empty() ? 0.0 : values[0];
+    const auto value = [&](const char* parameter, double otherwise) {
+        const auto& all = line_definitions()[definition_index(name)]->parameters;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (all[i].name == std::string(parameter)) return values[i];
+        return otherwise;
+    };
+    // Lines are found down to the low threshold; which of them stay is hysteresis.
+    const double t = value("threshold", 0.0) * value("low", 1.0);
     if (name == "smooth_contour") return {[](const C&, const S& s) { return Along{s.facing}; }};
     if (name == "suggestive_contour" || name == "suggestive_highlight")
         return {[](const C& c, const S& s) { return Along{radial(c, s).scaled}; },
@@ -60,7 +67,7 @@ inline ExactLine exact_line(const std::string& name, const Values& values, doubl
         return {[=](const C& c, const S&) {
                     return Along{sign * c.C[0], c.e1};
                 },
-                [=](const C& c, const S&) { return sign * c.k1 - t * unit; }, true, values[1] * squared * unit};
+                [=](const C& c, const S&) { return sign * c.k1 - t * unit; }, true, value("sharpness", 0.0) * squared * unit};
     if (name == "principal_highlight_ridge" || name == "principal_highlight_valley")
         return {[](const C& c, const S& s) {
                     return Along{s.u, c.e1};

@@ -41,7 +41,7 @@ TEST(FieldSmooth, SpheresAndCylindersStay) {
     }
     Sample cylinder{parameter_grid("cylinder", false, {.n = 40, .irregular = true}, [](double u, double v) {
         return dvec3(std::cos(3 * v), std::sin(3 * v), 3 * u);
-    }), {}};
+    }), {}, {}};
     cylinder.exact = [](const dvec3& p) { return curvature_of(ellipsoid_jet({p.x, p.y, 0}, {1, 1, 1e30})); };
     const auto before = exact(cylinder);
     const auto after = smoothed(*cylinder.mesh.surface(), before, 2.0);

@@ -37,10 +37,10 @@ struct Body {
     bool inner(const dvec3& p) const { return name[0] != 'w' || std::max(std::abs(p.x), std::abs(p.y)) < 0.95; }
 };
 
-/// What is asked of one definition on one body. Values beyond `first` and `second` are defaults.
+/// What is asked of one definition on one body. Other values are defaults.
 struct Case {
     const char* name;
-    double first = -1.0, second = -1.0;  ///< instead of the defaults of the first two parameters
+    double first = -1.0, sharpness = -1.0;  ///< instead of the defaults of the first parameter, and of this one
     bool low = false;                    ///< seen at a slant, where there are contours
     // Limits: distances in edges, difference of the lengths as a share.
     double median = .02, most = .07, length = .03;
@@ -53,7 +53,7 @@ struct Case {
     Values values() const {
         Values values = defaults(name);
         if (first >= 0.0) values[0] = first;
-        if (second >= 0.0) values[1] = second;
+        if (sharpness >= 0.0) values[3] = sharpness;
         return values;
     }
 };
@@ -113,13 +113,13 @@ std::vector<Case> cases_of(const std::string& name) {
                 {.name = "laplacian_line", .median = .032},
                 {.name = "parabolic"}};
     return {{.name = "smooth_contour"},
-            {.name = "ridge", .first = .02, .second = 0},
+            {.name = "ridge", .first = .02, .sharpness = 0},
             {.name = "principal_highlight_ridge", .first = 0},
             {.name = "laplacian_line"}};
 }
 
-double found_length(const Surface& surface, const char* name, double first = -1.0, double second = -1.0) {
-    const Case of{.name = name, .first = first, .second = second};
+double found_length(const Surface& surface, const char* name, double first = -1.0) {
+    const Case of{.name = name, .first = first};
     return length(
         segments_of(line_definitions()[definition_index(name)]->find(Eye{oblique}.view(surface), of.values())));
 }
@@ -190,8 +190,8 @@ TEST(LineAccuracy, DemarcatingCurvesOfATorusAreTwoCircles) {
         const double cosine = -1.0 / 1.2, z = 0.4 * std::sqrt(1 - cosine * cosine);
         ExactCurves exact = circle(1 + 0.4 * cosine, z);
         for (const ExactSegment& s : circle(1 + 0.4 * cosine, -z)) exact.push_back(s);
-        const Curves found =
-            line_definitions()[definition_index("demarcating_curve")]->find(Eye{oblique}.view(*body.surface), {.001});
+        const Curves found = line_definitions()[definition_index("demarcating_curve")]->find(
+            Eye{oblique}.view(*body.surface), Case{.name = "demarcating_curve", .first = .001}.values());
         const Match m =
             match(body.sample, segments_of(found), exact, body.edge, 1.0, [](const dvec3&) { return true; });
         report("demarcating_curve .001", body, true, m);

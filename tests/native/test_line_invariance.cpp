@@ -61,7 +61,7 @@ std::vector<Change> changes() {
 /// A wavy surface, and what cuts it: a box with materials and marks, or, for curves of the smooth surface that a mesh
 /// stands for, an ellipsoid. A box stands for none: of its three faces, a corner takes the normal of the first.
 std::vector<Mesh> bodies(const LineDefinition& definition) {
-    if (definition.find && definition.scope != Scope::scene)
+    if (definition.find)
         return {analytic::waves({.n = 96, .irregular = true}).mesh,
                 analytic::ellipsoid(4, true, dvec3(.5, .3, .4)).mesh};
     Mesh cube = box(vec3(-.4f), vec3(.3f));
@@ -70,11 +70,18 @@ std::vector<Mesh> bodies(const LineDefinition& definition) {
     return {analytic::waves({.n = 96, .irregular = true}).mesh, cube};
 }
 
-/// Below their defaults, thresholds leave some of every line on waves; still far above noise.
+/// Below their defaults, thresholds leave some of every line on waves; still far above noise. Without hysteresis, whose
+/// yes or no to a whole line may hang on the last digit.
 Values values_of(const LineDefinition& definition) {
     Values values;
-    for (const Parameter& p : definition.parameters)
-        values.push_back(std::string(p.name) == "threshold" ? 0.25 * p.value : p.value);
+    for (const Parameter& p : definition.parameters) {
+        const std::string name = p.name;
+        const bool on_surface = definition.find && definition.select;
+        values.push_back(name == "threshold" ? (definition.find_in_image ? 1.0 : 0.25) * p.value
+                         : on_surface && name == "low"    ? 1.0
+                         : on_surface && name == "length" ? 0.0
+                                                          : p.value);
+    }
     return values;
 }
 
@@ -95,10 +102,13 @@ ExactCurves lines_after(Index definition, const Change& change) {
     const Paths paths = extract_paths(scene, view, {set}, tracer, Cancel());
     const dmat4 back = glm::inverse(change.motion);
     ExactCurves segments;
-    const auto point = [&](Index i) { return dvec3(back * dvec4(dvec3(paths.points_obj[i]), 1.0)); };
-    for (Index p = 0; p < paths.count(); ++p)
+    for (Index p = 0; p < paths.count(); ++p) {
+        // The camera moves along, so lines of the image stay where they are to it.
+        const dmat4 here = paths.placement[p] == none ? dmat4(1.0) : back;
+        const auto point = [&](Index i) { return dvec3(here * dvec4(dvec3(paths.points_obj[i]), 1.0)); };
         for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i)
             segments.push_back({point(i), point(i + 1)});
+    }
     return segments;
 }
 

@@ -1,7 +1,10 @@
 // Curves across triangles: pieces where they should be, chained by what they cross.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <random>
 #include <set>
 
 #include "line/zero_set.h"
@@ -155,4 +158,25 @@ TEST(ChainCurves, PiecesFollowOneAnotherInAnyOrder) {
     EXPECT_TRUE(chains.closed[0]);
     EXPECT_EQ(chains.point.size(), pieces.size() + 1);
     EXPECT_EQ(chain_curves({}).rows.count(), 0u);
+}
+
+TEST(ChainCurves, ExactlyTwoEndsOnASideAreLinked) {
+    // Random pieces, sides of one to many ends, three levels: as many chains as a map of the sides says.
+    std::mt19937 random(11);
+    for (const unsigned sides : {3u, 40u, 5000u}) {
+        Curves pieces;
+        std::map<std::pair<Index, Index>, int> ends;
+        for (Index i = 0; i < 3000; ++i) {
+            CurvePiece piece{i, {Index(random() % sides), 0}, {vec3(i), vec3(i)}, {1.0f, 1.0f}, Index(random() % 3)};
+            piece.side[1] = random() % 5 ? (piece.side[0] + 1 + random() % (sides - 1)) % sides : none;
+            for (const Index side : piece.side)
+                if (side != none) ++ends[{piece.level, side}];
+            pieces.push_back(piece);
+        }
+        const auto links = std::count_if(ends.begin(), ends.end(), [](const auto& side) { return side.second == 2; });
+        const CurveChains chains = chain_curves(pieces);
+        const auto closed = std::count(chains.closed.begin(), chains.closed.end(), 1);
+        EXPECT_EQ(chains.rows.count(), pieces.size() - links + closed);
+        EXPECT_EQ(chains.point.size(), pieces.size() + chains.rows.count());
+    }
 }
