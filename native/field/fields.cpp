@@ -24,7 +24,7 @@ namespace {
 constexpr double clean = 0.0007, slightly_noisy = 0.004;
 
 /// Deviation, in edge lengths, by which fields of noisy positions are smoothed: less, and lines on scans are jagged.
-constexpr double smoothing_of_noise = 1.5;
+constexpr double smoothing_of_noise = 1.2;
 
 struct Choice {
     JetOptions jets;

@@ -19,9 +19,10 @@ struct Fields {
 };
 
 /// With the surface's own options, and with others. Kept with the surface, by the options. Automatic takes the jets
-/// that come with a surface; without, it fits some: of degree 4 over 3 rings where the positions are clean, else of degree 3 over the more rings the less the surface bends
-/// within them, and smoothed where the positions are noisy. Throws std::invalid_argument for options out of range. A
-/// stretched surface has the fields of its source, mapped in closed form, and the source's hard edges.
+/// that come with a surface; without, it fits some: of degree 4 over 3 rings where the positions are clean, else of
+/// degree 3 over the more rings the less the surface bends within them, and smoothed where the positions are noisy.
+/// Throws std::invalid_argument for options out of range. A stretched surface has the fields of its source, mapped in
+/// closed form, and the source's hard edges.
 std::shared_ptr<const Fields> fields_of(const Surface& surface);
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options);
 

@@ -14,8 +14,30 @@ namespace {
 /// and 1 it says how sure the sign is, so that noise does not break a contour.
 constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
 
+/// Sheets are seen from both sides, so that they hide none of their contours; nor can those of a surface be told that
+/// is inside out.
+struct Solid {
+    bool yes;
+};
+
+Solid solid(const Surface& surface) {
+    for (Index e = 0; e < surface.edges.size(); ++e)
+        if (surface.edge_rows.size(e) == 1) return {false};
+    double volume = 0.0;
+    const dvec3 center(surface.center);
+    for (const Triangle& t : surface.triangles) {
+        const auto at = [&](Index v) { return dvec3(surface.positions[v]) - center; };
+        volume += glm::dot(at(t.x), glm::cross(at(t.y), at(t.z)));
+    }
+    return {volume > 0.0};
+}
+
+bool hides_its_own(const Surface& surface, const Values& values) {
+    return values[0] != 0.0 && surface.cache().get<Solid>(0, [&] { return solid(surface); })->yes;
+}
+
 Curves find(const SurfaceView& seen, const Values& values) {
-    if (values[0] == 0.0) return find_smooth_contour(seen, [](Index) { return 1.0f; });
+    if (!hides_its_own(seen.surface, values)) return find_smooth_contour(seen, [](Index) { return 1.0f; });
     const auto fields = fields_of(seen.surface);
     return find_smooth_contour(seen, [&](Index v) {
         const Curvature& c = fields->curvature[v];
@@ -24,8 +46,8 @@ Curves find(const SurfaceView& seen, const Values& values) {
     });
 }
 
-Selection select(const Surface&, const Values& values) {
-    if (values[0] == 0.0) return {};
+Selection select(const Surface& surface, const Values& values) {
+    if (!hides_its_own(surface, values)) return {};
     return {.level = at_cusp, .depth = surely, .reach = at_cusp + surely, .uniform = true};
 }
 
@@ -39,8 +61,7 @@ const LineDefinition smooth_contour = {
     .description = "The contour of the smooth surface that a mesh stands for, across its faces",
     .scope = Scope::view,
     .parameters = {{"end_at_cusps", "End at Cusps", 1, 0, 1, "bool",
-                    "Leave out what the surface hides of its own contour behind a cusp; "
-                    "not for open surfaces seen from behind"}},
+                    "Leave out what a closed surface hides of its own contour behind a cusp"}},
     .on_by_default = false,
     .find = find,
     .select = select,
