@@ -250,6 +250,20 @@ TEST_P(Definition, EndsPiecesOnTheSidesThatTheyName) {
     }
 }
 
+TEST(Registry, AllDefinitionsAtOnce) {
+    // Several that ask the same new surface for the same fields, on many threads.
+    LineSet all;
+    for (Index d = 0; d < line_definitions().size(); ++d)
+        if (!line_definitions()[d]->find_in_image) all.kinds.push_back({d, defaults(*line_definitions()[d])});
+    Paths first;
+    for (int run = 0; run < 20; ++run) {
+        const Found found(small_scene(), corner_view, {all});
+        if (run == 0) first = found.paths;
+        expect_same(found.paths, first, "run " + std::to_string(run));
+    }
+    EXPECT_GT(first.count(), 0u);
+}
+
 TEST_P(Definition, TakesExtremesOfItsParameters) {
     for (std::size_t p = 0; p < definition.parameters.size(); ++p)
         for (const double extreme : {definition.parameters[p].low, definition.parameters[p].high}) {
