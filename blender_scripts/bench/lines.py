@@ -132,7 +132,7 @@ def placed(native, surface, mesh, eye):
     usage = native.DRAW | native.OCCLUDE
     ids, usages = np.ones(1, np.uint64), np.full(1, usage, np.uint8)
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], ids, usages)
-    return scene, camera.view(native, mesh.positions, np.array(eye), False)
+    return scene, native.View(*camera.view(mesh.positions, np.array(eye), False))
 
 
 def finding(native, surface, definition, eyes):

@@ -47,7 +47,10 @@ def test_lines_extracts_every_definition(extract, name):
     found = extract("--definition", name)
     assert str(found["definition"]) == name
     assert len(found["closed"]) > 0 or name in ABSENT
-    assert np.isfinite(found["points"]).all() and (np.abs(found["points"]) <= (2.001, 2.001, 1.1)).all()
+    # Lines of the image may run beside what is seen, by the width of what smooths it.
+    in_image = DEFINITIONS[name]["scope"] == "scene"
+    bounds = np.array((2.001, 2.001, 1.1)) * (1.05 if in_image else 1)
+    assert np.isfinite(found["points"]).all() and (np.abs(found["points"]) <= bounds).all()
     assert ((found["strength"] >= 0) & (found["strength"] <= 1)).all()
     assert (np.diff(found["offsets"]) >= 2).all() and found["offsets"][-1] == len(found["points"])
 
