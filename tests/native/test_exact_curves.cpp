@@ -51,7 +51,7 @@ TEST(ExactCurves, OfAnEllipsoidHaveTheirClosedForms) {
     const ExactCurves contour = exact_curves(grid, exact_line("smooth_contour", {}, 1.0), {eye, false});
     EXPECT_GT(length(contour), 6.0);
     for (const ExactSegment& s : contour) ASSERT_NEAR(glm::dot(s.a, eye / (axes * axes)), 1.0, 1e-4);
-    const ExactCurves ridge = exact_curves(grid, exact_line("ridge", {0.0, 0.0}, 1.0), {eye, false});
+    const ExactCurves ridge = exact_curves(grid, exact_line("ridge", {0.0, 1.0, 0.0, 0.0}, 1.0), {eye, false});
     for (const ExactSegment& s : ridge) ASSERT_NEAR(s.a.z, 0.0, 1e-4);
     EXPECT_NEAR(length(ridge), 8.2165, 0.002) << "the long rim";
 }
