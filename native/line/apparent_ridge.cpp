@@ -15,11 +15,6 @@ constexpr float contour_near = 0.1f;
 /// What view_curvature keeps n . v from.
 constexpr float least_facing = 1e-3f;
 
-Thresholds thresholds_of(const Surface& surface, const Values& values) {
-    const double size = fields_of(surface)->feature_size;
-    return {values, 1.0 / (size * size)};
-}
-
 std::vector<Parameter> parameters() {
     auto all = threshold_parameters(
         0.1, 0.5, 3.0,
@@ -32,7 +27,7 @@ std::vector<Parameter> parameters() {
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const Thresholds thresholds = thresholds_of(surface, values);
+    const Thresholds thresholds(surface, values, 2);
     const bool ridges = values[3] != 0.0, valleys = values[4] != 0.0;
     // Nothing appears more curved than it is by more than 1 / n . v.
     struct Glance {
@@ -88,9 +83,7 @@ const LineDefinition apparent_ridge = {
     .parameters = parameters(),
     .on_by_default = false,
     .find = find,
-    .select = [](const Surface& surface, const Values& values) {
-        return thresholds_of(surface, values).selection(surface, values);
-    },
+    .select = select_by_threshold<2>,
 };
 
 }  // namespace fovea

@@ -15,17 +15,13 @@ inline std::vector<Parameter> crest_parameters() {
     return parameters;
 }
 
-inline Selection select_crests(const Surface& surface, const Values& values) {
-    return Thresholds(values, 1.0 / fields_of(surface)->feature_size).selection(surface, values);
-}
-
 /// Maxima of sign k1, where it is positive. Where curvature hardly changes across a line, on tubes, spheres and tori,
 /// there is no crest but noise: the sharpness.
 inline Curves find_crests(const SurfaceView& seen, const Values& values, float sign) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const double unit = 1.0 / fields->feature_size;
-    const Thresholds thresholds(values, unit);
+    const Thresholds thresholds(surface, values, 1);
     const auto k1 = [&](Index v) { return sign * fields->curvature[v].k1; };
     const auto same_kind = [&](Index t) {
         const Triangle& c = surface.triangles[t];

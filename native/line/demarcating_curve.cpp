@@ -43,15 +43,10 @@ bool agree(const Fields& fields, const Triangle& t, Corner (&corners)[3]) {
            glm::dot(corners[2].along, corners[0].along) > least_cosine;
 }
 
-Thresholds thresholds_of(const Surface& surface, const Values& values) {
-    const double size = fields_of(surface)->feature_size;
-    return {values, 1.0 / (size * size)};
-}
-
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const Thresholds thresholds = thresholds_of(surface, values);
+    const Thresholds thresholds(surface, values, 2);
     Array<Corner> strongest(surface.vertex_count());
     parallel_for(strongest.size(), [&](std::size_t v) {
         const Curvature& c = fields->curvature[v];
@@ -82,9 +77,7 @@ const LineDefinition demarcating_curve = {
         0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared"),
     .on_by_default = false,
     .find = find,
-    .select = [](const Surface& surface, const Values& values) {
-        return thresholds_of(surface, values).selection(surface, values);
-    },
+    .select = select_by_threshold<2>,
 };
 
 }  // namespace fovea

@@ -12,7 +12,7 @@ namespace {
 Curves find(const SurfaceView& seen, const Values& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const Thresholds thresholds(values, 1.0 / fields->feature_size);
+    const Thresholds thresholds(surface, values, 1);
     struct Glance {
         float value;
         SeenOf<float> seen;
@@ -47,9 +47,7 @@ const LineDefinition laplacian_line = {
         0.05, 0.5, 2.0, "Gradient of n . v that a line reaches somewhere, in units of 1 / feature size"),
     .on_by_default = false,
     .find = find,
-    .select = [](const Surface& surface, const Values& values) {
-        return Thresholds(values, 1.0 / fields_of(surface)->feature_size).selection(surface, values);
-    },
+    .select = select_by_threshold<1>,
 };
 
 }  // namespace fovea

@@ -23,7 +23,7 @@ const LineDefinition parabolic = {
     .parameters = zero_curvature_parameters(),
     .on_by_default = false,
     .find = find,
-    .select = select_zero_curvature,
+    .select = select_by_threshold<1>,
 };
 
 }  // namespace fovea

@@ -15,15 +15,6 @@ inline std::vector<Parameter> principal_highlight_parameters() {
                                 "units of 1 / feature size squared");
 }
 
-inline Thresholds principal_highlight_thresholds(const Surface& surface, const Values& values) {
-    const double size = fields_of(surface)->feature_size;
-    return {values, 1.0 / (size * size)};
-}
-
-inline Selection select_principal_highlights(const Surface& surface, const Values& values) {
-    return principal_highlight_thresholds(surface, values).selection(surface, values);
-}
-
 /// Zeros of v . e1 where sign k1 is positive and (k1^2 - k2^2) n . v above the threshold, which is so on the side that
 /// faces the viewer alone. e1 has no sign: in each triangle the corners follow the one of greatest |k1|. Triangles
 /// whose corners disagree about its line by more than 45 degrees have no line, nor have those with a corner that is
@@ -32,7 +23,7 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Values& v
     constexpr float least_cosine = 0.70710678f, greatest_ratio = 0.98f;  // of |k2| and |k1|
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const Thresholds thresholds = principal_highlight_thresholds(surface, values);
+    const Thresholds thresholds(surface, values, 2);
     Array<float> along(surface.vertex_count()), above(along.size());
     parallel_for(along.size(), [&](std::size_t v) {
         const Curvature& c = fields->curvature[v];

@@ -18,7 +18,7 @@ const LineDefinition principal_highlight_valley = {
     .on_by_default = false,
     .find = [](const SurfaceView& seen,
                const Values& values) { return find_principal_highlights(seen, values, -1.0f); },
-    .select = select_principal_highlights,
+    .select = select_by_threshold<2>,
 };
 
 }  // namespace fovea

@@ -16,7 +16,7 @@ const LineDefinition ridge = {
     .parameters = crest_parameters(),
     .on_by_default = false,
     .find = [](const SurfaceView& seen, const Values& values) { return find_crests(seen, values, 1.0f); },
-    .select = select_crests,
+    .select = select_by_threshold<1>,
 };
 
 }  // namespace fovea

@@ -13,23 +13,14 @@ inline std::vector<Parameter> suggestive_parameters(double threshold) {
                                 "in units of 1 / feature size squared");
 }
 
-inline Thresholds suggestive_thresholds(const Surface& surface, const Values& values) {
-    const double size = fields_of(surface)->feature_size;
-    return {values, 1.0 / (size * size)};
-}
-
-inline Selection select_suggestive(const Surface& surface, const Values& values) {
-    return suggestive_thresholds(surface, values).selection(surface, values);
-}
-
 /// Zeros of the radial curvature where it rises along the view (sign 1) or falls (sign -1) by more than the threshold:
-/// tan(theta) D_W k_r, on the side that faces the viewer; near contours, where it
-/// grows beyond all bounds, it is kept finite.
+/// tan(theta) D_W k_r, on the side that faces the viewer; near contours, where it grows beyond all bounds, it is kept
+/// finite.
 inline Curves find_suggestive(const SurfaceView& seen, const Values& values, float sign) {
     constexpr float least_facing = 0.05f;  // n . v
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
-    const Thresholds thresholds = suggestive_thresholds(surface, values);
+    const Thresholds thresholds(surface, values, 2);
     struct Glance {
         float value;
         SeenOf<float> seen;

@@ -16,7 +16,7 @@ const LineDefinition suggestive_contour = {
     .parameters = suggestive_parameters(0.01),
     .on_by_default = false,
     .find = [](const SurfaceView& seen, const Values& values) { return find_suggestive(seen, values, 1.0f); },
-    .select = select_suggestive,
+    .select = select_by_threshold<2>,
 };
 
 }  // namespace fovea

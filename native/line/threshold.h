@@ -20,20 +20,26 @@ inline std::vector<Parameter> threshold_parameters(double threshold, double low,
 struct Thresholds {
     float high, low, fade;
 
-    /// `unit`: what 1 is, for the values of threshold_parameters.
-    Thresholds(const Values& values, double unit)
-        : high(static_cast<float>(values[0] * unit)),
-          low(static_cast<float>(values[0] * values[1] * unit)),
-          fade(0.5f * high) {}
+    /// Values of threshold_parameters, of a measure in units of 1 / feature size or (`power` 2) its square.
+    Thresholds(const Surface& surface, const Values& values, int power) {
+        const double size = fields_of(surface)->feature_size, unit = 1.0 / (power == 2 ? size * size : size);
+        high = static_cast<float>(values[0] * unit);
+        low = static_cast<float>(values[0] * values[1] * unit);
+        fade = 0.5f * high;
+    }
 
     /// Strength of a line so far above the low threshold.
     float strength(float above) const { return above > 0.0f ? above / (above + fade) : 0.0f; }
 
-    Selection selection(const Surface& surface, const Values& values) const {
-        const float reach = high > low ? strength(high - low) : 0.0f;
-        return {.reach = reach, .least = values[2] * fields_of(surface)->feature_size};
-    }
 };
+
+/// LineDefinition::select of such a definition.
+template <int power>
+Selection select_by_threshold(const Surface& surface, const Values& values) {
+    const Thresholds t(surface, values, power);
+    const float reach = t.high > t.low ? t.strength(t.high - t.low) : 0.0f;
+    return {.reach = reach, .least = values[2] * fields_of(surface)->feature_size};
+}
 
 /// Strength as trace_zero_set and trace_maxima ask for it.
 inline auto fading(const Thresholds& thresholds) {
