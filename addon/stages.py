@@ -63,11 +63,12 @@ class ClippedPaths:
 
 @dataclass(frozen=True)
 class Runs:
-    """Visible parts, sorted by piece, then start; pixels of arc length."""
+    """Parts of pieces, sorted by piece, then start; pixels of arc length."""
 
     piece: np.ndarray  # (R,) uint32
     start_px: np.ndarray  # (R,) float64
     end_px: np.ndarray  # (R,) float64
+    invisibility: np.ndarray  # (R,) uint8, how many surfaces hide it; 0: visible
 
 
 @dataclass(frozen=True)

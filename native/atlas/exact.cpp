@@ -221,9 +221,7 @@ class Runner {
 
     void close() {
         if (!open_) return;
-        out.piece.push_back(piece_);
-        out.start_px.push_back(start_);
-        out.end_px.push_back(end_);
+        out.push(piece_, start_, end_);
         open_ = false;
     }
 
@@ -252,11 +250,7 @@ Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tra
         parts[b] = std::move(runner.out);
     });
     Runs runs;
-    for (const Runs& part : parts) {
-        runs.piece.insert(runs.piece.end(), part.piece.begin(), part.piece.end());
-        runs.start_px.insert(runs.start_px.end(), part.start_px.begin(), part.start_px.end());
-        runs.end_px.insert(runs.end_px.end(), part.end_px.begin(), part.end_px.end());
-    }
+    for (const Runs& part : parts) runs.append(part);
     return runs;
 }
 

@@ -11,23 +11,6 @@ namespace {
 
 constexpr std::size_t pieces_per_block = 256;
 
-void push(Runs& runs, Index piece, double start, double end) {
-    if (end <= start) return;
-    runs.piece.push_back(piece);
-    runs.start_px.push_back(start);
-    runs.end_px.push_back(end);
-}
-
-Runs join(const std::vector<Runs>& parts) {
-    Runs all;
-    for (const Runs& part : parts) {
-        all.piece.insert(all.piece.end(), part.piece.begin(), part.piece.end());
-        all.start_px.insert(all.start_px.end(), part.start_px.begin(), part.start_px.end());
-        all.end_px.insert(all.end_px.end(), part.end_px.begin(), part.end_px.end());
-    }
-    return all;
-}
-
 /// Runs of one piece: where the line through the samples crosses the threshold.
 void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshold, Index piece, Runs& runs) {
     const Index begin = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
@@ -44,7 +27,7 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
             if (visible != open) {
                 const double t = first ? 0.0 : (threshold - value_before) / (value - value_before);
                 const double change = before + t * (here - before);
-                if (open) push(runs, piece, start, change);
+                if (open) runs.push(piece, start, change);
                 start = change;
                 open = visible;
             }
@@ -53,7 +36,7 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
             first = false;
         }
     }
-    if (open) push(runs, piece, start, clipped.arc_px[last]);
+    if (open) runs.push(piece, start, clipped.arc_px[last]);
 }
 
 /// Runs and paths of pieces ascend, so the last one tells.
@@ -117,6 +100,21 @@ double meet_next(const ClippedPaths& clipped, Index piece, double start, double 
 
 }  // namespace
 
+void Runs::push(Index of, double start, double end, std::uint8_t hidden_by) {
+    if (end <= start) return;
+    piece.push_back(of);
+    start_px.push_back(start);
+    end_px.push_back(end);
+    invisibility.push_back(hidden_by);
+}
+
+void Runs::append(const Runs& more) {
+    piece.insert(piece.end(), more.piece.begin(), more.piece.end());
+    start_px.insert(start_px.end(), more.start_px.begin(), more.start_px.end());
+    end_px.insert(end_px.end(), more.end_px.begin(), more.end_px.end());
+    invisibility.insert(invisibility.end(), more.invisibility.begin(), more.invisibility.end());
+}
+
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold) {
     check(visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
     const std::size_t pieces = clipped.path.size();
@@ -124,7 +122,9 @@ Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float 
     parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         for (std::size_t q = begin; q < end; ++q) find_runs(clipped, visibility, threshold, static_cast<Index>(q), parts[b]);
     });
-    return join(parts);
+    Runs runs;
+    for (const Runs& part : parts) runs.append(part);
+    return runs;
 }
 
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
@@ -146,7 +146,7 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
                     while (run < offsets[q + 1] && runs.end_px[run] <= from) ++run;
                     double covered = 0.0;
                     for (Index r = run; r < offsets[q + 1] && runs.start_px[r] < to; ++r)
-                        covered += std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]);
+                        if (runs.invisibility[r] == 0) covered += std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]);
                     samples[clipped.sample_start[i] + j] = static_cast<float>(std::clamp(covered / step, 0.0, 1.0));
                 }
             }
@@ -160,6 +160,24 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
     return samples;
 }
 
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen) {
+    const Array<Index> offsets = runs_of_pieces(clipped, visible);
+    check(clipped.path.empty() || clipped.path.back() < always_seen.size(), "always_seen: one value per path expected");
+    Runs all;
+    for (Index q = 0; q < clipped.path.size(); ++q) {
+        const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
+        const bool has_hidden = !always_seen[clipped.path[q]];
+        double from = clipped.arc_px[begin];
+        for (Index r = offsets[q]; r < offsets[q + 1]; ++r) {
+            if (has_hidden) all.push(q, from, visible.start_px[r], 1);
+            all.push(q, visible.start_px[r], visible.end_px[r]);
+            from = visible.end_px[r];
+        }
+        if (has_hidden) all.push(q, from, clipped.arc_px[last], 1);
+    }
+    return all;
+}
+
 Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px) {
     check_pieces(clipped, runs);
     for (Index path : clipped.path) check(path < spur_px.size(), "spur_px: one value per path expected");
@@ -169,7 +187,7 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
         if (same && runs.start_px[r] - joined.end_px.back() < gap_px) {
             joined.end_px.back() = runs.end_px[r];
         } else {
-            push(joined, runs.piece[r], runs.start_px[r], runs.end_px[r]);
+            joined.push(runs.piece[r], runs.start_px[r], runs.end_px[r]);
         }
     }
     Runs kept;
@@ -178,7 +196,7 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
         const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
         const bool at_end = joined.start_px[r] <= first + 1e-6 || joined.end_px[r] >= last - 1e-6;
         if (at_end || joined.end_px[r] - joined.start_px[r] >= spur_px[clipped.path[piece]])
-            push(kept, piece, joined.start_px[r], joined.end_px[r]);
+            kept.push(piece, joined.start_px[r], joined.end_px[r]);
     }
     return kept;
 }

@@ -6,18 +6,30 @@
 
 namespace fovea {
 
-/// Visible runs, sorted by piece, then by start. start < end, in pixels of the piece's own arc_px.
+/// Parts of pieces, sorted by piece, then by start; they do not overlap. start < end, in pixels of the piece's own
+/// arc_px. What finds visible parts leaves hidden ones out, until `with_hidden` adds them.
 struct Runs {
     Array<Index> piece;
     Array<double> start_px, end_px;
+    /// How many surfaces hide the run (quantitative invisibility, Appel 1967), as far as they were counted; 0: visible.
+    Array<std::uint8_t> invisibility;
+
+    std::size_t size() const { return piece.size(); }
+    /// Appends a run, unless it has no length.
+    void push(Index of, double start, double end, std::uint8_t hidden_by = 0);
+    void append(const Runs& more);
 };
 
 /// Runs where the sampled visibility (atlas order, in [0,1]) is at least `threshold`; ends are interpolated between
 /// the two samples on either side.
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold = 0.5f);
 
-/// Share of each atlas sample that runs cover, in [0,1]; padding repeats the end of its piece.
+/// Share of each atlas sample that visible runs cover, in [0,1]; padding repeats the end of its piece.
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
+
+/// Visible runs and what lies between them, hidden by 1 surface or more. Pieces of paths with `always_seen` set (one
+/// entry per path of Paths) have no hidden parts.
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen);
 
 /// Joins runs of a piece whose gap is shorter than `gap_px`, then drops runs shorter than the path's `spur_px` (one
 /// entry per path of Paths) that neither begin nor end their piece.

@@ -166,10 +166,13 @@ void bind_stages(py::module_& m) {
         R"(ClippedPaths of paths; sample_step_px: pixels between visibility samples; least_length_px: by line set, shorter
 paths with an end that touches no other line are left out.)");
 
-    py::class_<Runs, std::shared_ptr<Runs>>(m, "Runs", "Visible parts, sorted by piece, then by start.")
+    py::class_<Runs, std::shared_ptr<Runs>>(m, "Runs", "Parts of pieces, sorted by piece, then by start; see native/atlas/runs.h.")
         .def_property_readonly("piece", [](py::object self) { return view_numpy(self.cast<const Runs&>().piece, self); }, "(R,) uint32")
         .def_property_readonly("start_px", [](py::object self) { return view_numpy(self.cast<const Runs&>().start_px, self); }, "(R,) float64")
         .def_property_readonly("end_px", [](py::object self) { return view_numpy(self.cast<const Runs&>().end_px, self); }, "(R,) float64")
+        .def_property_readonly(
+            "invisibility", [](py::object self) { return view_numpy(self.cast<const Runs&>().invisibility, self); },
+            "(R,) uint8, how many surfaces hide it; 0: visible")
         .def("__len__", [](const Runs& runs) { return runs.piece.size(); });
 
     m.def(
@@ -192,6 +195,16 @@ paths with an end that touches no other line are left out.)");
         "samples_from_runs",
         [](const ClippedPaths& clipped, const Runs& runs) { return to_numpy(samples_from_runs(clipped, runs)); },
         py::arg("clipped"), py::arg("runs"), "(samples,) float32 share of each atlas sample that the runs cover.");
+    m.def(
+        "with_hidden",
+        [](const ClippedPaths& clipped, const Runs& visible, const Paths& paths) {
+            // Lines of the image lie on no surface, and nothing hides them.
+            Array<std::uint8_t> always_seen(paths.count());
+            for (Index p = 0; p < paths.count(); ++p) always_seen[p] = paths.placement[p] == none;
+            return std::make_shared<Runs>(with_hidden(clipped, visible, always_seen));
+        },
+        py::arg("clipped"), py::arg("visible"), py::arg("paths"),
+        "Visible runs and what lies between them, of invisibility 1.");
     m.def(
         "trim_folds",
         [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {

@@ -32,6 +32,7 @@ inline void add_run(Runs& runs, Index piece, double start, double end) {
     runs.piece.push_back(piece);
     runs.start_px.push_back(start);
     runs.end_px.push_back(end);
+    runs.invisibility.push_back(0);
 }
 
 /// Runs over the whole of every piece.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -35,6 +36,7 @@ void add_run(Runs& runs, Index piece, double start, double end) {
     runs.piece.push_back(piece);
     runs.start_px.push_back(start);
     runs.end_px.push_back(end);
+    runs.invisibility.push_back(0);
 }
 
 Runs closed(const ClippedPaths& clipped, const Runs& runs, double gap, float spur) {
@@ -121,6 +123,25 @@ TEST(Runs, EndWhereTheSamplesCrossTheThreshold) {
     EXPECT_TRUE(runs_from_samples(clipped, samples, 1.0f).piece.empty()) << "a single point has no length";
     EXPECT_TRUE(runs_from_samples(clipped, Array<float>(clipped.samples, 0.0f)).piece.empty());
     EXPECT_EQ(runs_from_samples(clipped, Array<float>(clipped.samples, 1.0f)).piece.size(), 1u);
+}
+
+TEST(Runs, WithTheirHiddenPartsCoverEveryPiece) {
+    const ClippedPaths clipped = pieces_of({{60.0}, {40.0}});
+    Runs visible;
+    add_run(visible, 0, -20.0, -5.0);
+    add_run(visible, 0, 5.0, 30.0);
+    const Runs all = with_hidden(clipped, visible, std::vector<std::uint8_t>{0, 0});
+    const std::vector<std::array<double, 4>> expected = {
+        {0, -30, -20, 1}, {0, -20, -5, 0}, {0, -5, 5, 1}, {0, 5, 30, 0}, {1, -20, 20, 1}};
+    ASSERT_EQ(all.size(), expected.size());
+    for (std::size_t r = 0; r < all.size(); ++r) {
+        EXPECT_EQ(all.piece[r], expected[r][0]) << r;
+        EXPECT_NEAR(all.start_px[r], expected[r][1], 1e-3) << r;
+        EXPECT_NEAR(all.end_px[r], expected[r][2], 1e-3) << r;
+        EXPECT_EQ(all.invisibility[r], expected[r][3]) << r;
+    }
+    EXPECT_EQ(samples_from_runs(clipped, all), samples_from_runs(clipped, visible)) << "hidden parts cover no sample";
+    EXPECT_EQ(with_hidden(clipped, visible, std::vector<std::uint8_t>{0, 1}).size(), 4u) << "lines of the image";
 }
 
 TEST(Runs, AreFiniteWhateverTheSamples) {

@@ -112,8 +112,8 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     strokes = core.tessellate(clipped, trimmed, np.zeros(len(paths), np.uint32), paths.strength, pens)
     arrays = members("paths", paths, "offsets points_obj place kinds closed ids")
     arrays |= members("clipped", clipped, "offsets path px depth position_view arc_px sample_start sample_count")
-    for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed)):
-        arrays |= members(stage, visible, "piece start_px end_px")
+    for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed), ("parts", core.with_hidden(clipped, trimmed, paths))):
+        arrays |= members(stage, visible, "piece start_px end_px invisibility")
     arrays |= members("strokes", strokes, "px arc half_width opacity triangles")
     arrays["samples"] = core.samples_from_runs(clipped, runs)
     arrays["image"] = core.raster(strokes, pens, [], *size)
