@@ -20,22 +20,13 @@ class Judge:
         whose visibility changes between two frames where exactly it does not. None for a method that gives no samples."""
         if frames[0].visibility is None:
             return None, None
-        samples = [(frame.visibility >= 0.5)[own_samples(frame.clipped)] for frame in frames]
+        samples = [frame.visibility >= 0.5 for frame in frames]
         followed = [follow(frame) for frame in frames]
         if name == "exact":
             self.exact = samples, followed
         disagree = np.mean([np.mean(mine != right) for mine, right in zip(samples, self.exact[0], strict=True)])
         changes = [flickers(followed[k : k + 2], self.exact[1][k : k + 2]) for k in range(len(frames) - 1)]
         return round(float(disagree), 5), round(float(np.mean(changes)), 6) if changes else None
-
-
-def own_samples(clipped):
-    """Mask of the atlas samples that belong to segments: all but the padding."""
-    marks = np.zeros(clipped.samples + 1, np.int32)
-    has = (clipped.sample_count > 0).astype(np.int32)
-    np.add.at(marks, clipped.sample_start, has)
-    np.add.at(marks, clipped.sample_start + clipped.sample_count, -has)
-    return np.cumsum(marks[:-1]) > 0
 
 
 def follow(frame):
