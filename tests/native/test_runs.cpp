@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "atlas/runs.h"
+#include "atlas/filters.h"
 #include "wires.h"
 
 using namespace fovea;
