@@ -59,19 +59,22 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     clock, scale = _Clock(progress), view.reference_scale
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
-    with clock.stage("lines", 0.15):
+    with clock.stage("lines", 0.1):
         paths = cpu.extract(tracer, style, cancel)
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes)
     with clock.stage("visibility", 0.25):
         visible = visibility(frame, backend, options, cancel)
+    with clock.stage("runs", 0.05):
+        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
+        tidied = cpu.tidy(frame, visible, *small)
+        parts = cpu.parts(frame, tidied, style, options.visibility == EXACT, cancel)
+        runs = cpu.at_crossings(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
-        tidied = cpu.tidy(frame, visible, *small)
-        strokes = cpu.shape(frame, tidied, pens)
+        strokes = cpu.shape(frame, runs, style, pens)
     with clock.stage("strokes", 0.1):
         lines = backend.draw(strokes, pens, textures, view)
     with clock.stage("paper", 0.1):

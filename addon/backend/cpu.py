@@ -42,28 +42,44 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
-def shape(frame, visible, pens):
-    """Strokes of the visible Runs; pens by line set."""
-    return native.load().tessellate(
-        frame.clipped, visible, frame.paths.line_set.astype("uint32"), frame.paths.strength, pens
-    )
+def parts(frame, visible, style, is_exact, cancel):
+    """Visible Runs and, where the style draws any, the hidden ones between them, as far apart as its pens tell them.
+    Without exact visibility all hidden parts are hidden by one surface."""
+    core, counted = native.load(), style.counted()
+    if counted == 0:
+        return visible
+    both = core.with_hidden(frame.clipped, visible, frame.paths)
+    if counted == 1 or not is_exact:
+        return both
+    return core.count_invisibility(frame.clipped, frame.paths, frame.tracer, both, counted, cancel)
+
+
+def at_crossings(frame, runs, style, scale):
+    return runs
+
+
+def shape(frame, runs, style, pens):
+    """Strokes of Runs; pens as of `pens_of`."""
+    core, paths = native.load(), frame.paths
+    pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
+    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens)
 
 
 def pens_of(style, textures, scale):
-    """The native pen of each line set, in pixels of the image (`scale` of them are a reference pixel)."""
+    """The native pens of a style, in its order, in pixels of the image (`scale` of them are a reference pixel)."""
     core = native.load()
     return [
         core.Pen(
-            color=line_set.pen.color,
-            opacity=line_set.pen.opacity,
-            width_px=line_set.pen.width * scale,
-            texture_length_px=textures.length(line_set.pen) * scale,
-            cap=line_set.pen.cap,
-            taper_px=line_set.pen.taper * scale,
-            texture=textures.index(line_set.pen),
-            strength_width=line_set.pen.strength_width,
+            color=pen.color,
+            opacity=pen.opacity,
+            width_px=pen.width * scale,
+            texture_length_px=textures.length(pen) * scale,
+            cap=pen.cap,
+            taper_px=pen.taper * scale,
+            texture=textures.index(pen),
+            strength_width=pen.strength_width,
         )
-        for line_set in style.line_sets
+        for pen in style.pens()
     ]
 
 
