@@ -10,9 +10,8 @@ void main()
   vec4 first = fetch_row(segments, 3 * owner);
   vec4 last = fetch_row(segments, 3 * owner + 1);
   vec4 own = fetch_row(segments, 3 * owner + 2);
-  Line line = Line(own.xy, own.w);
-  // Padding repeats the first or last sample.
-  float j = clamp(float(index) - first.w, 0.0, last.w - 1.0);
+  Line line = Line(own.xy, own.z);
+  float j = float(index) - first.w;
   int seen = 0;
   for (int k = 0; k < probes; k++) {
     float t = (j + (float(k) + 0.5) / float(probes)) / last.w;

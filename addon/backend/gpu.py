@@ -89,6 +89,10 @@ class Backend:
         """(height, width, 4) float32: strokes alone, premultiplied, bottom row first."""
         if len(strokes.triangles) == 0:
             return np.zeros((view.height, view.width, 4), np.float32)
+        return self.paint(strokes, pens, textures, view).read(4)
+
+    def paint(self, strokes, pens, textures, view):
+        """Target of the view's size with the strokes, at least one."""
         pen_rows, ink = native.load().pen_table(pens, textures.native)
         samplers = {"pens": upload_row(pen_rows), "ink": upload_row(ink)}
         target = Target(view.width, view.height, "RGBA32F")
@@ -103,7 +107,7 @@ class Backend:
                 "pen": strokes.pen,
             }
             draw_triangles(program, attributes, strokes.triangles)
-        return target.read(4)
+        return target
 
 
 def depth_layout(view, scale):

@@ -66,23 +66,16 @@ struct Looker {
     }
 };
 
-/// Samples of piece q: those of its segments, then the padding at both ends.
-void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker, Index begin,
-                Index end, Array<float>& visibility) {
-    Index first = end, last = begin;  // samples of segments
+/// Samples of piece q.
+void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker,
+                Array<float>& visibility) {
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
         const Index count = clipped.sample_count[i];
-        if (count == 0) continue;
         const Line line{clipped.px[i],     clipped.px[i + 1], clipped.depth[i],   clipped.depth[i + 1],
                         clipped.facet0[i], clipped.facet1[i], sides.steepness[i], sides.inner[i] != 0};
         for (Index j = 0; j < count; ++j)
             visibility[clipped.sample_start[i] + j] = looker.visibility(line, j, count);
-        first = std::min(first, clipped.sample_start[i]);
-        last = clipped.sample_start[i] + count;
     }
-    const bool any = first < last;
-    std::fill(visibility.begin() + begin, visibility.begin() + first, any ? visibility[first] : 0.0f);
-    if (any) std::fill(visibility.begin() + last, visibility.begin() + end, visibility[last - 1]);
 }
 
 }  // namespace
@@ -94,12 +87,11 @@ Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sid
     check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
           "sampled visibility: own sides of other paths");
     Array<float> visibility(clipped.samples);
-    const Rows samples = piece_samples(clipped);
     const Looker looker{buffer, options};
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
         for (Index q = Index(begin); q < end; ++q)
-            fill_piece(clipped, sides, q, looker, samples.begin(q), samples.end(q), visibility);
+            fill_piece(clipped, sides, q, looker, visibility);
     });
     return visibility;
 }

@@ -16,7 +16,7 @@ struct SampledOptions {
     float slack_px = 1.0f / 64.0f;
 };
 
-/// Share of its probes that see each atlas sample, in [0,1]; padding repeats the end of its piece.
+/// Share of its probes that see each atlas sample, in [0,1].
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
 /// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:
