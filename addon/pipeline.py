@@ -23,6 +23,7 @@ class Options:
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
     contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
+    least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     with_depth: bool = False  # also make the depth pass
 
 
@@ -69,7 +70,9 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     with clock.stage("runs", 0.05):
         small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
         tidied = cpu.tidy(frame, visible, *small)
-        parts = cpu.parts(frame, tidied, style, options.visibility == EXACT, cancel)
+        # Samples say whether something hides a line; only rays count what does.
+        levels = style.counted() if options.visibility == EXACT else min(style.counted(), 1)
+        parts = cpu.parts(frame, tidied, levels, options.least_hidden * scale, options.fold * scale, cancel)
         runs = cpu.at_crossings(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)

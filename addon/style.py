@@ -122,7 +122,7 @@ def _plain(value):
 def dashed(pen):
     """A pen for hidden parts of the lines that `pen` draws."""
     thinner = max(0.6 * pen.width, 1.0)
-    return Pen(color=pen.color, opacity=0.75 * pen.opacity, width=thinner, texture="dashes", cap="butt")
+    return Pen(pen.color, 0.75 * pen.opacity, thinner, texture="dashes", length_scale=1.5, cap="butt")
 
 
 def _line_set(data, where, definitions):

@@ -42,16 +42,15 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
-def parts(frame, visible, style, is_exact, cancel):
-    """Visible Runs and, where the style draws any, the hidden ones between them, as far apart as its pens tell them.
-    Without exact visibility all hidden parts are hidden by one surface."""
-    core, counted = native.load(), style.counted()
-    if counted == 0:
+def parts(frame, visible, levels, least_px, fold_px, cancel):
+    """Visible Runs and, unless `levels` is 0, the hidden ones between them, told apart by the surfaces that hide them,
+    up to so many. Stretches of contours as short as folds, and of other lines shorter than least_px, are left out."""
+    core, clipped, paths = native.load(), frame.clipped, frame.paths
+    if levels == 0:
         return visible
-    both = core.with_hidden(frame.clipped, visible, frame.paths)
-    if counted == 1 or not is_exact:
-        return both
-    return core.count_invisibility(frame.clipped, frame.paths, frame.tracer, both, counted, cancel)
+    least = np.where(paths.of_view, np.float32(fold_px), np.float32(least_px))
+    both = core.without_short_hidden(clipped, core.with_hidden(clipped, visible, paths), least)
+    return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
 
 
 def at_crossings(frame, runs, style, scale):
