@@ -66,7 +66,7 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes)
     with clock.stage("visibility", 0.25):
-        visible = visibility(frame, backend, options, cancel)
+        visible, samples = visibility(frame, backend, options, cancel)
     with clock.stage("runs", 0.05):
         small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
         tidied = cpu.tidy(frame, visible, *small)
@@ -77,7 +77,7 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        strokes = cpu.shape(frame, runs, style, pens)
+        strokes = cpu.shape(frame, runs, style, pens, samples)
     with clock.stage("strokes", 0.1):
         lines = backend.draw(strokes, pens, textures, view)
     with clock.stage("paper", 0.1):
@@ -88,7 +88,8 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
 
 
 def visibility(frame, backend, options, cancel):
-    """Visible Runs of a Frame."""
+    """Visible Runs of a Frame, and the samples that they are read from: None where rays find them."""
     if options.visibility == EXACT:
-        return cpu.exact(frame, cancel)
-    return cpu.runs(frame.clipped, backend.visibility(frame))
+        return cpu.exact(frame, cancel), None
+    samples = backend.visibility(frame)
+    return cpu.runs(frame.clipped, samples), samples

@@ -57,11 +57,11 @@ def at_crossings(frame, runs, style, scale):
     return runs
 
 
-def shape(frame, runs, style, pens):
-    """Strokes of Runs; pens as of `pens_of`."""
+def shape(frame, runs, style, pens, samples=None):
+    """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other."""
     core, paths = native.load(), frame.paths
     pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
-    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens)
+    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens, samples)
 
 
 def pens_of(style, textures, scale):

@@ -154,15 +154,19 @@ set, least and most surfaces that hide the run, pen; the first that holds it.)")
     m.def(
         "tessellate",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<Index>& pen_of_run,
-           const std::optional<Arg<float>>& strength, const std::vector<Pen>& pens) {
+           const std::optional<Arg<float>>& strength, const std::vector<Pen>& pens,
+           const std::optional<Arg<float>>& visibility) {
             const auto pen = borrow<Index>(pen_of_run, "pen_of_run");
             const auto per_point = borrow<float>(strength, "strength");
+            const auto per_sample = borrow<float>(visibility, "visibility");
             py::gil_scoped_release release;
-            return std::make_shared<Strokes>(tessellate(clipped, runs, pen, per_point, pens));
+            return std::make_shared<Strokes>(tessellate(clipped, runs, pen, per_point, pens, per_sample));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("pen_of_run"), py::arg("strength"), py::arg("pens"),
+        py::arg("visibility") = py::none(),
         R"(Strokes of runs, hidden ones below visible ones. pen_of_run (R,) uint32, 0xffffffff: not drawn; strength (N,)
-float32 per point of Paths, or None.)");
+float32 per point of Paths, or None; visibility (samples,) float32: runs fade where samples at their ends are seen in
+part; None: their ends are sharp.)");
     m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"),
           py::arg("width"), py::arg("height"),
           "(height, width, 4) float32, premultiplied, bottom row first.");

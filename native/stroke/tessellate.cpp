@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "path/paths.h"
 #include "stroke/centre_line.h"
+#include "stroke/fade.h"
 #include "stroke/strip.h"
 
 namespace fovea {
@@ -90,28 +91,37 @@ Strokes join(std::vector<Strokes>& blocks) {
 }  // namespace
 
 Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
-                   In<Pen> pens) {
+                   In<Pen> pens, In<float> visibility) {
     check_input(clipped, runs, pen_of_run, strength, pens);
+    check(visibility.empty() || visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
     const Array<Index> order = drawing_order(runs, pen_of_run);
     std::vector<Strokes> blocks((order.size() + block_size - 1) / block_size);
     parallel_blocks(order.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
         CentreLine line;
+        Fade fade;
         for (std::size_t k = begin; k < end; ++k) {
             const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
             if (clipped.pieces.size(piece) < 2) continue;
             const double first = clipped.arc_px[clipped.pieces.begin(piece)];
             const double last = clipped.arc_px[clipped.pieces.end(piece) - 1];
-            const double start = std::max(runs.start_px[r], first), stop = std::min(runs.end_px[r], last);
+            // What overshoots its line goes straight on.
+            const double before = first - runs.start_px[r], after = runs.end_px[r] - last;
+            find_fade(clipped, visibility, piece, std::max(runs.start_px[r], first), std::min(runs.end_px[r], last),
+                      runs.invisibility[r] != 0, fade);
+            const double start = fade.start_px, stop = fade.end_px;
             const bool from_first = start < first + whole_error, to_last = stop > last - whole_error;
             const bool closed = clipped.closed[piece] && from_first && to_last;
             cut(clipped, strength, piece, start, stop, line);
+            if (!closed) lengthen(line, before, after);
             simplify(line);
+            insert_bends(line, fade);
             const int free = clipped.free_ends[piece];
             shape(line, pens[pen], {(free & free_start) && from_first, (free & free_end) && to_last});
-            if (!closed) extend(line, pens[pen].cap);
+            fade_ends(line, fade);
             if (line.size() < 2) continue;
-            add_strip(line, closed, {closed ? -endless : float(start), closed ? endless : float(stop), pen},
-                      blocks[block]);
+            const float ends[] = {closed ? -endless : float(line.front().arc), closed ? endless : float(line.back().arc)};
+            if (!closed) extend(line, pens[pen].cap);
+            add_strip(line, closed, {ends[0], ends[1], pen}, blocks[block]);
             ++blocks[block].count;
         }
     });
