@@ -73,7 +73,7 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         # Samples say whether something hides a line; only rays count what does.
         levels = style.counted() if options.visibility == EXACT else min(style.counted(), 1)
         parts = cpu.parts(frame, tidied, levels, options.least_hidden * scale, options.fold * scale, cancel)
-        runs = cpu.at_crossings(frame, parts, style, scale)
+        runs = cpu.at_ends(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)

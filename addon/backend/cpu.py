@@ -53,8 +53,17 @@ def parts(frame, visible, levels, least_px, fold_px, cancel):
     return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
 
 
-def at_crossings(frame, runs, style, scale):
-    return runs
+def at_ends(frame, runs, style, scale):
+    """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot."""
+    core = native.load()
+    shorter = core.halo(frame.clipped, runs, _by_path(frame, style, "halo", scale))
+    return core.overshoot(frame.clipped, shorter, _by_path(frame, style, "overshoot", scale))
+
+
+def _by_path(frame, style, name, scale):
+    """(P,) float32 pixels of each path from reference pixels of its line set."""
+    by_set = np.array([getattr(line_set, name) * scale for line_set in style.line_sets], np.float32)
+    return by_set[frame.paths.line_set]
 
 
 def shape(frame, runs, style, pens, samples=None):

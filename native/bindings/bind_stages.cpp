@@ -137,6 +137,9 @@ void bind_stages(py::module_& m) {
         .def_property_readonly("path", array(&ClippedPaths::path), "(Q,) uint32 path it comes from")
         .def_property_readonly("closed", array(&ClippedPaths::closed), "(Q,) uint8")
         .def_property_readonly("free_ends", array(&ClippedPaths::free_ends), "(Q,) uint8: 1 free start, 2 free end")
+        .def_property_readonly("ends", array(&ClippedPaths::ends),
+                               R"((Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the frame
+cuts it)")
         .def_property_readonly("px", array(&ClippedPaths::px), "(M, 2) float32")
         .def_property_readonly("depth", array(&ClippedPaths::depth), "(M,) float32, reversed and screen-linear")
         .def_property_readonly("position_view", array(&ClippedPaths::position_view), "(M, 3) float32")
@@ -213,21 +216,6 @@ paths with an end that touches no other line are left out.)");
         },
         py::arg("clipped"), py::arg("runs"), py::arg("least_px"),
         "Runs without hidden stretches shorter than least_px, (P,) float32 per path of Paths; whole pieces stay.");
-    m.def(
-        "trim_folds",
-        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {
-            return std::make_shared<Runs>(trim_folds(clipped, runs, paths.of_view, fold_px));
-        },
-        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("fold_px"),
-        "Cuts folds of at most fold_px off the ends of contours.");
-    m.def(
-        "close_gaps",
-        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {
-            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, borrow<float>(spur_px, "spur_px")));
-        },
-        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
-        R"(Joins runs over gaps shorter than gap_px, drops runs that are shorter than spur_px and hidden on both sides.
-spur_px: (P,) float32 per path of Paths.)");
 }
 
 }  // namespace fovea::bindings

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "atlas/runs.h"
+#include "atlas/filters.h"
 #include "atlas/short_hidden.h"
 #include "wires.h"
 
