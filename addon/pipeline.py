@@ -23,6 +23,7 @@ class Options:
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
     contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
+    least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     with_depth: bool = False  # also make the depth pass
 
 
@@ -59,19 +60,24 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     clock, scale = _Clock(progress), view.reference_scale
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
-    with clock.stage("lines", 0.15):
+    with clock.stage("lines", 0.1):
         paths = cpu.extract(tracer, style, cancel)
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes)
     with clock.stage("visibility", 0.25):
-        visible = visibility(frame, backend, options, cancel)
+        visible, samples = visibility(frame, backend, options, cancel)
+    with clock.stage("runs", 0.05):
+        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
+        tidied = cpu.tidy(frame, visible, *small)
+        # Samples say whether something hides a line; only rays count what does.
+        levels = style.counted() if options.visibility == EXACT else min(style.counted(), 1)
+        parts = cpu.parts(frame, tidied, levels, options.least_hidden * scale, options.fold * scale, cancel)
+        runs = cpu.at_ends(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
-        tidied = cpu.tidy(frame, visible, *small)
-        strokes = cpu.shape(frame, tidied, pens)
+        strokes = cpu.shape(frame, runs, style, pens, samples)
     with clock.stage("strokes", 0.1):
         lines = backend.draw(strokes, pens, textures, view)
     with clock.stage("paper", 0.1):
@@ -82,7 +88,8 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
 
 
 def visibility(frame, backend, options, cancel):
-    """Visible Runs of a Frame."""
+    """Visible Runs of a Frame, and the samples that they are read from: None where rays find them."""
     if options.visibility == EXACT:
-        return cpu.exact(frame, cancel)
-    return cpu.runs(frame.clipped, backend.visibility(frame))
+        return cpu.exact(frame, cancel), None
+    samples = backend.visibility(frame)
+    return cpu.runs(frame.clipped, samples), samples

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, style
+from bl_ext.user_default.fovea import catalogue, style, style_values
 from bl_ext.user_default.fovea.blender import properties
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -82,6 +82,7 @@ def set_drawing(scene, options):
     if options.lines:
         choose_lines(fovea, catalogue.named(options.lines))
     set_parameters(fovea, options.param)
+    set_hidden(fovea, options)
 
 
 def choose_style(fovea, name):
@@ -105,6 +106,14 @@ def set_parameters(fovea, given):
         if not getattr(fovea, name):
             raise ValueError(f"--param {words}: {name} is not drawn; name it in --lines")
         properties.set_parameters(fovea, name, checked)
+
+
+def set_hidden(fovea, options):
+    fovea.hidden = fovea.hidden or options.hidden
+    for name in ("halo", "overshoot"):
+        given = getattr(options, name)
+        if given is not None:
+            setattr(fovea, name, style_values.check_range(given, style_values.RANGES[name], f"--{name}"))
 
 
 def set_output(scene, options):

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "atlas/exact.h"
+#include "atlas/short_hidden.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "project/project.h"
@@ -208,6 +209,13 @@ paths with an end that touches no other line are left out.)");
         },
         py::arg("clipped"), py::arg("visible"), py::arg("paths"),
         "Visible runs and what lies between them, of invisibility 1.");
+    m.def(
+        "without_short_hidden",
+        [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& least_px) {
+            return std::make_shared<Runs>(without_short_hidden(clipped, runs, borrow<float>(least_px, "least_px")));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("least_px"),
+        "Runs without hidden stretches shorter than least_px, (P,) float32 per path of Paths; whole pieces stay.");
 }
 
 }  // namespace fovea::bindings

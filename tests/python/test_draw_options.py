@@ -48,6 +48,8 @@ def test_frames_are_numbered_files(tmp_path):
         (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
         (["--sheet", "--frames", "1-2"], "a sheet has no --frames"),
         (["--sheet", "--style", "ink"], "a sheet has no --style"),
+        (["--sheet", "--hidden"], "a sheet has no --hidden"),
+        (["--halo", "wide"], "'wide' is not a number of pixels"),
     ],
 )
 def test_mistakes_are_named(capsys, words, reason):
