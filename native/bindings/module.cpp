@@ -10,5 +10,6 @@ PYBIND11_MODULE(_native, m) {
     bind_stages(m);
     bind_sampled(m);
     bind_filters(m);
+    bind_compaction(m);
     bind_stroke(m);
 }
