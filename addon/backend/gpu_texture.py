@@ -64,6 +64,11 @@ class Target:
             gpu.state.depth_mask_set(depth_mask)
             gpu.state.blend_set(blend)
 
+    def wait(self):
+        """Returns when everything is drawn."""
+        with self._framebuffer.bind():
+            self._framebuffer.read_color(0, 0, 1, 1, 1, 0, "FLOAT")
+
     def read(self, channels):
         """(height, width, channels) float32; waits until everything is drawn."""
         count = self.width * self.height * channels
