@@ -99,6 +99,11 @@ class Backend:
         depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
         return core.sampled_visibility(frame.clipped, depth, frame.probes)
 
+    def item_visibility(self, frame):
+        core = native.load()
+        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
+        return core.item_visibility(frame.clipped, depth, frame.layers)
+
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)
 

@@ -8,6 +8,7 @@ import numpy as np
 from .. import native
 from .gpu_atlas import Atlas
 from .gpu_clock import Clock
+from .gpu_items import ItemPass, item_of_point
 from .gpu_program import Programs, vertex_buffer
 from .gpu_strokes import Picture, StrokePass, box_of, boxes
 from .gpu_texture import Target, size_limit, upload_row
@@ -25,6 +26,7 @@ class Backend:
     def __init__(self):
         self.clock = Clock()
         self._programs = Programs()
+        self._items = ItemPass(self._programs)
         self._surfaces = {}  # version of a surface -> batch of its triangles
 
     def visibility(self, frame):
@@ -35,6 +37,23 @@ class Backend:
         for layout in self.layouts(frame) if atlas.batches else ():
             depth = self._depth(frame, layout)
             atlas.run("visibility", layout, {"depth_buffer": depth.color}, **_looks(frame))
+            self.clock.mark("samples", atlas.batches[-1].target)
+        result = atlas.read()
+        self.clock.mark("read")
+        return result
+
+    def item_visibility(self, frame):
+        """The same by the item buffer."""
+        self.clock.start()
+        atlas = Atlas(self._programs, frame, self.batch_samples)
+        atlas.add_table("items", item_of_point(frame.clipped))
+        self.clock.mark("tables")
+        for layout in self.layouts(frame) if atlas.batches else ():
+            depth = self._depth(frame, layout)
+            layers = self._items.draw(atlas, depth, layout, frame.layers)
+            self.clock.mark("items", layers[-1])
+            samplers = {f"layer{i}": layers[min(i, len(layers) - 1)].color for i in range(3)}
+            atlas.run("item_samples", layout, samplers, layer_count=frame.layers)
             self.clock.mark("samples", atlas.batches[-1].target)
         result = atlas.read()
         self.clock.mark("read")

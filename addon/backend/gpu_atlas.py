@@ -16,13 +16,18 @@ class Atlas:
         sides = core.OwnSides(clipped, frame.scene, frame.view) if batches else None
         self.batches = [_Batch(clipped, sides, batch) for batch in batches]
 
+    def add_table(self, name, values):
+        """A sampler `name` with the entry of each segment, given one value per point of the paths, its first."""
+        for batch in self.batches:
+            batch.samplers[name] = upload_row(values[batch.points])
+
     def run(self, program, layout, samplers, **constants):
         """Runs a program over the samples that lie in the core of a DepthLayout."""
         for batch in self.batches:
             with batch.target.bind():
                 self._programs.cover(
                     program,
-                    {"segments": batch.segments, "owners": batch.owners, **samplers},
+                    {**batch.samplers, **samplers},
                     border=(layout.border_x, layout.border_y),
                     buffer_scale=float(layout.scale),
                     tile=layout.core,
@@ -42,5 +47,7 @@ class _Batch:
     def __init__(self, clipped, sides, batch):
         self.begin, self.count = batch.sample_begin, batch.sample_end - batch.sample_begin
         tables = native.load().atlas_tables(clipped, sides, batch)
-        self.segments, self.owners = (upload_row(table) for table in tables)
+        self.samplers = {name: upload_row(table) for name, table in zip(("segments", "owners"), tables, strict=True)}
+        start, end = clipped.sample_start, batch.sample_end
+        self.points = np.flatnonzero((clipped.sample_count > 0) & (start >= self.begin) & (start < end))
         self.target = Target(ROW_WIDTH, -(-self.count // ROW_WIDTH), "R32F")

@@ -28,6 +28,15 @@ Rows piece_samples(const ClippedPaths& clipped) {
     return rows;
 }
 
+void repeat_ends(const ClippedPaths& clipped, Index q, const Rows& samples, Array<float>& values) {
+    if (clipped.pieces.size(q) == 0) return;
+    const Index first = clipped.sample_start[clipped.pieces.begin(q)];
+    const Index last = clipped.sample_start[clipped.pieces.end(q) - 1];
+    if (first == last) return;
+    std::fill(values.begin() + samples.begin(q), values.begin() + first, values[first]);
+    std::fill(values.begin() + last, values.begin() + samples.end(q), values[last - 1]);
+}
+
 Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit) {
     const Rows samples = piece_samples(clipped);
     Array<AtlasBatch> batches;

@@ -19,6 +19,9 @@ inline float facet_number(Index facet) { return facet == none ? -1.0f : float(fa
 /// Samples of each piece, padding included.
 Rows piece_samples(const ClippedPaths& clipped);
 
+/// Gives the padding of piece q the value of the sample next to it. `samples`: of the pieces.
+void repeat_ends(const ClippedPaths& clipped, Index q, const Rows& samples, Array<float>& values);
+
 /// Whole pieces whose samples fit into one atlas texture.
 struct AtlasBatch {
     Index piece_begin = 0, piece_end = 0;

@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "atlas/depth_tiles.h"
+#include "atlas/item_buffer.h"
 #include "atlas/layout.h"
 #include "atlas/sampled.h"
 #include "bindings/arrays.h"
@@ -83,10 +84,24 @@ void bind_reference(py::module_& m) {
           "SceneDepth with so many texels per pixel, along each axis.");
     m.def("sampled_visibility", &sampled, py::arg("clipped"), py::arg("depth"), py::arg("probes") = 1,
           py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer.");
+    m.def(
+        "item_visibility",
+        [](const ClippedPaths& clipped, const SceneDepth& depth, int layers, const Cancel* cancel) {
+            Array<float> visibility;
+            {
+                py::gil_scoped_release release;
+                visibility = item_visibility(clipped, depth.buffer, {.layers = layers}, cancel);
+            }
+            return to_numpy(std::move(visibility));
+        },
+        py::arg("clipped"), py::arg("depth"), py::arg("layers") = 1, py::arg("cancel") = py::none(),
+        "(samples,) float32 in [0, 1], by the item buffer.");
 }
 
 void bind_passes(py::module_& m) {
     m.attr("SAMPLED_BIAS") = SampledOptions().bias;
+    m.attr("ITEM_SLOPE_FACTOR") = ItemOptions().slope_factor;
+    m.attr("ITEM_BIAS") = ItemOptions().bias;
     m.attr("SAMPLED_SLACK_PX") = SampledOptions().slack_px;
     py::class_<DepthBuffer>(m, "DepthLayout", "Size of a view's depth buffer; see native/atlas/depth.h.")
         .def(py::init([](const View& view, int scale) { return depth_layout(view, {.scale = scale}); }),
