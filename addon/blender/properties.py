@@ -12,7 +12,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
-from . import gpu_context
+from . import gpu_context, methods
 
 PEN = {f"pen_{name}": name for name in ("opacity", "width", "length_scale", "taper", "strength_width")}
 
@@ -170,11 +170,6 @@ BACKENDS = [
     ("CPU", "CPU", "The same picture on every machine"),
     ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
 ]
-VISIBILITY = [
-    ("AUTO", "Automatic", "Exact in renders and on software OpenGL, sampled in viewports"),
-    ("EXACT", "Exact", "Rays decide what is hidden"),
-    ("ATLAS", "Sampled", "A depth buffer decides what is hidden"),
-]
 USAGES = [
     ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
     ("OCCLUDE", "Occlude Only", "Hides what lies behind, has no lines"),
@@ -202,7 +197,7 @@ def _scene_group():
     last = chosen.line_sets[-1]
     annotations = {
         "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
-        "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=_redraw),
+        **methods.properties(_redraw),
         "style": EnumProperty(name="Style", items=_names(style.names()), default=style.DEFAULT, update=_style_chosen),
         "corner_angle": FloatProperty(
             name="Corner Angle",

@@ -228,10 +228,14 @@ dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout) {
     // Third row: depth times w. Perspective: near / -z times -z. Orthographic: (far + z) / (far - near).
     const dvec4 row = view.orthographic ? dvec4(0.0, 0.0, 1.0 / range, view.far_clip / range)
                                         : dvec4(0.0, 0.0, 0.0, view.near_clip);
+    // From the frame to the buffer: its share of the buffer, and how far their middles are apart.
+    const dvec2 size = dvec2(layout.width, layout.height) / double(layout.scale), frame(view.width, view.height);
+    const dvec2 share = frame / size, shift = (frame + 2.0 * dvec2(layout.border_x, layout.border_y)) / size - 1.0;
     for (int column = 0; column < 4; ++column) {
-        matrix[column].x *= double(view.width) * layout.scale / layout.width;
-        matrix[column].y *= double(view.height) * layout.scale / layout.height;
-        matrix[column].z = row[column];
+        dvec4& m = matrix[column];
+        m.x = m.x * share.x + m.w * shift.x;
+        m.y = m.y * share.y + m.w * shift.y;
+        m.z = row[column];
     }
     return matrix;
 }

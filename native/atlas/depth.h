@@ -30,15 +30,20 @@ struct DepthTexel {
     Index facet = none;  ///< number over the whole scene; `none`: background
 };
 
-/// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels around the frame; rows
-/// from bottom to top. The centre of texel (x, y) lies at ((x + .5) / scale - border_x, (y + .5) / scale - border_y)
-/// pixels.
+/// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels left of and below the
+/// frame (fewer than none in most tiles, depth_tiles.h); rows from bottom to top. The centre of texel (x, y) lies at
+/// ((x + .5) / scale - border_x, (y + .5) / scale - border_y) pixels.
 struct DepthBuffer {
     int scale = 1;
     int border_x = 0, border_y = 0;
     int width = 0, height = 0;  ///< texels
+    /// Left, lower, right and upper edge [px] of what it decides; a tile's neighbours decide the rest.
+    vec4 core{-far_px, -far_px, far_px, far_px};
     Array<DepthTexel> texels;
 
+    static constexpr float far_px = 1e9f;
+
+    bool decides(vec2 px) const { return px.x >= core.x && px.y >= core.y && px.x < core.z && px.y < core.w; }
     const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
     /// Texels of a pixel position: (.5, .5) is the centre of texel (0, 0).
     vec2 to_texels(vec2 px) const { return (px + vec2(border_x, border_y)) * float(scale); }

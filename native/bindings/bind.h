@@ -11,5 +11,6 @@ void bind_line(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);
 void bind_sampled(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
+void bind_spine(pybind11::module_& m);
 
 }  // namespace fovea::bindings

@@ -10,4 +10,5 @@ PYBIND11_MODULE(_native, m) {
     bind_stages(m);
     bind_sampled(m);
     bind_stroke(m);
+    bind_spine(m);
 }

@@ -55,6 +55,7 @@ Strokes join(std::vector<Strokes>& blocks) {
     all.half_width.resize(vertices.back());
     all.opacity.resize(vertices.back());
     all.pen.resize(vertices.back());
+    all.piece.resize(vertices.back());
     all.triangles.resize(triangles.back());
     for (const Strokes& b : blocks) all.count += b.count;
     parallel_for(
@@ -67,6 +68,7 @@ Strokes join(std::vector<Strokes>& blocks) {
             std::ranges::copy(block.half_width, all.half_width.begin() + v);
             std::ranges::copy(block.opacity, all.opacity.begin() + v);
             std::ranges::copy(block.pen, all.pen.begin() + v);
+            std::ranges::copy(block.piece, all.piece.begin() + v);
             std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
                                    [&](glm::uvec3 t) { return t + Index(v); });
         },
@@ -103,6 +105,7 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
                 add_strip(line, closed,
                           {closed ? -endless : float(start), closed ? endless : float(stop), pen},
                           blocks[block]);
+                blocks[block].piece.resize(blocks[block].px.size(), piece);
                 ++blocks[block].count;
             }
         });
