@@ -23,6 +23,7 @@ class Options:
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
     contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
+    beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
     least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     with_depth: bool = False  # also make the depth pass
 
@@ -72,7 +73,8 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         tidied = cpu.tidy(frame, visible, *small)
         # Samples say whether something hides a line; only rays count what does.
         levels = style.counted() if options.visibility == EXACT else min(style.counted(), 1)
-        parts = cpu.parts(frame, tidied, levels, options.least_hidden * scale, options.fold * scale, cancel)
+        small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
+        parts = cpu.parts(frame, tidied, levels, *small, cancel)
         runs = cpu.at_ends(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)

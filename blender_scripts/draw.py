@@ -109,7 +109,9 @@ def set_parameters(fovea, given):
 
 
 def set_hidden(fovea, options):
-    fovea.hidden = fovea.hidden or options.hidden
+    fovea.hidden = fovea.hidden or options.hidden or options.hidden_by is not None
+    if options.hidden_by:
+        fovea.hidden_from, fovea.hidden_to = options.hidden_by[0], options.hidden_by[1] or 0
     for name in ("halo", "overshoot"):
         given = getattr(options, name)
         if given is not None:

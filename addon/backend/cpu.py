@@ -42,14 +42,16 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
-def parts(frame, visible, levels, least_px, fold_px, cancel):
+def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
     """Visible Runs and, unless `levels` is 0, the hidden ones between them, told apart by the surfaces that hide them,
-    up to so many. Stretches of contours as short as folds, and of other lines shorter than least_px, are left out."""
+    up to so many. Left out are those that go along visible ones nearer than beside_px, then stretches shorter than
+    least_px, or fold_px for contours."""
     core, clipped, paths = native.load(), frame.clipped, frame.paths
     if levels == 0:
         return visible
+    apart = core.without_beside_visible(clipped, core.with_hidden(clipped, visible, paths), beside_px)
     least = np.where(paths.of_view, np.float32(fold_px), np.float32(least_px))
-    both = core.without_short_hidden(clipped, core.with_hidden(clipped, visible, paths), least)
+    both = core.without_short_hidden(clipped, apart, least)
     return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
 
 

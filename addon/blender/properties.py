@@ -161,7 +161,9 @@ def _scene_group():
     annotations = {
         "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
         "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=_redraw),
-        "style": EnumProperty(name="Style", items=file_names(style.names()), default=style.DEFAULT, update=_style_chosen),
+        "style": EnumProperty(
+            name="Style", items=file_names(style.names()), default=style.DEFAULT, update=_style_chosen
+        ),
         "corner_angle": FloatProperty(
             name="Corner Angle",
             description="Strokes end where a path turns by more than this",

@@ -1,6 +1,7 @@
 // Scenes, views, projection and exact visibility.
 #include <pybind11/stl.h>
 
+#include "atlas/beside_visible.h"
 #include "atlas/exact.h"
 #include "atlas/short_hidden.h"
 #include "bindings/arrays.h"
@@ -210,9 +211,19 @@ paths with an end that touches no other line are left out.)");
         py::arg("clipped"), py::arg("visible"), py::arg("paths"),
         "Visible runs and what lies between them, of invisibility 1.");
     m.def(
+        "without_beside_visible",
+        [](const ClippedPaths& clipped, const Runs& runs, double near_px) {
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(without_beside_visible(clipped, runs, near_px));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("near_px"),
+        "Runs without the hidden parts that go along visible runs nearer than near_px.");
+    m.def(
         "without_short_hidden",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& least_px) {
-            return std::make_shared<Runs>(without_short_hidden(clipped, runs, borrow<float>(least_px, "least_px")));
+            const In<float> least = borrow<float>(least_px, "least_px");
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(without_short_hidden(clipped, runs, least));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("least_px"),
         "Runs without hidden stretches shorter than least_px, (P,) float32 per path of Paths; whole pieces stay.");
