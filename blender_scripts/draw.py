@@ -76,7 +76,10 @@ def set_drawing(scene, options):
     if options.backend:
         fovea.backend = options.backend.upper()
     if options.visibility:
-        fovea.visibility = options.visibility.upper()
+        fovea.visibility = options.visibility.upper().replace("-", "_")
+    for name in ("probes", "depth_scale", "layers"):
+        if getattr(options, name):
+            setattr(fovea, name, getattr(options, name))
     if options.style:
         choose_style(fovea, options.style)
     if options.lines:

@@ -34,6 +34,11 @@ def runs(clipped, visibility):
     return native.load().runs_from_samples(clipped, visibility)
 
 
+def whole(clipped):
+    """Runs over the whole of every piece."""
+    return native.load().whole_runs(clipped)
+
+
 def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     """Runs joined over small gaps, without small spurs; contours also without the folds they end in."""
     core = native.load()
@@ -120,5 +125,15 @@ class Backend:
         depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
         return core.sampled_visibility(frame.clipped, depth, frame.probes)
 
+    def item_visibility(self, frame):
+        core = native.load()
+        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
+        return core.item_visibility(frame.clipped, depth, frame.layers)
+
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)
+
+    def draw_seen(self, frame, strokes, pens, textures):
+        core = native.load()
+        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
+        return core.raster_seen(strokes, pens, textures.native, frame.clipped, depth, frame.probes)

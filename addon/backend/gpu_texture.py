@@ -33,7 +33,7 @@ def upload_row(entries):
 
 
 class Target:
-    """Something to draw into: one colour texture, with a depth texture where asked for.
+    """Something to draw into: one colour texture, with a depth texture where asked for, a new one or one that is given.
 
     The textures live as long as this object; framebuffers alone do not keep them."""
 
@@ -42,9 +42,11 @@ class Target:
             raise ValueError(f"{width} x {height} pixels are more than this GPU draws at once; use the CPU")
         self.width, self.height = width, height
         self.color = gpu.types.GPUTexture((width, height), format=format)
-        self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F") if depth else None
+        self.depth = depth or None
+        if depth is True:
+            self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F")
         slots = {"color_slots": self.color}
-        if depth:
+        if self.depth:
             slots["depth_slot"] = self.depth
         self._framebuffer = gpu.types.GPUFrameBuffer(**slots)
 
@@ -63,6 +65,12 @@ class Target:
             gpu.state.depth_test_set(depth_test)
             gpu.state.depth_mask_set(depth_mask)
             gpu.state.blend_set(blend)
+            gpu.state.face_culling_set("NONE")
+
+    def wait(self):
+        """Returns when everything is drawn."""
+        with self._framebuffer.bind():
+            self._framebuffer.read_color(0, 0, 1, 1, 1, 0, "FLOAT")
 
     def read(self, channels):
         """(height, width, channels) float32; waits until everything is drawn."""

@@ -16,6 +16,9 @@ struct SampledOptions {
     float slack_px = 1.0f / 64.0f;
 };
 
+/// Throws std::invalid_argument on a number of probes out of range or a buffer without texels.
+void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
+
 /// Share of its probes that see each atlas sample, in [0,1].
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
@@ -26,5 +29,9 @@ struct SampledOptions {
 /// - An inner line (own_sides.h) is seen where its texel does not hide it and one of the four shows an own facet.
 Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
                                 const SampledOptions& options, const Cancel* cancel = nullptr);
+
+/// The same for the part of a segment (of its first point) between two screen fractions.
+float visibility_between(const ClippedPaths& clipped, const OwnSides& sides, Index segment, float t0, float t1,
+                         const DepthBuffer& buffer, const SampledOptions& options);
 
 }  // namespace fovea

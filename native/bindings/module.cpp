@@ -11,4 +11,5 @@ PYBIND11_MODULE(_native, m) {
     bind_sampled(m);
     bind_filters(m);
     bind_stroke(m);
+    bind_spine(m);
 }

@@ -47,7 +47,8 @@ PARTS = {
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
     "backend/gpu": "backend/gpu native stages",
-    "pipeline": "backend/cpu stages style textures",
+    "visibility": "backend/cpu",
+    "pipeline": "backend/cpu stages style textures visibility",
     "blender": "blender backend pipeline textures style catalogue stages native",
 }
 
