@@ -68,11 +68,10 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes, options.layers)
     with clock.stage("visibility", 0.25):
-        visible, samples = visibility(frame, backend, options, cancel)
+        visible, samples = method.runs(frame, backend, cancel)
     with clock.stage("runs", 0.05):
         small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
         tidied = cpu.tidy(frame, visible, *small)
-        # Samples say whether something hides a line; only rays count what does.
         levels = style.counted() if method.counts else min(style.counted(), 1)
         small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
         parts = cpu.parts(frame, tidied, levels, *small, cancel)
@@ -94,8 +93,3 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         "visibility": method.told(frame),
     }
     return Image(combined, lines, depth, statistics)
-
-
-def visibility(frame, backend, options, cancel):
-    """Runs of a Frame that become strokes, and the samples that they are read from, or None."""
-    return METHODS[options.visibility].runs(frame, backend, cancel)

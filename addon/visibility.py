@@ -1,6 +1,6 @@
 """How it is decided what is hidden: the methods, each the same two verbs.
 
-    runs(frame, backend, cancel) -> Runs that become strokes, and the atlas samples they are read from or None
+    runs(frame, backend, cancel) -> visible Runs, and the atlas samples they are read from, or None
     draw(frame, backend, strokes, pens, textures) -> (height, width, 4) float32, strokes alone, premultiplied
 
 All but the spine test know the visible runs before they draw, and draw just these.
@@ -13,7 +13,7 @@ class Exact:
     """Rays: the same answer on every machine."""
 
     name = "exact"
-    counts = True  # how many surfaces hide a line, not only whether any does
+    counts = True  # how many surfaces hide a line; samples only say whether something does
 
     def told(self, frame):
         """The method and its quality in words."""
@@ -57,7 +57,7 @@ class ItemBuffer(Exact):
 
 class SpineTest(Exact):
     """Every pixel of a stroke looks into a depth buffer where the middle of the stroke is next to it (Cole &
-    Finkelstein 2010, algorithm 1). What is hidden has no ends of its own: no caps, gaps or spurs there."""
+    Finkelstein 2010, algorithm 1). What is hidden has no ends of its own: no caps, gaps or spurs there, and no pen."""
 
     name = "spine"
     counts = False

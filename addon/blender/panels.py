@@ -117,7 +117,9 @@ def _draw_hidden(layout, settings):
     if settings.hidden:
         body.prop(settings, "hidden_from")
         body.prop(settings, "hidden_to")
-        if settings.visibility != "EXACT":
+        if settings.visibility == "SPINE":
+            body.label(text="The spine test draws visible lines only", icon="INFO")
+        elif settings.visibility != "EXACT":
             body.label(text="Sampled visibility counts one surface at most", icon="INFO")
         _draw_pen_settings(body, settings, pens.HIDDEN)
 

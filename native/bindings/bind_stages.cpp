@@ -3,6 +3,7 @@
 
 #include "atlas/beside_visible.h"
 #include "atlas/exact.h"
+#include "atlas/invisibility.h"
 #include "atlas/short_hidden.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
@@ -210,6 +211,18 @@ paths with an end that touches no other line are left out.)");
         },
         py::arg("clipped"), py::arg("visible"), py::arg("paths"),
         "Visible runs and what lies between them, of invisibility 1.");
+    m.def(
+        "count_invisibility",
+        [](const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs, Index levels,
+           const Cancel* cancel) {
+            const Cancel never;
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(
+                count_invisibility(clipped, paths, tracer, runs, levels, cancel ? *cancel : never));
+        },
+        py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("runs"), py::arg("levels"),
+        py::arg("cancel") = py::none(),
+        "Runs of with_hidden, the hidden ones split by how many surfaces hide them, told apart up to `levels`.");
     m.def(
         "without_beside_visible",
         [](const ClippedPaths& clipped, const Runs& runs, double near_px) {
