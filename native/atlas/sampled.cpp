@@ -72,22 +72,19 @@ Line line_of(const ClippedPaths& clipped, const OwnSides& sides, Index i) {
 }
 
 /// Samples of piece q: those of its segments, then the padding at both ends.
-void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker, Index begin,
-                Index end, Array<float>& visibility) {
-    Index first = end, last = begin;  // samples of segments
+void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker, const Rows& samples,
+                Array<float>& visibility) {
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
         const Index count = clipped.sample_count[i];
-        if (count == 0) continue;
         const Line line = line_of(clipped, sides, i);
-        for (Index j = 0; j < count; ++j)
-            visibility[clipped.sample_start[i] + j] =
-                looker.visibility(line, float(j) / float(count), float(j + 1) / float(count));
-        first = std::min(first, clipped.sample_start[i]);
-        last = clipped.sample_start[i] + count;
+        for (Index j = 0; j < count; ++j) {
+            const vec2 middle = glm::mix(line.px0, line.px1, (float(j) + 0.5f) / float(count));
+            if (looker.buffer.decides(middle))
+                visibility[clipped.sample_start[i] + j] =
+                    looker.visibility(line, float(j) / float(count), float(j + 1) / float(count));
+        }
     }
-    const bool any = first < last;
-    std::fill(visibility.begin() + begin, visibility.begin() + first, any ? visibility[first] : 0.0f);
-    if (any) std::fill(visibility.begin() + last, visibility.begin() + end, visibility[last - 1]);
+    repeat_ends(clipped, q, samples, visibility);
 }
 
 }  // namespace
@@ -102,13 +99,13 @@ Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sid
     check_sampled(buffer, options);
     check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
           "sampled visibility: own sides of other paths");
-    Array<float> visibility(clipped.samples);
+    Array<float> visibility(clipped.samples, 0.0f);
     const Rows samples = piece_samples(clipped);
     const Looker looker{buffer, options};
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
         for (Index q = Index(begin); q < end; ++q)
-            fill_piece(clipped, sides, q, looker, samples.begin(q), samples.end(q), visibility);
+            fill_piece(clipped, sides, q, looker, samples, visibility);
     });
     return visibility;
 }

@@ -34,6 +34,14 @@ def test_frames_are_numbered_files(tmp_path):
     assert [path.name for path in draw_options.pictures(options)] == ["out_0009.exr", "out_0010.exr"]
 
 
+def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
+    options = draw_options.parse(["demo"])
+    assert (options.visibility, options.probes, options.depth_scale, options.layers) == (None,) * 4
+    words = "demo --visibility item-buffer --probes 16 --depth-scale 3 --layers 1".split()
+    options = draw_options.parse(words)
+    assert (options.visibility, options.probes, options.depth_scale, options.layers) == ("item-buffer", "16", 3, 1)
+
+
 @pytest.mark.parametrize(
     "words, reason",
     [
