@@ -1,11 +1,10 @@
 """The gpu backend: depth, visibility and strokes as passes of Blender's gpu module. Use it where there is a context."""
 
-import math
-
 import gpu
 import numpy as np
 
 from .. import native
+from .cpu import depth_layouts, strokes_reach
 from .gpu_atlas import Atlas
 from .gpu_clock import Clock
 from .gpu_items import ItemPass, item_of_point
@@ -61,9 +60,7 @@ class Backend:
 
     def layouts(self, frame, overlap_px=0):
         """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
-        samples = math.ceil(8 * max(1.0, frame.view.reference_scale))  # as far as a sample's probes lie apart
-        side = min(size_limit(), self.most_side)
-        return native.load().depth_tiles(frame.view, frame.depth_scale, side, samples + overlap_px)
+        return depth_layouts(frame, min(size_limit(), self.most_side), overlap_px)
 
     def _depth(self, frame, layout):
         depth = self.draw_depth(frame.scene, frame.view, layout)
@@ -129,7 +126,7 @@ class Backend:
         ranges = np.stack((offsets[strokes.piece], offsets[strokes.piece + 1] - 2), axis=1)
         passes = StrokePass(self._programs, strokes, pens, textures, ranges)
         self.clock.mark("upload")
-        for layout in self.layouts(frame, math.ceil(2 * strokes.half_width.max())):
+        for layout in self.layouts(frame, strokes_reach(strokes)):
             box = box_of(layout, frame.view)
             if box[0] >= box[2] or box[1] >= box[3]:
                 continue

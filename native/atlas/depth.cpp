@@ -267,8 +267,11 @@ std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double
 }
 
 DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, const DepthOptions& options, const Cancel* cancel) {
+    return draw_depth_into(depth_layout(view, options), view, meshes, cancel);
+}
+
+DepthBuffer draw_depth_into(DepthBuffer buffer, const View& view, In<DepthMesh> meshes, const Cancel* cancel) {
     for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
-    DepthBuffer buffer = depth_layout(view, options);
     buffer.texels.resize(std::size_t(buffer.width) * buffer.height);
     parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
         std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());

@@ -77,9 +77,12 @@ void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, con
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
         const Index count = clipped.sample_count[i];
         const Line line = line_of(clipped, sides, i);
-        for (Index j = 0; j < count; ++j)
-            visibility[clipped.sample_start[i] + j] =
-                looker.visibility(line, float(j) / float(count), float(j + 1) / float(count));
+        for (Index j = 0; j < count; ++j) {
+            const vec2 middle = glm::mix(line.px0, line.px1, (float(j) + 0.5f) / float(count));
+            if (looker.buffer.decides(middle))
+                visibility[clipped.sample_start[i] + j] =
+                    looker.visibility(line, float(j) / float(count), float(j + 1) / float(count));
+        }
     }
 }
 
@@ -95,7 +98,7 @@ Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sid
     check_sampled(buffer, options);
     check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
           "sampled visibility: own sides of other paths");
-    Array<float> visibility(clipped.samples);
+    Array<float> visibility(clipped.samples, 0.0f);
     const Looker looker{buffer, options};
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();

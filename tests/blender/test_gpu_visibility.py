@@ -86,8 +86,18 @@ def test_pictures_larger_than_textures_are_looked_at_in_tiles(orthographic, side
     assert 0.2 < np.mean(tiled) < 0.9
 
 
-def test_tiles_need_room():
-    backend = gpu_backend()
+def test_the_cpu_looks_in_tiles_too():
+    frame, backend = frame_of(room(), view_of(), 2, 4), cpu.Backend()
+    whole, lines = backend.visibility(frame), backend.item_visibility(frame)
+    backend.most_side = 200
+    assert len(backend.layouts(frame)) > 3
+    assert np.mean(backend.visibility(frame) == whole) > 0.9999
+    assert np.mean(backend.item_visibility(frame) == lines) > 0.9995
+
+
+@pytest.mark.parametrize("make", [gpu_backend, cpu.Backend])
+def test_tiles_need_room(make):
+    backend = make()
     backend.most_side = 30
     with pytest.raises(ValueError, match="too few texels"):
         backend.visibility(frame_of(room(), view_of()))
