@@ -38,8 +38,9 @@ class Backend:
         return result
 
     def draw_depth(self, scene, view, layout):
-        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel; see native/atlas/depth.h."""
-        target = Target(layout.width, layout.height, "RGBA32F", depth=True)
+        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
+        see native/atlas/depth.h."""
+        target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
         # Orthographic depth goes on below 0 beyond the far plane; the window has no room for that as it is.
         window_depth = (0.5, 0.5) if view.orthographic else (1.0, 0.0)
         draws = native.load().depth_draws(scene, view, layout)
@@ -75,7 +76,7 @@ class Backend:
         with target.bind():
             self._programs.cover(
                 "visibility",
-                {"segments": segments, "owners": owners, "depth_buffer": depth.color},
+                {"segments": segments, "owners": owners, "depth_buffer": depth.color, "edge_buffer": depth.second},
                 border=(layout.border_x, layout.border_y),
                 buffer_scale=float(layout.scale),
                 bias=native.load().SAMPLED_BIAS,
