@@ -35,7 +35,7 @@ class Backend:
         self.clock.mark("tables")
         for layout in self.layouts(frame) if atlas.batches else ():
             depth = self._depth(frame, layout)
-            atlas.run("visibility", layout, {"depth_buffer": depth.color}, **_looks(frame))
+            atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
             self.clock.mark("samples", atlas.batches[-1].target)
         result = atlas.read()
         self.clock.mark("read")
@@ -68,8 +68,9 @@ class Backend:
         return depth
 
     def draw_depth(self, scene, view, layout):
-        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel; see native/atlas/depth.h."""
-        target = Target(layout.width, layout.height, "RGBA32F", depth=True)
+        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
+        see native/atlas/depth.h."""
+        target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
         # Orthographic depth goes on below 0 beyond the far plane; the window has no room for that as it is.
         window_depth = (0.5, 0.5) if view.orthographic else (1.0, 0.0)
         draws = native.load().depth_draws(scene, view, layout)
@@ -131,7 +132,7 @@ class Backend:
             if box[0] >= box[2] or box[1] >= box[3]:
                 continue
             depth = self._depth(frame, layout)
-            samplers = {"segments": segments, "depth_buffer": depth.color}
+            samplers = {"segments": segments, **_looked_into(depth)}
             border = (layout.border_x, layout.border_y)
             target = passes.draw(
                 box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame)
@@ -140,6 +141,11 @@ class Backend:
             picture.paste(box, target)
             self.clock.mark("read")
         return picture.pixels
+
+
+def _looked_into(depth):
+    """Samplers of a depth Target."""
+    return {"depth_buffer": depth.color, "edge_buffer": depth.second}
 
 
 def _looks(frame):
