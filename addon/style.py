@@ -44,8 +44,8 @@ class LineSet:
     kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
     corner_angle: float = 60.0  # degrees of turn at which a path is split
     least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
-    overshoot: float = 0.0  # reference pixels that visible parts are drawn beyond where they become hidden
-    halo: float = 0.0  # reference pixels that hidden parts stay away from the lines that cross before them
+    overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends
+    halo: float = 0.0  # reference pixels of gap where visible parts pass behind others
     pen: Pen = Pen()  # of visible parts
     hidden: tuple = ()  # of Hidden, ranges that do not overlap; parts in none of them are not drawn
 

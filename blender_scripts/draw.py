@@ -76,7 +76,10 @@ def set_drawing(scene, options):
     if options.backend:
         fovea.backend = options.backend.upper()
     if options.visibility:
-        fovea.visibility = options.visibility.upper()
+        fovea.visibility = options.visibility.upper().replace("-", "_")
+    for name in ("probes", "depth_scale", "layers"):
+        if getattr(options, name):
+            setattr(fovea, name, getattr(options, name))
     if options.style:
         choose_style(fovea, options.style)
     if options.lines:
@@ -109,7 +112,9 @@ def set_parameters(fovea, given):
 
 
 def set_hidden(fovea, options):
-    fovea.hidden = fovea.hidden or options.hidden
+    fovea.hidden = fovea.hidden or options.hidden or options.hidden_by is not None
+    if options.hidden_by:
+        fovea.hidden_from, fovea.hidden_to = options.hidden_by[0], options.hidden_by[1] or 0
     for name in ("halo", "overshoot"):
         given = getattr(options, name)
         if given is not None:

@@ -23,3 +23,9 @@ int atlas_owner(int index)
   }
   return low;
 }
+
+// Whether the depth tile (left, lower, right, upper edge in px) decides what lies there.
+bool atlas_in_tile(vec2 px)
+{
+  return all(greaterThanEqual(px, tile.xy)) && all(lessThan(px, tile.zw));
+}

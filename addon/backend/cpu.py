@@ -1,5 +1,7 @@
 """The native stages, and the reference backend made of them. Each function is one call."""
 
+import math
+
 import numpy as np
 
 from .. import native
@@ -34,6 +36,11 @@ def runs(clipped, visibility):
     return native.load().runs_from_samples(clipped, visibility)
 
 
+def whole(clipped):
+    """Runs over the whole of every piece."""
+    return native.load().whole_runs(clipped)
+
+
 def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     """Runs joined over small gaps, without small spurs; contours also without the folds they end in."""
     core = native.load()
@@ -42,14 +49,16 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
-def parts(frame, visible, levels, least_px, fold_px, cancel):
+def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
     """Visible Runs and, unless `levels` is 0, the hidden ones between them, told apart by the surfaces that hide them,
-    up to so many. Stretches of contours as short as folds, and of other lines shorter than least_px, are left out."""
+    up to so many. Left out are those that go along visible ones nearer than beside_px, then stretches shorter than
+    least_px, or fold_px for contours."""
     core, clipped, paths = native.load(), frame.clipped, frame.paths
     if levels == 0:
         return visible
+    apart = core.without_beside_visible(clipped, core.with_hidden(clipped, visible, paths), beside_px)
     least = np.where(paths.of_view, np.float32(fold_px), np.float32(least_px))
-    both = core.without_short_hidden(clipped, core.with_hidden(clipped, visible, paths), least)
+    both = core.without_short_hidden(clipped, apart, least)
     return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
 
 
@@ -112,11 +121,42 @@ class Backend:
     """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
 
     name = "cpu"
+    most_side = 8192  # texels of a tile of the depth buffer: 1 GB
 
     def visibility(self, frame):
         core = native.load()
-        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
-        return core.sampled_visibility(frame.clipped, depth, frame.probes)
+        return sum(core.sampled_visibility(frame.clipped, depth, frame.probes) for depth in self._depths(frame))
+
+    def item_visibility(self, frame):
+        core = native.load()
+        return sum(core.item_visibility(frame.clipped, depth, frame.layers) for depth in self._depths(frame))
+
+    def layouts(self, frame, overlap_px=0):
+        """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
+        return depth_layouts(frame, self.most_side, overlap_px)
+
+    def _depths(self, frame, overlap_px=0):
+        for layout in self.layouts(frame, overlap_px):
+            yield native.load().draw_depth(frame.scene, frame.view, layout)
 
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)
+
+    def draw_seen(self, frame, strokes, pens, textures):
+        core, overlap_px = native.load(), strokes_reach(strokes)
+        return sum(
+            core.raster_seen(strokes, pens, textures.native, frame.clipped, depth, frame.probes)
+            for depth in self._depths(frame, overlap_px)
+        )
+
+
+def depth_layouts(frame, side, overlap_px):
+    """DepthLayouts of a Frame in at most `side` texels along each axis: one, or tiles. Cores are looked out of by so many
+    pixels, besides what a sample's own probes are apart."""
+    probes_px = math.ceil(8 * max(1.0, frame.view.reference_scale))
+    return native.load().depth_tiles(frame.view, frame.depth_scale, side, probes_px + overlap_px)
+
+
+def strokes_reach(strokes):
+    """Pixels between a stroke's spine and its farthest fragment, and no less."""
+    return math.ceil(2 * strokes.half_width.max()) if len(strokes.half_width) else 0

@@ -52,7 +52,21 @@ class RENDER_PT_fovea(_Panel, bpy.types.Panel):
         header.label(text="Method")
         if body:
             body.prop(settings, "backend")
-            body.prop(settings, "visibility")
+            _draw_visibility(body, settings)
+
+
+def _draw_visibility(layout, settings):
+    layout.prop(settings, "visibility")
+    quality = layout.column()
+    quality.enabled = settings.visibility != "EXACT"
+    if settings.visibility == "ITEM_BUFFER":
+        quality.prop(settings, "layers")
+    else:
+        quality.prop(settings, "probes")
+    quality.prop(settings, "depth_scale")
+    used = session.last_statistics().get("visibility")
+    if used:
+        layout.label(text=f"Last drawn: {used}", icon="INFO")
 
 
 def _draw_lines(layout, settings, definitions):
@@ -103,7 +117,9 @@ def _draw_hidden(layout, settings):
     if settings.hidden:
         body.prop(settings, "hidden_from")
         body.prop(settings, "hidden_to")
-        if settings.visibility != "EXACT":
+        if settings.visibility == "SPINE":
+            body.label(text="The spine test draws visible lines only", icon="INFO")
+        elif settings.visibility != "EXACT":
             body.label(text="Sampled visibility counts one surface at most", icon="INFO")
         _draw_pen_settings(body, settings, pens.HIDDEN)
 

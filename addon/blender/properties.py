@@ -11,7 +11,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
-from . import gpu_context, pens
+from . import gpu_context, methods, pens
 from .property_kinds import color, file_names
 from .property_kinds import redraw as _redraw
 
@@ -128,11 +128,6 @@ BACKENDS = [
     ("CPU", "CPU", "The same picture on every machine"),
     ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
 ]
-VISIBILITY = [
-    ("AUTO", "Automatic", "Exact in renders and on software OpenGL, sampled in viewports"),
-    ("EXACT", "Exact", "Rays decide what is hidden"),
-    ("ATLAS", "Sampled", "A depth buffer decides what is hidden"),
-]
 USAGES = [
     ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
     ("OCCLUDE", "Occlude Only", "Hides what lies behind, has no lines"),
@@ -160,8 +155,10 @@ def _scene_group():
     last = chosen.line_sets[-1]
     annotations = {
         "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
-        "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=_redraw),
-        "style": EnumProperty(name="Style", items=file_names(style.names()), default=style.DEFAULT, update=_style_chosen),
+        **methods.properties(_redraw),
+        "style": EnumProperty(
+            name="Style", items=file_names(style.names()), default=style.DEFAULT, update=_style_chosen
+        ),
         "corner_angle": FloatProperty(
             name="Corner Angle",
             description="Strokes end where a path turns by more than this",

@@ -5,8 +5,6 @@
 namespace fovea {
 namespace {
 
-float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
-
 /// Points of the batch's pieces that start a segment with samples.
 Array<Index> segments_of(const ClippedPaths& clipped, const AtlasBatch& batch) {
     Array<Index> points;

@@ -14,6 +14,7 @@ inline constexpr Index batch_samples = Index(1) << 22;
 inline constexpr Index owner_stride = 64;
 /// Facet numbers are kept modulo this, so that float textures hold them exactly; -1: none.
 inline constexpr Index facet_modulus = Index(1) << 24;
+inline float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
 
 /// Samples of each piece.
 Rows piece_samples(const ClippedPaths& clipped);

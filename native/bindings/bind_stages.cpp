@@ -1,7 +1,10 @@
 // Scenes, views, projection and exact visibility.
 #include <pybind11/stl.h>
 
+#include "atlas/beside.h"
+#include "atlas/beside_visible.h"
 #include "atlas/exact.h"
+#include "atlas/invisibility.h"
 #include "atlas/short_hidden.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
@@ -189,6 +192,18 @@ paths with an end that touches no other line are left out.)");
         py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("cancel") = py::none(),
         "Visible runs by rays, changes found to 1/16 px.");
     m.def(
+        "seen_beside",
+        [](const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, double offset_px) {
+            Array<std::uint8_t> seen;
+            {
+                py::gil_scoped_release release;
+                seen = seen_beside(clipped, paths, tracer, offset_px, Cancel());
+            }
+            return to_numpy(std::move(seen));
+        },
+        py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("offset_px"),
+        "(samples,) uint8: exactly seen so many pixels to the left of the line; see native/atlas/beside.h.");
+    m.def(
         "runs_from_samples",
         [](const ClippedPaths& clipped, const Arg<float>& visibility, float threshold) {
             return std::make_shared<Runs>(runs_from_samples(clipped, borrow<float>(visibility, "visibility"), threshold));
@@ -210,9 +225,31 @@ paths with an end that touches no other line are left out.)");
         py::arg("clipped"), py::arg("visible"), py::arg("paths"),
         "Visible runs and what lies between them, of invisibility 1.");
     m.def(
+        "count_invisibility",
+        [](const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs, Index levels,
+           const Cancel* cancel) {
+            const Cancel never;
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(
+                count_invisibility(clipped, paths, tracer, runs, levels, cancel ? *cancel : never));
+        },
+        py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("runs"), py::arg("levels"),
+        py::arg("cancel") = py::none(),
+        "Runs of with_hidden, the hidden ones split by how many surfaces hide them, told apart up to `levels`.");
+    m.def(
+        "without_beside_visible",
+        [](const ClippedPaths& clipped, const Runs& runs, double near_px) {
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(without_beside_visible(clipped, runs, near_px));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("near_px"),
+        "Runs without the hidden parts that go along visible runs nearer than near_px.");
+    m.def(
         "without_short_hidden",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& least_px) {
-            return std::make_shared<Runs>(without_short_hidden(clipped, runs, borrow<float>(least_px, "least_px")));
+            const In<float> least = borrow<float>(least_px, "least_px");
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(without_short_hidden(clipped, runs, least));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("least_px"),
         "Runs without hidden stretches shorter than least_px, (P,) float32 per path of Paths; whole pieces stay.");

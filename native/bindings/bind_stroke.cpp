@@ -58,6 +58,7 @@ Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>
             copy<float>(half_width, "half_width"),
             copy<float>(opacity, "opacity"),
             copy<Index>(pen, "pen"),
+            {},
             copy<glm::uvec3>(triangles, "triangles"),
             count};
 }
@@ -128,6 +129,8 @@ void bind_strokes(py::module_& m) {
         .def_property_readonly("opacity", array(&Strokes::opacity), "(V,) float32")
         .def_property_readonly("pen", array(&Strokes::pen),
                                "(V,) uint32 index into the frame's pens")
+        .def_property_readonly("piece", array(&Strokes::piece),
+                               "(V,) uint32 piece of ClippedPaths, (0,) where it is not known")
         .def_property_readonly("triangles", array(&Strokes::triangles),
                                "(T, 3) uint32, in drawing order")
         .def_readonly("count", &Strokes::count, "strokes")

@@ -12,4 +12,5 @@ PYBIND11_MODULE(_native, m) {
     bind_filters(m);
     bind_compaction(m);
     bind_stroke(m);
+    bind_spine(m);
 }

@@ -69,6 +69,7 @@ Strokes join(std::vector<Strokes>& blocks) {
     all.half_width.resize(vertices.back());
     all.opacity.resize(vertices.back());
     all.pen.resize(vertices.back());
+    all.piece.resize(vertices.back());
     all.triangles.resize(triangles.back());
     for (const Strokes& b : blocks) all.count += b.count;
     parallel_for(
@@ -81,6 +82,7 @@ Strokes join(std::vector<Strokes>& blocks) {
             std::ranges::copy(block.half_width, all.half_width.begin() + v);
             std::ranges::copy(block.opacity, all.opacity.begin() + v);
             std::ranges::copy(block.pen, all.pen.begin() + v);
+            std::ranges::copy(block.piece, all.piece.begin() + v);
             std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
                                    [&](glm::uvec3 t) { return t + Index(v); });
         },
@@ -122,6 +124,7 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
             const float ends[] = {closed ? -endless : float(line.front().arc), closed ? endless : float(line.back().arc)};
             if (!closed) extend(line, pens[pen].cap);
             add_strip(line, closed, {ends[0], ends[1], pen}, blocks[block]);
+            blocks[block].piece.resize(blocks[block].px.size(), piece);
             ++blocks[block].count;
         }
     });

@@ -23,7 +23,8 @@ def both(frame):
 def test_depth(orthographic, scale):
     scene, view = room(), view_of(orthographic=orthographic)
     texels = core.draw_depth(scene, view, scale).texels
-    drawn = gpu_backend().draw_depth(scene, view, core.DepthLayout(view, scale)).read(4)
+    target = gpu_backend().draw_depth(scene, view, core.DepthLayout(view, scale))
+    drawn, edges = target.read(4), target.read(2, slot=1)
     assert drawn.shape[:2] == texels.shape
     facets = np.where(texels["facet"] == NEITHER, -1, texels["facet"].astype(np.int64))
     same = facets == drawn[..., 3]
@@ -34,10 +35,24 @@ def test_depth(orthographic, scale):
     for slot, slope in ((1, "ddx"), (2, "ddy")):
         error = np.abs(drawn[seen, slot] - texels[slope][seen]) / texels["depth"][seen]
         assert np.quantile(error, 0.999) < 1e-5
+    on_cpu = np.stack((texels["edges"]["x"], texels["edges"]["y"]), axis=-1)
+    for off in ((0.9, 0.1), (-0.4, 0.6), (-0.8, -0.7), (0.3, -0.5)):
+        held = edges_hold(edges[seen], off)
+        assert np.mean(held == edges_hold(on_cpu[seen], off)) > 0.999
+        assert 0.5 < np.mean(held) < 0.999
+
+
+def edges_hold(packed, off):
+    """(n,) whether the triangles of texels reach so far from their centres; native/atlas/triangle_edges.h."""
+    a, b = packed.astype(np.int64).T
+    codes = np.stack((a // 256, b // 256, a % 256 * 256 + b % 256))
+    turn = codes // 256 / 64
+    x, y = np.abs(turn - 2) - 1, np.where(turn < 2, 1 - np.abs(turn - 1), np.abs(turn - 3) - 1)
+    return (codes % 256 / 255 + x * off[0] + y * off[1] >= 0).all(axis=0)
 
 
 @pytest.mark.parametrize("orthographic", [False, True])
-@pytest.mark.parametrize("scale, probes", [(1, 1), (2, 1), (2, 4)])
+@pytest.mark.parametrize("scale, probes", [(1, 1), (2, 1), (1, 4), (2, 4), (2, 9), (2, 16), (3, 16)])
 def test_visibility(orthographic, scale, probes):
     frame = frame_of(room(), view_of(orthographic=orthographic), scale, probes)
     on_gpu, on_cpu = both(frame)
@@ -72,14 +87,35 @@ def test_nothing_hides_in_front_of_the_near_plane():
     assert np.mean(cut[0]) > np.mean(whole[0])
 
 
-def test_pictures_larger_than_textures(monkeypatch):
-    frame, backend = frame_of(room(), view_of()), gpu_backend()
-    fine, coarse = backend.visibility(frame), backend.visibility(frame_of(room(), view_of(), depth_scale=1))
-    monkeypatch.setattr(part("backend.gpu"), "size_limit", lambda: 500)  # 2 x 352 texels are too many, 352 are not
-    assert np.mean(backend.visibility(frame) == coarse) == 1 > np.mean(fine == coarse)
-    monkeypatch.setattr(part("backend.gpu_texture"), "size_limit", lambda: 300)
-    with pytest.raises(ValueError, match="use the CPU"):
-        backend.visibility(frame)
+@pytest.mark.parametrize("orthographic", [False, True])
+@pytest.mark.parametrize("side", [200, 390])
+def test_pictures_larger_than_textures_are_looked_at_in_tiles(orthographic, side):
+    """A texel's plane is the same whichever tile shows it, but for the rounding of corners to 1/256 texel."""
+    frame, backend = frame_of(room(), view_of(orthographic=orthographic), 2, 4), gpu_backend()
+    whole = backend.visibility(frame)
+    backend.most_side = side
+    layouts = backend.layouts(frame)
+    assert len(layouts) > 3 and max(max(layout.width, layout.height) for layout in layouts) <= side
+    tiled = backend.visibility(frame)
+    assert np.mean(tiled == whole) > 0.9995 and np.abs(tiled - whole).mean() < 1e-4
+    assert 0.2 < np.mean(tiled) < 0.9
+
+
+def test_the_cpu_looks_in_tiles_too():
+    frame, backend = frame_of(room(), view_of(), 2, 4), cpu.Backend()
+    whole, lines = backend.visibility(frame), backend.item_visibility(frame)
+    backend.most_side = 200
+    assert len(backend.layouts(frame)) > 3
+    assert np.mean(backend.visibility(frame) == whole) > 0.9999
+    assert np.mean(backend.item_visibility(frame) == lines) > 0.9995
+
+
+@pytest.mark.parametrize("make", [gpu_backend, cpu.Backend])
+def test_tiles_need_room(make):
+    backend = make()
+    backend.most_side = 30
+    with pytest.raises(ValueError, match="too few texels"):
+        backend.visibility(frame_of(room(), view_of()))
 
 
 def test_lines_without_occluders():

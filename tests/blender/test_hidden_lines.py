@@ -177,19 +177,18 @@ def test_a_halo_is_a_gap_before_what_crosses_in_front(crossing, tmp_path):
     assert after[62:196].min() > 0.9 and after[284:418].min() > 0.9
     assert after[203:206].max() < 0.1 and after[274:277].max() < 0.1
     outside = np.ones(SIZE[0], bool)
-    outside[190:208] = outside[272:290] = False
+    outside[190:210] = outside[270:290] = False
     assert np.array_equal(without[:, outside], picture[:, outside]), "nothing else changes"
     crossing.fovea.halo = 0
     assert np.array_equal(without, ink(drawn(crossing, tmp_path / "again.png")))
 
 
-def test_overshoot_goes_on_behind_what_hides(crossing, tmp_path):
+def test_overshoot_goes_on_beyond_ends_and_behind_what_hides(crossing, tmp_path):
     without = ink(drawn(crossing, tmp_path / "without.png"))
     crossing.fovea.overshoot = 40  # 10 px
-    picture = ink(drawn(crossing, tmp_path / "overshoot.png"))
-    before, after = border_across(without), border_across(picture)
-    assert before[214:266].max() < 0.1
+    before, after = border_across(without), border_across(ink(drawn(crossing, tmp_path / "overshoot.png")))
+    assert before[214:266].max() < 0.1 and before[40:58].max() < 0.1
     assert after[212:218].min() > 0.9 and after[262:268].min() > 0.9 and after[224:256].max() < 0.1
-    outside = np.ones(SIZE[0], bool)
-    outside[208:224] = outside[256:272] = False
-    assert np.array_equal(without[:, outside], picture[:, outside]), "ends of lines stay where they are"
+    assert after[52:58].min() > 0.9 and after[30:46].max() < 0.1 and after[422:428].min() > 0.9
+    crossing.fovea.overshoot = 0
+    assert np.array_equal(without, ink(drawn(crossing, tmp_path / "again.png")))
