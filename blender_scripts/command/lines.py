@@ -11,6 +11,7 @@ from . import assignment, draw_options, eye, obj, package
 from .target import say
 
 UNSET = 0xFFFFFFFF
+MOST_SURFACES = 255  # that are told apart
 
 
 def lines(target, words):
@@ -85,7 +86,10 @@ def _vector(text):
 
 
 def _angle(text):
-    angle = float(text)
+    try:
+        angle = float(text)
+    except ValueError:
+        angle = 0.0
     if not 0.0 < angle < 180.0:
         raise argparse.ArgumentTypeError(f"'{text}' is not between 0 and 180 degrees")
     return angle
@@ -112,8 +116,8 @@ def _look(native, surface, positions, options):
 
 
 def _whole(paths, surface, positions, view_to_object):
-    """What the file holds of paths; points on edges in the model's own double precision, from where they lie on them. Lines of
-    the image come in view space."""
+    """What the file holds of paths; points on edges in the model's own double precision, from where they lie on them.
+    Lines of the image come in view space."""
     points = paths.points_obj.astype(np.float64)
     on_edge = paths.place < len(surface.edges)
     ends = positions[surface.edges[paths.place[on_edge]]]
@@ -131,11 +135,12 @@ def _whole(paths, surface, positions, view_to_object):
 
 
 def _seen(native, paths, tracer, view_to_object, with_hidden):
-    """What the file holds of visible runs (`invisibility` 0), and of hidden ones."""
+    """What the file holds of visible runs, and of hidden ones: those that some surfaces hide, by how many."""
     clipped = native.project(paths, tracer)
     runs = native.exact_visibility(clipped, paths, tracer)
     if with_hidden:
-        runs = native.with_hidden(clipped, runs, paths)
+        parts = native.with_hidden(clipped, runs, paths)
+        runs = native.count_invisibility(clipped, paths, tracer, parts, MOST_SURFACES)
     found = native.compact(clipped, paths, runs)
     return {
         "points": _placed(found.position_view.astype(np.float64), view_to_object),
