@@ -1,5 +1,7 @@
 """The native stages, and the reference backend made of them. Each function is one call."""
 
+import math
+
 import numpy as np
 
 from .. import native
@@ -128,21 +130,42 @@ class Backend:
     """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
 
     name = "cpu"
+    most_side = 8192  # texels of a tile of the depth buffer: 1 GB
 
     def visibility(self, frame):
         core = native.load()
-        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
-        return core.sampled_visibility(frame.clipped, depth, frame.probes)
+        return sum(core.sampled_visibility(frame.clipped, depth, frame.probes) for depth in self._depths(frame))
 
     def item_visibility(self, frame):
         core = native.load()
-        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
-        return core.item_visibility(frame.clipped, depth, frame.layers)
+        return sum(core.item_visibility(frame.clipped, depth, frame.layers) for depth in self._depths(frame))
+
+    def layouts(self, frame, overlap_px=0):
+        """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
+        return depth_layouts(frame, self.most_side, overlap_px)
+
+    def _depths(self, frame, overlap_px=0):
+        for layout in self.layouts(frame, overlap_px):
+            yield native.load().draw_depth(frame.scene, frame.view, layout)
 
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)
 
     def draw_seen(self, frame, strokes, pens, textures):
-        core = native.load()
-        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
-        return core.raster_seen(strokes, pens, textures.native, frame.clipped, depth, frame.probes)
+        core, overlap_px = native.load(), strokes_reach(strokes)
+        return sum(
+            core.raster_seen(strokes, pens, textures.native, frame.clipped, depth, frame.probes)
+            for depth in self._depths(frame, overlap_px)
+        )
+
+
+def depth_layouts(frame, side, overlap_px):
+    """DepthLayouts of a Frame in at most `side` texels along each axis: one, or tiles. Cores are looked out of by so many
+    pixels, besides what a sample's own probes are apart."""
+    probes_px = math.ceil(8 * max(1.0, frame.view.reference_scale))
+    return native.load().depth_tiles(frame.view, frame.depth_scale, side, probes_px + overlap_px)
+
+
+def strokes_reach(strokes):
+    """Pixels between a stroke's spine and its farthest fragment, and no less."""
+    return math.ceil(2 * strokes.half_width.max()) if len(strokes.half_width) else 0

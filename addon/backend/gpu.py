@@ -1,11 +1,10 @@
 """The gpu backend: depth, visibility and strokes as passes of Blender's gpu module. Use it where there is a context."""
 
-import math
-
 import gpu
 import numpy as np
 
 from .. import native
+from .cpu import depth_layouts, strokes_reach
 from .gpu_atlas import Atlas
 from .gpu_clock import Clock
 from .gpu_items import ItemPass, item_of_point
@@ -36,7 +35,7 @@ class Backend:
         self.clock.mark("tables")
         for layout in self.layouts(frame) if atlas.batches else ():
             depth = self._depth(frame, layout)
-            atlas.run("visibility", layout, {"depth_buffer": depth.color}, **_looks(frame))
+            atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
             self.clock.mark("samples", atlas.batches[-1].target)
         result = atlas.read()
         self.clock.mark("read")
@@ -61,9 +60,7 @@ class Backend:
 
     def layouts(self, frame, overlap_px=0):
         """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
-        samples = math.ceil(8 * max(1.0, frame.view.reference_scale))  # as far as a sample's probes lie apart
-        side = min(size_limit(), self.most_side)
-        return native.load().depth_tiles(frame.view, frame.depth_scale, side, samples + overlap_px)
+        return depth_layouts(frame, min(size_limit(), self.most_side), overlap_px)
 
     def _depth(self, frame, layout):
         depth = self.draw_depth(frame.scene, frame.view, layout)
@@ -71,8 +68,9 @@ class Backend:
         return depth
 
     def draw_depth(self, scene, view, layout):
-        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel; see native/atlas/depth.h."""
-        target = Target(layout.width, layout.height, "RGBA32F", depth=True)
+        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
+        see native/atlas/depth.h."""
+        target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
         # Orthographic depth goes on below 0 beyond the far plane; the window has no room for that as it is.
         window_depth = (0.5, 0.5) if view.orthographic else (1.0, 0.0)
         draws = native.load().depth_draws(scene, view, layout)
@@ -129,12 +127,12 @@ class Backend:
         ranges = np.stack((offsets[strokes.piece], offsets[strokes.piece + 1] - 2), axis=1)
         passes = StrokePass(self._programs, strokes, pens, textures, ranges)
         self.clock.mark("upload")
-        for layout in self.layouts(frame, math.ceil(2 * strokes.half_width.max())):
+        for layout in self.layouts(frame, strokes_reach(strokes)):
             box = box_of(layout, frame.view)
             if box[0] >= box[2] or box[1] >= box[3]:
                 continue
             depth = self._depth(frame, layout)
-            samplers = {"segments": segments, "depth_buffer": depth.color}
+            samplers = {"segments": segments, **_looked_into(depth)}
             border = (layout.border_x, layout.border_y)
             target = passes.draw(
                 box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame)
@@ -143,6 +141,11 @@ class Backend:
             picture.paste(box, target)
             self.clock.mark("read")
         return picture.pixels
+
+
+def _looked_into(depth):
+    """Samplers of a depth Target."""
+    return {"depth_buffer": depth.color, "edge_buffer": depth.second}
 
 
 def _looks(frame):

@@ -28,6 +28,7 @@ struct DepthTexel {
     /// Its change per pixel of the view (not per texel), to the right and up; at most max_depth_slope.
     float ddx = 0.0f, ddy = 0.0f;
     Index facet = none;  ///< number over the whole scene; `none`: background
+    vec2 edges{0.0f};    ///< of the triangle that covers the centre (triangle_edges.h)
 };
 
 /// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels left of and below the
@@ -77,9 +78,12 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
 /// Their triangles, borrowed from the scene.
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
-/// What lies nearer than the near plane is cut off; the far plane cuts nothing off.
-/// At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not finite
-/// leave no trace. Throws std::invalid_argument on indices out of range, and as depth_layout.
+/// Draws into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut off; the far plane cuts
+/// nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not
+/// finite leave no trace. Throws std::invalid_argument on indices out of range.
+DepthBuffer draw_depth_into(DepthBuffer layout, const View& view, In<DepthMesh> meshes, const Cancel* cancel = nullptr);
+
+/// The same for the whole view; throws as depth_layout, too.
 DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, const DepthOptions& options,
                        const Cancel* cancel = nullptr);
 

@@ -19,8 +19,13 @@ struct Line {
     bool along_x;
 };
 
+/// A place in texels, the same to the last bit in every tile that is a whole number of pixels away.
+dvec2 texels(const DepthBuffer& depth, vec2 px) {
+    return (dvec2(px) + dvec2(depth.border_x, depth.border_y)) * double(depth.scale);
+}
+
 /// True where a line from `from` to `to` goes as far in x as in y.
-bool along_x(vec2 from, vec2 to) { return std::abs(to.x - from.x) >= std::abs(to.y - from.y); }
+bool along_x(dvec2 from, dvec2 to) { return std::abs(to.x - from.x) >= std::abs(to.y - from.y); }
 
 /// First and last texel (excluded) whose centres lie on the way; the texel in which a line ends is left to the next one.
 std::pair<int, int> texels_between(double a, double b, int size) {
@@ -33,7 +38,7 @@ std::vector<Line> lines_of(const ClippedPaths& clipped, const DepthBuffer& depth
     std::vector<Line> lines;
     for (Index q = 0; q < clipped.pieces.count(); ++q)
         for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-            const vec2 from = depth.to_texels(clipped.px[i]), to = depth.to_texels(clipped.px[i + 1]);
+            const dvec2 from = texels(depth, clipped.px[i]), to = texels(depth, clipped.px[i + 1]);
             if (clipped.sample_count[i] > 0)
                 lines.push_back({from, to, clipped.depth[i], clipped.depth[i + 1], q + 1, along_x(from, to)});
         }
@@ -134,11 +139,13 @@ struct Looker {
     const ItemBuffer& buffer;
 
     float visibility(Index i, Index item, Index j) const {
-        const vec2 from = depth.to_texels(clipped.px[i]), to = depth.to_texels(clipped.px[i + 1]);
+        const float middle = (float(j) + 0.5f) / float(clipped.sample_count[i]);
+        if (!depth.decides(glm::mix(clipped.px[i], clipped.px[i + 1], middle))) return 0.0f;
+        const dvec2 from = texels(depth, clipped.px[i]), to = texels(depth, clipped.px[i + 1]);
         const bool x_wise = along_x(from, to);
         int seen = 0;
         for (int k = 0; k < depth.scale; ++k) {
-            const float t = (float(j) + (float(k) + 0.5f) / float(depth.scale)) / float(clipped.sample_count[i]);
+            const double t = (j + (k + 0.5) / depth.scale) / clipped.sample_count[i];
             const glm::ivec2 at(glm::floor(glm::mix(from, to, t)));
             bool found = false;
             for (int side = -1; side <= 1 && !found; ++side)

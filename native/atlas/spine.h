@@ -24,6 +24,9 @@ class SpineTest {
     /// Before the start and beyond the end of the piece: as there.
     float visibility(Index piece, float u) const;
 
+    /// Left, lower, right and upper edge [px] of what the depth buffer decides.
+    const vec4& core() const { return buffer_.core; }
+
     /// Whether there is such a piece, and it has segments.
     bool has(Index piece) const { return piece < clipped_.pieces.count() && clipped_.pieces.size(piece) > 1; }
 

@@ -15,10 +15,10 @@
 namespace fovea::bindings {
 namespace {
 
-SceneDepth draw(std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {
+SceneDepth draw(std::shared_ptr<Scene> scene, const View& view, DepthBuffer layout, const Cancel* cancel) {
     py::gil_scoped_release release;
-    const DepthOptions options{.scale = scale};
-    DepthBuffer buffer = draw_depth(view, depth_meshes(*scene, view, options.margin), options, cancel);
+    const std::vector<DepthMesh> meshes = depth_meshes(*scene, view, DepthOptions().margin);
+    DepthBuffer buffer = draw_depth_into(std::move(layout), view, meshes, cancel);
     return {std::move(scene), view, std::move(buffer)};
 }
 
@@ -78,7 +78,8 @@ py::tuple tables(const ClippedPaths& clipped, const OwnSides& sides, const Atlas
 }
 
 void bind_reference(py::module_& m) {
-    PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet);
+    PYBIND11_NUMPY_DTYPE(vec2, x, y);
+    PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet, edges);
     py::class_<SceneDepth>(m, "SceneDepth", "The nearest surface of a scene at every texel of a view.")
         .def_property_readonly(
             "texels",
@@ -86,11 +87,18 @@ void bind_reference(py::module_& m) {
                 const DepthBuffer& buffer = self.cast<const SceneDepth&>().buffer;
                 return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
             },
-            "(height, width) records depth, ddx, ddy, facet; bottom row first; see native/atlas/depth.h.");
-    m.def("draw_depth", &draw, py::arg("scene"), py::arg("view"), py::arg("scale") = 2, py::arg("cancel") = py::none(),
-          "SceneDepth with so many texels per pixel, along each axis.");
+            "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see native/atlas/depth.h.");
+    m.def(
+        "draw_depth",
+        [](std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {
+            return draw(std::move(scene), view, depth_layout(view, {.scale = scale}), cancel);
+        },
+        py::arg("scene"), py::arg("view"), py::arg("scale") = 2, py::arg("cancel") = py::none(),
+        "SceneDepth with so many texels per pixel, along each axis.");
+    m.def("draw_depth", &draw, py::arg("scene"), py::arg("view"), py::arg("layout"), py::arg("cancel") = py::none(),
+          "SceneDepth of a DepthLayout.");
     m.def("sampled_visibility", &sampled, py::arg("clipped"), py::arg("depth"), py::arg("probes") = 1,
-          py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer.");
+          py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer; 0 where it does not decide.");
     m.def(
         "item_visibility",
         [](const ClippedPaths& clipped, const SceneDepth& depth, int layers, const Cancel* cancel) {
@@ -102,7 +110,7 @@ void bind_reference(py::module_& m) {
             return to_numpy(std::move(visibility));
         },
         py::arg("clipped"), py::arg("depth"), py::arg("layers") = 1, py::arg("cancel") = py::none(),
-        "(samples,) float32 in [0, 1], by the item buffer.");
+        "(samples,) float32 in [0, 1], by the item buffer; 0 where the depth buffer does not decide.");
 }
 
 void bind_passes(py::module_& m) {
@@ -167,8 +175,8 @@ to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
 }  // namespace
 
 void bind_sampled(py::module_& m) {
-    bind_reference(m);
     bind_passes(m);
+    bind_reference(m);
 }
 
 }  // namespace fovea::bindings

@@ -1,6 +1,7 @@
 // Scenes, views, projection and exact visibility.
 #include <pybind11/stl.h>
 
+#include "atlas/beside.h"
 #include "atlas/beside_visible.h"
 #include "atlas/exact.h"
 #include "atlas/invisibility.h"
@@ -190,6 +191,18 @@ paths with an end that touches no other line are left out.)");
         },
         py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("cancel") = py::none(),
         "Visible runs by rays, changes found to 1/16 px.");
+    m.def(
+        "seen_beside",
+        [](const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, double offset_px) {
+            Array<std::uint8_t> seen;
+            {
+                py::gil_scoped_release release;
+                seen = seen_beside(clipped, paths, tracer, offset_px, Cancel());
+            }
+            return to_numpy(std::move(seen));
+        },
+        py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("offset_px"),
+        "(samples,) uint8: exactly seen so many pixels to the left of the line; see native/atlas/beside.h.");
     m.def(
         "runs_from_samples",
         [](const ClippedPaths& clipped, const Arg<float>& visibility, float threshold) {

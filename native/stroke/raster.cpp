@@ -35,11 +35,16 @@ private:
     dvec4 at_origin_, slope_x_, slope_y_;
 };
 
+/// Edges of a depth buffer's core lie between pixels, or beyond all of them.
+PixelBox pixels_of(const vec4& core) { return {int(core.x), int(core.y), int(core.z), int(core.w)}; }
+
 class Painter {
    public:
     Painter(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height,
             Array<vec4>& image, const SpineTest* spine)
-        : strokes_(strokes), pens_(pens), picture_{0, 0, width, height}, image_(image), spine_(spine) {
+        : strokes_(strokes), pens_(pens), picture_{0, 0, width, height}, decided_(picture_), image_(image),
+          spine_(spine) {
+        if (spine) decided_ = intersect(picture_, pixels_of(spine->core()));
         for (const Pen& pen : pens) {
             check(pen.texture == none || pen.texture < textures.size(),
                   "pen: there is no texture " + std::to_string(pen.texture));
@@ -55,9 +60,11 @@ class Painter {
             intersect({i * size, j * size, (i + 1) * size, (j + 1) * size}, picture_);
         for (int y = box.y0; y < box.y1; ++y)
             std::fill_n(row(y) + box.x0, box.x1 - box.x0, vec4(0.0f));
+        const PixelBox drawn = intersect(box, decided_);
+        if (drawn.empty()) return;
         const std::size_t list = std::size_t(j) * tiles.across + i;
         for (std::size_t k = tiles.offsets[list]; k < tiles.offsets[list + 1]; ++k)
-            triangle(strokes_.triangles[tiles.triangle[k]], box);
+            triangle(strokes_.triangles[tiles.triangle[k]], drawn);
     }
 
    private:
@@ -91,7 +98,7 @@ class Painter {
 
     const Strokes& strokes_;
     In<Pen> pens_;
-    PixelBox picture_;
+    PixelBox picture_, decided_;
     Array<vec4>& image_;
     const SpineTest* spine_;
     std::vector<PenTexture> inks_;

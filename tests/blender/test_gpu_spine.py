@@ -35,8 +35,9 @@ def test_gpu_and_cpu_draw_the_same(orthographic, probes):
 
 @pytest.mark.gpu
 @pytest.mark.parametrize("side", [200, 390])
-def test_the_same_in_tiles(side):
-    frame, backend = frame_of(room(), view_of(), 2, 4), part("backend.gpu").Backend()
+@pytest.mark.parametrize("make", [lambda: part("backend.gpu").Backend(), cpu.Backend])
+def test_the_same_in_tiles(make, side):
+    frame, backend = frame_of(room(), view_of(), 2, 4), make()
     whole = picture(frame, "spine", backend)
     backend.most_side = side
     assert len(backend.layouts(frame, 10)) > 3

@@ -175,6 +175,8 @@ class RecordingLayout:
     def row(self):
         return self
 
+    column = row
+
     def panel(self, name, default_closed=False):
         return self, self
 
@@ -184,6 +186,14 @@ def shown_by_the_panel():
     panel = SimpleNamespace(columns=lambda: layout)
     part("blender.panels").RENDER_PT_fovea.draw(panel, bpy.context)
     return layout
+
+
+@pytest.mark.parametrize("visibility, heeded", [("EXACT", False), ("AUTO", True), ("ATLAS", True), ("ITEM_BUFFER", True)])
+def test_the_panel_offers_the_quality_that_the_method_heeds(settings, visibility, heeded):
+    settings.visibility = visibility
+    layout = shown_by_the_panel()
+    assert layout.enabled == heeded and "depth_scale" in layout.shown
+    assert ("layers" in layout.shown) == (visibility == "ITEM_BUFFER") != ("probes" in layout.shown)
 
 
 @pytest.mark.parametrize("on", [True, False])

@@ -39,6 +39,14 @@ def test_hidden_lines_are_chosen_by_what_hides_them(text, surfaces):
     assert draw_options.parse(["--hidden-by", text]).hidden_by == surfaces
 
 
+def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
+    options = draw_options.parse(["demo"])
+    assert (options.visibility, options.probes, options.depth_scale, options.layers) == (None,) * 4
+    words = "demo --visibility item-buffer --probes 16 --depth-scale 3 --layers 1".split()
+    options = draw_options.parse(words)
+    assert (options.visibility, options.probes, options.depth_scale, options.layers) == ("item-buffer", "16", 3, 1)
+
+
 @pytest.mark.parametrize(
     "words, reason",
     [

@@ -46,7 +46,7 @@ PARTS = {
     "catalogue": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
-    "backend/gpu": "backend/gpu native stages",
+    "backend/gpu": "backend/cpu backend/gpu native stages",
     "visibility": "backend/cpu",
     "pipeline": "backend/cpu stages style textures visibility",
     "blender": "blender backend pipeline textures style catalogue stages native",
