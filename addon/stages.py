@@ -58,7 +58,7 @@ class ClippedPaths:
     facet1: np.ndarray  # (M,) uint32
     sample_start: np.ndarray  # (M,) uint32, first atlas sample of the segment from this point
     sample_count: np.ndarray  # (M,) uint32, 0 for the last point of a piece
-    samples: int  # size of the atlas, padding included
+    samples: int  # size of the atlas
 
 
 @dataclass(frozen=True)

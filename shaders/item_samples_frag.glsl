@@ -19,8 +19,7 @@ void main()
   vec4 first = fetch_row(segments, 3 * owner);
   vec4 last = fetch_row(segments, 3 * owner + 1);
   float item = fetch_row(items, owner).x;
-  // Padding repeats the first or last sample.
-  float j = clamp(float(index) - first.w, 0.0, last.w - 1.0);
+  float j = float(index) - first.w;
   if (!atlas_in_tile(mix(first.xy, last.xy, (j + 0.5) / last.w))) {
     discard;
   }

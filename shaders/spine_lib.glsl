@@ -19,5 +19,5 @@ float spine_visibility(float u)
   if (last.w > first.w) {
     part = clamp((vec2(u - 0.5, u + 0.5) - first.w) / (last.w - first.w), 0.0, 1.0);
   }
-  return depth_share(Line(own.xy, own.w), first.xyz, last.xyz, part.x, part.y);
+  return depth_share(Line(own.xy, own.z), first.xyz, last.xyz, part.x, part.y);
 }

@@ -10,10 +10,9 @@ void main()
   vec4 first = fetch_row(segments, 3 * owner);
   vec4 last = fetch_row(segments, 3 * owner + 1);
   vec4 own = fetch_row(segments, 3 * owner + 2);
-  // Padding repeats the first or last sample.
-  float j = clamp(float(index) - first.w, 0.0, last.w - 1.0);
+  float j = float(index) - first.w;
   if (!atlas_in_tile(mix(first.xy, last.xy, (j + 0.5) / last.w))) {
     discard;
   }
-  visibility = depth_share(Line(own.xy, own.w), first.xyz, last.xyz, j / last.w, (j + 1.0) / last.w);
+  visibility = depth_share(Line(own.xy, own.z), first.xyz, last.xyz, j / last.w, (j + 1.0) / last.w);
 }

@@ -79,7 +79,8 @@ class Backend:
             gpu.state.depth_test_set("GREATER")
             gpu.state.depth_mask_set(True)
             program = self._programs.bind("depth", window_depth=window_depth, buffer_scale=float(layout.scale))
-            for version, _, matrix, facet_base in draws:
+            for version, _, matrix, facet_base, culled in draws:
+                gpu.state.face_culling_set(culled)
                 program.uniform_float("object_to_depth_clip", matrix)
                 program.uniform_int("facet_base", facet_base)
                 self._surfaces[version].draw(program)
@@ -88,7 +89,7 @@ class Backend:
     def _keep_surfaces(self, scene, draws):
         """Has a batch for every surface that is drawn, and for no other."""
         core, kept = native.load(), {}
-        for version, placement, _, _ in draws:
+        for version, placement, *_ in draws:
             if version in kept:
                 continue
             kept[version] = self._surfaces.get(version)

@@ -65,6 +65,7 @@ class Target:
             gpu.state.depth_test_set(depth_test)
             gpu.state.depth_mask_set(depth_mask)
             gpu.state.blend_set(blend)
+            gpu.state.face_culling_set("NONE")
 
     def wait(self):
         """Returns when everything is drawn."""

@@ -39,7 +39,7 @@ def main(spec, shared, out):
 
 
 def compare(frame, depth, exact):
-    """Shares among all samples that are not padding."""
+    """Shares among all samples."""
     clipped = frame.clipped
     sampled = native.load().sampled_visibility(clipped, depth, frame.probes) >= 0.5
     real = own_samples(clipped)

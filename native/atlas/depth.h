@@ -15,6 +15,8 @@ struct DepthMesh {
     In<Index> triangle_facet;  ///< per triangle, numbered over the mesh
     dmat4 object_to_view{1.0};
     Index facet_base = 0;      ///< added to triangle_facet: numbers over the whole scene
+    /// Triangles that turn away from the viewer are left out: on solid bodies others lie before them.
+    bool one_sided = false;
 };
 
 /// Surfaces seen almost edge on have no steeper slope than this.
@@ -66,6 +68,7 @@ dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout);
 struct Occluder {
     Index placement;
     dmat4 object_to_view;
+    bool solid;  ///< made of bodies (mesh/bodies.h), and wholly beyond the near plane
 };
 
 /// Placements with occluding triangles in the frame widened by `margin`.
@@ -74,9 +77,9 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
 /// Their triangles, borrowed from the scene.
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
-/// Draws both sides of all triangles into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut
-/// off; the far plane cuts nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with
-/// a coordinate that is not finite leave no trace. Throws std::invalid_argument on indices out of range.
+/// Draws triangles into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut off; the far
+/// plane cuts nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate
+/// that is not finite leave no trace. Throws std::invalid_argument on indices out of range.
 DepthBuffer draw_depth_into(DepthBuffer layout, const View& view, In<DepthMesh> meshes, const Cancel* cancel = nullptr);
 
 /// The same for the whole view; throws as depth_layout, too.

@@ -187,16 +187,13 @@ Array<float> item_visibility(const ClippedPaths& clipped, const DepthBuffer& dep
                              const Cancel* cancel) {
     const ItemBuffer buffer = draw_items(clipped, depth, options, cancel);
     const Looker looker{clipped, depth, buffer};
-    const Rows samples = piece_samples(clipped);
     Array<float> visibility(clipped.samples, 0.0f);
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
-        for (Index q = Index(begin); q < end; ++q) {
+        for (Index q = Index(begin); q < end; ++q)
             for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i)
                 for (Index j = 0; j < clipped.sample_count[i]; ++j)
                     visibility[clipped.sample_start[i] + j] = looker.visibility(i, q + 1, j);
-            repeat_ends(clipped, q, samples, visibility);
-        }
     });
     return visibility;
 }

@@ -16,11 +16,8 @@ inline constexpr Index owner_stride = 64;
 inline constexpr Index facet_modulus = Index(1) << 24;
 inline float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
 
-/// Samples of each piece, padding included.
+/// Samples of each piece.
 Rows piece_samples(const ClippedPaths& clipped);
-
-/// Gives the padding of piece q the value of the sample next to it. `samples`: of the pieces.
-void repeat_ends(const ClippedPaths& clipped, Index q, const Rows& samples, Array<float>& values);
 
 /// Whole pieces whose samples fit into one atlas texture.
 struct AtlasBatch {
@@ -33,7 +30,7 @@ Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit = batch
 
 /// What the visibility pass reads, three entries a segment that has samples, in atlas order:
 /// (x0, y0, depth0, first sample), (x1, y1, depth1, sample count),
-/// (facet0, facet1, first sample it owns, padding before a piece included; steepness, or -1 for an inner line).
+/// (facet0, facet1, steepness, or -1 for an inner line, 0).
 /// Samples count inside the batch.
 struct AtlasTables {
     Array<vec4> segments;

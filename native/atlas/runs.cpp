@@ -134,12 +134,9 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
         for (std::size_t q = first; q < end_piece; ++q) {
             Index run = offsets[q];
             const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
-            Index low = none, high = 0;
             for (Index i = begin; i < last; ++i) {
                 const Index count = clipped.sample_count[i];
                 if (count == 0) continue;
-                low = std::min(low, clipped.sample_start[i]);
-                high = clipped.sample_start[i] + count - 1;
                 const double step = (clipped.arc_px[i + 1] - clipped.arc_px[i]) / count;
                 for (Index j = 0; j < count; ++j) {
                     const double from = clipped.arc_px[i] + j * step, to = from + step;
@@ -150,11 +147,6 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
                     samples[clipped.sample_start[i] + j] = static_cast<float>(std::clamp(covered / step, 0.0, 1.0));
                 }
             }
-            // Padding: whatever lies between this piece's samples and its neighbours' belongs to its ends.
-            if (low == none) continue;
-            const Index padding = padding_of(high - low + 1);
-            std::fill_n(samples.begin() + low - padding, padding, samples[low]);
-            std::fill_n(samples.begin() + high + 1, padding, samples[high]);
         }
     });
     return samples;

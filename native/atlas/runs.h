@@ -24,7 +24,7 @@ struct Runs {
 /// the two samples on either side.
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold = 0.5f);
 
-/// Share of each atlas sample that visible runs cover, in [0,1]; padding repeats the end of its piece.
+/// Share of each atlas sample that visible runs cover, in [0,1].
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 
 /// Visible runs and what lies between them, hidden by 1 surface or more. Pieces of paths with `always_seen` set (one

@@ -71,8 +71,8 @@ Line line_of(const ClippedPaths& clipped, const OwnSides& sides, Index i) {
             clipped.facet0[i], clipped.facet1[i], sides.steepness[i], sides.inner[i] != 0};
 }
 
-/// Samples of piece q: those of its segments, then the padding at both ends.
-void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker, const Rows& samples,
+/// Samples of piece q.
+void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker,
                 Array<float>& visibility) {
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
         const Index count = clipped.sample_count[i];
@@ -84,7 +84,6 @@ void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, con
                     looker.visibility(line, float(j) / float(count), float(j + 1) / float(count));
         }
     }
-    repeat_ends(clipped, q, samples, visibility);
 }
 
 }  // namespace
@@ -100,12 +99,11 @@ Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sid
     check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
           "sampled visibility: own sides of other paths");
     Array<float> visibility(clipped.samples, 0.0f);
-    const Rows samples = piece_samples(clipped);
     const Looker looker{buffer, options};
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
         for (Index q = Index(begin); q < end; ++q)
-            fill_piece(clipped, sides, q, looker, samples, visibility);
+            fill_piece(clipped, sides, q, looker, visibility);
     });
     return visibility;
 }

@@ -19,8 +19,8 @@ struct SampledOptions {
 /// Throws std::invalid_argument on a number of probes out of range or a buffer without texels.
 void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
 
-/// Share of its probes that see each atlas sample, in [0,1]; padding repeats the end of its piece. Samples that the
-/// buffer does not decide are 0: the whole is the sum over a view's tiles (depth_tiles.h).
+/// Share of its probes that see each atlas sample, in [0,1]. Samples that the buffer does not decide are 0: the whole is
+/// the sum over a view's tiles (depth_tiles.h).
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
 /// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:

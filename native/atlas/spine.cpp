@@ -55,8 +55,8 @@ Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
             vec4* row = &table[3 * std::size_t(i)];
             row[0] = {clipped.px[i], clipped.depth[i], float(clipped.arc_px[i])};
             row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.arc_px[i + 1])};
-            row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]), 0.0f,
-                      sides.inner[i] ? -1.0f : sides.steepness[i]};
+            row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]),
+                      sides.inner[i] ? -1.0f : sides.steepness[i], 0.0f};
         }
     }, 256);
     return table;

@@ -39,7 +39,7 @@ class SpineTest {
 
 /// What the gpu's stroke pass reads, three entries a point; the last of a piece starts no segment:
 /// (x0, y0, depth0, arc length at its start), (x1, y1, depth1, arc length at its end),
-/// (facet0, facet1, 0, steepness, or -1 for an inner line).
+/// (facet0, facet1, steepness, or -1 for an inner line, 0).
 Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides);
 
 }  // namespace fovea

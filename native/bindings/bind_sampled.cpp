@@ -49,6 +49,12 @@ py::tuple depth_corners(const Surface& surface) {
     return py::make_tuple(to_numpy(std::move(positions)), to_numpy(std::move(facets)));
 }
 
+/// Which side of its triangles need not be drawn, as Blender calls it.
+const char* one_side(const Occluder& occluder) {
+    if (!occluder.solid) return "NONE";
+    return glm::determinant(dmat3(occluder.object_to_view)) < 0.0 ? "FRONT" : "BACK";
+}
+
 py::list depth_draws(const Scene& scene, const View& view, const DepthBuffer& layout) {
     py::list draws;
     const dmat4 to_clip = view_to_depth_clip(view, layout);
@@ -56,7 +62,8 @@ py::list depth_draws(const Scene& scene, const View& view, const DepthBuffer& la
         const mat4 matrix(to_clip * occluder.object_to_view);
         const py::array_t<float> columns(16, glm::value_ptr(matrix));
         draws.append(py::make_tuple(scene.placements[occluder.placement].surface->version(), occluder.placement,
-                                    columns, scene.facet_base[occluder.placement] % facet_modulus));
+                                    columns, scene.facet_base[occluder.placement] % facet_modulus,
+                                    one_side(occluder)));
     }
     return draws;
 }
@@ -130,8 +137,8 @@ void bind_passes(py::module_& m) {
         py::arg("view"), py::arg("scale"), py::arg("side"), py::arg("overlap_px"),
         "DepthLayouts of at most `side` texels; see native/atlas/depth_tiles.h.");
     m.def("depth_draws", &depth_draws, py::arg("scene"), py::arg("view"), py::arg("layout"),
-          R"([(version of the surface, placement, object to depth clip space as 16 float32 by columns, facet base)] of all
-that hides lines, in drawing order.)");
+          R"([(version of the surface, placement, object to depth clip space as 16 float32 by columns, facet base, side
+to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
     m.def(
         "depth_corners",
         [](const Scene& scene, Index placement) { return depth_corners(*scene.placements.at(placement).surface); },

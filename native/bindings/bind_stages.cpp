@@ -146,7 +146,7 @@ void bind_stages(py::module_& m) {
         .def_property_readonly("facet1", array(&ClippedPaths::facet1), "(M,) uint32, 0xffffffff: none")
         .def_property_readonly("sample_start", array(&ClippedPaths::sample_start), "(M,) uint32")
         .def_property_readonly("sample_count", array(&ClippedPaths::sample_count), "(M,) uint32, 0 at the end of a piece")
-        .def_readonly("samples", &ClippedPaths::samples, "size of the atlas, padding included")
+        .def_readonly("samples", &ClippedPaths::samples, "size of the atlas")
         .def("__len__", [](const ClippedPaths& c) { return c.path.size(); });
 
     m.def(

@@ -1,15 +1,9 @@
 // What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
 #pragma once
 
-#include <algorithm>
-
 #include "base/types.h"
 
 namespace fovea {
-
-/// Padding samples at each end of a piece of `samples` samples: room for filters that lengthen visible parts.
-inline constexpr Index most_padding = 10;
-inline Index padding_of(Index samples) { return samples < 2 ? 0 : std::min((samples - 2) / 2, most_padding); }
 
 /// The depth of lines that nothing hides: nearer than any surface, however steep it is.
 inline constexpr float before_all = 1e30f;
@@ -42,7 +36,7 @@ struct ClippedPaths {
     /// Per segment: its samples are sample_start .. sample_start + sample_count of the atlas; sample j lies at the
     /// screen fraction (j + 0.5) / sample_count of the segment.
     Array<Index> sample_start, sample_count;
-    /// Samples in the atlas, padding at the ends of pieces included. Padding repeats the value of the piece's end.
+    /// Samples in the atlas.
     Index samples = 0;
 };
 

@@ -219,20 +219,17 @@ class Projector {
                 write_segment(first + k, path, begin + stops_[k + 1].segment, stops_[k + 1].arc - stops_[k].arc);
             total += out.sample_count[first + k];
         }
-        check(out.samples + total + 2 * most_padding < none, too_many_samples);
+        check(out.samples + total < none, too_many_samples);
         stops_.clear();
         if (total == 0 || (count == 2 && total == 1)) {
             grow(-count, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0,
                  out.facet1, out.sample_start, out.sample_count);
             return;
         }
-        const Index padding = padding_of(static_cast<Index>(total));
-        out.samples += padding;
         for (std::size_t i = first; i < first + count; ++i) {
             out.sample_start[i] = out.samples;
             out.samples += out.sample_count[i];
         }
-        out.samples += padding;
         out.path.push_back(path);
         out.closed.push_back(0);
         out.free_ends.push_back(0);

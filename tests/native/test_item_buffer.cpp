@@ -34,14 +34,14 @@ struct Paper {
     }
 
     void line(vec2 from, vec2 to, float depth_from, float depth_to) {
-        const Index count = Index(std::ceil(glm::distance(from, to) / 2.0f)), pad = padding_of(count);
+        const Index count = Index(std::ceil(glm::distance(from, to) / 2.0f));
         for (int end = 0; end < 2; ++end) {
             clipped.px.push_back(end ? to : from);
             clipped.depth.push_back(end ? depth_to : depth_from);
-            clipped.sample_start.push_back(clipped.samples + pad + (end ? count : 0));
+            clipped.sample_start.push_back(clipped.samples + (end ? count : 0));
             clipped.sample_count.push_back(end ? 0 : count);
         }
-        clipped.samples += count + 2 * pad;
+        clipped.samples += count;
         clipped.pieces.offsets.push_back(Index(clipped.px.size()));
     }
 
@@ -120,15 +120,6 @@ TEST(ItemBuffer, ALineIsThereOnceHoweverOftenItComesBy) {
     ++paper.clipped.pieces.offsets.back();
     EXPECT_EQ(paper.share(paper.visibility(2), 0), 1.0);
     EXPECT_EQ(paper.share(paper.visibility(1), 0), 0.0);
-}
-
-TEST(ItemBuffer, PaddingRepeatsTheEnds) {
-    Paper paper;
-    paper.cover(57.0f, 0.9f, 0.0f, 0.0f);
-    paper.line({20.0f, 30.5f}, {90.0f, 30.5f}, 0.5f, 0.5f);
-    const Array<float> values = paper.visibility();
-    EXPECT_EQ(values.front(), 1.0f);
-    EXPECT_EQ(values.back(), 0.0f);
 }
 
 TEST(ItemBuffer, TheSameForAnyNumberOfThreads) {

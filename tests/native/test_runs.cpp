@@ -83,30 +83,6 @@ TEST(Runs, ASampleHoldsTheShareThatIsCovered) {
     EXPECT_NEAR(samples[start + 30], 0.0f, 1e-3f);
 }
 
-TEST(Runs, PaddingRepeatsTheEndsOfItsPiece) {
-    const ClippedPaths clipped = pieces_of({{100}, {10}, {80, 20}});
-    Runs runs;
-    add_run(runs, 0, -50, 0);
-    add_run(runs, 2, -10, 50);
-    const Array<float> samples = samples_from_runs(clipped, runs);
-    const auto padding = [&](Index piece, bool before) {
-        Index low = none, high = 0;
-        for (Index i = first_of(clipped, piece); i < last_of(clipped, piece); ++i) {
-            low = std::min(low, clipped.sample_start[i]);
-            high = clipped.sample_start[i] + clipped.sample_count[i];
-        }
-        const Index count = padding_of(high - low);
-        EXPECT_GT(count, 0u);
-        return std::vector<float>(samples.begin() + (before ? low - count : high),
-                                  samples.begin() + (before ? low : high + count));
-    };
-    for (float v : padding(0, true)) EXPECT_EQ(v, 1.0f);
-    for (float v : padding(0, false)) EXPECT_EQ(v, 0.0f);
-    for (float v : padding(1, true)) EXPECT_EQ(v, 0.0f);
-    for (float v : padding(2, true)) EXPECT_EQ(v, 0.0f);
-    for (float v : padding(2, false)) EXPECT_NEAR(v, 1.0f, 1e-3f);
-}
-
 TEST(Runs, EndWhereTheSamplesCrossTheThreshold) {
     const ClippedPaths clipped = pieces_of({{100}});
     Array<float> samples(clipped.samples, 0.0f);
