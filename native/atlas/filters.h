@@ -30,7 +30,9 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
 /// across the nearer line, from its middle, on both sides; where they cross at less than 15 degrees it grows no further.
 /// Ends at which a line turns away on its own surface, or meets another line, stay. So do those behind an outline that
 /// is not drawn. Nothing passes behind lines found in the image. A gap of 0 leaves a path as it is.
+/// On paths with `of_view` set (one entry per path of Paths; may be empty) a gap is only where a line crosses at 15 degrees
+/// or more: contours of mesh edges graze themselves where their own surface folds over them.
 /// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
-Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px);
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
 
 }  // namespace fovea
