@@ -50,6 +50,9 @@ TEST(Halo, ContoursStopShortOnlyOfLinesThatCross) {
     expect_runs(halo(clipped, runs, everywhere(clipped, 5), of_view), {{0, -100, -5}, {0, 5, 60}, {1, -100, 100}}, 0.02);
     expect_runs(halo(clipped, runs, everywhere(clipped, 5)), {{0, -100, -5}, {0, 5, 55}, {1, -100, 100}}, 0.02);
     EXPECT_THROW(halo(clipped, runs, everywhere(clipped, 5), std::vector<std::uint8_t>{1}), std::invalid_argument);
+    const ClippedPaths grazing = Wires(crossing(10)).project(camera());
+    expect_same(halo(grazing, whole(grazing), everywhere(grazing, 5), of_view), whole(grazing));
+    EXPECT_GT(with_gap(grazing, 5).size(), 2u);
 }
 
 TEST(Halo, StaysOffTheFrame) {
