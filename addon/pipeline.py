@@ -23,6 +23,8 @@ class Options:
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
     contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
+    beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
+    least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     with_depth: bool = False  # also make the depth pass
 
 
@@ -60,19 +62,24 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
     clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
-    with clock.stage("lines", 0.15):
+    with clock.stage("lines", 0.1):
         paths = cpu.extract(tracer, style, cancel)
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes, options.layers)
     with clock.stage("visibility", 0.25):
-        visible = visibility(frame, backend, options, cancel)
+        visible, samples = method.runs(frame, backend, cancel)
+    with clock.stage("runs", 0.05):
+        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
+        tidied = cpu.tidy(frame, visible, *small)
+        levels = style.counted() if method.counts else min(style.counted(), 1)
+        small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
+        parts = cpu.parts(frame, tidied, levels, *small, cancel)
+        runs = cpu.at_ends(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
-        tidied = cpu.tidy(frame, visible, *small)
-        strokes = cpu.shape(frame, tidied, pens)
+        strokes = cpu.shape(frame, runs, style, pens, samples)
     with clock.stage("strokes", 0.1):
         lines = method.draw(frame, backend, strokes, pens, textures)
     with clock.stage("paper", 0.1):
@@ -86,8 +93,3 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         "visibility": method.told(frame),
     }
     return Image(combined, lines, depth, statistics)
-
-
-def visibility(frame, backend, options, cancel):
-    """Runs of a Frame that become strokes."""
-    return METHODS[options.visibility].runs(frame, backend, cancel)

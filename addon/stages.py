@@ -73,7 +73,7 @@ class Runs:
 
 @dataclass(frozen=True)
 class Strokes:
-    """Visible runs shaped into triangle strips (V vertices, I / 3 triangles); every backend draws the same arrays.
+    """Runs shaped into triangle strips (V vertices, I / 3 triangles); every backend draws the same arrays.
 
     A fragment's coverage is analytic: side = half_width + .5 - |v|, and beyond the ends the distance to the cap."""
 

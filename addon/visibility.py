@@ -1,6 +1,6 @@
 """How it is decided what is hidden: the methods, each the same two verbs.
 
-    runs(frame, backend, cancel) -> Runs that become strokes
+    runs(frame, backend, cancel) -> visible Runs, and the atlas samples they are read from, or None
     draw(frame, backend, strokes, pens, textures) -> (height, width, 4) float32, strokes alone, premultiplied
 
 All but the spine test know the visible runs before they draw, and draw just these.
@@ -13,13 +13,14 @@ class Exact:
     """Rays: the same answer on every machine."""
 
     name = "exact"
+    counts = True  # how many surfaces hide a line; samples only say whether something does
 
     def told(self, frame):
         """The method and its quality in words."""
         return "exact"
 
     def runs(self, frame, backend, cancel):
-        return cpu.exact(frame, cancel)
+        return cpu.exact(frame, cancel), None
 
     def draw(self, frame, backend, strokes, pens, textures):
         return backend.draw(strokes, pens, textures, frame.view)
@@ -29,12 +30,14 @@ class SegmentAtlas(Exact):
     """Looks into a depth buffer at every sample along the lines (Cole & Finkelstein 2010, algorithm 2)."""
 
     name = "atlas"
+    counts = False
 
     def told(self, frame):
         return f"segment atlas, {frame.probes} probes x {frame.depth_scale}"
 
     def runs(self, frame, backend, cancel):
-        return cpu.runs(frame.clipped, backend.visibility(frame))
+        samples = backend.visibility(frame)
+        return cpu.runs(frame.clipped, samples), samples
 
 
 class ItemBuffer(Exact):
@@ -42,25 +45,28 @@ class ItemBuffer(Exact):
     several lines to a pixel and several pixels to one (Cole & Finkelstein 2008)."""
 
     name = "item_buffer"
+    counts = False
 
     def told(self, frame):
         return f"item buffer, {frame.layers} layers x {frame.depth_scale}"
 
     def runs(self, frame, backend, cancel):
-        return cpu.runs(frame.clipped, backend.item_visibility(frame))
+        samples = backend.item_visibility(frame)
+        return cpu.runs(frame.clipped, samples), samples
 
 
 class SpineTest(Exact):
     """Every pixel of a stroke looks into a depth buffer where the middle of the stroke is next to it (Cole &
-    Finkelstein 2010, algorithm 1). What is hidden has no ends of its own: no caps, gaps or spurs there."""
+    Finkelstein 2010, algorithm 1). What is hidden has no ends of its own: no caps, gaps or spurs there, and no pen."""
 
     name = "spine"
+    counts = False
 
     def told(self, frame):
         return f"spine test, {frame.probes} probes x {frame.depth_scale}"
 
     def runs(self, frame, backend, cancel):
-        return cpu.whole(frame.clipped)
+        return cpu.whole(frame.clipped), None
 
     def draw(self, frame, backend, strokes, pens, textures):
         return backend.draw_seen(frame, strokes, pens, textures)

@@ -6,10 +6,27 @@ struct Line {
 };
 
 struct Look {
-  float gap;    // how far the texel's surface lies in front of the line; hides it when above 0
+  float gap;    // how far the texel's surface lies in front of the line
   float bulge;  // a gap up to this may come from the line's own surface
   bool own;     // shows a facet of the line
+  bool holds;   // its surface lies in front, and its triangle reaches as far as the probe
 };
+
+// True where `off` texels from the centre lie inside the edge (native/atlas/triangle_edges.h).
+bool edge_holds(int code, vec2 off)
+{
+  float turn = float(code / 256) / 64.0;
+  float x = abs(turn - 2.0) - 1.0;
+  float y = turn < 2.0 ? 1.0 - abs(turn - 1.0) : abs(turn - 3.0) - 1.0;
+  return float(code % 256) / 255.0 + x * off.x + y * off.y >= 0.0;
+}
+
+bool edges_hold(ivec2 place, vec2 off)
+{
+  ivec2 packed_edges = ivec2(texelFetch(edge_buffer, place, 0).xy);
+  ivec2 whole = packed_edges / 256, rest = packed_edges % 256;
+  return edge_holds(whole.x, off) && edge_holds(whole.y, off) && edge_holds(rest.x * 256 + rest.y, off);
+}
 
 // `at`: the probe in texels; `depth`: of the line there.
 Look depth_look(vec2 texel, Line line, vec2 at, float depth)
@@ -18,30 +35,33 @@ Look depth_look(vec2 texel, Line line, vec2 at, float depth)
   vec4 here = texelFetch(depth_buffer, place, 0);
   bool own = here.w >= 0.0 && (here.w == line.facets.x || here.w == line.facets.y);
   if (own || here.w < 0.0) {
-    return Look(0.0, 0.0, own);
+    return Look(0.0, 0.0, own, false);
   }
-  vec2 away = (at - (vec2(place) + 0.5)) / buffer_scale;
+  vec2 off = at - (vec2(place) + 0.5);
+  vec2 away = off / buffer_scale;
   float surface = here.x + dot(here.yz, away);
   float slack = slack_px * (abs(here.y) + abs(here.z)) + bias * here.x;
-  return Look(surface - slack - depth, max(length(here.yz), line.steepness) * length(away), false);
+  float gap = surface - slack - depth;
+  float bulge = max(length(here.yz), line.steepness) * length(away);
+  return Look(gap, bulge, false, gap > 0.0 && edges_hold(place, off));
 }
 
 bool depth_sees(Line line, vec2 px, float depth)
 {
   vec2 at = (px + border) * buffer_scale;
+  vec2 nearest = floor(at), corner = floor(at - 0.5);
   bool inner = line.steepness < 0.0;
-  Look nearest = depth_look(floor(at), line, at, depth);
-  if (nearest.gap > (inner ? 0.0 : nearest.bulge)) {
-    return false;
-  }
-  vec2 corner = floor(at - 0.5);
+  bool open = false;
   for (int k = 0; k < 4; k++) {
-    Look around = depth_look(corner + vec2(k % 2, k / 2), line, at, depth);
-    if (inner ? around.own : around.gap <= 0.0) {
-      return true;
+    vec2 texel = corner + vec2(k % 2, k / 2);
+    Look there = depth_look(texel, line, at, depth);
+    bool clearly = texel == nearest && there.gap > (inner ? 0.0 : there.bulge);
+    if (there.holds || clearly) {
+      return false;
     }
+    open = open || (inner ? there.own : there.gap <= 0.0);
   }
-  return false;
+  return open;
 }
 
 // Share of the probes, evenly spread over the part of the line between two fractions of its way, that see it.

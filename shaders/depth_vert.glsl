@@ -4,6 +4,9 @@ void main()
   // (x w, y w, depth w, w): depth is 1 at the near plane, where clipping cuts, and falls to 0; there is no far plane.
   gl_Position = object_to_depth_clip * vec4(position, 1.0);
   depth_w = gl_Position.z;
+  // Vertices come three by three, no two triangles share one.
+  int corner = gl_VertexID % 3;
+  corner_share = vec3(corner == 0, corner == 1, corner == 2);
   // Kept modulo 2^24, which a float holds exactly.
   facet_number = float((int(facet) + facet_base) & 0xFFFFFF);
 }

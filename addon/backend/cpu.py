@@ -49,28 +49,54 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
-def shape(frame, visible, pens):
-    """Strokes of the visible Runs; pens by line set."""
-    return native.load().tessellate(
-        frame.clipped, visible, frame.paths.line_set.astype("uint32"), frame.paths.strength, pens
-    )
+def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
+    """Visible Runs and, unless `levels` is 0, the hidden ones between them, told apart by the surfaces that hide them,
+    up to so many. Left out are those that go along visible ones nearer than beside_px, then stretches shorter than
+    least_px, or fold_px for contours."""
+    core, clipped, paths = native.load(), frame.clipped, frame.paths
+    if levels == 0:
+        return visible
+    apart = core.without_beside_visible(clipped, core.with_hidden(clipped, visible, paths), beside_px)
+    least = np.where(paths.of_view, np.float32(fold_px), np.float32(least_px))
+    both = core.without_short_hidden(clipped, apart, least)
+    return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
+
+
+def at_ends(frame, runs, style, scale):
+    """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot."""
+    core = native.load()
+    shorter = core.halo(frame.clipped, runs, _by_path(frame, style, "halo", scale))
+    return core.overshoot(frame.clipped, shorter, _by_path(frame, style, "overshoot", scale))
+
+
+def _by_path(frame, style, name, scale):
+    """(P,) float32 pixels of each path from reference pixels of its line set."""
+    by_set = np.array([getattr(line_set, name) * scale for line_set in style.line_sets], np.float32)
+    return by_set[frame.paths.line_set]
+
+
+def shape(frame, runs, style, pens, samples=None):
+    """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other."""
+    core, paths = native.load(), frame.paths
+    pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
+    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens, samples)
 
 
 def pens_of(style, textures, scale):
-    """The native pen of each line set, in pixels of the image (`scale` of them are a reference pixel)."""
+    """The native pens of a style, in its order, in pixels of the image (`scale` of them are a reference pixel)."""
     core = native.load()
     return [
         core.Pen(
-            color=line_set.pen.color,
-            opacity=line_set.pen.opacity,
-            width_px=line_set.pen.width * scale,
-            texture_length_px=textures.length(line_set.pen) * scale,
-            cap=line_set.pen.cap,
-            taper_px=line_set.pen.taper * scale,
-            texture=textures.index(line_set.pen),
-            strength_width=line_set.pen.strength_width,
+            color=pen.color,
+            opacity=pen.opacity,
+            width_px=pen.width * scale,
+            texture_length_px=textures.length(pen) * scale,
+            cap=pen.cap,
+            taper_px=pen.taper * scale,
+            texture=textures.index(pen),
+            strength_width=pen.strength_width,
         )
-        for line_set in style.line_sets
+        for pen in style.pens()
     ]
 
 
@@ -95,7 +121,7 @@ class Backend:
     """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
 
     name = "cpu"
-    most_side = 6144  # texels of a tile of the depth buffer: 0.6 GB
+    most_side = 6144  # texels of a tile of the depth buffer: 0.9 GB
 
     def visibility(self, frame):
         look = native.load().sampled_visibility

@@ -20,7 +20,7 @@ class Backend:
 
     name = "gpu"
     batch_samples = 1 << 22  # an atlas texture holds as many, or one path
-    most_side = 6144  # texels of a tile, where the GPU can do more: 0.8 GB
+    most_side = 6144  # texels of a tile, where the GPU can do more: 1.1 GB
 
     def __init__(self):
         self.clock = Clock()
@@ -53,7 +53,7 @@ class Backend:
 
     def _look(self, atlas, frame, layout):
         depth = self._depth(frame, layout)
-        atlas.run("visibility", layout, {"depth_buffer": depth.color}, **_looks(frame))
+        atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
 
     def _look_for_items(self, atlas, frame, layout):
         depth = self._depth(frame, layout)
@@ -72,8 +72,9 @@ class Backend:
         return depth
 
     def draw_depth(self, scene, view, layout):
-        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel; see native/atlas/depth.h."""
-        target = Target(layout.width, layout.height, "RGBA32F", depth=True)
+        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
+        see native/atlas/depth.h."""
+        target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
         # Orthographic depth goes on below 0 beyond the far plane; the window has no room for that as it is.
         window_depth = (0.5, 0.5) if view.orthographic else (1.0, 0.0)
         draws = native.load().depth_draws(scene, view, layout)
@@ -135,7 +136,7 @@ class Backend:
 
     def _draw_seen(self, frame, layout, box, passes, segments):
         depth = self._depth(frame, layout)
-        samplers = {"segments": segments, "depth_buffer": depth.color}
+        samplers = {"segments": segments, **_looked_into(depth)}
         border = (layout.border_x, layout.border_y)
         return passes.draw(box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame))
 
@@ -143,6 +144,11 @@ class Backend:
         self.clock.mark("strokes", target)
         picture.paste(box, target)
         self.clock.mark("read")
+
+
+def _looked_into(depth):
+    """Samplers of a depth Target."""
+    return {"depth_buffer": depth.color, "edge_buffer": depth.second}
 
 
 def _looks(frame):

@@ -33,19 +33,21 @@ def upload_row(entries):
 
 
 class Target:
-    """Something to draw into: one colour texture, with a depth texture where asked for, a new one or one that is given.
+    """Something to draw into: one colour texture, with a second where asked for, and with a depth texture, a new one (True)
+    or one that is given.
 
     The textures live as long as this object; framebuffers alone do not keep them."""
 
-    def __init__(self, width, height, format, depth=False):
+    def __init__(self, width, height, format, second=None, depth=False):
         if max(width, height) > size_limit():
             raise ValueError(f"{width} x {height} pixels are more than this GPU draws at once; use the CPU")
         self.width, self.height = width, height
         self.color = gpu.types.GPUTexture((width, height), format=format)
+        self.second = gpu.types.GPUTexture((width, height), format=second) if second else None
         self.depth = depth or None
         if depth is True:
             self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F")
-        slots = {"color_slots": self.color}
+        slots = {"color_slots": (self.color, self.second) if second else self.color}
         if self.depth:
             slots["depth_slot"] = self.depth
         self._framebuffer = gpu.types.GPUFrameBuffer(**slots)
@@ -72,10 +74,10 @@ class Target:
         with self._framebuffer.bind():
             self._framebuffer.read_color(0, 0, 1, 1, 1, 0, "FLOAT")
 
-    def read(self, channels):
-        """(height, width, channels) float32; waits until everything is drawn."""
+    def read(self, channels, slot=0):
+        """(height, width, channels) float32 of the first (0) or second (1) texture; waits until everything is drawn."""
         count = self.width * self.height * channels
         with self._framebuffer.bind():
-            data = self._framebuffer.read_color(0, 0, self.width, self.height, channels, 0, "FLOAT")
+            data = self._framebuffer.read_color(0, 0, self.width, self.height, channels, slot, "FLOAT")
         data.dimensions = count  # 4.3 scrambles the strides of buffers of several dimensions
         return np.asarray(data, dtype=np.float32).reshape(self.height, self.width, channels)

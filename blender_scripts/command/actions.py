@@ -58,7 +58,7 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [SCENE]`, `bench lines`,
+    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`,
     `bench visibility`."""
     from bench import peers
 
@@ -68,7 +68,7 @@ def bench(target, words):
     if name == "visibility":
         return bench_visibility(target, rest)
     if name == "agreement":
-        return agreement(target, *(rest or ["office"]))
+        return agreement(target, rest or ["office"])
     if name != "peers":
         rest = ["--scenes", name, *rest]
     peers.parse(rest)  # mistakes show before anything is built
@@ -94,12 +94,13 @@ def bench_lines(target, words):
     return lines.main(words, native, SHARED if SHARED.is_dir() else None)
 
 
-def agreement(target, scene):
-    """Prints, as JSON, how far depth-buffer visibility agrees with exact visibility on a scene."""
+def agreement(target, words):
+    """Prints, as JSON, how far depth-buffer visibility agrees with exact visibility on what `fovea draw` would draw."""
+    scene = draw_options.parse(words).scene
     extension.install(target)
     out = target.work / "agreement.json"
     script = PROJECT / "blender_scripts" / "bench" / "agreement.py"
-    in_blender(target, f"comparing visibility on {scene}", script, [scene, SHARED if SHARED.is_dir() else "", out])
+    in_blender(target, f"comparing visibility on {scene}", script, [out, *words])
     print(out.read_text())
     return 0
 

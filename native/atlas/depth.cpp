@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "atlas/triangle_edges.h"
 #include "base/check.h"
 #include "mesh/bodies.h"
 
@@ -146,6 +147,11 @@ bool covers(const ScreenTriangle& t, dvec2 p) {
     return true;
 }
 
+/// Code of an edge (inside, nx, ny), known at texel 0 of a row, at texel x.
+int code_at(const dvec3& edge, int x) {
+    return edge_code({float(edge.x + edge.y * x), float(edge.y), float(edge.z)});
+}
+
 void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
     // The part of the row inside all three edges, a texel or two wider for rounding: texels near its ends are tested.
     constexpr int unsure = 4;
@@ -160,7 +166,12 @@ void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
             right = std::min(right, std::ceil(x) + 2.0);
     }
     const int x0 = static_cast<int>(std::min(left, double(t.x1))), x1 = static_cast<int>(std::max(right, double(t.x0)));
-    const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), t.facet};
+    const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), t.facet, {}};
+    dvec3 edges[3];  // as TexelEdge, at the centre of texel 0
+    for (int i = 0; i < 3; ++i) {
+        const dvec2 a = t.corner[i], way = t.corner[(i + 1) % 3] - a;
+        edges[i] = dvec3(way.x * (y + 0.5 - a.y) - way.y * (0.5 - a.x), -way.y, way.x);
+    }
     const double depth_y = t.plane.y * (y + 0.5) + t.plane.z;
     DepthTexel* row = &buffer.texels[std::size_t(y) * buffer.width];
     for (int x = x0; x < x1; ++x) {
@@ -169,6 +180,7 @@ void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
         if ((x < x0 + unsure || x >= x1 - unsure) && !covers(t, dvec2(x + 0.5, y + 0.5))) continue;
         row[x] = plane;
         row[x].depth = depth;
+        row[x].edges = pack_edges(code_at(edges[0], x), code_at(edges[1], x), code_at(edges[2], x));
     }
 }
 

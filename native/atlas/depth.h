@@ -28,6 +28,7 @@ struct DepthTexel {
     /// Its change per pixel of the view (not per texel), to the right and up; at most max_depth_slope.
     float ddx = 0.0f, ddy = 0.0f;
     Index facet = none;  ///< number over the whole scene; `none`: background
+    vec2 edges{0.0f};    ///< of the triangle that covers the centre (triangle_edges.h)
 };
 
 /// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels left of and below the

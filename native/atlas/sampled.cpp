@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "atlas/layout.h"
+#include "atlas/triangle_edges.h"
 #include "base/check.h"
 
 namespace fovea {
@@ -19,11 +20,12 @@ struct Line {
     bool inner;
 };
 
-/// What a texel says about a line.
+/// What a texel says about a line at a probe.
 struct Look {
-    float gap;    ///< how far its surface lies in front of the line; hides it when above 0
+    float gap;    ///< how far its surface lies in front of the line
     float bulge;  ///< a gap up to this may come from the line's own surface
     bool own;     ///< shows a facet of the line
+    bool holds;   ///< its surface lies in front, and its triangle reaches as far as the probe
 };
 
 struct Looker {
@@ -35,24 +37,27 @@ struct Looker {
         const int x = std::clamp(int(texel.x), 0, buffer.width - 1), y = std::clamp(int(texel.y), 0, buffer.height - 1);
         const DepthTexel& here = buffer.at(x, y);
         const bool own = here.facet == line.facet0 || here.facet == line.facet1;
-        if (here.facet == none || own) return {0.0f, 0.0f, own && here.facet != none};
-        const vec2 away = (at - (vec2(x, y) + 0.5f)) / float(buffer.scale);
+        if (here.facet == none || own) return {0.0f, 0.0f, own && here.facet != none, false};
+        const vec2 off = at - (vec2(x, y) + 0.5f), away = off / float(buffer.scale);
         const vec2 slope(here.ddx, here.ddy);
         const float surface = here.depth + glm::dot(slope, away);
         const float slack = options.slack_px * (std::abs(slope.x) + std::abs(slope.y)) + options.bias * here.depth;
-        return {surface - slack - depth, std::max(glm::length(slope), line.steepness) * glm::length(away), false};
+        const float gap = surface - slack - depth;
+        return {gap, std::max(glm::length(slope), line.steepness) * glm::length(away), false,
+                gap > 0.0f && edges_hold(here.edges, off)};
     }
 
     bool sees(const Line& line, vec2 px, float depth) const {
-        const vec2 at = buffer.to_texels(px);
-        const Look nearest = look(glm::floor(at), line, at, depth);
-        if (line.inner ? nearest.gap > 0.0f : nearest.gap > nearest.bulge) return false;
-        const vec2 corner = glm::floor(at - 0.5f);
+        const vec2 at = buffer.to_texels(px), nearest = glm::floor(at), corner = glm::floor(at - 0.5f);
+        bool open = false;
         for (int k = 0; k < 4; ++k) {
-            const Look around = look(corner + vec2(k % 2, k / 2), line, at, depth);
-            if (line.inner ? around.own : around.gap <= 0.0f) return true;
+            const vec2 texel = corner + vec2(k % 2, k / 2);
+            const Look there = look(texel, line, at, depth);
+            const bool clearly = texel == nearest && there.gap > (line.inner ? 0.0f : there.bulge);
+            if (there.holds || clearly) return false;
+            open = open || (line.inner ? there.own : there.gap <= 0.0f);
         }
-        return false;
+        return open;
     }
 
     /// Share of the probes, evenly spread over the part of the line from screen fraction t0 to t1, that see it.

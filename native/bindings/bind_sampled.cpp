@@ -78,7 +78,8 @@ py::tuple tables(const ClippedPaths& clipped, const OwnSides& sides, const Atlas
 }
 
 void bind_reference(py::module_& m) {
-    PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet);
+    PYBIND11_NUMPY_DTYPE(vec2, x, y);
+    PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet, edges);
     py::class_<SceneDepth>(m, "SceneDepth", "The nearest surface of a scene at every texel of a view.")
         .def_property_readonly(
             "texels",
@@ -86,7 +87,7 @@ void bind_reference(py::module_& m) {
                 const DepthBuffer& buffer = self.cast<const SceneDepth&>().buffer;
                 return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
             },
-            "(height, width) records depth, ddx, ddy, facet; bottom row first; see native/atlas/depth.h.");
+            "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see native/atlas/depth.h.");
     m.def(
         "draw_depth",
         [](std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {

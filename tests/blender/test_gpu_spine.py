@@ -11,7 +11,7 @@ Textures, METHODS = part("textures").Textures, part("visibility").METHODS
 def strokes_of(frame, method, backend, chosen):
     textures = Textures(chosen)
     pens = cpu.pens_of(chosen, textures, 1.0)
-    return cpu.shape(frame, METHODS[method].runs(frame, backend, None), pens), pens, textures
+    return cpu.shape(frame, METHODS[method].runs(frame, backend, None)[0], chosen, pens), pens, textures
 
 
 def picture(frame, method, backend, name="ink"):

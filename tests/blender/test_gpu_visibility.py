@@ -23,7 +23,8 @@ def both(frame):
 def test_depth(orthographic, scale):
     scene, view = room(), view_of(orthographic=orthographic)
     texels = core.draw_depth(scene, view, scale).texels
-    drawn = gpu_backend().draw_depth(scene, view, core.DepthLayout(view, scale)).read(4)
+    target = gpu_backend().draw_depth(scene, view, core.DepthLayout(view, scale))
+    drawn, edges = target.read(4), target.read(2, slot=1)
     assert drawn.shape[:2] == texels.shape
     facets = np.where(texels["facet"] == NEITHER, -1, texels["facet"].astype(np.int64))
     same = facets == drawn[..., 3]
@@ -34,10 +35,24 @@ def test_depth(orthographic, scale):
     for slot, slope in ((1, "ddx"), (2, "ddy")):
         error = np.abs(drawn[seen, slot] - texels[slope][seen]) / texels["depth"][seen]
         assert np.quantile(error, 0.999) < 1e-5
+    on_cpu = np.stack((texels["edges"]["x"], texels["edges"]["y"]), axis=-1)
+    for off in ((0.9, 0.1), (-0.4, 0.6), (-0.8, -0.7), (0.3, -0.5)):
+        held = edges_hold(edges[seen], off)
+        assert np.mean(held == edges_hold(on_cpu[seen], off)) > 0.999
+        assert 0.5 < np.mean(held) < 0.999
+
+
+def edges_hold(packed, off):
+    """(n,) whether the triangles of texels reach so far from their centres; native/atlas/triangle_edges.h."""
+    a, b = packed.astype(np.int64).T
+    codes = np.stack((a // 256, b // 256, a % 256 * 256 + b % 256))
+    turn = codes // 256 / 64
+    x, y = np.abs(turn - 2) - 1, np.where(turn < 2, 1 - np.abs(turn - 1), np.abs(turn - 3) - 1)
+    return (codes % 256 / 255 + x * off[0] + y * off[1] >= 0).all(axis=0)
 
 
 @pytest.mark.parametrize("orthographic", [False, True])
-@pytest.mark.parametrize("scale, probes", [(1, 1), (2, 1), (2, 4)])
+@pytest.mark.parametrize("scale, probes", [(1, 1), (2, 1), (1, 4), (2, 4), (2, 9), (2, 16), (3, 16)])
 def test_visibility(orthographic, scale, probes):
     frame = frame_of(room(), view_of(orthographic=orthographic), scale, probes)
     on_gpu, on_cpu = both(frame)

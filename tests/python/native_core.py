@@ -109,10 +109,13 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     closed = core.close_gaps(clipped, runs, 2.0, np.ones(len(paths), np.float32))
     trimmed = core.trim_folds(clipped, closed, paths, 8.0)
     pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
-    strokes = core.tessellate(clipped, trimmed, np.zeros(len(paths), np.uint32), paths.strength, pens)
+    parts = core.with_hidden(clipped, trimmed, paths)
+    ranges = np.array([(i, 0, 9, 0) for i in range(len(line_sets))], np.uint32)
+    pen_of_part = core.pens_of_runs(clipped, parts, paths.line_set, ranges)
+    strokes = core.tessellate(clipped, parts, pen_of_part, paths.strength, pens)
     arrays = members("paths", paths, "offsets points_obj place kinds closed ids")
     arrays |= members("clipped", clipped, "offsets path px depth position_view arc_px sample_start sample_count")
-    for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed), ("parts", core.with_hidden(clipped, trimmed, paths))):
+    for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed), ("parts", parts)):
         arrays |= members(stage, visible, "piece start_px end_px invisibility")
     arrays |= members("strokes", strokes, "px arc half_width opacity triangles")
     arrays["samples"] = core.samples_from_runs(clipped, runs)

@@ -42,7 +42,7 @@ PARTS = {
     "__init__": "blender",
     "stages": "",
     "native": "_native",
-    "style": "stages",
+    "style": "style stages",
     "catalogue": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",

@@ -211,7 +211,7 @@ def stages():
 
 
 def test_stages_of_different_scenes_are_not_mixed(stages):
-    (_, _, paths, clipped, runs), (_, tracer, few_paths, few_clipped, _) = stages
+    (_, _, paths, clipped, runs), (_, tracer, few_paths, few_clipped, few_runs) = stages
     for mixed in (
         lambda: core.project(paths, tracer),
         lambda: core.exact_visibility(clipped, few_paths, tracer),
@@ -221,8 +221,10 @@ def test_stages_of_different_scenes_are_not_mixed(stages):
         lambda: core.close_gaps(clipped, runs, 1.0, np.ones(len(few_paths), np.float32)),
         lambda: core.trim_folds(few_clipped, runs, few_paths, 5.0),
         lambda: core.trim_folds(clipped, runs, few_paths, 5.0),
-        lambda: core.tessellate(few_clipped, runs, np.zeros(len(paths), np.uint32), None, [core.Pen()]),
-        lambda: core.tessellate(clipped, runs, np.zeros(len(few_paths), np.uint32), None, [core.Pen()]),
+        lambda: core.pens_of_runs(few_clipped, runs, paths.line_set, np.zeros((0, 4), np.uint32)),
+        lambda: core.pens_of_runs(clipped, runs, few_paths.line_set, np.zeros((0, 4), np.uint32)),
+        lambda: core.tessellate(few_clipped, runs, np.zeros(len(runs), np.uint32), None, [core.Pen()]),
+        lambda: core.tessellate(clipped, runs, np.zeros(len(few_runs), np.uint32), None, [core.Pen()]),
     ):
         with pytest.raises(ValueError):
             mixed()

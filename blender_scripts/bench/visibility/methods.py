@@ -110,7 +110,7 @@ class Method:
             textures = Textures(self.style)
             pens = cpu.pens_of(self.style, textures, scale)
             small = (getattr(self.options, name) * scale for name in ("gap", "spur", "contour_spur", "fold"))
-            strokes = cpu.shape(frame, cpu.tidy(frame, runs, *small), pens)
+            strokes = cpu.shape(frame, cpu.tidy(frame, runs, *small), self.style, pens)
         with clock("strokes"):
             finished(self.backend.paint(strokes, pens, textures, frame.view))
 

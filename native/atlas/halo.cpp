@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "atlas/filters.h"
+#include "atlas/passes_behind.h"
+#include "atlas/strand.h"
+#include "base/check.h"
+
+namespace fovea {
+namespace {
+
+constexpr double least_sine = 0.2588;  // of 15 degrees: a gap does not grow along the line it follows
+
+/// Ends of spans at which something hides the line.
+void shorten(const Strand& strand, double gap, std::vector<Span>& spans) {
+    for (Span& span : spans) {
+        if (strand.is_whole(span)) continue;
+        if (!strand.reaches_begin(span)) span.begin += gap;
+        if (!strand.reaches_end(span)) span.end -= gap;
+    }
+    std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
+}
+
+/// Takes one span out of all.
+void cut_out(const Span& gap, std::vector<Span>& spans) {
+    const std::size_t count = spans.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Span& span = spans[i];
+        if (gap.end <= span.begin || gap.begin >= span.end) continue;
+        const Span after{gap.end, span.end};
+        span.end = gap.begin;
+        if (after.begin < after.end) spans.push_back(after);
+    }
+    std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
+}
+
+}  // namespace
+
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px) {
+    check_runs(clipped, runs);
+    check(clipped.path.empty() || clipped.path.back() < gap_px.size(), "gap_px: one value per path expected");
+    Array<std::uint8_t> wanted(gap_px.size());
+    for (std::size_t p = 0; p < gap_px.size(); ++p) {
+        check(std::isfinite(gap_px[p]) && gap_px[p] >= 0.0f, "gap_px: not a number of 0 or more");
+        wanted[p] = gap_px[p] > 0.0f;
+    }
+    if (std::ranges::find(wanted, 1) == wanted.end()) return runs;
+    const Array<PassBehind> passes = passes_behind(clipped, runs, wanted);
+    const auto changes = [&](Index path) { return wanted[path] != 0; };
+    return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
+        const double gap = gap_px[clipped.path[strand.parts()[0].piece]];
+        shorten(strand, gap, spans);
+        for (const auto& [piece, shift] : strand.parts()) {
+            for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
+                const double at = pass.arc_px + shift, along = gap / std::max(pass.sine, least_sine);
+                cut_out({at - along, at + along}, spans);
+                if (!strand.cyclic) continue;
+                cut_out({at - along - strand.length(), at + along - strand.length()}, spans);
+                cut_out({at - along + strand.length(), at + along + strand.length()}, spans);
+            }
+        }
+    });
+}
+
+}  // namespace fovea
