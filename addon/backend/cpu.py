@@ -63,10 +63,19 @@ def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
 
 
 def at_ends(frame, runs, style, scale):
-    """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot."""
-    core = native.load()
-    shorter = core.halo(frame.clipped, runs, _by_path(frame, style, "halo", scale))
-    return core.overshoot(frame.clipped, shorter, _by_path(frame, style, "overshoot", scale))
+    """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot.
+    Short lines overshoot by at most a quarter of their length, as a hand would."""
+    core, clipped = native.load(), frame.clipped
+    shorter = core.halo(clipped, runs, frame.paths, _by_path(frame, style, "halo", scale))
+    reach = np.minimum(_by_path(frame, style, "overshoot", scale), _lengths(frame) / 4).astype(np.float32)
+    return core.overshoot(clipped, shorter, reach)
+
+
+def _lengths(frame):
+    """(P,) pixels of each path inside the frame."""
+    clipped = frame.clipped
+    first, last = clipped.offsets[:-1], clipped.offsets[1:] - 1
+    return np.bincount(clipped.path, clipped.arc_px[last] - clipped.arc_px[first], len(frame.paths))
 
 
 def _by_path(frame, style, name, scale):

@@ -13,9 +13,9 @@ FIGURES = {  # name: the words of `fovea draw`
     "hidden-crank-arm": [CRANK_ARM, "--style", "technical", "--hidden"],
     "hidden-office": ["office", "--style", "technical", "--hidden-by", "1"],
     "halo-crank-arm": [CRANK_ARM, "--style", "plain", "--halo", "10"],
-    "halo-office": ["office", "--style", "plain", "--halo", "6"],
-    "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "24"],
-    "overshoot-office": ["office", "--style", "pencil", "--overshoot", "14"],
+    "halo-office": ["office", "--style", "plain", "--halo", "5"],
+    "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20"],
+    "overshoot-office": ["office", "--style", "plain", "--overshoot", "9"],
 }
 
 

@@ -30,7 +30,9 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
 /// in the image, a visible run that is nearer by more than two pixels' size in space, the gap is measured across the
 /// nearer line, from its middle, on both sides; where they cross at less than 15 degrees it grows no further. Nothing
 /// passes behind lines found in the image. A gap of 0 leaves a path as it is.
+/// On paths with `of_view` set (one entry per path of Paths; may be empty) ends stay unless a line crosses them: contours
+/// of mesh edges end where their own surface folds over them, and there is no gap to be seen.
 /// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
-Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px);
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
 
 }  // namespace fovea

@@ -36,9 +36,10 @@ void cut_out(const Span& gap, std::vector<Span>& spans) {
 
 }  // namespace
 
-Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px) {
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view) {
     check_runs(clipped, runs);
     check(clipped.path.empty() || clipped.path.back() < gap_px.size(), "gap_px: one value per path expected");
+    check(of_view.empty() || of_view.size() == gap_px.size(), "of_view: one value per path expected");
     Array<std::uint8_t> wanted(gap_px.size());
     for (std::size_t p = 0; p < gap_px.size(); ++p) {
         check(std::isfinite(gap_px[p]) && gap_px[p] >= 0.0f, "gap_px: not a number of 0 or more");
@@ -48,8 +49,9 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px) {
     const Array<PassBehind> passes = passes_behind(clipped, runs, wanted);
     const auto changes = [&](Index path) { return wanted[path] != 0; };
     return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
-        const double gap = gap_px[clipped.path[strand.parts()[0].piece]];
-        shorten(strand, gap, spans);
+        const Index path = clipped.path[strand.parts()[0].piece];
+        const double gap = gap_px[path];
+        if (of_view.empty() || !of_view[path]) shorten(strand, gap, spans);
         for (const auto& [piece, shift] : strand.parts()) {
             for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
                 const double at = pass.arc_px + shift, along = gap / std::max(pass.sine, least_sine);

@@ -27,12 +27,12 @@ sides. spur_px: (P,) float32 per path of Paths.)");
         "Cuts folds of at most fold_px off the ends of contours.");
     m.def(
         "halo",
-        [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& gap_px) {
+        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, const Arg<float>& gap_px) {
             const In<float> gaps = borrow<float>(gap_px, "gap_px");
             py::gil_scoped_release release;
-            return std::make_shared<Runs>(halo(clipped, runs, gaps));
+            return std::make_shared<Runs>(halo(clipped, runs, gaps, paths.of_view));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"),
+        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("gap_px"),
         R"(Visible runs that stop gap_px short of what hides them, and of visible lines that cross nearer in the image. gap_px:
 (P,) float32 per path of Paths, 0 or more; 0 leaves a path as it is. Comes before overshoot.)");
     m.def(

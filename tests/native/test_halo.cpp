@@ -31,6 +31,16 @@ TEST(Halo, LinesStopShortOfWhatHidesThem) {
     expect_runs(halo(clipped, runs, everywhere(clipped, 5)), {{0, -100, -35}, {0, -30, 10, 1}, {0, 15, 55}, {0, 95, 100}});
 }
 
+TEST(Halo, ContoursStopShortOnlyOfLinesThatCross) {
+    const ClippedPaths clipped = Wires(crossing(90)).project(camera());
+    Runs runs = whole(clipped);
+    runs.end_px[0] = 60.0;  // hidden from there on, and nothing crosses
+    const std::vector<std::uint8_t> of_view{2, 0};
+    expect_runs(halo(clipped, runs, everywhere(clipped, 5), of_view), {{0, -100, -5}, {0, 5, 60}, {1, -100, 100}}, 0.02);
+    expect_runs(halo(clipped, runs, everywhere(clipped, 5)), {{0, -100, -5}, {0, 5, 55}, {1, -100, 100}}, 0.02);
+    EXPECT_THROW(halo(clipped, runs, everywhere(clipped, 5), std::vector<std::uint8_t>{1}), std::invalid_argument);
+}
+
 TEST(Halo, StaysOffTheFrame) {
     const ClippedPaths clipped = Wires({{at(-100, 100), at(900, 100)}}).project(camera());
     expect_same(with_gap(clipped, 5), whole(clipped));
