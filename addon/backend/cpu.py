@@ -130,7 +130,7 @@ class Backend:
     """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
 
     name = "cpu"
-    most_side = 6144  # texels of a tile of the depth buffer: 0.6 GB
+    most_side = 6144  # texels of a tile of the depth buffer: 0.9 GB
 
     def visibility(self, frame):
         look = native.load().sampled_visibility

@@ -20,7 +20,7 @@ class Backend:
 
     name = "gpu"
     batch_samples = 1 << 22  # an atlas texture holds as many, or one path
-    most_side = 6144  # texels of a tile, where the GPU can do more: 0.8 GB
+    most_side = 6144  # texels of a tile, where the GPU can do more: 1.1 GB
 
     def __init__(self):
         self.clock = Clock()
