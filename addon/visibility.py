@@ -1,6 +1,6 @@
 """How it is decided what is hidden: the methods, each the same two verbs.
 
-    runs(frame, backend, cancel) -> visible Runs, and the atlas samples they are read from, or None
+    runs(frame, backend, cancel) -> visible Runs, and the samples by which their ends fade, or None where they are sharp
     draw(frame, backend, strokes, pens, textures) -> (height, width, 4) float32, strokes alone, premultiplied
 
 All but the spine test know the visible runs before they draw, and draw just these.
@@ -51,8 +51,8 @@ class ItemBuffer(Exact):
         return f"item buffer, {frame.layers} layers x {frame.depth_scale}"
 
     def runs(self, frame, backend, cancel):
-        samples = backend.item_visibility(frame)
-        return cpu.runs(frame.clipped, samples), samples
+        # Where lines share texels, samples in part are not seen in part: nothing to fade by.
+        return cpu.runs(frame.clipped, backend.item_visibility(frame)), None
 
 
 class SpineTest(Exact):

@@ -41,8 +41,10 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<st
     return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
         const Index path = clipped.path[strand.parts()[0].piece];
         const double gap = gap_px[path];
+        const bool contour = !of_view.empty() && of_view[path];
         for (const auto& [piece, shift] : strand.parts()) {
             for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
+                if (contour && pass.sine < least_sine) continue;
                 const double at = pass.arc_px + shift, along = gap / std::max(pass.sine, least_sine);
                 cut_out({at - along, at + along}, spans);
                 if (!strand.cyclic) continue;
