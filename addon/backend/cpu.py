@@ -130,32 +130,35 @@ class Backend:
     """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
 
     name = "cpu"
-    most_side = 8192  # texels of a tile of the depth buffer: 1 GB
+    most_side = 6144  # texels of a tile of the depth buffer: 0.9 GB
 
     def visibility(self, frame):
-        core = native.load()
-        return sum(core.sampled_visibility(frame.clipped, depth, frame.probes) for depth in self._depths(frame))
+        look = native.load().sampled_visibility
+        return self._over_tiles(frame, lambda depth: look(frame.clipped, depth, frame.probes))
 
     def item_visibility(self, frame):
-        core = native.load()
-        return sum(core.item_visibility(frame.clipped, depth, frame.layers) for depth in self._depths(frame))
+        look = native.load().item_visibility
+        return self._over_tiles(frame, lambda depth: look(frame.clipped, depth, frame.layers))
 
     def layouts(self, frame, overlap_px=0):
         """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
         return depth_layouts(frame, self.most_side, overlap_px)
 
-    def _depths(self, frame, overlap_px=0):
-        for layout in self.layouts(frame, overlap_px):
-            yield native.load().draw_depth(frame.scene, frame.view, layout)
+    def _over_tiles(self, frame, look, overlap_px=0):
+        """Sum of what `look` tells of each tile's depth buffer; no two of them are there at once."""
+        core = native.load()
+        layouts = self.layouts(frame, overlap_px)
+        return sum(look(core.draw_depth(frame.scene, frame.view, layout)) for layout in layouts)
 
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)
 
     def draw_seen(self, frame, strokes, pens, textures):
-        core, overlap_px = native.load(), strokes_reach(strokes)
-        return sum(
-            core.raster_seen(strokes, pens, textures.native, frame.clipped, depth, frame.probes)
-            for depth in self._depths(frame, overlap_px)
+        look = native.load().raster_seen
+        return self._over_tiles(
+            frame,
+            lambda depth: look(strokes, pens, textures.native, frame.clipped, depth, frame.probes),
+            strokes_reach(strokes),
         )
 
 

@@ -20,7 +20,7 @@ class Backend:
 
     name = "gpu"
     batch_samples = 1 << 22  # an atlas texture holds as many, or one path
-    most_side = 8192  # texels of a tile, where the GPU can do more: 1.3 GB
+    most_side = 6144  # texels of a tile, where the GPU can do more: 1.1 GB
 
     def __init__(self):
         self.clock = Clock()
@@ -32,31 +32,35 @@ class Backend:
         """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer."""
         self.clock.start()
         atlas = Atlas(self._programs, frame, self.batch_samples)
-        self.clock.mark("tables")
-        for layout in self.layouts(frame) if atlas.batches else ():
-            depth = self._depth(frame, layout)
-            atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
-            self.clock.mark("samples", atlas.batches[-1].target)
-        result = atlas.read()
-        self.clock.mark("read")
-        return result
+        return self._fill(atlas, frame, self._look)
 
     def item_visibility(self, frame):
         """The same by the item buffer."""
         self.clock.start()
         atlas = Atlas(self._programs, frame, self.batch_samples)
         atlas.add_table("items", item_of_point(frame.clipped))
+        return self._fill(atlas, frame, self._look_for_items)
+
+    def _fill(self, atlas, frame, look):
+        """Samples of an Atlas, looked at through one depth tile after the other; no two of them are there at once."""
         self.clock.mark("tables")
         for layout in self.layouts(frame) if atlas.batches else ():
-            depth = self._depth(frame, layout)
-            layers = self._items.draw(atlas, depth, layout, frame.layers)
-            self.clock.mark("items", layers[-1])
-            samplers = {f"layer{i}": layers[min(i, len(layers) - 1)].color for i in range(3)}
-            atlas.run("item_samples", layout, samplers, layer_count=frame.layers)
+            look(atlas, frame, layout)
             self.clock.mark("samples", atlas.batches[-1].target)
         result = atlas.read()
         self.clock.mark("read")
         return result
+
+    def _look(self, atlas, frame, layout):
+        depth = self._depth(frame, layout)
+        atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
+
+    def _look_for_items(self, atlas, frame, layout):
+        depth = self._depth(frame, layout)
+        layers = self._items.draw(atlas, depth, layout, frame.layers)
+        self.clock.mark("items", layers[-1])
+        samplers = {f"layer{i}": layers[min(i, len(layers) - 1)].color for i in range(3)}
+        atlas.run("item_samples", layout, samplers, layer_count=frame.layers)
 
     def layouts(self, frame, overlap_px=0):
         """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
@@ -109,10 +113,7 @@ class Backend:
         passes = StrokePass(self._programs, strokes, pens, textures)
         self.clock.mark("upload")
         for box in boxes(view.width, view.height, min(size_limit(), self.most_side)):
-            target = passes.draw(box)
-            self.clock.mark("strokes", target)
-            picture.paste(box, target)
-            self.clock.mark("read")
+            self._put(picture, box, passes.draw(box))
         return picture.pixels
 
     def draw_seen(self, frame, strokes, pens, textures):
@@ -129,18 +130,20 @@ class Backend:
         self.clock.mark("upload")
         for layout in self.layouts(frame, strokes_reach(strokes)):
             box = box_of(layout, frame.view)
-            if box[0] >= box[2] or box[1] >= box[3]:
-                continue
-            depth = self._depth(frame, layout)
-            samplers = {"segments": segments, **_looked_into(depth)}
-            border = (layout.border_x, layout.border_y)
-            target = passes.draw(
-                box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame)
-            )
-            self.clock.mark("strokes", target)
-            picture.paste(box, target)
-            self.clock.mark("read")
+            if box[0] < box[2] and box[1] < box[3]:
+                self._put(picture, box, self._draw_seen(frame, layout, box, passes, segments))
         return picture.pixels
+
+    def _draw_seen(self, frame, layout, box, passes, segments):
+        depth = self._depth(frame, layout)
+        samplers = {"segments": segments, **_looked_into(depth)}
+        border = (layout.border_x, layout.border_y)
+        return passes.draw(box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame))
+
+    def _put(self, picture, box, target):
+        self.clock.mark("strokes", target)
+        picture.paste(box, target)
+        self.clock.mark("read")
 
 
 def _looked_into(depth):

@@ -46,7 +46,7 @@ def _parser():
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
-    add("--size", type=_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
+    add("--size", type=frame_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
     add("--lens", type=float, metavar="MM", help="focal length; 50 for a model")
     add("--margin", type=float, metavar="PERCENT", default=5.0, help="free on each side of a framed model")
     add("--azimuth", type=float, metavar="DEG", help="frame the model from so far left of its front (35)")
@@ -100,7 +100,7 @@ def _check_sheet(options):
     options.style = "plain"  # one pen for all lines
 
 
-def _size(text):
+def frame_size(text):
     found = re.fullmatch(r"([1-9]\d*)x([1-9]\d*)", text)
     if not found:
         raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")

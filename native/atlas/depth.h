@@ -78,9 +78,9 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
 /// Their triangles, borrowed from the scene.
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
-/// Draws into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut off; the far plane cuts
-/// nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not
-/// finite leave no trace. Throws std::invalid_argument on indices out of range.
+/// Draws triangles into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut off; the far
+/// plane cuts nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate
+/// that is not finite leave no trace. Throws std::invalid_argument on indices out of range.
 DepthBuffer draw_depth_into(DepthBuffer layout, const View& view, In<DepthMesh> meshes, const Cancel* cancel = nullptr);
 
 /// The same for the whole view; throws as depth_layout, too.

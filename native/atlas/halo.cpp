@@ -11,16 +11,6 @@ namespace {
 
 constexpr double least_sine = 0.2588;  // of 15 degrees: a gap does not grow along the line it follows
 
-/// Ends of spans at which something hides the line.
-void shorten(const Strand& strand, double gap, std::vector<Span>& spans) {
-    for (Span& span : spans) {
-        if (strand.is_whole(span)) continue;
-        if (!strand.reaches_begin(span)) span.begin += gap;
-        if (!strand.reaches_end(span)) span.end -= gap;
-    }
-    std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
-}
-
 /// Takes one span out of all.
 void cut_out(const Span& gap, std::vector<Span>& spans) {
     const std::size_t count = spans.size();
@@ -52,7 +42,6 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<st
         const Index path = clipped.path[strand.parts()[0].piece];
         const double gap = gap_px[path];
         const bool contour = !of_view.empty() && of_view[path];
-        if (!contour) shorten(strand, gap, spans);
         for (const auto& [piece, shift] : strand.parts()) {
             for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
                 if (contour && pass.sine < least_sine) continue;

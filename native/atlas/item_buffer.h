@@ -30,10 +30,9 @@ struct ItemBuffer {
 ItemBuffer draw_items(const ClippedPaths& clipped, const DepthBuffer& depth, const ItemOptions& options,
                       const Cancel* cancel = nullptr);
 
-/// Share of its looks that see each atlas sample, in [0,1]; 0 for samples that the depth buffer does not decide, as in
+/// Share of its looks that see each atlas sample, in [0,1]; samples that the depth buffer does not decide are 0, as in
 /// sampled_visibility. There are as many looks as texels to a pixel, evenly spread over the sample's share of the
-/// segment; one sees where its texel, or the one on
-/// either side of the line, holds the piece in any layer.
+/// segment; one sees where its texel, or the one on either side of the line, holds the piece in any layer.
 Array<float> item_visibility(const ClippedPaths& clipped, const DepthBuffer& depth, const ItemOptions& options,
                              const Cancel* cancel = nullptr);
 

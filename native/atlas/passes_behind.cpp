@@ -16,6 +16,7 @@ constexpr double reach_px = 2.0;      // beyond the ends of a run: what hides it
 constexpr double direction_px = 3.0;  // to both sides: a dense mesh's own segments zigzag
 constexpr double joint_px = 1e-3;     // two segments that share a point leave no gap for a line to slip through
 constexpr double least_pixels = 2.0;  // a nearer line is nearer by so many pixels' size
+constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -95,19 +96,21 @@ std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, con
     return std::pair(on_segment(far.point, a + t * along), on_segment(near.point, c + u * across));
 }
 
-/// Adds what the run of a piece passes behind on one of its stretches.
-void find(const ClippedPaths& clipped, const StretchGrid& grid, Index piece, const Stretch& far,
+/// Adds what a run passes behind on one of its stretches.
+void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const StretchGrid& grid, const Stretch& far,
           Array<PassBehind>& found) {
+    const Index piece = runs.piece[run];
     grid.near(far.a, far.b, [&](const Stretch& near) {
         if (near.point == far.point) return;
         const auto places = crossing(clipped, far, near);
         if (!places) return;
         const auto& [behind, before] = *places;
+        const double arc = arc_at(clipped, behind);
+        const double beyond = std::max({0.0, runs.start_px[run] - arc, arc - runs.end_px[run]});
         const double farther = distance(clipped, behind) - distance(clipped, before);
-        if (!(farther > least_pixels * pixel_size(clipped, behind))) return;
+        if (!(farther > (least_pixels + steepness * beyond) * pixel_size(clipped, behind))) return;
         const auto& offsets = clipped.pieces.offsets;
         const Index other = Index(std::upper_bound(offsets.begin(), offsets.end(), near.point) - offsets.begin()) - 1;
-        const double arc = arc_at(clipped, behind);
         const dvec2 way = direction(clipped, piece, arc), others = direction(clipped, other, arc_at(clipped, before));
         const double lengths = glm::length(way) * glm::length(others);
         found.push_back({piece, arc, lengths > 0.0 ? std::abs(cross(way, others)) / lengths : 1.0});
@@ -124,7 +127,7 @@ Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, I
             const Index piece = runs.piece[r];
             if (!wanted[clipped.path[piece]] || runs.invisibility[r] != 0 || in_image(clipped, piece)) continue;
             for_stretches(clipped, piece, runs.start_px[r] - reach_px, runs.end_px[r] + reach_px,
-                          [&](const Stretch& stretch) { find(clipped, grid, piece, stretch, blocks[b]); });
+                          [&](const Stretch& stretch) { find(clipped, runs, r, grid, stretch, blocks[b]); });
         }
         // The grid gives stretches in no certain order.
         const auto place = [](const PassBehind& p) { return std::tuple(p.piece, p.arc_px, p.sine); };

@@ -33,8 +33,8 @@ sides. spur_px: (P,) float32 per path of Paths.)");
             return std::make_shared<Runs>(halo(clipped, runs, gaps, paths.of_view));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("gap_px"),
-        R"(Visible runs that stop gap_px short of what hides them, and of visible lines that cross nearer in the image. gap_px:
-(P,) float32 per path of Paths, 0 or more; 0 leaves a path as it is. Comes before overshoot.)");
+        R"(Visible runs that stop gap_px short of visible lines that they pass behind. gap_px: (P,) float32 per path of Paths, 0
+or more; 0 leaves a path as it is. Comes before overshoot.)");
     m.def(
         "overshoot",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& amount_px) {

@@ -38,7 +38,7 @@ def test_depth(orthographic, scale):
     on_cpu = np.stack((texels["edges"]["x"], texels["edges"]["y"]), axis=-1)
     for off in ((0.9, 0.1), (-0.4, 0.6), (-0.8, -0.7), (0.3, -0.5)):
         held = edges_hold(edges[seen], off)
-        assert np.mean(held == edges_hold(on_cpu[seen], off)) > 0.999
+        assert np.mean(held == edges_hold(on_cpu[seen], off)) > 0.995  # corners are rounded to 1/256 texel
         assert 0.5 < np.mean(held) < 0.999
 
 

@@ -24,11 +24,22 @@ Runs with_gap(const ClippedPaths& clipped, float gap) { return halo(clipped, who
 
 }  // namespace
 
-TEST(Halo, LinesStopShortOfWhatHidesThem) {
-    const ClippedPaths clipped = Wires({{at(100, 100), at(300, 100)}}).project(camera());
-    const double first = clipped.arc_px[0], last = clipped.arc_px[1];
-    const Runs runs = runs_of({{0, first, -30}, {0, -30, 10, 1}, {0, 10, 60}, {0, 70, 74}, {0, 90, last}});
-    expect_runs(halo(clipped, runs, everywhere(clipped, 5)), {{0, -100, -35}, {0, -30, 10, 1}, {0, 15, 55}, {0, 95, 100}});
+TEST(Halo, LeavesLinesThatTurnAwayOnTheirOwnSurface) {
+    // The lower rim of a can goes out of sight behind it, where its outline begins; nothing is behind anything.
+    const meshes::Mesh can = meshes::cylinder(24);
+    const LineSet lines{{{definition_index("contour"), {}}, {definition_index("border"), {}}}, 60.0};
+    for (double height : {0.5, 2.0, 4.0}) {
+        const View view = drawing::perspective({0.3, -7, height}, {0, 0, 0});
+        const drawing::Drawing drawn({drawing::place(can)}, view, {lines});
+        EXPECT_GT(drawn.runs.size(), 3u);
+        expect_same(halo(drawn.clipped, drawn.runs, everywhere(drawn.clipped, 6)), drawn.runs);
+        // One before it hides some of it.
+        const dmat4 nearer = glm::translate(dmat4(1.0), dvec3(0.9, -2.5, 0.1));
+        const drawing::Drawing two({drawing::place(can), drawing::place(can, nearer, 2)}, view, {lines});
+        const Runs apart = halo(two.clipped, two.runs, everywhere(two.clipped, 6));
+        EXPECT_LT(visible_length(apart), visible_length(two.runs) - 12.0) << height;
+        EXPECT_GT(visible_length(apart), visible_length(two.runs) - 100.0) << height;
+    }
 }
 
 TEST(Halo, ContoursStopShortOnlyOfLinesThatCross) {

@@ -122,15 +122,6 @@ TEST(ItemBuffer, ALineIsThereOnceHoweverOftenItComesBy) {
     EXPECT_EQ(paper.share(paper.visibility(1), 0), 0.0);
 }
 
-TEST(ItemBuffer, PaddingRepeatsTheEnds) {
-    Paper paper;
-    paper.cover(57.0f, 0.9f, 0.0f, 0.0f);
-    paper.line({20.0f, 30.5f}, {90.0f, 30.5f}, 0.5f, 0.5f);
-    const Array<float> values = paper.visibility();
-    EXPECT_EQ(values.front(), 1.0f);
-    EXPECT_EQ(values.back(), 0.0f);
-}
-
 TEST(ItemBuffer, TheSameForAnyNumberOfThreads) {
     Paper paper(3);
     paper.cover(57.0f, 0.5f, 0.001f, 0.0f);

@@ -196,6 +196,38 @@ TEST(Layout, BatchesHoldWholePiecesAndTablesFindTheOwner) {
     EXPECT_TRUE(atlas_batches(ClippedPaths(), 1).empty());
 }
 
+TEST(Layout, NoneOneAndTwoSegmentsAndABatchThatIsJustFull) {
+    const View view = test_view();
+    for (int segments = 0; segments < 3; ++segments) {
+        ClippedPaths clipped;
+        for (int i = 0; i < segments; ++i) add_piece(view, clipped, {{-1, -1, -5}, {1, 1, -4}});
+        const Index each = segments ? clipped.samples / segments : 0;
+        EXPECT_EQ(atlas_batches(clipped).size(), segments ? 1u : 0u);
+        EXPECT_EQ(atlas_batches(clipped, std::max(clipped.samples, 1u)).size(), segments ? 1u : 0u);
+        EXPECT_EQ(atlas_batches(clipped, std::max(each, 1u)).size(), Index(segments));
+        EXPECT_EQ(visibility(view, clipped, {}), Array<float>(clipped.samples, 1.0f));
+        for (const AtlasBatch& batch : atlas_batches(clipped, each)) {
+            const AtlasTables tables = atlas_tables(clipped, flat_sides(clipped), batch);
+            EXPECT_EQ(tables.segments.size(), 3u);
+            for (const float owner : tables.owners) EXPECT_EQ(owner, 0.0f);
+        }
+    }
+}
+
+TEST(Sampled, AnEdgeHidesALineLessThanHalfATexelBelowIt) {
+    const View view = test_view();
+    // The edge of the face runs along the line, a fifth of a pixel above it; the texel there may show what is beyond.
+    const auto y_of = [&](double px) { return px / (0.5 * view.height) * 4.0 * std::tan(0.4); };  // at distance 4
+    for (double at_px = 0.0; at_px < 2.0; at_px += 0.13)
+        for (const int scale : {1, 2}) {
+            const float top = float(y_of(at_px + 0.2)), y = float(y_of(at_px) * 5.0 / 4.0);
+            const Rectangle face(vec3(-3, -3, -4), vec3(3, -3, -4), vec3(3, top, -4), vec3(-3, top, -4), 0);
+            ClippedPaths clipped;
+            add_piece(view, clipped, {{-1, y, -5}, {1, y, -5}});
+            EXPECT_EQ(mean(visibility(view, clipped, {face}, scale, 9)), 0.0) << at_px << " " << scale;
+        }
+}
+
 TEST(Layout, BatchesOfOtherPathsAreRefused) {
     const View view = test_view();
     ClippedPaths clipped, other;

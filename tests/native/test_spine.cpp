@@ -88,6 +88,6 @@ TEST(Spine, TheTableHoldsEverySegment) {
     ASSERT_EQ(table.size(), 12u);
     EXPECT_EQ(table[3], vec4(30, 20, 0.5f, -30));
     EXPECT_EQ(table[4], vec4(30, 40, 0.5f, -10));
-    EXPECT_EQ(table[5], vec4(-1, -1, 0, -1));
-    EXPECT_EQ(table[8], vec4(-1, -1, 0, 0.25f));
+    EXPECT_EQ(table[5], vec4(-1, -1, -1, 0));
+    EXPECT_EQ(table[8], vec4(-1, -1, 0.25f, 0));
 }

@@ -1,17 +1,26 @@
-"""The methods that are compared, each a whole frame from the scene to pixels, with the time of its stages.
+"""The methods that are compared. All but OGL are the pipeline itself, as a render runs it, on the gpu backend.
 
-A stage that draws waits until the drawing is done."""
+A pass that draws is waited for. Neither paper nor the read-back of the picture counts: a viewport needs none."""
 
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 import numpy as np
-from bl_ext.user_default.fovea import native, pipeline
+from bl_ext.user_default.fovea import native, pipeline, visibility
 from bl_ext.user_default.fovea.backend import cpu, gpu
-from bl_ext.user_default.fovea.textures import Textures
 
-from .plain_lines import PlainLines, finish
+from .plain_lines import PlainLines
+
+QUALITY = {  # probes, texels of the depth buffer to a pixel along each axis, layers of the item buffer
+    "IBlo": (1, 1, 1),
+    "IBhi": (1, 3, 3),
+    "STlo": (1, 1, 1),
+    "SThi": (9, 2, 1),
+    "SAlo": (1, 1, 1),
+    "SAhi": (9, 2, 1),
+}
+KINDS = {"IB": "item_buffer", "ST": "spine", "SA": "atlas", "ex": "exact"}
 
 
 @dataclass(frozen=True)
@@ -44,122 +53,95 @@ class Frame:
         return np.repeat(self.paths.placement, np.diff(self.paths.offsets))[point]
 
 
-class Clock:
-    """Time of stages without that of the stages inside them."""
-
-    def __init__(self):
-        self.stages, self.inside = {}, [0.0]
-
-    @contextmanager
-    def __call__(self, name):
-        start = time.perf_counter()
-        self.inside.append(0.0)
-        yield
-        whole = 1000 * (time.perf_counter() - start)
-        self.stages[name] = self.stages.get(name, 0.0) + whole - self.inside.pop()
-        self.inside[-1] += whole
+def make(name, world, style, options):
+    """The method of that name in the table."""
+    if name == "OGL":
+        return OpenGL(world, style, options)
+    probes, scale, layers = QUALITY.get(name, (1, 1, 1))
+    options = replace(options, visibility="recorded", probes=probes, depth_scale=scale, layers=layers)
+    return Method(visibility.METHODS[KINDS[name[:2]]], world, style, options)
 
 
-class TimedBackend(gpu.Backend):
-    """The gpu backend, which notes how long its passes take and waits for each."""
+class Recorder:
+    """A method of the pipeline that keeps what went through it."""
 
-    clock = None  # of the frame that is drawn
+    def __init__(self, method):
+        self.method, self.counts = method, method.counts
 
-    def draw_depth(self, *arguments):
-        with self.clock("depth"):
-            return finished(super().draw_depth(*arguments))
+    def told(self, frame):
+        return self.method.told(frame)
 
-    def _look(self, *arguments):
-        with self.clock("samples"):
-            return super()._look(*arguments)
+    def runs(self, frame, backend, cancel):
+        backend.clock.stages = {}
+        found, samples = self.method.runs(frame, backend, cancel)
+        self.frame, self.found, self.inside = frame, found, backend.clock.stages
+        return found, samples
 
-
-def finished(target):
-    with target.bind() as framebuffer:
-        finish(framebuffer)
-    return target
+    def draw(self, frame, backend, strokes, pens, textures):
+        backend.clock.stages = {}
+        picture = self.method.draw(frame, backend, strokes, pens, textures)
+        self.drawn = {name: ms for name, ms in backend.clock.stages.items() if name != "read"}
+        return picture
 
 
 class Method:
-    """From a scene to strokes on a target; methods differ in `draw`, which gives samples or None."""
+    def __init__(self, method, world, style, options):
+        self.recorder, self.world, self.style, self.options = Recorder(method), world, style, options
+        self.backend = gpu.Backend()
+        self.cancel = native.load().Cancel()
+
+    def frame(self, view):
+        seen, recorder = self.world.seen(view), self.recorder
+        pipeline.METHODS["recorded"] = recorder
+        image = pipeline.draw(
+            self.world.placed, seen, self.style, self.backend, self.options, progress=silent, cancel=self.cancel
+        )
+        whole = image.statistics["stages"]
+        stages = {name: whole[name] for name in ("bvh", "lines", "project")}
+        stages |= recorder.inside or {"rays": whole["visibility"]}
+        rest = whole["visibility"] - sum(recorder.inside.values()) if recorder.inside else 0.0
+        stages |= {"runs": rest + whole["runs"], "shape": whole["shape"]}
+        for name, ms in recorder.drawn.items():
+            stages[name] = stages.get(name, 0.0) + ms
+        clipped = recorder.frame.clipped
+        return Frame(stages, self.world.placed, recorder.frame.paths, clipped, self.samples(), view.orthographic)
+
+    def samples(self):
+        """What was found visible. The spine test finds nothing before it draws: what its looks at the samples would say."""
+        if self.recorder.method.name == "spine":
+            return self.backend.visibility(self.recorder.frame)
+        return native.load().samples_from_runs(self.recorder.frame.clipped, self.recorder.found)
+
+
+class OpenGL:
+    """Lines without style. Projection, which serves to count segments alone, is not timed."""
 
     def __init__(self, world, style, options):
         self.world, self.style, self.options = world, style, options
+        self.plain = PlainLines(world.placed, world.object_to_world)
         self.cancel = native.load().Cancel()
-        self.backend = TimedBackend()
 
     def frame(self, view):
-        clock, scale, seen = Clock(), view.reference_scale, self.world.seen(view)
-        self.backend.clock = clock
-        with clock("lines"):
+        seen, stages = self.world.seen(view), {}
+        with timed(stages, "bvh"):
             tracer = cpu.trace(self.world.placed, seen)
+        with timed(stages, "lines"):
             paths = cpu.extract(tracer, self.style, self.cancel)
-        clipped = self.clip(paths, tracer, scale, clock)
-        frame = pipeline.Frame(self.world.placed, seen, tracer, paths, clipped, self.options.depth_scale, self.options.probes)
-        visibility = self.draw(frame, view, clock)
-        return Frame(clock.stages, self.world.placed, paths, clipped, visibility, view.orthographic)
-
-    def clip(self, paths, tracer, scale, clock):
-        with clock("project"):
-            return cpu.project(paths, tracer, self.style, self.options.sample_step * scale, scale, self.cancel)
-
-    def strokes(self, frame, runs, clock):
-        """The visible runs as strokes, on a target that nobody reads."""
-        scale = frame.view.reference_scale
-        with clock("shape"):
-            textures = Textures(self.style)
-            pens = cpu.pens_of(self.style, textures, scale)
-            small = (getattr(self.options, name) * scale for name in ("gap", "spur", "contour_spur", "fold"))
-            strokes = cpu.shape(frame, cpu.tidy(frame, runs, *small), self.style, pens)
-        with clock("strokes"):
-            finished(self.backend.paint(strokes, pens, textures, frame.view))
-
-
-class Exact(Method):
-    def draw(self, frame, view, clock):
-        with clock("visibility"):
-            runs = cpu.exact(frame, self.cancel)
-        self.strokes(frame, runs, clock)
-        return native.load().samples_from_runs(frame.clipped, runs)
-
-
-class SegmentAtlas(Method):
-    def draw(self, frame, view, clock):
-        with clock("tables"):
-            visibility = self.backend.visibility(frame)
-        with clock("runs"):
-            runs = cpu.runs(frame.clipped, visibility)
-        self.strokes(frame, runs, clock)
-        return visibility
-
-
-class OpenGL(Method):
-    """Lines without style. Projection, which serves to count segments alone, is not timed."""
-
-    def __init__(self, *arguments):
-        super().__init__(*arguments)
-        self.plain = PlainLines(self.world.placed, self.world.object_to_world)
-
-    def clip(self, paths, tracer, scale, clock):
-        return super().clip(paths, tracer, scale, Clock())
-
-    def draw(self, frame, view, clock):
-        with clock("upload"):
-            self.plain.upload(frame.paths)
-        with clock("draw"):
+        with timed(stages, "upload"):
+            self.plain.upload(paths)
+        with timed(stages, "draw"):
             self.plain.draw(view.view_to_clip @ view.world_to_view, view.width, view.height)
-        return None
+        scale = view.reference_scale
+        clipped = cpu.project(paths, tracer, self.style, self.options.sample_step * scale, scale, self.cancel)
+        return Frame(stages, self.world.placed, paths, clipped, None, view.orthographic)
 
 
-def make(name, world, style, options):
-    """The method of that name in the table."""
-    if name == "exact":
-        return Exact(world, style, options)
-    if name == "OGL":
-        return OpenGL(world, style, options)
-    probes, scale = QUALITY[name[2:]]
-    return KINDS[name[:2]](world, style, replace(options, probes=probes, depth_scale=scale))
+@contextmanager
+def timed(stages, name):
+    start = time.perf_counter()
+    yield
+    stages[name] = 1000 * (time.perf_counter() - start)
 
 
-QUALITY = {"lo": (1, 1), "hi": (9, 2)}  # probes, depth scale
-KINDS = {"SA": SegmentAtlas}
+def silent(*_progress):
+    pass

@@ -51,7 +51,7 @@ class PlainLines:
             self._paint((1.0, 1.0, 1.0, 1.0), self.surfaces)
             gpu.matrix.load_projection_matrix(Matrix(NEARER @ world_to_clip))
             self._paint((0.0, 0.0, 0.0, 1.0), [self.lines])
-            finish(framebuffer)
+        target.wait()
         return target
 
     def _paint(self, color, batches):
@@ -67,8 +67,3 @@ def world(points, matrix):
 
 def batch(kind, positions):
     return gpu.types.GPUBatch(type=kind, buf=vertex_buffer({"pos": positions}))
-
-
-def finish(framebuffer):
-    """Waits until all that was asked of OpenGL is done."""
-    framebuffer.read_color(0, 0, 1, 1, 4, 0, "FLOAT")

@@ -44,6 +44,7 @@ def main(asked):
     draw = pipeline.draw
 
     def measured(placed, seen, style, backend, options, **watching):
+        pipeline.draw = draw
         world = World(placed, kept["snapshot"].object_to_world)
         run(world, orbit(kept["view"], pivot, asked["frames"]), style, options, asked)
         return draw(placed, seen, style, cpu.Backend(), options, **watching)
