@@ -12,7 +12,7 @@ SIZE = ["--size", "1280x720"]
 FIGURES = {  # name: the words of `fovea draw`
     "hidden-crank-arm": [CRANK_ARM, "--style", "technical", "--hidden"],
     "hidden-office": ["office", "--style", "technical", "--hidden-by", "1"],
-    "halo-crank-arm": [CRANK_ARM, "--style", "plain", "--halo", "10"],
+    "halo-crank-arm": [CRANK_ARM, "--style", "plain", "--halo", "8"],
     "halo-office": ["office", "--style", "plain", "--halo", "5"],
     "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20"],
     "overshoot-office": ["office", "--style", "plain", "--overshoot", "9"],
