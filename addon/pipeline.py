@@ -7,22 +7,24 @@ from dataclasses import dataclass
 from .backend import cpu
 from .stages import Image
 from .textures import Textures
-
-EXACT, SAMPLED = "exact", "sampled"
+from .visibility import METHODS
 
 
 @dataclass(frozen=True)
 class Options:
     """Numbers of the method that are not the style's."""
 
-    visibility: str = EXACT
+    visibility: str = "exact"  # which of METHODS
     sample_step: float = 2.0  # reference pixels between visibility samples
     depth_scale: int = 2  # texels of the depth buffer per pixel, along each axis
-    probes: int = 1  # looks into the depth buffer per sample
+    probes: int = 9  # looks into the depth buffer per sample
+    layers: int = 3  # lines that a texel of the item buffer holds
     gap: float = 3.0  # reference pixels of hidden line that are drawn over; more than one sample
     spur: float = 1.0  # reference pixels of visible line, alone, that are left out
     contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
+    beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
+    least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     with_depth: bool = False  # also make the depth pass
 
 
@@ -37,6 +39,7 @@ class Frame:
     clipped: object  # native ClippedPaths
     depth_scale: int
     probes: int
+    layers: int = 3
 
 
 class _Clock:
@@ -56,33 +59,37 @@ class _Clock:
 
 def draw(scene, view, style, backend, options, *, progress, cancel):
     """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend."""
-    clock, scale = _Clock(progress), view.reference_scale
+    clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
-    with clock.stage("lines", 0.15):
+    with clock.stage("lines", 0.1):
         paths = cpu.extract(tracer, style, cancel)
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
-    frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes)
+    frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes, options.layers)
     with clock.stage("visibility", 0.25):
-        visible = visibility(frame, backend, options, cancel)
+        visible, samples = method.runs(frame, backend, cancel)
+    with clock.stage("runs", 0.05):
+        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
+        tidied = cpu.tidy(frame, visible, *small)
+        levels = style.counted() if method.counts else min(style.counted(), 1)
+        small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
+        parts = cpu.parts(frame, tidied, levels, *small, cancel)
+        runs = cpu.at_ends(frame, parts, style, scale)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        small = (length * scale for length in (options.gap, options.spur, options.contour_spur, options.fold))
-        tidied = cpu.tidy(frame, visible, *small)
-        strokes = cpu.shape(frame, tidied, pens)
+        strokes = cpu.shape(frame, runs, style, pens, samples)
     with clock.stage("strokes", 0.1):
-        lines = backend.draw(strokes, pens, textures, view)
+        lines = method.draw(frame, backend, strokes, pens, textures)
     with clock.stage("paper", 0.1):
         combined = cpu.on_paper(lines, style.paper, tracer, cancel)
         depth = cpu.depth_image(tracer, cancel) if options.with_depth else None
-    statistics = {"stages": clock.stages, "strokes": strokes.count, "samples": clipped.samples, "backend": backend.name}
+    statistics = {
+        "stages": clock.stages,
+        "strokes": strokes.count,
+        "samples": clipped.samples,
+        "backend": backend.name,
+        "visibility": method.told(frame),
+    }
     return Image(combined, lines, depth, statistics)
-
-
-def visibility(frame, backend, options, cancel):
-    """Visible Runs of a Frame."""
-    if options.visibility == EXACT:
-        return cpu.exact(frame, cancel)
-    return cpu.runs(frame.clipped, backend.visibility(frame))

@@ -58,7 +58,7 @@ class ClippedPaths:
     facet1: np.ndarray  # (M,) uint32
     sample_start: np.ndarray  # (M,) uint32, first atlas sample of the segment from this point
     sample_count: np.ndarray  # (M,) uint32, 0 for the last point of a piece
-    samples: int  # size of the atlas, padding included
+    samples: int  # size of the atlas
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class Runs:
 
 @dataclass(frozen=True)
 class Strokes:
-    """Visible runs shaped into triangle strips (V vertices, I / 3 triangles); every backend draws the same arrays.
+    """Runs shaped into triangle strips (V vertices, I / 3 triangles); every backend draws the same arrays.
 
     A fragment's coverage is analytic: side = half_width + .5 - |v|, and beyond the ends the distance to the cap."""
 

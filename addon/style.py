@@ -5,38 +5,35 @@ sentence that names it, so that a misspelt key never changes a drawing silently.
 """
 
 import json
-import math
-import re
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 
 from .stages import Pen
+from .style_values import StyleError, check_keys, check_range, finite, record
 
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
 TEXTURES = Path(__file__).parent / "textures"
 DEFAULT = "ink"
 
-RANGES = {
-    "opacity": (0, 1),
-    "width": (0.1, 1000),
-    "length_scale": (0.01, 100),
-    "taper": (0, 10000),
-    "strength_width": (0, 1),
-    "corner_angle": (0, 180),
-    "least_length": (0, 10000),
-}
 CAPS = ("round", "butt")
-
-
-class StyleError(ValueError):
-    """What is wrong with a style, in words for its author."""
+MOST_SURFACES = 100  # that a range of invisibility can name
+UNCOUNTED = 255  # more surfaces than are ever counted
 
 
 @dataclass(frozen=True)
 class Paper:
     color: tuple = (1.0, 1.0, 1.0)  # scene-linear
     transparent: bool = False
+
+
+@dataclass(frozen=True)
+class Hidden:
+    """How the parts of lines are drawn that at least `first` and at most `last` surfaces hide (None: any number)."""
+
+    pen: Pen = Pen()
+    first: int = 1
+    last: int | None = None
 
 
 @dataclass(frozen=True)
@@ -47,13 +44,30 @@ class LineSet:
     kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
     corner_angle: float = 60.0  # degrees of turn at which a path is split
     least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
-    pen: Pen = Pen()
+    overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends
+    halo: float = 0.0  # reference pixels of gap where visible parts pass behind others
+    pen: Pen = Pen()  # of visible parts
+    hidden: tuple = ()  # of Hidden, ranges that do not overlap; parts in none of them are not drawn
 
 
 @dataclass(frozen=True)
 class Style:
     paper: Paper = Paper()
     line_sets: tuple = (LineSet(),)
+
+    def pens(self):
+        """All pens: those of visible parts by line set, then those of hidden parts."""
+        return [s.pen for s in self.line_sets] + [hidden.pen for s in self.line_sets for hidden in s.hidden]
+
+    def pen_ranges(self):
+        """(line set, least and most surfaces that hide a part, index of its pen) for each of the pens."""
+        rows = [(i, 0, 0) for i in range(len(self.line_sets))]
+        rows += [(i, h.first, h.last or UNCOUNTED) for i, s in enumerate(self.line_sets) for h in s.hidden]
+        return [(*row, pen) for pen, row in enumerate(rows)]
+
+    def counted(self):
+        """How many hiding surfaces the pens tell apart: parts that more hide look like those. 0: none hidden is drawn."""
+        return max((h.last + 1 if h.last else h.first for s in self.line_sets for h in s.hidden), default=0)
 
 
 def names():
@@ -79,36 +93,81 @@ def parse(text, definitions=None):
         data = json.loads(text)
     except json.JSONDecodeError as error:
         raise StyleError(f"the style is not JSON: {error}") from error
-    _check_keys(data, {"schema", "paper", "line_sets"}, "the style")
+    check_keys(data, {"schema", "paper", "line_sets"}, "the style")
     if data.get("schema") != SCHEMA:
         raise StyleError(f"the style has schema {data.get('schema')!r}, this version of Fovea reads {SCHEMA}")
     sets = data.get("line_sets", [])
     if not isinstance(sets, list) or not sets:
         raise StyleError("line_sets must be a list of at least one line set")
     return Style(
-        paper=_record(Paper, data.get("paper", {}), "paper"),
+        paper=record(Paper, data.get("paper", {}), "paper"),
         line_sets=tuple(_line_set(entry, f"line_sets[{i}]", definitions) for i, entry in enumerate(sets)),
     )
 
 
 def dump(style):
     """The JSON of a style; `parse` gives the same style back."""
-    return json.dumps({"schema": SCHEMA, **asdict(style)}, indent=2) + "\n"
+    return json.dumps({"schema": SCHEMA, **_plain(style)}, indent=2) + "\n"
+
+
+def _plain(value):
+    """A style or a part of it as JSON has it."""
+    if isinstance(value, Hidden):
+        return {"from": value.first, "to": value.last, "pen": _plain(value.pen)}
+    if is_dataclass(value):
+        return {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
+    return [_plain(part) for part in value] if isinstance(value, tuple) else value
+
+
+def dashed(pen):
+    """A pen for hidden parts of the lines that `pen` draws."""
+    thinner = max(0.6 * pen.width, 1.0)
+    return Pen(pen.color, 0.75 * pen.opacity, thinner, texture="dashes", length_scale=1.5, cap="butt")
 
 
 def _line_set(data, where, definitions):
-    _check_keys(data, {f.name for f in fields(LineSet)}, where)
-    plain = {key: value for key, value in data.items() if key not in ("kinds", "pen")}
+    check_keys(data, {f.name for f in fields(LineSet)}, where)
+    plain = {key: value for key, value in data.items() if key not in ("kinds", "pen", "hidden")}
     kinds = data.get("kinds", {})
     if not isinstance(kinds, dict):
         raise StyleError(f"{where}.kinds must map lines to their parameters")
-    pen = _record(Pen, data.get("pen", {}), f"{where}.pen")
-    if pen.cap not in CAPS:
-        raise StyleError(f"{where}.pen.cap is '{pen.cap}'; it can be: {', '.join(CAPS)}")
-    if pen.texture not in textures():
-        raise StyleError(f"{where}.pen.texture is '{pen.texture}'; there are: {', '.join(textures())}")
     checked = {name: parameters(name, values, f"{where}.kinds", definitions) for name, values in kinds.items()}
-    return replace(_record(LineSet, plain, where), kinds=checked, pen=pen)
+    pen, hidden = _pen(data.get("pen", {}), f"{where}.pen"), _hidden(data.get("hidden", []), f"{where}.hidden")
+    return replace(record(LineSet, plain, where), kinds=checked, pen=pen, hidden=hidden)
+
+
+def _pen(data, where):
+    pen = record(Pen, data, where)
+    if pen.cap not in CAPS:
+        raise StyleError(f"{where}.cap is '{pen.cap}'; it can be: {', '.join(CAPS)}")
+    if pen.texture not in textures():
+        raise StyleError(f"{where}.texture is '{pen.texture}'; there are: {', '.join(textures())}")
+    return pen
+
+
+def _hidden(data, where):
+    """The pens of a line set's hidden parts, in the order of their ranges."""
+    if not isinstance(data, list):
+        raise StyleError(f"{where} must be a list of pens with ranges of invisibility")
+    found = []
+    for i, entry in enumerate(data):
+        here = f"{where}[{i}]"
+        check_keys(entry, {"from", "to", "pen"}, here)
+        first, last = _surfaces(entry.get("from", 1), f"{here}.from"), entry.get("to")
+        if last is not None and _surfaces(last, f"{here}.to") < first:
+            raise StyleError(f"{here}.to is {last}, less than {here}.from, which is {first}")
+        found.append(Hidden(_pen(entry.get("pen", {}), f"{here}.pen"), first, last))
+    found.sort(key=lambda hidden: hidden.first)
+    for before, after in zip(found, found[1:]):
+        if before.last is None or before.last >= after.first:
+            raise StyleError(f"{where}: two ranges hold what {after.first} surfaces hide")
+    return tuple(found)
+
+
+def _surfaces(value, where):
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= MOST_SURFACES:
+        raise StyleError(f"{where} is {value!r}, not a number of surfaces from 1 to {MOST_SURFACES}")
+    return value
 
 
 def parameters(name, values, where, definitions):
@@ -121,54 +180,11 @@ def parameters(name, values, where, definitions):
         if name not in parameters_of:
             raise StyleError(f"{where}: there is no line '{name}'; there are: {', '.join(parameters_of)}")
         known = parameters_of[name]
-        _check_keys(values, known, f"{where}.{name}")
+        check_keys(values, known, f"{where}.{name}")
     return {key: _parameter(value, known and known[key], f"{where}.{name}.{key}") for key, value in values.items()}
 
 
 def _parameter(value, known, where):
     if isinstance(value, bool) and (known is None or known["unit"] == "bool"):
         return float(value)
-    return _check_range(value, (known["min"], known["max"]), where) if known else _number(value, where)
-
-
-def _record(cls, data, where):
-    """An instance of a flat dataclass; every value must be of the type of the field's default."""
-    _check_keys(data, {f.name for f in fields(cls)}, where)
-    defaults = cls()
-    return cls(**{key: _value(value, getattr(defaults, key), key, f"{where}.{key}") for key, value in data.items()})
-
-
-def _value(value, default, key, where):
-    if isinstance(default, bool) or isinstance(default, str):
-        if not isinstance(value, type(default)):
-            raise StyleError(f"{where} must be {'true or false' if isinstance(default, bool) else 'text'}")
-        # Names end up as file names here and elsewhere: none may lead out of its folder.
-        if isinstance(value, str) and key != "name" and not re.fullmatch(r"[\w-]+", value):
-            raise StyleError(f"{where} is {value!r}; only letters, digits, _ and - are allowed")
-        return value
-    if isinstance(default, tuple):
-        if not isinstance(value, (list, tuple)) or len(value) != len(default):
-            raise StyleError(f"{where} must be a list of {len(default)} numbers")
-        return tuple(_check_range(v, (0, math.inf), where) for v in value)
-    return _check_range(value, RANGES[key], where)
-
-
-def _number(value, where):
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise StyleError(f"{where} is {value!r}, not a finite number")
-    return float(value)
-
-
-def _check_range(value, limits, where):
-    number = _number(value, where)
-    if not limits[0] <= number <= limits[1]:
-        raise StyleError(f"{where} is {number:g}, outside {limits[0]:g} to {limits[1]:g}")
-    return number
-
-
-def _check_keys(data, known, where):
-    if not isinstance(data, dict):
-        raise StyleError(f"{where} must be a JSON object")
-    unknown = sorted(set(data) - set(known))
-    if unknown:
-        raise StyleError(f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known)) or 'none'}")
+    return check_range(value, (known["min"], known["max"]), where) if known else finite(value, where)

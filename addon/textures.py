@@ -26,7 +26,7 @@ class Textures:
     """The textures that a style's pens use, numbered for native pens."""
 
     def __init__(self, style):
-        names = {line_set.pen.texture for line_set in style.line_sets}
+        names = {pen.texture for pen in style.pens()}
         self.names = sorted(names - {SOLID})
         self.native = [_read(name) for name in self.names]
 

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, style
+from bl_ext.user_default.fovea import catalogue, style, style_values
 from bl_ext.user_default.fovea.blender import properties
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -76,12 +76,16 @@ def set_drawing(scene, options):
     if options.backend:
         fovea.backend = options.backend.upper()
     if options.visibility:
-        fovea.visibility = options.visibility.upper()
+        fovea.visibility = options.visibility.upper().replace("-", "_")
+    for name in ("probes", "depth_scale", "layers"):
+        if getattr(options, name):
+            setattr(fovea, name, getattr(options, name))
     if options.style:
         choose_style(fovea, options.style)
     if options.lines:
         choose_lines(fovea, catalogue.named(options.lines))
     set_parameters(fovea, options.param)
+    set_hidden(fovea, options)
 
 
 def choose_style(fovea, name):
@@ -105,6 +109,16 @@ def set_parameters(fovea, given):
         if not getattr(fovea, name):
             raise ValueError(f"--param {words}: {name} is not drawn; name it in --lines")
         properties.set_parameters(fovea, name, checked)
+
+
+def set_hidden(fovea, options):
+    fovea.hidden = fovea.hidden or options.hidden or options.hidden_by is not None
+    if options.hidden_by:
+        fovea.hidden_from, fovea.hidden_to = options.hidden_by[0], options.hidden_by[1] or 0
+    for name in ("halo", "overshoot"):
+        given = getattr(options, name)
+        if given is not None:
+            setattr(fovea, name, style_values.check_range(given, style_values.RANGES[name], f"--{name}"))
 
 
 def set_output(scene, options):

@@ -7,14 +7,14 @@ int atlas_index()
   return int(gl_FragCoord.y) * ROW_WIDTH + int(gl_FragCoord.x);
 }
 
-// Segment that owns a sample: the last one whose first own sample is not beyond it.
+// Segment that owns a sample: the last one that begins no later.
 int atlas_owner(int index)
 {
   int low = int(fetch_row(owners, index / OWNER_STRIDE).x);
   int high = int(fetch_row(owners, index / OWNER_STRIDE + 1).x);
   while (low < high) {
     int middle = (low + high + 1) / 2;
-    if (fetch_row(segments, 3 * middle + 2).z <= float(index)) {
+    if (fetch_row(segments, 3 * middle).w <= float(index)) {
       low = middle;
     }
     else {
@@ -22,4 +22,10 @@ int atlas_owner(int index)
     }
   }
   return low;
+}
+
+// Whether the depth tile (left, lower, right, upper edge in px) decides what lies there.
+bool atlas_in_tile(vec2 px)
+{
+  return all(greaterThanEqual(px, tile.xy)) && all(lessThan(px, tile.zw));
 }

@@ -9,5 +9,10 @@ void main()
     alpha *= stroke_ink(int(style.z), size, place.x, place.y, half_width, style.x);
   }
   alpha *= opacity * color.w;
+#ifdef SPINE
+  if (alpha > 0.0) {
+    alpha *= spine_visibility(clamp(place.x, ends.x, ends.y));
+  }
+#endif
   line_color = vec4(color.xyz * alpha, alpha);
 }

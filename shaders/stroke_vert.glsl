@@ -1,10 +1,13 @@
 // Strips of strokes (native/stroke/strokes.h).
 void main()
 {
-  gl_Position = vec4(px / image_size * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = vec4((px - image_origin) / image_size * 2.0 - 1.0, 0.0, 1.0);
   place = arc.xy;
   ends = arc.zw;
   half_width = width_opacity.x;
   opacity = width_opacity.y;
   pen_number = float(pen);
+#ifdef SPINE
+  spine = spine_range;
+#endif
 }

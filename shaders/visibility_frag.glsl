@@ -1,4 +1,4 @@
-// Visibility of the atlas sample at this fragment: the share of its probes that see it.
+// Visibility of the atlas sample at this fragment: the share of its probes that see it. Other tiles' samples stay.
 void main()
 {
   int index = atlas_index();
@@ -10,14 +10,9 @@ void main()
   vec4 first = fetch_row(segments, 3 * owner);
   vec4 last = fetch_row(segments, 3 * owner + 1);
   vec4 own = fetch_row(segments, 3 * owner + 2);
-  Line line = Line(own.xy, own.w);
-  // Padding repeats the first or last sample.
-  float j = clamp(float(index) - first.w, 0.0, last.w - 1.0);
-  int seen = 0;
-  for (int k = 0; k < probes; k++) {
-    float t = (j + (float(k) + 0.5) / float(probes)) / last.w;
-    vec3 place = mix(first.xyz, last.xyz, t);
-    seen += depth_sees(line, place.xy, place.z) ? 1 : 0;
+  float j = float(index) - first.w;
+  if (!atlas_in_tile(mix(first.xy, last.xy, (j + 0.5) / last.w))) {
+    discard;
   }
-  visibility = float(seen) / float(probes);
+  visibility = depth_share(Line(own.xy, own.z), first.xyz, last.xyz, j / last.w, (j + 1.0) / last.w);
 }

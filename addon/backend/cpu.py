@@ -1,5 +1,7 @@
 """The native stages, and the reference backend made of them. Each function is one call."""
 
+import math
+
 import numpy as np
 
 from .. import native
@@ -34,6 +36,11 @@ def runs(clipped, visibility):
     return native.load().runs_from_samples(clipped, visibility)
 
 
+def whole(clipped):
+    """Runs over the whole of every piece."""
+    return native.load().whole_runs(clipped)
+
+
 def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     """Runs joined over small gaps, without small spurs; contours also without the folds they end in."""
     core = native.load()
@@ -42,28 +49,63 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
-def shape(frame, visible, pens):
-    """Strokes of the visible Runs; pens by line set."""
-    return native.load().tessellate(
-        frame.clipped, visible, frame.paths.line_set.astype("uint32"), frame.paths.strength, pens
-    )
+def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
+    """Visible Runs and, unless `levels` is 0, the hidden ones between them, told apart by the surfaces that hide them,
+    up to so many. Left out are those that go along visible ones nearer than beside_px, then stretches shorter than
+    least_px, or fold_px for contours."""
+    core, clipped, paths = native.load(), frame.clipped, frame.paths
+    if levels == 0:
+        return visible
+    apart = core.without_beside_visible(clipped, core.with_hidden(clipped, visible, paths), beside_px)
+    least = np.where(paths.of_view, np.float32(fold_px), np.float32(least_px))
+    both = core.without_short_hidden(clipped, apart, least)
+    return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
+
+
+def at_ends(frame, runs, style, scale):
+    """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot.
+    Short lines overshoot by at most a quarter of their length, as a hand would."""
+    core, clipped = native.load(), frame.clipped
+    shorter = core.halo(clipped, runs, frame.paths, _by_path(frame, style, "halo", scale))
+    reach = np.minimum(_by_path(frame, style, "overshoot", scale), _lengths(frame) / 4).astype(np.float32)
+    return core.overshoot(clipped, shorter, reach)
+
+
+def _lengths(frame):
+    """(P,) pixels of each path inside the frame."""
+    clipped = frame.clipped
+    first, last = clipped.offsets[:-1], clipped.offsets[1:] - 1
+    return np.bincount(clipped.path, clipped.arc_px[last] - clipped.arc_px[first], len(frame.paths))
+
+
+def _by_path(frame, style, name, scale):
+    """(P,) float32 pixels of each path from reference pixels of its line set."""
+    by_set = np.array([getattr(line_set, name) * scale for line_set in style.line_sets], np.float32)
+    return by_set[frame.paths.line_set]
+
+
+def shape(frame, runs, style, pens, samples=None):
+    """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other."""
+    core, paths = native.load(), frame.paths
+    pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
+    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens, samples)
 
 
 def pens_of(style, textures, scale):
-    """The native pen of each line set, in pixels of the image (`scale` of them are a reference pixel)."""
+    """The native pens of a style, in its order, in pixels of the image (`scale` of them are a reference pixel)."""
     core = native.load()
     return [
         core.Pen(
-            color=line_set.pen.color,
-            opacity=line_set.pen.opacity,
-            width_px=line_set.pen.width * scale,
-            texture_length_px=textures.length(line_set.pen) * scale,
-            cap=line_set.pen.cap,
-            taper_px=line_set.pen.taper * scale,
-            texture=textures.index(line_set.pen),
-            strength_width=line_set.pen.strength_width,
+            color=pen.color,
+            opacity=pen.opacity,
+            width_px=pen.width * scale,
+            texture_length_px=textures.length(pen) * scale,
+            cap=pen.cap,
+            taper_px=pen.taper * scale,
+            texture=textures.index(pen),
+            strength_width=pen.strength_width,
         )
-        for line_set in style.line_sets
+        for pen in style.pens()
     ]
 
 
@@ -88,11 +130,45 @@ class Backend:
     """The reference: depth buffer and strokes drawn natively, the same picture on every machine."""
 
     name = "cpu"
+    most_side = 6144  # texels of a tile of the depth buffer: 0.9 GB
 
     def visibility(self, frame):
+        look = native.load().sampled_visibility
+        return self._over_tiles(frame, lambda depth: look(frame.clipped, depth, frame.probes))
+
+    def item_visibility(self, frame):
+        look = native.load().item_visibility
+        return self._over_tiles(frame, lambda depth: look(frame.clipped, depth, frame.layers))
+
+    def layouts(self, frame, overlap_px=0):
+        """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
+        return depth_layouts(frame, self.most_side, overlap_px)
+
+    def _over_tiles(self, frame, look, overlap_px=0):
+        """Sum of what `look` tells of each tile's depth buffer; no two of them are there at once."""
         core = native.load()
-        depth = core.draw_depth(frame.scene, frame.view, frame.depth_scale)
-        return core.sampled_visibility(frame.clipped, depth, frame.probes)
+        layouts = self.layouts(frame, overlap_px)
+        return sum(look(core.draw_depth(frame.scene, frame.view, layout)) for layout in layouts)
 
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)
+
+    def draw_seen(self, frame, strokes, pens, textures):
+        look = native.load().raster_seen
+        return self._over_tiles(
+            frame,
+            lambda depth: look(strokes, pens, textures.native, frame.clipped, depth, frame.probes),
+            strokes_reach(strokes),
+        )
+
+
+def depth_layouts(frame, side, overlap_px):
+    """DepthLayouts of a Frame in at most `side` texels along each axis: one, or tiles. Cores are looked out of by so many
+    pixels, besides what a sample's own probes are apart."""
+    probes_px = math.ceil(8 * max(1.0, frame.view.reference_scale))
+    return native.load().depth_tiles(frame.view, frame.depth_scale, side, probes_px + overlap_px)
+
+
+def strokes_reach(strokes):
+    """Pixels between a stroke's spine and its farthest fragment, and no less."""
+    return math.ceil(2 * strokes.half_width.max()) if len(strokes.half_width) else 0

@@ -4,8 +4,13 @@ import gpu
 import numpy as np
 
 from .. import native
-from .gpu_program import Programs, draw_triangles, vertex_buffer
-from .gpu_texture import ROW_WIDTH, Target, size_limit, upload_row
+from .cpu import depth_layouts, strokes_reach
+from .gpu_atlas import Atlas
+from .gpu_clock import Clock
+from .gpu_items import ItemPass, item_of_point
+from .gpu_program import Programs, vertex_buffer
+from .gpu_strokes import Picture, StrokePass, box_of, boxes
+from .gpu_texture import Target, size_limit, upload_row
 
 _BACKGROUND = (0.0, 0.0, 0.0, -1.0)  # depth, slopes, facet
 
@@ -15,27 +20,56 @@ class Backend:
 
     name = "gpu"
     batch_samples = 1 << 22  # an atlas texture holds as many, or one path
+    most_side = 6144  # texels of a tile, where the GPU can do more: 1.1 GB
 
     def __init__(self):
+        self.clock = Clock()
         self._programs = Programs()
+        self._items = ItemPass(self._programs)
         self._surfaces = {}  # version of a surface -> batch of its triangles
 
     def visibility(self, frame):
-        """(samples,) float32 in [0, 1] of a Frame's atlas."""
-        core, clipped = native.load(), frame.clipped
-        result = np.zeros(clipped.samples, np.float32)
-        batches = core.atlas_batches(clipped, self.batch_samples)
-        if not batches:
-            return result
-        layout = depth_layout(frame.view, frame.depth_scale)
-        depth = self.draw_depth(frame.scene, frame.view, layout)
-        sides = core.OwnSides(clipped, frame.scene, frame.view)
-        for batch in batches:
-            tables = core.atlas_tables(clipped, sides, batch)
-            count = batch.sample_end - batch.sample_begin
-            samples = self._look(tables, depth, layout, count, frame.probes)
-            result[batch.sample_begin : batch.sample_end] = samples
+        """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer."""
+        self.clock.start()
+        atlas = Atlas(self._programs, frame, self.batch_samples)
+        return self._fill(atlas, frame, self._look)
+
+    def item_visibility(self, frame):
+        """The same by the item buffer."""
+        self.clock.start()
+        atlas = Atlas(self._programs, frame, self.batch_samples)
+        atlas.add_table("items", item_of_point(frame.clipped))
+        return self._fill(atlas, frame, self._look_for_items)
+
+    def _fill(self, atlas, frame, look):
+        """Samples of an Atlas, looked at through one depth tile after the other; no two of them are there at once."""
+        self.clock.mark("tables")
+        for layout in self.layouts(frame) if atlas.batches else ():
+            look(atlas, frame, layout)
+            self.clock.mark("samples", atlas.batches[-1].target)
+        result = atlas.read()
+        self.clock.mark("read")
         return result
+
+    def _look(self, atlas, frame, layout):
+        depth = self._depth(frame, layout)
+        atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
+
+    def _look_for_items(self, atlas, frame, layout):
+        depth = self._depth(frame, layout)
+        layers = self._items.draw(atlas, depth, layout, frame.layers)
+        self.clock.mark("items", layers[-1])
+        samplers = {f"layer{i}": layers[min(i, len(layers) - 1)].color for i in range(3)}
+        atlas.run("item_samples", layout, samplers, layer_count=frame.layers)
+
+    def layouts(self, frame, overlap_px=0):
+        """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
+        return depth_layouts(frame, min(size_limit(), self.most_side), overlap_px)
+
+    def _depth(self, frame, layout):
+        depth = self.draw_depth(frame.scene, frame.view, layout)
+        self.clock.mark("depth", depth)
+        return depth
 
     def draw_depth(self, scene, view, layout):
         """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
@@ -50,7 +84,8 @@ class Backend:
             gpu.state.depth_test_set("GREATER")
             gpu.state.depth_mask_set(True)
             program = self._programs.bind("depth", window_depth=window_depth, buffer_scale=float(layout.scale))
-            for version, _, matrix, facet_base in draws:
+            for version, _, matrix, facet_base, culled in draws:
+                gpu.state.face_culling_set(culled)
                 program.uniform_float("object_to_depth_clip", matrix)
                 program.uniform_int("facet_base", facet_base)
                 self._surfaces[version].draw(program)
@@ -59,7 +94,7 @@ class Backend:
     def _keep_surfaces(self, scene, draws):
         """Has a batch for every surface that is drawn, and for no other."""
         core, kept = native.load(), {}
-        for version, placement, _, _ in draws:
+        for version, placement, *_ in draws:
             if version in kept:
                 continue
             kept[version] = self._surfaces.get(version)
@@ -69,46 +104,54 @@ class Backend:
                 kept[version] = gpu.types.GPUBatch(type="TRIS", buf=buffer)
         self._surfaces = kept
 
-    def _look(self, tables, depth, layout, count, probes):
-        """Visibility of the samples of one batch."""
-        segments, owners = (upload_row(table) for table in tables)
-        target = Target(ROW_WIDTH, -(-count // ROW_WIDTH), "R32F")
-        with target.bind():
-            self._programs.cover(
-                "visibility",
-                {"segments": segments, "owners": owners, "depth_buffer": depth.color, "edge_buffer": depth.second},
-                border=(layout.border_x, layout.border_y),
-                buffer_scale=float(layout.scale),
-                bias=native.load().SAMPLED_BIAS,
-                slack_px=native.load().SAMPLED_SLACK_PX,
-                sample_total=count,
-                probes=probes,
-            )
-        return target.read(1).reshape(-1)[:count]
-
     def draw(self, strokes, pens, textures, view):
         """(height, width, 4) float32: strokes alone, premultiplied, bottom row first."""
+        picture = Picture(view)
         if len(strokes.triangles) == 0:
-            return np.zeros((view.height, view.width, 4), np.float32)
-        pen_rows, ink = native.load().pen_table(pens, textures.native)
-        samplers = {"pens": upload_row(pen_rows), "ink": upload_row(ink)}
-        target = Target(view.width, view.height, "RGBA32F")
-        with target.bind() as framebuffer:
-            framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))
-            gpu.state.blend_set("ALPHA_PREMULT")
-            program = self._programs.bind("stroke", samplers, image_size=(view.width, view.height))
-            attributes = {
-                "px": strokes.px,
-                "arc": strokes.arc,
-                "width_opacity": np.stack((strokes.half_width, strokes.opacity), axis=1),
-                "pen": strokes.pen,
-            }
-            draw_triangles(program, attributes, strokes.triangles)
-        return target.read(4)
+            return picture.pixels
+        self.clock.start()
+        passes = StrokePass(self._programs, strokes, pens, textures)
+        self.clock.mark("upload")
+        for box in boxes(view.width, view.height, min(size_limit(), self.most_side)):
+            self._put(picture, box, passes.draw(box))
+        return picture.pixels
+
+    def draw_seen(self, frame, strokes, pens, textures):
+        """The same, by the spine test: every pixel is as opaque as its stroke is visible next to it."""
+        picture, core = Picture(frame.view), native.load()
+        if len(strokes.triangles) == 0:
+            return picture.pixels
+        self.clock.start()
+        sides = core.OwnSides(frame.clipped, frame.scene, frame.view)
+        segments = upload_row(core.spine_table(frame.clipped, sides))
+        offsets = frame.clipped.offsets.astype(np.float32)
+        ranges = np.stack((offsets[strokes.piece], offsets[strokes.piece + 1] - 2), axis=1)
+        passes = StrokePass(self._programs, strokes, pens, textures, ranges)
+        self.clock.mark("upload")
+        for layout in self.layouts(frame, strokes_reach(strokes)):
+            box = box_of(layout, frame.view)
+            if box[0] < box[2] and box[1] < box[3]:
+                self._put(picture, box, self._draw_seen(frame, layout, box, passes, segments))
+        return picture.pixels
+
+    def _draw_seen(self, frame, layout, box, passes, segments):
+        depth = self._depth(frame, layout)
+        samplers = {"segments": segments, **_looked_into(depth)}
+        border = (layout.border_x, layout.border_y)
+        return passes.draw(box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame))
+
+    def _put(self, picture, box, target):
+        self.clock.mark("strokes", target)
+        picture.paste(box, target)
+        self.clock.mark("read")
 
 
-def depth_layout(view, scale):
-    """The DepthLayout of a View; coarser than asked for where the GPU's textures are not as large."""
-    layout = native.load().DepthLayout(view, scale)
-    too_large = max(layout.width, layout.height) > size_limit()
-    return depth_layout(view, scale - 1) if too_large and scale > 1 else layout
+def _looked_into(depth):
+    """Samplers of a depth Target."""
+    return {"depth_buffer": depth.color, "edge_buffer": depth.second}
+
+
+def _looks(frame):
+    """Constants of looking into the depth buffer."""
+    core = native.load()
+    return {"bias": core.SAMPLED_BIAS, "slack_px": core.SAMPLED_SLACK_PX, "probes": frame.probes}

@@ -44,6 +44,8 @@ def compile_program(name):
         info.sampler(slot, kind, sampler)
     for constant, kind in description.get("constants", {}).items():
         info.push_constant(kind, constant)
+    for word in description.get("defines", ()):
+        info.define(word)
     if description.get("writes_depth"):
         _declare_depth(info)
     info.vertex_source(_source(description["vertex"]))
@@ -119,9 +121,3 @@ def vertex_buffer(attributes):
     for name, values in arrays.items():
         buffer.attr_fill(id=name, data=values)
     return buffer
-
-
-def draw_triangles(program, attributes, triangles):
-    """Draws indexed triangles (t, 3) uint32, in their order."""
-    indices = gpu.types.GPUIndexBuf(type="TRIS", seq=np.ascontiguousarray(triangles, np.uint32))
-    gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), elem=indices).draw(program)

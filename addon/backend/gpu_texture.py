@@ -33,7 +33,8 @@ def upload_row(entries):
 
 
 class Target:
-    """Something to draw into: one colour texture, with a second and a depth texture where asked for.
+    """Something to draw into: one colour texture, with a second where asked for, and with a depth texture, a new one (True)
+    or one that is given.
 
     The textures live as long as this object; framebuffers alone do not keep them."""
 
@@ -43,9 +44,11 @@ class Target:
         self.width, self.height = width, height
         self.color = gpu.types.GPUTexture((width, height), format=format)
         self.second = gpu.types.GPUTexture((width, height), format=second) if second else None
-        self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F") if depth else None
+        self.depth = depth or None
+        if depth is True:
+            self.depth = gpu.types.GPUTexture((width, height), format="DEPTH_COMPONENT32F")
         slots = {"color_slots": (self.color, self.second) if second else self.color}
-        if depth:
+        if self.depth:
             slots["depth_slot"] = self.depth
         self._framebuffer = gpu.types.GPUFrameBuffer(**slots)
 
@@ -64,6 +67,12 @@ class Target:
             gpu.state.depth_test_set(depth_test)
             gpu.state.depth_mask_set(depth_mask)
             gpu.state.blend_set(blend)
+            gpu.state.face_culling_set("NONE")
+
+    def wait(self):
+        """Returns when everything is drawn."""
+        with self._framebuffer.bind():
+            self._framebuffer.read_color(0, 0, 1, 1, 1, 0, "FLOAT")
 
     def read(self, channels, slot=0):
         """(height, width, channels) float32 of the first (0) or second (1) texture; waits until everything is drawn."""

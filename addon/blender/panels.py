@@ -3,7 +3,7 @@
 import bpy
 
 from .. import catalogue, native
-from . import session
+from . import pens, session
 
 ENGINE = "FOVEA"
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
@@ -42,6 +42,7 @@ class RENDER_PT_fovea(_Panel, bpy.types.Panel):
         layout.prop(settings, "style")
         _draw_lines(layout, settings, definitions)
         _draw_pen(layout, settings)
+        _draw_hidden(layout, settings)
         header, body = layout.panel("fovea_paper")
         header.label(text="Paper")
         if body:
@@ -51,7 +52,21 @@ class RENDER_PT_fovea(_Panel, bpy.types.Panel):
         header.label(text="Method")
         if body:
             body.prop(settings, "backend")
-            body.prop(settings, "visibility")
+            _draw_visibility(body, settings)
+
+
+def _draw_visibility(layout, settings):
+    layout.prop(settings, "visibility")
+    quality = layout.column()
+    quality.enabled = settings.visibility != "EXACT"
+    if settings.visibility == "ITEM_BUFFER":
+        quality.prop(settings, "layers")
+    else:
+        quality.prop(settings, "probes")
+    quality.prop(settings, "depth_scale")
+    used = session.last_statistics().get("visibility")
+    if used:
+        layout.label(text=f"Last drawn: {used}", icon="INFO")
 
 
 def _draw_lines(layout, settings, definitions):
@@ -83,8 +98,30 @@ def _draw_pen(layout, settings):
     header.label(text="Pen")
     if body:
         body.prop(settings, "corner_angle")
-        for name in ("color", "opacity", "width", "texture", "length_scale", "cap", "taper", "strength_width"):
-            body.prop(settings, f"pen_{name}")
+        _draw_pen_settings(body, settings, pens.VISIBLE)
+
+
+def _draw_pen_settings(body, settings, prefix):
+    for name in pens.FIELDS:
+        body.prop(settings, f"{prefix}_{name}")
+
+
+def _draw_hidden(layout, settings):
+    header, body = layout.panel("fovea_hidden", default_closed=True)
+    header.label(text="Where Lines Are Hidden")
+    if not body:
+        return
+    body.prop(settings, "halo")
+    body.prop(settings, "overshoot")
+    body.prop(settings, "hidden")
+    if settings.hidden:
+        body.prop(settings, "hidden_from")
+        body.prop(settings, "hidden_to")
+        if settings.visibility == "SPINE":
+            body.label(text="The spine test draws visible lines only", icon="INFO")
+        elif settings.visibility != "EXACT":
+            body.label(text="Sampled visibility counts one surface at most", icon="INFO")
+        _draw_pen_settings(body, settings, pens.HIDDEN)
 
 
 class OBJECT_PT_fovea(_Panel, bpy.types.Panel):

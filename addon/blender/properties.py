@@ -5,16 +5,15 @@ stored in radians, as Blender shows them. Choosing a style fills all of them in;
 """
 
 import math
-import zlib
 from dataclasses import replace
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
-from . import gpu_context
-
-PEN = {f"pen_{name}": name for name in ("opacity", "width", "length_scale", "taper", "strength_width")}
+from . import gpu_context, methods, pens
+from .property_kinds import color, file_names
+from .property_kinds import redraw as _redraw
 
 
 def definitions():
@@ -38,23 +37,24 @@ def style_of(scene):
     """The Style a scene draws with.
 
     The panel edits the last line set of the chosen style, which draws every line that is switched on; the sets before
-    it keep their pens and draw theirs first.
+    it keep their pens and draw theirs first. Where the style has the same hidden pens, overshoot or halo for one of
+    them as for the last, the panel's hold for it, too.
     """
     settings = scene.fovea
     base = style.load(settings.style)
     kinds = {d["name"]: parameter_values(settings, d) for d in definitions() if getattr(settings, d["name"])}
+    old = base.line_sets[-1]
+    at_hidden = pens.at_hidden(settings, old)
     before = [
-        replace(line_set, kinds={name: kinds[name] for name in line_set.kinds if name in kinds})
+        replace(
+            line_set,
+            kinds={name: kinds[name] for name in line_set.kinds if name in kinds},
+            **{key: value for key, value in at_hidden.items() if getattr(line_set, key) == getattr(old, key)},
+        )
         for line_set in base.line_sets[:-1]
     ]
-    pen = replace(
-        base.line_sets[-1].pen,
-        color=tuple(settings.pen_color),
-        texture=settings.pen_texture,
-        cap=settings.pen_cap.lower(),
-        **{field: getattr(settings, name) for name, field in PEN.items()},
-    )
-    last = replace(base.line_sets[-1], kinds=kinds, corner_angle=math.degrees(settings.corner_angle), pen=pen)
+    angle = math.degrees(settings.corner_angle)
+    last = replace(old, kinds=kinds, corner_angle=angle, pen=pens.pen_of(settings, pens.VISIBLE), **at_hidden)
     transparent = base.paper.transparent or scene.render.film_transparent
     paper = style.Paper(tuple(settings.paper_color), transparent)
     return style.Style(paper, tuple(s for s in before if s.kinds) + (last,))
@@ -71,11 +71,8 @@ def apply_style(settings, name):
     last = chosen.line_sets[-1]
     settings.corner_angle = math.radians(last.corner_angle)
     settings.paper_color = chosen.paper.color
-    settings.pen_color = last.pen.color
-    settings.pen_texture = last.pen.texture
-    settings.pen_cap = last.pen.cap.upper()
-    for prop, field in PEN.items():
-        setattr(settings, prop, getattr(last.pen, field))
+    pens.set_pen(settings, pens.VISIBLE, last.pen)
+    pens.set_hidden(settings, last)
 
 
 def set_parameters(settings, name, values):
@@ -92,11 +89,6 @@ def _stored(value, unit):
     return math.radians(value) if unit == "degrees" else value
 
 
-def _redraw(settings, _context):
-    # Properties of add-ons do not tag what they belong to.
-    settings.id_data.update_tag()
-
-
 def _style_chosen(settings, context):
     apply_style(settings, settings.style)
     _redraw(settings, context)
@@ -106,11 +98,6 @@ def _backend_chosen(settings, context):
     if settings.backend == "GPU":
         gpu_context.demand()
     _redraw(settings, context)
-
-
-def _names(names):
-    """Items of an enum over file names, numbered by name so that saved files survive new ones."""
-    return [(n, n.replace("_", " ").title(), "", "NONE", zlib.crc32(n.encode()) & 0x7FFFFFFF) for n in names]
 
 
 def _parameter_property(parameter):
@@ -136,44 +123,10 @@ def _line_properties(chosen):
     return found
 
 
-def _number(name, field, pen, description):
-    low, high = style.RANGES[field]
-    return FloatProperty(
-        name=name, default=getattr(pen, field), min=low, max=high, description=description, update=_redraw
-    )
-
-
-def _pen_properties(pen):
-    caps = [("ROUND", "Round", "Half a disc beyond each end"), ("BUTT", "Butt", "Cut off straight at each end")]
-    return {
-        "pen_color": _color("Color", pen.color, "Colour of the strokes"),
-        "pen_opacity": _number("Opacity", "opacity", pen, "Opacity of the strokes"),
-        "pen_width": _number("Width", "width", pen, "Width in pixels of an image 1080 pixels high"),
-        "pen_texture": EnumProperty(
-            name="Texture", items=_names(style.textures()), default=pen.texture, update=_redraw
-        ),
-        "pen_length_scale": _number("Stretch", "length_scale", pen, "Stretches the texture along the stroke"),
-        "pen_cap": EnumProperty(name="Ends", items=caps, default=pen.cap.upper(), update=_redraw),
-        "pen_taper": _number("Taper", "taper", pen, "Length of the thinning ends, in pixels of an image 1080 high"),
-        "pen_strength_width": _number("Thin by Strength", "strength_width", pen, "How far weak lines are thin, not pale"),
-    }
-
-
-def _color(name, default, description):
-    return FloatVectorProperty(
-        name=name, subtype="COLOR", size=3, min=0.0, max=1.0, default=default, description=description, update=_redraw
-    )
-
-
 BACKENDS = [
     ("AUTO", "Automatic", "GPU where it is hardware, else CPU"),
     ("CPU", "CPU", "The same picture on every machine"),
     ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
-]
-VISIBILITY = [
-    ("AUTO", "Automatic", "Exact in renders and on software OpenGL, sampled in viewports"),
-    ("EXACT", "Exact", "Rays decide what is hidden"),
-    ("ATLAS", "Sampled", "A depth buffer decides what is hidden"),
 ]
 USAGES = [
     ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
@@ -202,8 +155,10 @@ def _scene_group():
     last = chosen.line_sets[-1]
     annotations = {
         "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
-        "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=_redraw),
-        "style": EnumProperty(name="Style", items=_names(style.names()), default=style.DEFAULT, update=_style_chosen),
+        **methods.properties(_redraw),
+        "style": EnumProperty(
+            name="Style", items=file_names(style.names()), default=style.DEFAULT, update=_style_chosen
+        ),
         "corner_angle": FloatProperty(
             name="Corner Angle",
             description="Strokes end where a path turns by more than this",
@@ -213,9 +168,10 @@ def _scene_group():
             max=math.pi,
             update=_redraw,
         ),
-        "paper_color": _color("Paper", chosen.paper.color, "Colour of the paper"),
+        "paper_color": color("Paper", chosen.paper.color, "Colour of the paper"),
     }
-    return _group("FoveaSceneSettings", {**annotations, **_pen_properties(last.pen), **_line_properties(chosen)})
+    drawn = {**pens.pen_properties(pens.VISIBLE, last.pen, "the strokes"), **pens.hidden_properties(last)}
+    return _group("FoveaSceneSettings", {**annotations, **drawn, **_line_properties(chosen)})
 
 
 def _object_group():

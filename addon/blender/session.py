@@ -33,7 +33,7 @@ REMARKS = {  # what a surface's report counts
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, backend, strokes, triangles, curvature {object: how it was estimated, and
+    """Of the last picture: stages {name: ms}, backend, visibility (the method in words), strokes, triangles, curvature {object: how it was estimated, and
     why; where a line needed it}, and lines_s: the seconds from Blender's evaluated meshes (reading them and building
     what rays need included) to visible runs."""
     return dict(_statistics)
@@ -103,7 +103,9 @@ def _draw(engine, depsgraph, view, viewport=None):
     _report_skipped(engine, cache.rebuilt, cache.remarks)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
-    options = pipeline.Options(visibility=visibility, with_depth=with_depth)
+    options = pipeline.Options(
+        visibility=visibility, with_depth=with_depth, **methods.quality(depsgraph.scene.fovea)
+    )
     cancel = core.Cancel()
     with _watched(engine, cancel):
         try:
@@ -164,6 +166,7 @@ def _note_statistics(ingest, snapshot, image):
         stages=stages,
         strokes=image.statistics["strokes"],
         backend=image.statistics["backend"],
+        visibility=image.statistics["visibility"],
         triangles=sum(len(snapshot.surfaces[i].triangles) for i in snapshot.surface_of_placement),
         lines_s=sum(stages[name] for name in until_runs) / 1000,
     )

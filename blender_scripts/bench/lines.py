@@ -13,7 +13,7 @@ from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
-from command import lines as camera
+from command import eye as camera
 from command import obj
 
 from . import line_meshes

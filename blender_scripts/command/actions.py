@@ -58,12 +58,15 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`."""
+    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`,
+    `bench visibility`."""
     from bench import peers
 
     name, *rest = words or ["peers"]
     if name == "lines":
         return bench_lines(target, rest)
+    if name == "visibility":
+        return bench_visibility(target, rest)
     if name == "agreement":
         return agreement(target, rest or ["office"])
     if name != "peers":
@@ -71,6 +74,14 @@ def bench(target, words):
     peers.parse(rest)  # mistakes show before anything is built
     extension.install(target)
     return peers.main(rest, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+
+
+def bench_visibility(target, words):
+    from bench import visibility
+
+    visibility.parse(words)
+    extension.install(target)
+    return visibility.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
 
 
 def bench_lines(target, words):

@@ -46,17 +46,24 @@ def _parser():
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
-    add("--size", type=_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
+    add("--size", type=frame_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
     add("--lens", type=float, metavar="MM", help="focal length; 50 for a model")
     add("--margin", type=float, metavar="PERCENT", default=5.0, help="free on each side of a framed model")
     add("--azimuth", type=float, metavar="DEG", help="frame the model from so far left of its front (35)")
     add("--elevation", type=float, metavar="DEG", help="and from so far above it (25)")
     add("--backend", choices=("auto", "cpu", "gpu"))
-    add("--visibility", choices=("auto", "exact", "atlas"))
+    add("--visibility", choices=("auto", "exact", "atlas", "spine", "item-buffer"))
+    add("--probes", choices=("1", "4", "9", "16"), help="looks into the depth buffer per sample (9)")
+    add("--depth-scale", type=int, choices=(1, 2, 3), help="texels of the depth buffer per pixel (2)")
+    add("--layers", type=int, choices=(1, 2, 3), help="lines to a texel of the item buffer (3)")
     add("--frames", type=_frames, metavar="A-B", help="an animation: OUT_0001.png ...")
     add("--style", metavar="NAME")
     add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
     add("--param", type=assignment.parse, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
+    add("--hidden", action="store_true", help="draw hidden lines, too: dashed, unless the style says how")
+    add("--hidden-by", type=_surfaces, metavar="A-B", help="of hidden lines, those that A to B surfaces hide: 1, 2-3, 4-")
+    add("--halo", type=_pixels, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
+    add("--overshoot", type=_pixels, metavar="PX", help="how far lines go on beyond their ends, alike")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
     return parser
@@ -87,17 +94,34 @@ def _check_sheet(options):
     options.size = options.size or TILE
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
-    for other in ("frames", "style", "transparent"):
+    for other in ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot"):
         if getattr(options, other):
-            raise ValueError(f"a sheet has no --{other}")
+            raise ValueError(f"a sheet has no --{other.replace('_', '-')}")
     options.style = "plain"  # one pen for all lines
 
 
-def _size(text):
+def frame_size(text):
     found = re.fullmatch(r"([1-9]\d*)x([1-9]\d*)", text)
     if not found:
         raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
     return int(found[1]), int(found[2])
+
+
+def _surfaces(text):
+    """(first, last): A, A-B or A-, whose last is None."""
+    found = re.fullmatch(r"([1-9]\d*)(-(\d*))?", text)
+    first, last = (int(found[1]), int(found[3] or 0) if found[2] else int(found[1])) if found else (1, -1)
+    if last and last < first:
+        raise argparse.ArgumentTypeError(f"'{text}' is not FIRST-LAST of the surfaces that hide a line")
+    return first, last or None
+
+
+def _pixels(text):
+    """As a style takes it; its own limits are checked where the style is at hand."""
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of pixels") from None
 
 
 def _frames(text):

@@ -1,4 +1,4 @@
-"""`fovea lines`: one line definition on a model, extracted without Blender and before visibility, as arrays."""
+"""`fovea lines`: one line definition on a model, extracted without Blender, as arrays: whole, or what is seen of it."""
 
 import argparse
 import importlib
@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from . import assignment, obj, package
+from . import assignment, draw_options, eye, obj, package
 from .target import say
 
 UNSET = 0xFFFFFFFF
+MOST_SURFACES = 255  # that are told apart
 
 
 def lines(target, words):
@@ -22,7 +23,7 @@ def lines(target, words):
     if reason:
         say(f"curvature: {reason}")
     skipped = "".join(f", {count} {name.replace('_', ' ')}" for name, count in report.items() if count)
-    say(f"{len(arrays['closed'])} paths{skipped}")
+    say(f"{len(arrays['closed'])} {'runs' if options.visible else 'paths'}{skipped}")
     print(options.output)
     return 0
 
@@ -39,11 +40,18 @@ def parse(words):
     parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
     parser.add_argument("--rings", type=int, default=0, help="of neighbours that jets are fitted to (0: automatic)")
     parser.add_argument("--smoothing", type=float, default=0.0, metavar="EDGES", help="how far curvature is averaged")
+    parser.add_argument("--visible", action="store_true", help="only what is seen, also in pixels")
+    parser.add_argument("--hidden", action="store_true", help="with --visible: hidden parts, too")
+    parser.add_argument("--size", type=draw_options.frame_size, default=(1024, 1024), metavar="WxH", help="of the frame, in pixels")
+    parser.add_argument("--fov", type=_angle, metavar="DEG", help="over the frame's shorter side (all of the model)")
     parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
     # argparse would take "-1,2,3" for an option.
     eyes = [f"--eye={value}" for word, value in zip(words, words[1:]) if word == "--eye"]
     others = [word for before, word in zip(["", *words], words) if "--eye" not in (before, word)]
-    return parser.parse_args(eyes + others)
+    options = parser.parse_args(eyes + others)
+    if options.hidden and not options.visible:
+        parser.error("--hidden goes with --visible")
+    return options
 
 
 def extract(native, options):
@@ -54,9 +62,13 @@ def extract(native, options):
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
-    paths, view_to_object = _paths(native, surface, polygons.positions, kinds, options)
-    arrays = {**_arrays(paths, surface, polygons.positions, view_to_object), "definition": np.array(options.definition)}
-    return arrays, surface.report, surface.fields_reason
+    tracer, view_to_object = _look(native, surface, polygons.positions, options)
+    paths = native.extract_paths(tracer, [(kinds, options.corner_angle)])
+    if options.visible:
+        arrays = _seen(native, paths, tracer, view_to_object, options.hidden)
+    else:
+        arrays = _whole(paths, surface, polygons.positions, view_to_object)
+    return arrays | {"definition": np.array(options.definition)}, surface.report, surface.fields_reason
 
 
 def _output(text):
@@ -73,6 +85,16 @@ def _vector(text):
     return vector
 
 
+def _angle(text):
+    try:
+        angle = float(text)
+    except ValueError:
+        angle = 0.0
+    if not 0.0 < angle < 180.0:
+        raise argparse.ArgumentTypeError(f"'{text}' is not between 0 and 180 degrees")
+    return angle
+
+
 def _surface(native, name, polygons):
     edge_verts, corner_edges = native.polygon_edges(polygons.offsets, polygons.corner_verts)
     triangles, owners = polygons.ngon_triangles()
@@ -83,66 +105,26 @@ def _surface(native, name, polygons):
     )  # fmt: skip
 
 
-def _paths(native, surface, positions, kinds, options):
-    """The model alone in a scene, seen by a view that has all of it in its frame; and the way back from the view."""
+def _look(native, surface, positions, options):
+    """The model alone in a scene, as a camera sees it; and the way back from the view."""
     usage = native.DRAW | native.OCCLUDE
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
-    seen_from = view(positions, options.eye, options.ortho)
-    tracer = native.Tracer(scene, native.View(*seen_from))
-    paths = native.extract_paths(tracer, [(kinds, options.corner_angle)])
-    return paths, np.linalg.inv(seen_from[0])
+    # Lines as such are found wherever they are: a wide frame holds more of a model that is near.
+    fov = options.fov if options.visible or options.fov else 90.0
+    seen_from = eye.view(positions, options.eye, options.ortho, options.size, fov)
+    return native.Tracer(scene, native.View(*seen_from)), np.linalg.inv(seen_from[0])
 
 
-def view(positions, eye, ortho):
-    """What a native View is made of, with world_to_view first: from `eye` (for an orthographic view the direction
-    towards the viewer), all positions in its frame."""
-    finite = positions[np.isfinite(positions).all(axis=1)]
-    low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
-    centre, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
-    towards = eye if ortho else eye - centre
-    if not towards.any():
-        if ortho:
-            raise ValueError("--eye 0,0,0 is no direction")
-        towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: what is partly in the frame is extracted whole
-    distance = 2 * radius if ortho else np.linalg.norm(towards)
-    backwards = towards / np.linalg.norm(towards)
-    eye = centre + distance * backwards if ortho else eye
-    near, far = (0.5 * radius, 4 * radius) if ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
-    clip = _orthographic(radius, near, far) if ortho else _perspective(near, far)
-    return _looking(eye, backwards), clip, 1024, 1024, ortho, near, far
-
-
-def _looking(eye, backwards):
-    """World to view: the eye at the origin, looking along -z."""
-    aside = np.eye(3)[np.abs(backwards).argmin()]
-    right = np.cross(aside, backwards)
-    right /= np.linalg.norm(right)
-    matrix = np.eye(4)
-    matrix[:3, :3] = right, np.cross(backwards, right), backwards
-    matrix[:3, 3] = -matrix[:3, :3] @ eye
-    return matrix
-
-
-def _perspective(near, far):
-    depth = far - near
-    return np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -(far + near) / depth, -2 * far * near / depth], [0, 0, -1, 0]])
-
-
-def _orthographic(half, near, far):
-    depth = far - near
-    return np.array([[1 / half, 0, 0, 0], [0, 1 / half, 0, 0], [0, 0, -2 / depth, -(far + near) / depth], [0, 0, 0, 1]])
-
-
-def _arrays(paths, surface, positions, view_to_object):
-    """What the file holds; points on edges in the model's own double precision, from where they lie on them. Lines of
-    the image come in view space."""
+def _whole(paths, surface, positions, view_to_object):
+    """What the file holds of paths; points on edges in the model's own double precision, from where they lie on them.
+    Lines of the image come in view space."""
     points = paths.points_obj.astype(np.float64)
     on_edge = paths.place < len(surface.edges)
     ends = positions[surface.edges[paths.place[on_edge]]]
     t = paths.edge_t[on_edge, None].astype(np.float64)
     points[on_edge] = (1 - t) * ends[:, 0] + t * ends[:, 1]
     in_image = np.repeat(paths.placement == UNSET, np.diff(paths.offsets))
-    points[in_image] = points[in_image] @ view_to_object[:3, :3].T + view_to_object[:3, 3]
+    points[in_image] = _placed(points[in_image], view_to_object)
     return {
         "points": points,
         "offsets": paths.offsets.astype(np.int64),
@@ -150,3 +132,28 @@ def _arrays(paths, surface, positions, view_to_object):
         "path_id": paths.ids,
         "strength": paths.strength,
     }
+
+
+def _seen(native, paths, tracer, view_to_object, with_hidden):
+    """What the file holds of visible runs, and of hidden ones: those that some surfaces hide, by how many."""
+    clipped = native.project(paths, tracer)
+    runs = native.exact_visibility(clipped, paths, tracer)
+    if with_hidden:
+        parts = native.with_hidden(clipped, runs, paths)
+        runs = native.count_invisibility(clipped, paths, tracer, parts, MOST_SURFACES)
+    found = native.compact(clipped, paths, runs)
+    return {
+        "points": _placed(found.position_view.astype(np.float64), view_to_object),
+        "px": found.px,
+        "offsets": found.offsets.astype(np.int64),
+        "closed": found.closed.astype(bool),
+        "path_id": found.path_id,
+        "invisibility": found.invisibility,
+        "arc_px": found.arc_px,
+        "strength": found.strength,
+        "kinds": found.kinds,
+    }
+
+
+def _placed(points, matrix):
+    return points @ matrix[:3, :3].T + matrix[:3, 3]

@@ -6,6 +6,7 @@
 
 #include "atlas/triangle_edges.h"
 #include "base/check.h"
+#include "mesh/bodies.h"
 
 namespace fovea {
 namespace {
@@ -30,6 +31,12 @@ struct Target {
     dmat4 view_to_depth_clip;
 };
 
+/// What is left out of a mesh, by the sign of a triangle's area on the screen; 0: nothing.
+double away_sign(const DepthMesh& mesh) {
+    if (!mesh.one_sided) return 0.0;
+    return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0;
+}
+
 /// Twice the signed area of (a, b, p). Computed the same way for (b, a), with the other sign.
 double edge_function(dvec2 a, dvec2 b, dvec2 p) {
     const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
@@ -46,7 +53,7 @@ int first_texel(double edge, int size) {
 /// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
 /// of the near plane; `plane`: depth over the texels.
 void append_screen_triangle(const std::array<dvec3, 3>& clip, const dvec3& plane, Index facet, const Target& target,
-                            const std::array<bool, 3>& of_mesh, std::vector<ScreenTriangle>& out) {
+                            double away, const std::array<bool, 3>& of_mesh, std::vector<ScreenTriangle>& out) {
     ScreenTriangle t;
     t.of_mesh = of_mesh;
     for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
@@ -58,7 +65,7 @@ void append_screen_triangle(const std::array<dvec3, 3>& clip, const dvec3& plane
     t.y1 = first_texel(std::max({ay, by, cy}), target.height);
     if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
     const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
-    if (!(area != 0.0) || !std::isfinite(area)) return;
+    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
     if (area < 0.0) {
         std::swap(t.corner[1], t.corner[2]);
         std::swap(t.of_mesh[0], t.of_mesh[2]);
@@ -79,7 +86,7 @@ bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
 }
 
 /// Cuts the triangle at the near plane (depth <= 1) and appends what is left, as one triangle or two.
-void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Target& target,
+void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Target& target, double away,
                     std::vector<ScreenTriangle>& out) {
     std::array<double, 3> inside;
     int kept = 0;
@@ -102,7 +109,7 @@ void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Targe
         }
     }
     for (int i = 2; i < count; ++i)
-        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target,
+        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target, away,
                                {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
 }
 
@@ -129,10 +136,11 @@ void append_triangles(const Block& block, const Target& target, std::vector<Scre
     to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
     to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
     const dmat4 matrix = to_texels * target.view_to_depth_clip * mesh.object_to_view;
+    const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
         std::array<dvec4, 3> corner;
         for (int k = 0; k < 3; ++k) corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
-        append_clipped(corner, mesh.facet_base + mesh.triangle_facet[i], target, out);
+        append_clipped(corner, mesh.facet_base + mesh.triangle_facet[i], target, away, out);
     }
 }
 
@@ -253,10 +261,14 @@ dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout) {
     // Third row: depth times w. Perspective: near / -z times -z. Orthographic: (far + z) / (far - near).
     const dvec4 row = view.orthographic ? dvec4(0.0, 0.0, 1.0 / range, view.far_clip / range)
                                         : dvec4(0.0, 0.0, 0.0, view.near_clip);
+    // From the frame to the buffer: its share of the buffer, and how far their middles are apart.
+    const dvec2 size = dvec2(layout.width, layout.height) / double(layout.scale), frame(view.width, view.height);
+    const dvec2 share = frame / size, shift = (frame + 2.0 * dvec2(layout.border_x, layout.border_y)) / size - 1.0;
     for (int column = 0; column < 4; ++column) {
-        matrix[column].x *= double(view.width) * layout.scale / layout.width;
-        matrix[column].y *= double(view.height) * layout.scale / layout.height;
-        matrix[column].z = row[column];
+        dvec4& m = matrix[column];
+        m.x = m.x * share.x + m.w * shift.x;
+        m.y = m.y * share.y + m.w * shift.y;
+        m.z = row[column];
     }
     return matrix;
 }
@@ -266,8 +278,12 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
         if ((placement.usage & usage_occlude) && placement.surface->occluding_triangles > 0 &&
-            in_frame(placement, view, margin))
-            result.push_back({i, view.world_to_view * placement.object_to_world});
+            in_frame(placement, view, margin)) {
+            const Sphere sphere = bounding_sphere(placement, view);
+            const bool beyond_near = -sphere.center.z - sphere.radius > view.near_clip;
+            result.push_back({i, view.world_to_view * placement.object_to_world,
+                              beyond_near && bodies(*placement.surface)->all});
+        }
     }
     return result;
 }
@@ -278,14 +294,17 @@ std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double
         const Surface& surface = *scene.placements[occluder.placement].surface;
         meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
                           In<Index>(surface.triangle_facet).first(surface.occluding_triangles),
-                          occluder.object_to_view, scene.facet_base[occluder.placement]});
+                          occluder.object_to_view, scene.facet_base[occluder.placement], occluder.solid});
     }
     return meshes;
 }
 
 DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, const DepthOptions& options, const Cancel* cancel) {
+    return draw_depth_into(depth_layout(view, options), view, meshes, cancel);
+}
+
+DepthBuffer draw_depth_into(DepthBuffer buffer, const View& view, In<DepthMesh> meshes, const Cancel* cancel) {
     for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
-    DepthBuffer buffer = depth_layout(view, options);
     buffer.texels.resize(std::size_t(buffer.width) * buffer.height);
     parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
         std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());

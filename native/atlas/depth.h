@@ -15,6 +15,8 @@ struct DepthMesh {
     In<Index> triangle_facet;  ///< per triangle, numbered over the mesh
     dmat4 object_to_view{1.0};
     Index facet_base = 0;      ///< added to triangle_facet: numbers over the whole scene
+    /// Triangles that turn away from the viewer are left out: on solid bodies others lie before them.
+    bool one_sided = false;
 };
 
 /// Surfaces seen almost edge on have no steeper slope than this.
@@ -29,15 +31,20 @@ struct DepthTexel {
     vec2 edges{0.0f};    ///< of the triangle that covers the centre (triangle_edges.h)
 };
 
-/// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels around the frame; rows
-/// from bottom to top. The centre of texel (x, y) lies at ((x + .5) / scale - border_x, (y + .5) / scale - border_y)
-/// pixels.
+/// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels left of and below the
+/// frame (fewer than none in most tiles, depth_tiles.h); rows from bottom to top. The centre of texel (x, y) lies at
+/// ((x + .5) / scale - border_x, (y + .5) / scale - border_y) pixels.
 struct DepthBuffer {
     int scale = 1;
     int border_x = 0, border_y = 0;
     int width = 0, height = 0;  ///< texels
+    /// Left, lower, right and upper edge [px] of what it decides; a tile's neighbours decide the rest.
+    vec4 core{-far_px, -far_px, far_px, far_px};
     Array<DepthTexel> texels;
 
+    static constexpr float far_px = 1e9f;
+
+    bool decides(vec2 px) const { return px.x >= core.x && px.y >= core.y && px.x < core.z && px.y < core.w; }
     const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
     /// Texels of a pixel position: (.5, .5) is the centre of texel (0, 0).
     vec2 to_texels(vec2 px) const { return (px + vec2(border_x, border_y)) * float(scale); }
@@ -62,6 +69,7 @@ dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout);
 struct Occluder {
     Index placement;
     dmat4 object_to_view;
+    bool solid;  ///< made of bodies (mesh/bodies.h), and wholly beyond the near plane
 };
 
 /// Placements with occluding triangles in the frame widened by `margin`.
@@ -70,9 +78,12 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
 /// Their triangles, borrowed from the scene.
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
-/// Draws both sides of all triangles. What lies nearer than the near plane is cut off; the far plane cuts nothing off.
-/// At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate that is not finite
-/// leave no trace. Throws std::invalid_argument on indices out of range, and as depth_layout.
+/// Draws triangles into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut off; the far
+/// plane cuts nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with a coordinate
+/// that is not finite leave no trace. Throws std::invalid_argument on indices out of range.
+DepthBuffer draw_depth_into(DepthBuffer layout, const View& view, In<DepthMesh> meshes, const Cancel* cancel = nullptr);
+
+/// The same for the whole view; throws as depth_layout, too.
 DepthBuffer draw_depth(const View& view, In<DepthMesh> meshes, const DepthOptions& options,
                        const Cancel* cancel = nullptr);
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/segment.h"
 #include "atlas/shadow.h"
-#include "base/check.h"
-#include "line/registry.h"
 
 namespace fovea {
 namespace {
@@ -13,17 +12,6 @@ namespace {
 constexpr std::size_t pieces_per_block = 256;
 /// Shadows remembered from segment to segment: neighbours are mostly hidden by the same triangles.
 constexpr int remembered = 8;
-
-/// One segment of a piece between its ends in view space. Positions along it are screen fractions s in [0,1].
-struct Segment {
-    dvec3 a, b;
-    double wa, wb;  // distances along -z; equal (1) for an orthographic camera
-    Ignore ignore;
-
-    double to_space(double s) const { return s * wa / (wb + s * (wa - wb)); }
-    double to_screen(double t) const { return t * wb / (wa + t * (wb - wa)); }
-    dvec3 at(double s) const { return glm::mix(a, b, to_space(s)); }
-};
 
 /// Visibility along segments, one after the other, remembering what hid the last ones.
 class Marcher {
@@ -92,7 +80,8 @@ class Marcher {
         const View& view = tracer_.view();
         std::rotate(order_, order_ + remembered - 1, order_ + remembered);
         Known& known = known_[order_[0]];
-        known.shadow = Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
+        known.shadow =
+            Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
         known.placement = hit.placement;
         known.triangle = outline.triangle;
         known.other = outline.other;
@@ -173,15 +162,15 @@ class Runner {
         for (Index i = clipped_.pieces.begin(piece); i < last; ++i) {
             const Index samples = clipped_.sample_count[i];
             if (samples == 0) continue;
-            const double arc = clipped_.arc_px[i], length = clipped_.arc_px[i + 1] - arc;
+            const double arc = clipped_.arc_px[i], end = clipped_.arc_px[i + 1], length = end - arc;
             hidden_.clear();
-            if (!in_image) marcher_.march(segment(i), samples, length, hidden_);
-            double from = 0.0;
+            if (!in_image) marcher_.march(segment_at(clipped_, paths_, tracer_, piece, i), samples, length, hidden_);
+            double from = arc;
             for (const Interval& gap : hidden_) {
-                visible(arc + from * length, arc + gap.begin * length);
-                from = gap.end;
+                visible(from, arc + gap.begin * length);
+                from = gap.end < 1.0 ? arc + gap.end * length : end;
             }
-            visible(arc + from * length, arc + length);
+            visible(from, end);
         }
         close();
     }
@@ -189,24 +178,6 @@ class Runner {
     Runs out;
 
    private:
-    Segment segment(Index i) const {
-        const bool ortho = tracer_.view().orthographic;
-        Segment s{dvec3(clipped_.position_view[i]), dvec3(clipped_.position_view[i + 1]), 1.0, 1.0, {}};
-        const Index placement = paths_.placement[clipped_.path[piece_]], place = paths_.place[clipped_.source[i]];
-        const auto& placements = tracer_.scene().placements;
-        check(placement < placements.size() && place < placements[placement].surface->place_count(),
-              "exact_visibility: the paths are not of this scene");
-        s.ignore = tracer_.ignore_at(placement, place, paths_.other_facet_at(clipped_.source[i]),
-                                     (paths_.kinds[clipped_.source[i]] & smooth_contours()) != 0);
-        s.a += dvec3(s.ignore.above);
-        s.b += dvec3(s.ignore.above);
-        if (!ortho) {
-            s.wa = -s.a.z;
-            s.wb = -s.b.z;
-        }
-        return s;
-    }
-
     void visible(double start, double end) {
         if (end - start <= 1e-9) return;
         if (open_ && start - end_ <= 1e-6) {
@@ -239,8 +210,7 @@ class Runner {
 
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel) {
     const std::size_t pieces = clipped.path.size();
-    check(pieces == 0 || (clipped.path.back() < paths.count() && clipped.source.back() < paths.place.size()),
-          "exact_visibility: these are not the paths that were clipped");
+    check_same_paths(clipped, paths, "exact_visibility");
     tracer.check_current();
     std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);
     parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {

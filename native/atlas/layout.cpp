@@ -5,8 +5,6 @@
 namespace fovea {
 namespace {
 
-float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
-
 /// Points of the batch's pieces that start a segment with samples.
 Array<Index> segments_of(const ClippedPaths& clipped, const AtlasBatch& batch) {
     Array<Index> points;
@@ -21,11 +19,7 @@ Rows piece_samples(const ClippedPaths& clipped) {
     const Index pieces = clipped.pieces.count();
     Rows rows;
     rows.offsets.resize(pieces + 1);
-    for (Index q = 0; q < pieces; ++q) {
-        const Index first = clipped.sample_start[clipped.pieces.begin(q)];
-        const Index last = clipped.sample_start[clipped.pieces.end(q) - 1];
-        rows.offsets[q] = first - padding_of(last - first);
-    }
+    for (Index q = 0; q < pieces; ++q) rows.offsets[q] = clipped.sample_start[clipped.pieces.begin(q)];
     rows.offsets[pieces] = clipped.samples;
     return rows;
 }
@@ -49,28 +43,20 @@ AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, con
           "segment atlas: a batch or own sides of other paths");
     const Array<Index> points = segments_of(clipped, batch);
     const Index segments = static_cast<Index>(points.size());
-    const Rows samples = piece_samples(clipped);
-    Array<Index> owned(segments);  // first sample that each segment owns
     AtlasTables tables;
     tables.segments.resize(3 * std::size_t(segments));
-    Index piece = batch.piece_begin;
     for (Index s = 0; s < segments; ++s) {
         const Index i = points[s];
-        owned[s] = clipped.sample_start[i] - batch.sample_begin;
-        if (s == 0 || i >= clipped.pieces.end(piece)) {  // the first of its piece owns the padding before it
-            while (i >= clipped.pieces.end(piece)) ++piece;
-            owned[s] = samples.begin(piece) - batch.sample_begin;
-        }
         vec4* row = &tables.segments[3 * std::size_t(s)];
         row[0] = {clipped.px[i], clipped.depth[i], float(clipped.sample_start[i] - batch.sample_begin)};
         row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.sample_count[i])};
-        row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]), float(owned[s]),
-                  sides.inner[i] ? -1.0f : sides.steepness[i]};
+        row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]),
+                  sides.inner[i] ? -1.0f : sides.steepness[i], 0.0f};
     }
     if (segments == 0) return tables;
     Index owner = 0;
-    for (Index sample = 0; sample < batch.sample_end - batch.sample_begin; sample += owner_stride) {
-        while (owner + 1 < segments && owned[owner + 1] <= sample) ++owner;
+    for (Index sample = batch.sample_begin; sample < batch.sample_end; sample += owner_stride) {
+        while (owner + 1 < segments && clipped.sample_start[points[owner + 1]] <= sample) ++owner;
         tables.owners.push_back(float(owner));
     }
     tables.owners.push_back(float(segments - 1));

@@ -14,8 +14,9 @@ inline constexpr Index batch_samples = Index(1) << 22;
 inline constexpr Index owner_stride = 64;
 /// Facet numbers are kept modulo this, so that float textures hold them exactly; -1: none.
 inline constexpr Index facet_modulus = Index(1) << 24;
+inline float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
 
-/// Samples of each piece, padding included.
+/// Samples of each piece.
 Rows piece_samples(const ClippedPaths& clipped);
 
 /// Whole pieces whose samples fit into one atlas texture.
@@ -29,7 +30,7 @@ Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit = batch
 
 /// What the visibility pass reads, three entries a segment that has samples, in atlas order:
 /// (x0, y0, depth0, first sample), (x1, y1, depth1, sample count),
-/// (facet0, facet1, first sample it owns, padding before a piece included; steepness, or -1 for an inner line).
+/// (facet0, facet1, steepness, or -1 for an inner line, 0).
 /// Samples count inside the batch.
 struct AtlasTables {
     Array<vec4> segments;

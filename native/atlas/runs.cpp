@@ -4,7 +4,6 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
-#include "path/paths.h"
 
 namespace fovea {
 namespace {
@@ -39,65 +38,6 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
     if (open) runs.push(piece, start, clipped.arc_px[last]);
 }
 
-/// Runs and paths of pieces ascend, so the last one tells.
-void check_pieces(const ClippedPaths& clipped, const Runs& runs) {
-    check(runs.piece.empty() || runs.piece.back() < clipped.path.size(), "runs: they are not of these clipped paths");
-}
-
-/// Index of the first run of each piece (pieces + 1 entries).
-Array<Index> runs_of_pieces(const ClippedPaths& clipped, const Runs& runs) {
-    check_pieces(clipped, runs);
-    Array<Index> offsets(clipped.path.size(), 0);
-    for (Index piece : runs.piece) ++offsets[piece];
-    counts_to_offsets(offsets);
-    return offsets;
-}
-
-/// Place in pixels at an arc length of a piece.
-vec2 place(const ClippedPaths& clipped, Index piece, double arc) {
-    const auto begin = clipped.arc_px.begin() + clipped.pieces.begin(piece), end = clipped.arc_px.begin() + clipped.pieces.end(piece);
-    const auto above = std::clamp(std::upper_bound(begin, end, arc), begin + 1, end - 1);
-    const auto i = static_cast<Index>(above - clipped.arc_px.begin());
-    const double length = clipped.arc_px[i] - clipped.arc_px[i - 1];
-    const double t = length > 0.0 ? std::clamp((arc - clipped.arc_px[i - 1]) / length, 0.0, 1.0) : 0.0;
-    return glm::mix(clipped.px[i - 1], clipped.px[i], static_cast<float>(t));
-}
-
-/// Where a run of a contour that ends at `end` should end instead, looking back over at most fold_px along `way` (+1
-/// or -1): before a fold, from which the rest runs backwards.
-double trim_end(const ClippedPaths& clipped, Index piece, double start, double end, int way, double fold_px) {
-    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // back within 30 degrees of the way it came
-    double result = end;
-    const vec2 tip = place(clipped, piece, end);
-    const auto arcs = clipped.arc_px.begin();
-    const double low = way > 0 ? end - fold_px : end, high = way > 0 ? end : end + fold_px;
-    const auto first = std::lower_bound(arcs + clipped.pieces.begin(piece), arcs + clipped.pieces.end(piece), low) - arcs;
-    for (auto i = static_cast<Index>(first); i < clipped.pieces.end(piece) && clipped.arc_px[i] <= high; ++i) {
-        const double arc = clipped.arc_px[i], left = (end - arc) * way;
-        if (left <= 0.0 || left > fold_px || (arc - start) * way <= before_px || left <= (end - result) * way) continue;
-        const vec2 onward = clipped.px[i] - place(clipped, piece, arc - way * before_px), rest = tip - clipped.px[i];
-        const double lengths = glm::length(onward) * glm::length(rest);
-        if (glm::length(rest) > least_px && glm::dot(onward, rest) < cosine * lengths) result = arc;
-    }
-    return result;
-}
-
-/// Where a run should end so that it meets the next one, which starts at `next` beside it: the nearest place within
-/// fold_px of its end, if it is near enough for one line to go on as the other.
-double meet_next(const ClippedPaths& clipped, Index piece, double start, double end, double next, double fold_px) {
-    constexpr double near_px = 3.0, step_px = 0.5;
-    const vec2 goal = place(clipped, piece, next);
-    double nearest = near_px, result = end;
-    for (double arc = end; arc > std::max(start, end - fold_px); arc -= step_px) {
-        const double distance = glm::length(place(clipped, piece, arc) - goal);
-        if (distance < nearest) {
-            nearest = distance;
-            result = arc;
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 void Runs::push(Index of, double start, double end, std::uint8_t hidden_by) {
@@ -115,6 +55,18 @@ void Runs::append(const Runs& more) {
     invisibility.insert(invisibility.end(), more.invisibility.begin(), more.invisibility.end());
 }
 
+void check_runs(const ClippedPaths& clipped, const Runs& runs) {
+    check(runs.piece.empty() || runs.piece.back() < clipped.path.size(), "runs: they are not of these clipped paths");
+}
+
+Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs) {
+    check_runs(clipped, runs);
+    Array<Index> counts(clipped.path.size(), 0);
+    for (Index piece : runs.piece) ++counts[piece];
+    counts_to_offsets(counts);
+    return {std::move(counts)};
+}
+
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold) {
     check(visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
     const std::size_t pieces = clipped.path.size();
@@ -129,46 +81,38 @@ Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float 
 
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
     Array<float> samples(clipped.samples, 0.0f);
-    const Array<Index> offsets = runs_of_pieces(clipped, runs);
+    const Rows rows = runs_of_pieces(clipped, runs);
     parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t, std::size_t first, std::size_t end_piece) {
         for (std::size_t q = first; q < end_piece; ++q) {
-            Index run = offsets[q];
+            Index run = rows.begin(q);
             const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
-            Index low = none, high = 0;
             for (Index i = begin; i < last; ++i) {
                 const Index count = clipped.sample_count[i];
                 if (count == 0) continue;
-                low = std::min(low, clipped.sample_start[i]);
-                high = clipped.sample_start[i] + count - 1;
                 const double step = (clipped.arc_px[i + 1] - clipped.arc_px[i]) / count;
                 for (Index j = 0; j < count; ++j) {
                     const double from = clipped.arc_px[i] + j * step, to = from + step;
-                    while (run < offsets[q + 1] && runs.end_px[run] <= from) ++run;
+                    while (run < rows.end(q) && runs.end_px[run] <= from) ++run;
                     double covered = 0.0;
-                    for (Index r = run; r < offsets[q + 1] && runs.start_px[r] < to; ++r)
+                    for (Index r = run; r < rows.end(q) && runs.start_px[r] < to; ++r)
                         if (runs.invisibility[r] == 0) covered += std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]);
                     samples[clipped.sample_start[i] + j] = static_cast<float>(std::clamp(covered / step, 0.0, 1.0));
                 }
             }
-            // Padding: whatever lies between this piece's samples and its neighbours' belongs to its ends.
-            if (low == none) continue;
-            const Index padding = padding_of(high - low + 1);
-            std::fill_n(samples.begin() + low - padding, padding, samples[low]);
-            std::fill_n(samples.begin() + high + 1, padding, samples[high]);
         }
     });
     return samples;
 }
 
 Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen) {
-    const Array<Index> offsets = runs_of_pieces(clipped, visible);
+    const Rows rows = runs_of_pieces(clipped, visible);
     check(clipped.path.empty() || clipped.path.back() < always_seen.size(), "always_seen: one value per path expected");
     Runs all;
     for (Index q = 0; q < clipped.path.size(); ++q) {
         const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
         const bool has_hidden = !always_seen[clipped.path[q]];
         double from = clipped.arc_px[begin];
-        for (Index r = offsets[q]; r < offsets[q + 1]; ++r) {
+        for (Index r = rows.begin(q); r < rows.end(q); ++r) {
             if (has_hidden) all.push(q, from, visible.start_px[r], 1);
             all.push(q, visible.start_px[r], visible.end_px[r]);
             from = visible.end_px[r];
@@ -176,50 +120,6 @@ Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8
         if (has_hidden) all.push(q, from, clipped.arc_px[last], 1);
     }
     return all;
-}
-
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px) {
-    check_pieces(clipped, runs);
-    for (Index path : clipped.path) check(path < spur_px.size(), "spur_px: one value per path expected");
-    Runs joined;
-    for (std::size_t r = 0; r < runs.piece.size(); ++r) {
-        const bool same = !joined.piece.empty() && joined.piece.back() == runs.piece[r];
-        if (same && runs.start_px[r] - joined.end_px.back() < gap_px) {
-            joined.end_px.back() = runs.end_px[r];
-        } else {
-            joined.push(runs.piece[r], runs.start_px[r], runs.end_px[r]);
-        }
-    }
-    Runs kept;
-    for (std::size_t r = 0; r < joined.piece.size(); ++r) {
-        const Index piece = joined.piece[r];
-        const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
-        const bool at_end = joined.start_px[r] <= first + 1e-6 || joined.end_px[r] >= last - 1e-6;
-        if (at_end || joined.end_px[r] - joined.start_px[r] >= spur_px[clipped.path[piece]])
-            kept.push(piece, joined.start_px[r], joined.end_px[r]);
-    }
-    return kept;
-}
-
-Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px) {
-    check_pieces(clipped, runs);
-    check(clipped.path.empty() || clipped.path.back() < of_view.size(), "of_view: one value per path expected");
-    Runs trimmed = runs;
-    const std::size_t count = runs.piece.size();
-    parallel_for(count, [&](std::size_t r) {
-        const Index piece = runs.piece[r];
-        if (!of_view[clipped.path[piece]]) return;
-        const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
-        double start = runs.start_px[r], end = runs.end_px[r];
-        const bool cusps = of_view[clipped.path[piece]] == ends_at_cusps && !clipped.closed[piece];
-        if (cusps || end < last - 1e-6) end = trim_end(clipped, piece, start, end, 1, fold_px);
-        if (cusps || start > first + 1e-6) start = trim_end(clipped, piece, end, start, -1, fold_px);
-        const bool goes_on = r + 1 < count && runs.piece[r + 1] == piece && runs.start_px[r + 1] - end < fold_px;
-        if (goes_on) end = meet_next(clipped, piece, start, end, runs.start_px[r + 1], fold_px);
-        trimmed.start_px[r] = start;
-        trimmed.end_px[r] = end;
-    });
-    return trimmed;
 }
 
 }  // namespace fovea

@@ -7,7 +7,8 @@
 namespace fovea {
 
 /// Parts of pieces, sorted by piece, then by start; they do not overlap. start < end, in pixels of the piece's own
-/// arc_px. What finds visible parts leaves hidden ones out, until `with_hidden` adds them.
+/// arc_px; a run that overshoots its line starts before it or ends after it, where the line goes straight on. What finds
+/// visible parts leaves hidden ones out, until `with_hidden` adds them.
 struct Runs {
     Array<Index> piece;
     Array<double> start_px, end_px;
@@ -20,24 +21,21 @@ struct Runs {
     void append(const Runs& more);
 };
 
+/// Throws std::invalid_argument unless the runs can be of these pieces. Both ascend, so the last run tells.
+void check_runs(const ClippedPaths& clipped, const Runs& runs);
+
+/// Runs of each piece.
+Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs);
+
 /// Runs where the sampled visibility (atlas order, in [0,1]) is at least `threshold`; ends are interpolated between
 /// the two samples on either side.
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold = 0.5f);
 
-/// Share of each atlas sample that visible runs cover, in [0,1]; padding repeats the end of its piece.
+/// Share of each atlas sample that visible runs cover, in [0,1].
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 
 /// Visible runs and what lies between them, hidden by 1 surface or more. Pieces of paths with `always_seen` set (one
 /// entry per path of Paths) have no hidden parts.
 Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen);
-
-/// Joins runs of a piece whose gap is shorter than `gap_px`, then drops runs shorter than the path's `spur_px` (one
-/// entry per path of Paths) that neither begin nor end their piece.
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px);
-
-/// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
-/// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of runs (not of
-/// pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
-Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
 
 }  // namespace fovea

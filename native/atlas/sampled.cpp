@@ -60,53 +60,62 @@ struct Looker {
         return open;
     }
 
-    /// Share of the probes that see sample j of n.
-    float visibility(const Line& line, Index j, Index n) const {
+    /// Share of the probes, evenly spread over the part of the line from screen fraction t0 to t1, that see it.
+    float visibility(const Line& line, float t0, float t1) const {
         int seen = 0;
         for (int k = 0; k < options.probes; ++k) {
-            const float t = (float(j) + (float(k) + 0.5f) / float(options.probes)) / float(n);
+            const float t = glm::mix(t0, t1, (float(k) + 0.5f) / float(options.probes));
             seen += sees(line, glm::mix(line.px0, line.px1, t), glm::mix(line.depth0, line.depth1, t));
         }
         return float(seen) / float(options.probes);
     }
 };
 
-/// Samples of piece q: those of its segments, then the padding at both ends.
-void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker, Index begin,
-                Index end, Array<float>& visibility) {
-    Index first = end, last = begin;  // samples of segments
+Line line_of(const ClippedPaths& clipped, const OwnSides& sides, Index i) {
+    return {clipped.px[i],     clipped.px[i + 1], clipped.depth[i],   clipped.depth[i + 1],
+            clipped.facet0[i], clipped.facet1[i], sides.steepness[i], sides.inner[i] != 0};
+}
+
+/// Samples of piece q.
+void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, const Looker& looker,
+                Array<float>& visibility) {
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
         const Index count = clipped.sample_count[i];
-        if (count == 0) continue;
-        const Line line{clipped.px[i],     clipped.px[i + 1], clipped.depth[i],   clipped.depth[i + 1],
-                        clipped.facet0[i], clipped.facet1[i], sides.steepness[i], sides.inner[i] != 0};
-        for (Index j = 0; j < count; ++j)
-            visibility[clipped.sample_start[i] + j] = looker.visibility(line, j, count);
-        first = std::min(first, clipped.sample_start[i]);
-        last = clipped.sample_start[i] + count;
+        const Line line = line_of(clipped, sides, i);
+        for (Index j = 0; j < count; ++j) {
+            const vec2 middle = glm::mix(line.px0, line.px1, (float(j) + 0.5f) / float(count));
+            if (looker.buffer.decides(middle))
+                visibility[clipped.sample_start[i] + j] =
+                    looker.visibility(line, float(j) / float(count), float(j + 1) / float(count));
+        }
     }
-    const bool any = first < last;
-    std::fill(visibility.begin() + begin, visibility.begin() + first, any ? visibility[first] : 0.0f);
-    if (any) std::fill(visibility.begin() + last, visibility.begin() + end, visibility[last - 1]);
 }
 
 }  // namespace
 
-Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
-                                const SampledOptions& options, const Cancel* cancel) {
+void check_sampled(const DepthBuffer& buffer, const SampledOptions& options) {
     check(options.probes >= 1 && options.probes <= max_probes, "sampled visibility: 1 to 16 probes expected");
     check(buffer.width > 0 && buffer.height > 0, "sampled visibility: the depth buffer is empty");
+}
+
+Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
+                                const SampledOptions& options, const Cancel* cancel) {
+    check_sampled(buffer, options);
     check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
           "sampled visibility: own sides of other paths");
-    Array<float> visibility(clipped.samples);
-    const Rows samples = piece_samples(clipped);
+    Array<float> visibility(clipped.samples, 0.0f);
     const Looker looker{buffer, options};
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
         for (Index q = Index(begin); q < end; ++q)
-            fill_piece(clipped, sides, q, looker, samples.begin(q), samples.end(q), visibility);
+            fill_piece(clipped, sides, q, looker, visibility);
     });
     return visibility;
+}
+
+float visibility_between(const ClippedPaths& clipped, const OwnSides& sides, Index segment, float t0, float t1,
+                         const DepthBuffer& buffer, const SampledOptions& options) {
+    return Looker{buffer, options}.visibility(line_of(clipped, sides, segment), t0, t1);
 }
 
 }  // namespace fovea

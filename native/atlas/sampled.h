@@ -18,7 +18,11 @@ struct SampledOptions {
     float slack_px = 1.0f / 64.0f;
 };
 
-/// Share of its probes that see each atlas sample, in [0,1]; padding repeats the end of its piece.
+/// Throws std::invalid_argument on a number of probes out of range or a buffer without texels.
+void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
+
+/// Share of its probes that see each atlas sample, in [0,1]. Samples that the buffer does not decide are 0: the whole is
+/// the sum over a view's tiles (depth_tiles.h).
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
 /// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:
@@ -33,5 +37,9 @@ struct SampledOptions {
 /// alone, less than a texel beside their ends, may be seen.
 Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
                                 const SampledOptions& options, const Cancel* cancel = nullptr);
+
+/// The same for the part of a segment (of its first point) between two screen fractions.
+float visibility_between(const ClippedPaths& clipped, const OwnSides& sides, Index segment, float t0, float t1,
+                         const DepthBuffer& buffer, const SampledOptions& options);
 
 }  // namespace fovea

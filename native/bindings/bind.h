@@ -10,6 +10,9 @@ void bind_field(pybind11::module_& m);
 void bind_line(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);
 void bind_sampled(pybind11::module_& m);
+void bind_compaction(pybind11::module_& m);
+void bind_filters(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
+void bind_spine(pybind11::module_& m);
 
 }  // namespace fovea::bindings

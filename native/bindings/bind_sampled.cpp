@@ -3,26 +3,22 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "atlas/depth_tiles.h"
+#include "atlas/item_buffer.h"
 #include "atlas/layout.h"
 #include "atlas/sampled.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/scene_depth.h"
 #include "stroke/pen_table.h"
 
 namespace fovea::bindings {
 namespace {
 
-/// A depth buffer with what it shows.
-struct SceneDepth {
-    std::shared_ptr<Scene> scene;
-    View view;
-    DepthBuffer buffer;
-};
-
-SceneDepth draw(std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {
+SceneDepth draw(std::shared_ptr<Scene> scene, const View& view, DepthBuffer layout, const Cancel* cancel) {
     py::gil_scoped_release release;
-    const DepthOptions options{.scale = scale};
-    DepthBuffer buffer = draw_depth(view, depth_meshes(*scene, view, options.margin), options, cancel);
+    const std::vector<DepthMesh> meshes = depth_meshes(*scene, view, DepthOptions().margin);
+    DepthBuffer buffer = draw_depth_into(std::move(layout), view, meshes, cancel);
     return {std::move(scene), view, std::move(buffer)};
 }
 
@@ -53,6 +49,12 @@ py::tuple depth_corners(const Surface& surface) {
     return py::make_tuple(to_numpy(std::move(positions)), to_numpy(std::move(facets)));
 }
 
+/// Which side of its triangles need not be drawn, as Blender calls it.
+const char* one_side(const Occluder& occluder) {
+    if (!occluder.solid) return "NONE";
+    return glm::determinant(dmat3(occluder.object_to_view)) < 0.0 ? "FRONT" : "BACK";
+}
+
 py::list depth_draws(const Scene& scene, const View& view, const DepthBuffer& layout) {
     py::list draws;
     const dmat4 to_clip = view_to_depth_clip(view, layout);
@@ -60,7 +62,8 @@ py::list depth_draws(const Scene& scene, const View& view, const DepthBuffer& la
         const mat4 matrix(to_clip * occluder.object_to_view);
         const py::array_t<float> columns(16, glm::value_ptr(matrix));
         draws.append(py::make_tuple(scene.placements[occluder.placement].surface->version(), occluder.placement,
-                                    columns, scene.facet_base[occluder.placement] % facet_modulus));
+                                    columns, scene.facet_base[occluder.placement] % facet_modulus,
+                                    one_side(occluder)));
     }
     return draws;
 }
@@ -85,14 +88,35 @@ void bind_reference(py::module_& m) {
                 return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
             },
             "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see native/atlas/depth.h.");
-    m.def("draw_depth", &draw, py::arg("scene"), py::arg("view"), py::arg("scale") = 2, py::arg("cancel") = py::none(),
-          "SceneDepth with so many texels per pixel, along each axis.");
+    m.def(
+        "draw_depth",
+        [](std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {
+            return draw(std::move(scene), view, depth_layout(view, {.scale = scale}), cancel);
+        },
+        py::arg("scene"), py::arg("view"), py::arg("scale") = 2, py::arg("cancel") = py::none(),
+        "SceneDepth with so many texels per pixel, along each axis.");
+    m.def("draw_depth", &draw, py::arg("scene"), py::arg("view"), py::arg("layout"), py::arg("cancel") = py::none(),
+          "SceneDepth of a DepthLayout.");
     m.def("sampled_visibility", &sampled, py::arg("clipped"), py::arg("depth"), py::arg("probes") = 1,
-          py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer.");
+          py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer; 0 where it does not decide.");
+    m.def(
+        "item_visibility",
+        [](const ClippedPaths& clipped, const SceneDepth& depth, int layers, const Cancel* cancel) {
+            Array<float> visibility;
+            {
+                py::gil_scoped_release release;
+                visibility = item_visibility(clipped, depth.buffer, {.layers = layers}, cancel);
+            }
+            return to_numpy(std::move(visibility));
+        },
+        py::arg("clipped"), py::arg("depth"), py::arg("layers") = 1, py::arg("cancel") = py::none(),
+        "(samples,) float32 in [0, 1], by the item buffer; 0 where the depth buffer does not decide.");
 }
 
 void bind_passes(py::module_& m) {
     m.attr("SAMPLED_BIAS") = SampledOptions().bias;
+    m.attr("ITEM_SLOPE_FACTOR") = ItemOptions().slope_factor;
+    m.attr("ITEM_BIAS") = ItemOptions().bias;
     m.attr("SAMPLED_SLACK_PX") = SampledOptions().slack_px;
     py::class_<DepthBuffer>(m, "DepthLayout", "Size of a view's depth buffer; see native/atlas/depth.h.")
         .def(py::init([](const View& view, int scale) { return depth_layout(view, {.scale = scale}); }),
@@ -101,10 +125,21 @@ void bind_passes(py::module_& m) {
         .def_readonly("border_x", &DepthBuffer::border_x, "pixels")
         .def_readonly("border_y", &DepthBuffer::border_y, "pixels")
         .def_readonly("width", &DepthBuffer::width, "texels")
-        .def_readonly("height", &DepthBuffer::height, "texels");
+        .def_readonly("height", &DepthBuffer::height, "texels")
+        .def_property_readonly(
+            "core",
+            [](const DepthBuffer& b) { return std::array{b.core.x, b.core.y, b.core.z, b.core.w}; },
+            "left, lower, right and upper edge of what it decides, in pixels");
+    m.def(
+        "depth_tiles",
+        [](const View& view, int scale, int side, int overlap_px) {
+            return depth_tiles(view, {.scale = scale}, side, overlap_px);
+        },
+        py::arg("view"), py::arg("scale"), py::arg("side"), py::arg("overlap_px"),
+        "DepthLayouts of at most `side` texels; see native/atlas/depth_tiles.h.");
     m.def("depth_draws", &depth_draws, py::arg("scene"), py::arg("view"), py::arg("layout"),
-          R"([(version of the surface, placement, object to depth clip space as 16 float32 by columns, facet base)] of all
-that hides lines, in drawing order.)");
+          R"([(version of the surface, placement, object to depth clip space as 16 float32 by columns, facet base, side
+to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
     m.def(
         "depth_corners",
         [](const Scene& scene, Index placement) { return depth_corners(*scene.placements.at(placement).surface); },
@@ -140,8 +175,8 @@ that hides lines, in drawing order.)");
 }  // namespace
 
 void bind_sampled(py::module_& m) {
-    bind_reference(m);
     bind_passes(m);
+    bind_reference(m);
 }
 
 }  // namespace fovea::bindings

@@ -2,7 +2,10 @@
 #include <pybind11/stl.h>
 
 #include "atlas/beside.h"
+#include "atlas/beside_visible.h"
 #include "atlas/exact.h"
+#include "atlas/invisibility.h"
+#include "atlas/short_hidden.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "project/project.h"
@@ -137,6 +140,9 @@ void bind_stages(py::module_& m) {
         .def_property_readonly("path", array(&ClippedPaths::path), "(Q,) uint32 path it comes from")
         .def_property_readonly("closed", array(&ClippedPaths::closed), "(Q,) uint8")
         .def_property_readonly("free_ends", array(&ClippedPaths::free_ends), "(Q,) uint8: 1 free start, 2 free end")
+        .def_property_readonly("ends", array(&ClippedPaths::ends),
+                               R"((Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the frame
+cuts it)")
         .def_property_readonly("px", array(&ClippedPaths::px), "(M, 2) float32")
         .def_property_readonly("depth", array(&ClippedPaths::depth), "(M,) float32, reversed and screen-linear")
         .def_property_readonly("position_view", array(&ClippedPaths::position_view), "(M, 3) float32")
@@ -147,7 +153,7 @@ void bind_stages(py::module_& m) {
         .def_property_readonly("facet1", array(&ClippedPaths::facet1), "(M,) uint32, 0xffffffff: none")
         .def_property_readonly("sample_start", array(&ClippedPaths::sample_start), "(M,) uint32")
         .def_property_readonly("sample_count", array(&ClippedPaths::sample_count), "(M,) uint32, 0 at the end of a piece")
-        .def_readonly("samples", &ClippedPaths::samples, "size of the atlas, padding included")
+        .def_readonly("samples", &ClippedPaths::samples, "size of the atlas")
         .def("__len__", [](const ClippedPaths& c) { return c.path.size(); });
 
     m.def(
@@ -219,20 +225,34 @@ paths with an end that touches no other line are left out.)");
         py::arg("clipped"), py::arg("visible"), py::arg("paths"),
         "Visible runs and what lies between them, of invisibility 1.");
     m.def(
-        "trim_folds",
-        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {
-            return std::make_shared<Runs>(trim_folds(clipped, runs, paths.of_view, fold_px));
+        "count_invisibility",
+        [](const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs, Index levels,
+           const Cancel* cancel) {
+            const Cancel never;
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(
+                count_invisibility(clipped, paths, tracer, runs, levels, cancel ? *cancel : never));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("fold_px"),
-        "Cuts folds of at most fold_px off the ends of contours.");
+        py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("runs"), py::arg("levels"),
+        py::arg("cancel") = py::none(),
+        "Runs of with_hidden, the hidden ones split by how many surfaces hide them, told apart up to `levels`.");
     m.def(
-        "close_gaps",
-        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {
-            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, borrow<float>(spur_px, "spur_px")));
+        "without_beside_visible",
+        [](const ClippedPaths& clipped, const Runs& runs, double near_px) {
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(without_beside_visible(clipped, runs, near_px));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
-        R"(Joins runs over gaps shorter than gap_px, drops runs that are shorter than spur_px and hidden on both sides.
-spur_px: (P,) float32 per path of Paths.)");
+        py::arg("clipped"), py::arg("runs"), py::arg("near_px"),
+        "Runs without the hidden parts that go along visible runs nearer than near_px.");
+    m.def(
+        "without_short_hidden",
+        [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& least_px) {
+            const In<float> least = borrow<float>(least_px, "least_px");
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(without_short_hidden(clipped, runs, least));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("least_px"),
+        "Runs without hidden stretches shorter than least_px, (P,) float32 per path of Paths; whole pieces stay.");
 }
 
 }  // namespace fovea::bindings

@@ -5,6 +5,7 @@
 #include "bindings/bind.h"
 #include "stroke/compose.h"
 #include "stroke/ink.h"
+#include "stroke/pen_range.h"
 #include "stroke/raster.h"
 #include "stroke/tessellate.h"
 #include "stroke/texture_file.h"
@@ -57,6 +58,7 @@ Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>
             copy<float>(half_width, "half_width"),
             copy<float>(opacity, "opacity"),
             copy<Index>(pen, "pen"),
+            {},
             copy<glm::uvec3>(triangles, "triangles"),
             count};
 }
@@ -127,6 +129,8 @@ void bind_strokes(py::module_& m) {
         .def_property_readonly("opacity", array(&Strokes::opacity), "(V,) float32")
         .def_property_readonly("pen", array(&Strokes::pen),
                                "(V,) uint32 index into the frame's pens")
+        .def_property_readonly("piece", array(&Strokes::piece),
+                               "(V,) uint32 piece of ClippedPaths, (0,) where it is not known")
         .def_property_readonly("triangles", array(&Strokes::triangles),
                                "(T, 3) uint32, in drawing order")
         .def_readonly("count", &Strokes::count, "strokes")
@@ -139,18 +143,33 @@ void bind_stroke(py::module_& m) {
     bind_pens(m);
     bind_strokes(m);
     m.def(
-        "tessellate",
-        [](const ClippedPaths& clipped, const Runs& runs, const Arg<Index>& pen_of_path,
-           const std::optional<Arg<float>>& strength, const std::vector<Pen>& pens) {
-            const auto pen = borrow<Index>(pen_of_path, "pen_of_path");
-            const auto per_point = borrow<float>(strength, "strength");
-            py::gil_scoped_release release;
-            return std::make_shared<Strokes>(tessellate(clipped, runs, pen, per_point, pens));
+        "pens_of_runs",
+        [](const ClippedPaths& clipped, const Runs& runs, const Arg<std::uint8_t>& line_set,
+           const Arg<glm::uvec4>& ranges) {
+            const In<glm::uvec4> rows = borrow<glm::uvec4>(ranges, "ranges");
+            std::vector<PenRange> by_set;
+            for (const glm::uvec4& row : rows) by_set.push_back({row[0], row[1], row[2], row[3]});
+            return to_numpy(pens_of_runs(clipped, runs, borrow<std::uint8_t>(line_set, "line_set"), by_set));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("pen_of_path"), py::arg("strength"),
-        py::arg("pens"),
-        R"(Strokes of the visible runs. pen_of_path (P,) uint32 per path of Paths, 0xffffffff: not drawn;
-strength (N,) float32 per point of Paths, or None.)");
+        py::arg("clipped"), py::arg("runs"), py::arg("line_set"), py::arg("ranges"),
+        R"((R,) uint32 pen of each run, 0xffffffff: none. line_set (P,) uint8 per path of Paths; ranges (n, 4) uint32: line
+set, least and most surfaces that hide the run, pen; the first that holds it.)");
+    m.def(
+        "tessellate",
+        [](const ClippedPaths& clipped, const Runs& runs, const Arg<Index>& pen_of_run,
+           const std::optional<Arg<float>>& strength, const std::vector<Pen>& pens,
+           const std::optional<Arg<float>>& visibility) {
+            const auto pen = borrow<Index>(pen_of_run, "pen_of_run");
+            const auto per_point = borrow<float>(strength, "strength");
+            const auto per_sample = borrow<float>(visibility, "visibility");
+            py::gil_scoped_release release;
+            return std::make_shared<Strokes>(tessellate(clipped, runs, pen, per_point, pens, per_sample));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("pen_of_run"), py::arg("strength"), py::arg("pens"),
+        py::arg("visibility") = py::none(),
+        R"(Strokes of runs, hidden ones below visible ones. pen_of_run (R,) uint32, 0xffffffff: not drawn; strength (N,)
+float32 per point of Paths, or None; visibility (samples,) float32: runs fade where samples at their ends are seen in
+part; None: their ends are sharp.)");
     m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"),
           py::arg("width"), py::arg("height"),
           "(height, width, 4) float32, premultiplied, bottom row first.");

@@ -9,5 +9,8 @@ PYBIND11_MODULE(_native, m) {
     bind_line(m);
     bind_stages(m);
     bind_sampled(m);
+    bind_filters(m);
+    bind_compaction(m);
     bind_stroke(m);
+    bind_spine(m);
 }

@@ -1,18 +1,15 @@
 // What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
 #pragma once
 
-#include <algorithm>
-
 #include "base/types.h"
 
 namespace fovea {
 
-/// Padding samples at each end of a piece of `samples` samples: room for filters that lengthen visible parts.
-inline constexpr Index most_padding = 10;
-inline Index padding_of(Index samples) { return samples < 2 ? 0 : std::min((samples - 2) / 2, most_padding); }
-
 /// The depth of lines that nothing hides: nearer than any surface, however steep it is.
 inline constexpr float before_all = 1e30f;
+
+/// How a piece begins and ends: with an end of its path, at the seam of a closed path, or else (no bit) cut by the frame.
+enum PieceEnds : std::uint8_t { path_start = 1, path_end = 2, seam_start = 4, seam_end = 8 };
 
 /// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves
 /// and comes back gives several), a polyline of points; segment i runs from point i to point i + 1 of a piece.
@@ -26,6 +23,8 @@ struct ClippedPaths {
     Array<std::uint8_t> closed;
     /// Per piece: 1 where it starts, 2 where it ends with an end of the path that touches no other line: there pens taper.
     Array<std::uint8_t> free_ends;
+    /// Per piece: PieceEnds bits.
+    Array<std::uint8_t> ends;
     /// Per point: pixels (screen), reversed screen-linear depth (base/view.h; before_all where nothing hides the
     /// path), view space.
     Array<vec2> px;
@@ -42,8 +41,10 @@ struct ClippedPaths {
     /// Per segment: its samples are sample_start .. sample_start + sample_count of the atlas; sample j lies at the
     /// screen fraction (j + 0.5) / sample_count of the segment.
     Array<Index> sample_start, sample_count;
-    /// Samples in the atlas, padding at the ends of pieces included. Padding repeats the value of the piece's end.
+    /// Samples in the atlas.
     Index samples = 0;
+    /// Whether screen fractions of a segment are also fractions of it in space.
+    bool orthographic = false;
 };
 
 }  // namespace fovea

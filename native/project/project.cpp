@@ -44,7 +44,7 @@ class Projector {
     /// Room for so many pieces and points, so that arrays do not grow step by step.
     void reserve(std::size_t pieces, std::size_t points) {
         const auto each = [](std::size_t count, auto&... arrays) { (arrays.reserve(count), ...); };
-        each(pieces, out.path, out.closed, out.free_ends, out.pieces.offsets);
+        each(pieces, out.path, out.closed, out.free_ends, out.ends, out.pieces.offsets);
         each(points, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
              out.sample_start, out.sample_count);
     }
@@ -203,7 +203,7 @@ class Projector {
         finish_piece(path, begin);
         if (out.path.size() == first_piece) return;
         if (whole && paths_.closed[path] && out.path.size() == first_piece + 1) out.closed.back() = 1;
-        mark_free_ends(path, begin, end, first_piece);
+        mark_ends(path, begin, end, first_piece);
     }
 
     /// Writes the piece through the stops, if there is one.
@@ -219,23 +219,21 @@ class Projector {
                 write_segment(first + k, path, begin + stops_[k + 1].segment, stops_[k + 1].arc - stops_[k].arc);
             total += out.sample_count[first + k];
         }
-        check(out.samples + total + 2 * most_padding < none, too_many_samples);
+        check(out.samples + total < none, too_many_samples);
         stops_.clear();
         if (total == 0 || (count == 2 && total == 1)) {
             grow(-count, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0,
                  out.facet1, out.sample_start, out.sample_count);
             return;
         }
-        const Index padding = padding_of(static_cast<Index>(total));
-        out.samples += padding;
         for (std::size_t i = first; i < first + count; ++i) {
             out.sample_start[i] = out.samples;
             out.samples += out.sample_count[i];
         }
-        out.samples += padding;
         out.path.push_back(path);
         out.closed.push_back(0);
         out.free_ends.push_back(0);
+        out.ends.push_back(0);
         out.pieces.offsets.push_back(static_cast<Index>(first + count));
     }
 
@@ -277,13 +275,19 @@ class Projector {
         }
     }
 
-    /// A piece has a free end where it reaches one of its path.
-    void mark_free_ends(Index path, Index begin, Index end, std::size_t first_piece) {
+    /// The first and the last piece may have ends of their path.
+    void mark_ends(Index path, Index begin, Index end, std::size_t first_piece) {
         const int free = path < paths_.free_ends.size() ? paths_.free_ends[path] : 0;
+        const bool closed = paths_.closed[path];
         const Index first = out.pieces.begin(static_cast<Index>(first_piece)), last = out.pieces.offsets.back() - 1;
-        if ((free & free_start) && out.source[first] == begin && out.source_t[first] == 0.0f)
-            out.free_ends[first_piece] |= free_start;
-        if ((free & free_end) && out.source[last] == end - 1) out.free_ends.back() |= free_end;
+        if (out.source[first] == begin && out.source_t[first] == 0.0f) {
+            out.free_ends[first_piece] |= free & free_start;
+            out.ends[first_piece] |= closed ? seam_start : path_start;
+        }
+        if (out.source[last] == end - 1) {
+            out.free_ends.back() |= free & free_end;
+            out.ends.back() |= closed ? seam_end : path_end;
+        }
     }
 
     const Paths& paths_;
@@ -309,6 +313,7 @@ void append(const ClippedPaths& part, Start at, ClippedPaths& all) {
     copy(part.path, all.path, at.piece);
     copy(part.closed, all.closed, at.piece);
     copy(part.free_ends, all.free_ends, at.piece);
+    copy(part.ends, all.ends, at.piece);
     copy(part.px, all.px, at.point);
     copy(part.depth, all.depth, at.point);
     copy(part.position_view, all.position_view, at.point);
@@ -336,7 +341,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
     all.pieces.offsets[piece] = Index(point);
     all.samples = Index(sample);
     const auto resize = [](std::size_t count, auto&... arrays) { (arrays.resize(count), ...); };
-    resize(piece, all.path, all.closed, all.free_ends);
+    resize(piece, all.path, all.closed, all.free_ends, all.ends);
     resize(point, all.px, all.depth, all.position_view, all.arc_px, all.source, all.source_t, all.facet0, all.facet1,
            all.sample_start, all.sample_count);
     parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) { append(parts[b], starts[b], all); });
@@ -356,7 +361,9 @@ ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, c
         for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
         parts[b] = std::move(projector.out);
     });
-    return join(parts);
+    ClippedPaths all = join(parts);
+    all.orthographic = view.orthographic;
+    return all;
 }
 
 }  // namespace fovea

@@ -1,14 +1,8 @@
-// Embree: one BVH per surface, instanced under one per view.
-#include <embree4/rtcore.h>
+#include "scene/bvh.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
-
-#include "base/check.h"
-#include "scene/tracer.h"
 
 namespace fovea {
 namespace {
@@ -32,265 +26,92 @@ void check_device(const std::string& what) {
 /// Robust: no ray slips between two triangles that share a side.
 const RTCSceneFlags scene_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
 
-/// BVH over the occluding triangles of a surface; borrows the surface's arrays, whose cache it lives in.
-struct SurfaceBvh {
-    RTCScene scene = nullptr;
-
-    explicit SurfaceBvh(const Surface& surface) : scene(rtcNewScene(device())) {
-        const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
-                                   sizeof(vec3), surface.vertex_count());
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface.triangles.data(), 0,
-                                   sizeof(Triangle), surface.occluding_triangles);
-        rtcSetGeometryEnableFilterFunctionFromArguments(geometry, true);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcSetSceneFlags(scene, scene_flags | RTC_SCENE_FLAG_COMPACT);
-        rtcCommitScene(scene);
-        check_device(surface.name());
-    }
-    ~SurfaceBvh() { rtcReleaseScene(scene); }
-    SurfaceBvh(SurfaceBvh&& other) noexcept : scene(std::exchange(other.scene, nullptr)) {}
-    SurfaceBvh(const SurfaceBvh&) = delete;
-    SurfaceBvh& operator=(const SurfaceBvh&) = delete;
-};
-
-/// What the filter needs to know of the ray it filters for.
-struct Context {
-    RTCRayQueryContext base;
-    const Scene* scene;
-    const Index* placement_of_instance;
-    const Ignore* ignore;
-    float reach_t;  // the ignore's reach as a share of the ray
-};
-
-void skip_ignored(const RTCFilterFunctionNArguments* arguments) {
-    const auto* context = reinterpret_cast<const Context*>(arguments->context);
-    const Index placement = context->placement_of_instance[RTCHitN_instID(arguments->hit, 1, 0, 0)];
-    const Index triangle = RTCHitN_primID(arguments->hit, 1, 0);
-    const Surface& surface = *context->scene->placements[placement].surface;
-    const float before = 1.0f - RTCRayN_tfar(arguments->ray, 1, 0);
-    const bool near_own = placement == context->ignore->placement && std::abs(before) < context->reach_t;
-    if (near_own || context->ignore->holds(placement, surface, triangle)) arguments->valid[0] = 0;
-}
-
-/// Flat to the margin of rays, so that it hides no more than its two triangles do.
-bool is_flat_and_convex(const Outline& quad) {
-    const dvec3* c = quad.corners;
-    const dvec3 normal = glm::cross(c[1] - c[0], c[3] - c[0]);
-    if (std::abs(glm::dot(normal, c[2] - c[0])) > 0.1 * ray_margin * glm::length(normal) * glm::length(c[2])) return false;
-    for (int i = 0; i < 4; ++i)
-        if (glm::dot(glm::cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[i]), normal) <= 0.0) return false;
-    return true;
+void skip_ignored(const RTCFilterFunctionNArguments* at) {
+    if (static_cast<const RayContext*>(at->context)->ignored(*at)) at->valid[0] = 0;
 }
 
 }  // namespace
 
-struct Tracer::Bvh {
-    RTCScene top = nullptr;
-    Array<Index> placement_of_instance;
-    Array<std::uint64_t> versions;  // of the surfaces, per instance
-    Array<dmat4> object_to_view;    // per placement
-    std::vector<std::shared_ptr<const SurfaceBvh>> surfaces;
+SurfaceBvh::SurfaceBvh(const Surface& surface) : scene(rtcNewScene(device())) {
+    const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
+                               sizeof(vec3), surface.vertex_count());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface.triangles.data(), 0,
+                               sizeof(Triangle), surface.occluding_triangles);
+    rtcSetGeometryEnableFilterFunctionFromArguments(geometry, true);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneFlags(scene, scene_flags | RTC_SCENE_FLAG_COMPACT);
+    rtcCommitScene(scene);
+    check_device(surface.name());
+}
+Tracer::Bvh::Bvh() : top(rtcNewScene(device())) { rtcSetSceneFlags(top, scene_flags); }
 
-    ~Bvh() {
-        if (top) rtcReleaseScene(top);
-    }
+void Tracer::Bvh::add(const Scene& scene, Index placement) {
+    const Surface& surface = *scene.placements[placement].surface;
+    surfaces.push_back(surface.cache().get<SurfaceBvh>(0, [&] { return SurfaceBvh(surface); }));
+    const RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, surfaces.back()->scene);
+    rtcSetGeometryTimeStepCount(instance, 1);
+    const mat4 transform(object_to_view[placement]);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(top, instance, static_cast<unsigned>(placement_of_instance.size()));
+    rtcReleaseGeometry(instance);
+    placement_of_instance.push_back(placement);
+    versions.push_back(surface.version());
+}
 
-    void add(const Scene& scene, Index index) {
-        const Surface& surface = *scene.placements[index].surface;
-        surfaces.push_back(surface.cache().get<SurfaceBvh>(0, [&] { return SurfaceBvh(surface); }));
-        const RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(instance, surfaces.back()->scene);
-        rtcSetGeometryTimeStepCount(instance, 1);
-        const mat4 transform(object_to_view[index]);
-        rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
-        rtcCommitGeometry(instance);
-        rtcAttachGeometryByID(top, instance, static_cast<unsigned>(placement_of_instance.size()));
-        rtcReleaseGeometry(instance);
-        placement_of_instance.push_back(index);
-        versions.push_back(surface.version());
-    }
-
-    std::optional<Hit> trace(const Scene& scene, const vec3& origin, const vec3& direction, float near_t, float far_t,
-                             const Ignore& ignore) const {
-        Context context;
-        rtcInitRayQueryContext(&context.base);
-        context.scene = &scene;
-        context.placement_of_instance = placement_of_instance.data();
-        context.ignore = &ignore;
-        context.reach_t = ignore.reach > 0.0f ? ignore.reach / glm::length(direction) : 0.0f;
-        RTCIntersectArguments arguments;
-        rtcInitIntersectArguments(&arguments);
-        arguments.context = &context.base;
-        if (ignore.placement != none) {
-            arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
-            arguments.filter = skip_ignored;
-        }
-        RTCRayHit ray{};
-        ray.ray.org_x = origin.x;
-        ray.ray.org_y = origin.y;
-        ray.ray.org_z = origin.z;
-        ray.ray.dir_x = direction.x;
-        ray.ray.dir_y = direction.y;
-        ray.ray.dir_z = direction.z;
-        ray.ray.tnear = near_t;
-        ray.ray.tfar = far_t;
-        ray.ray.mask = ~0u;
-        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(top, &ray, &arguments);
-        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-        return Hit{placement_of_instance[ray.hit.instID[0]], ray.hit.primID, ray.ray.tfar, ray.hit.u, ray.hit.v};
-    }
-};
-
-Tracer::Tracer(const Scene& scene, const View& view)
-    : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>()) {
-    bvh_->top = rtcNewScene(device());
-    rtcSetSceneFlags(bvh_->top, scene_flags);
-    bvh_->object_to_view.resize(scene.placements.size());
-    for (Index i = 0; i < scene.placements.size(); ++i) {
-        const Placement& placement = scene.placements[i];
-        bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
-        const bool hides = placement.usage & (usage_occlude | usage_holdout);
-        if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1)) bvh_->add(scene, i);
-    }
-    rtcCommitScene(bvh_->top);
+void Tracer::Bvh::commit() {
+    rtcCommitScene(top);
     check_device("scene");
 }
 
-Tracer::~Tracer() = default;
-
-std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) const {
-    if (view_.orthographic) {
-        const float near_z = static_cast<float>(-view_.near_clip), length = near_z - point.z;
-        const float margin = static_cast<float>(ray_margin) * std::max(std::abs(point.z), glm::length(vec2(point)));
-        if (length <= margin) return {};
-        return first_hit(vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f, 1.0f - margin / length, ignore);
+std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const {
+    RayContext context(scene, placement_of_instance, ray, ignore);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    if (ignore.placement != none) {
+        arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+        arguments.filter = skip_ignored;
     }
-    return first_hit(vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z,
-                     static_cast<float>(1.0 - ray_margin), ignore);
+    RTCRayHit found{embree_ray(ray), {}};
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(top, &found, &arguments);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return Hit{placement_of_instance[found.hit.instID[0]], found.hit.primID, found.ray.tfar, found.hit.u, found.hit.v};
 }
 
-std::optional<Hit> Tracer::first_hit(const vec3& origin, const vec3& direction, float near_t, float far_t,
-                                     const Ignore& ignore) const {
-    // Single precision may put a large surface that the point lies on, a floor, before the point: hits so near to the
-    // end are measured again.
-    constexpr float surely_before = 0.98f;
-    for (int tries = 0; tries < 8; ++tries) {
-        const auto hit = bvh_->trace(scene_, origin, direction, near_t, far_t, ignore);
-        if (!hit || hit->t < surely_before || plane_share(*hit, origin, direction) < far_t) return hit;
-        near_t = std::nextafter(hit->t, 2.0f);
-    }
-    return {};
+RayContext::RayContext(const Scene& of, const Array<Index>& placements, const Ray& ray, const Ignore& skipped)
+    : scene(of),
+      placement_of_instance(placements),
+      ignore(skipped),
+      reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(ray.direction) : 0.0f) {
+    rtcInitRayQueryContext(this);
 }
 
-double Tracer::plane_share(const Hit& hit, const dvec3& origin, const dvec3& direction) const {
-    dvec3 corner[3];
-    corners(hit.placement, hit.triangle, corner);
-    const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-    return glm::dot(normal, corner[0] - origin) / glm::dot(normal, direction);
+bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
+    const Index hit = placement(at);
+    const float before = 1.0f - RTCRayN_tfar(at.ray, 1, 0);
+    if (hit == ignore.placement && std::abs(before) < reach_t) return true;
+    return ignore.holds(hit, *scene.placements[hit].surface, RTCHitN_primID(at.hit, 1, 0));
 }
 
-std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    if (view_.orthographic) {
-        const float reach = std::max(std::abs(point.z), 1e-6f);
-        return bvh_->trace(scene_, point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity, ignore);
-    }
-    return bvh_->trace(scene_, vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity, ignore);
-}
-
-std::optional<Hit> Tracer::seen(const dvec2& px) const {
-    const dvec2 ndc(px.x / view_.width * 2.0 - 1.0, px.y / view_.height * 2.0 - 1.0);
-    const dvec4 on_near = clip_to_view_ * dvec4(ndc, -1.0, 1.0);
-    const dvec3 point = dvec3(on_near) / on_near.w;
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    const Ignore nothing;
-    const auto near_distance = static_cast<float>(view_.near_clip);
-    if (view_.orthographic)
-        return bvh_->trace(scene_, vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity, nothing);
-    // Scaled so that the parameter is the distance along -z.
-    return bvh_->trace(scene_, vec3(0.0f), vec3(point / -point.z), near_distance, infinity, nothing);
-}
-
-void Tracer::check_current() const {
-    for (std::size_t i = 0; i < bvh_->versions.size(); ++i) {
-        const Surface& surface = *scene_.placements[bvh_->placement_of_instance[i]].surface;
-        if (surface.version() != bvh_->versions[i])
-            check(false, surface.name() + ": moved after its tracer was made; make a new one");
-    }
-}
-
-Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool contour) const {
-    const Surface& surface = *scene_.placements[placement].surface;
-    if (surface.is_edge(place)) {
-        const EdgeSide* sides = surface.edge_sides.data();
-        return {placement, sides + surface.edge_rows.begin(place), sides + surface.edge_rows.end(place)};
-    }
-    const Index triangle = surface.triangle_at(place);
-    if (other_facet != none) {
-        const auto& base = scene_.facet_base;
-        const auto other = static_cast<Index>(std::upper_bound(base.begin(), base.end(), other_facet) - base.begin() - 1);
-        Ignore ignore{.placement = placement, .facet = surface.triangle_facet[triangle]};
-        ignore.other_placement = other;
-        ignore.other_facet = other_facet - base[other];
-        return ignore;
-    }
-    dvec3 c[3];
-    corners(placement, triangle, c);
-    const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
-    Ignore ignore{.placement = placement, .around = surface.triangles[triangle]};
-    const dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
-    const double size = glm::length(normal);
-    const bool mirrored = glm::determinant(dmat3(bvh_->object_to_view[placement])) < 0.0;
-    const bool away = glm::dot(normal, view_.orthographic ? dvec3(0, 0, 1) : -c[0]) < 0.0;
-    // Of a sheet either side may be seen; a contour has but one outside.
-    const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
-    const double height = size > 0.0 ? size / longest : 0.0;
-    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
-    if (contour) ignore.reach = static_cast<float>(2.0 * longest);
-    return ignore;
-}
-
-void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {
-    const Surface& surface = *scene_.placements[placement].surface;
-    const Triangle& vertices = surface.triangles[triangle];
-    for (int i = 0; i < 3; ++i)
-        out[i] = dvec3(bvh_->object_to_view[placement] * dvec4(dvec3(surface.positions[vertices[i]]), 1.0));
-}
-
-Outline Tracer::outline(const Hit& hit) const {
-    Outline triangle;
-    corners(hit.placement, hit.triangle, triangle.corners);
-    triangle.triangle = hit.triangle;
-    const Surface& surface = *scene_.placements[hit.placement].surface;
-    const Triangle& here = surface.triangles[hit.triangle];
-    for (const Index next : {hit.triangle + 1, hit.triangle - 1}) {  // before the first: beyond the last
-        if (next >= surface.occluding_triangles || surface.triangle_facet[next] != surface.triangle_facet[hit.triangle])
-            continue;
-        const Triangle& there = surface.triangles[next];
-        const auto in = [](Index vertex, const Triangle& other) {
-            return vertex == other[0] || vertex == other[1] || vertex == other[2];
-        };
-        int alone = -1, beyond = -1, shared = 0;
-        for (int i = 0; i < 3; ++i) {
-            if (!in(here[i], there)) alone = i;
-            if (in(there[i], here))
-                ++shared;
-            else
-                beyond = i;
-        }
-        if (shared != 2 || alone < 0) continue;
-        dvec3 others[3];
-        corners(hit.placement, next, others);
-        const dvec3* c = triangle.corners;
-        const Outline quad{{c[alone], c[(alone + 1) % 3], others[beyond], c[(alone + 2) % 3]}, 4, hit.triangle, next};
-        if (is_flat_and_convex(quad)) return quad;
-    }
-    return triangle;
+RTCRay embree_ray(const Ray& ray) {
+    RTCRay made{};
+    made.org_x = ray.origin.x;
+    made.org_y = ray.origin.y;
+    made.org_z = ray.origin.z;
+    made.dir_x = ray.direction.x;
+    made.dir_y = ray.direction.y;
+    made.dir_z = ray.direction.z;
+    made.tnear = ray.near_t;
+    made.tfar = ray.far_t;
+    made.mask = ~0u;
+    return made;
 }
 
 }  // namespace fovea

@@ -40,6 +40,13 @@ struct Scene {
     }
 };
 
+/// A sphere in view space that holds the placement.
+struct Sphere {
+    dvec3 center;
+    double radius;
+};
+Sphere bounding_sphere(const Placement& placement, const View& view);
+
 /// True unless the placement's bounding sphere lies outside the frame (widened by `margin` of its half size).
 bool in_frame(const Placement& placement, const View& view, double margin);
 

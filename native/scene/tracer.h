@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "scene/scene.h"
+#include "scene/bodies.h"
 
 namespace fovea {
 
@@ -18,10 +18,11 @@ struct Ignore {
     const EdgeSide* end = nullptr;
     Triangle around{none, none, none};  ///< vertices; `none`: the line lies on an edge
     float reach = 0.0f;                 ///< view space
-    /// What to add to points before rays ask for them, view space: a line across triangles is seen from a hair's breadth
-    /// above the surface, so that what is rough there does not hide it. Above, at a contour, is aside in the image.
+    /// What to add to points before rays ask for them, view space: a line across triangles is seen from a hair's
+    /// breadth above the surface, so that what is rough there does not hide it. Above, at a contour, is aside in the
+    /// image.
     vec3 above{0.0f};
-    Index facet = none;                 ///< of a line on two surfaces, with that of the second
+    Index facet = none;  ///< of a line on two surfaces, with that of the second
     Index other_placement = none, other_facet = none;
 
     bool across_triangles() const { return around.x != none; }
@@ -64,6 +65,12 @@ struct Outline {
 /// line on a surface, or on two that touch, is not hidden by it.
 inline constexpr double ray_margin = 1e-5;
 
+/// A stretch of a straight line: shares of the way along `direction`.
+struct Ray {
+    vec3 origin, direction;
+    float near_t, far_t;
+};
+
 /// Two levels: one BVH per surface, kept with the surface, and one over the placements, in view space. Const methods
 /// may be called from many threads. The scene must outlive the tracer.
 class Tracer {
@@ -74,8 +81,14 @@ class Tracer {
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;
 
-    /// The surface nearest to the eye that hides `point` (view space); what lies nearer than the near plane is cut away.
+    /// The surface nearest to the eye that hides `point` (view space); what lies nearer than the near plane is cut
+    /// away.
     std::optional<Hit> occluder(const vec3& point, const Ignore& ignore) const;
+
+    /// How many surfaces hide `point`, told apart up to `most`: a solid body counts once for entering and leaving it, a
+    /// sheet once for each crossing. Hits on one body nearer to each other than ray_margin are one crossing, as where
+    /// a ray passes between two triangles. `bodies`: of this scene.
+    int hidden_by(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies) const;
 
     /// The nearest surface beyond `point` on the ray from the eye through it.
     std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;
@@ -99,12 +112,14 @@ class Tracer {
    private:
     /// Corners of a triangle in view space.
     void corners(Index placement, Index triangle, dvec3 out[3]) const;
-    /// The first surface between the two shares of the way along `direction`.
-    std::optional<Hit> first_hit(const vec3& origin, const vec3& direction, float near_t, float far_t,
-                                 const Ignore& ignore) const;
-    /// Share of the way along `direction` at which it meets the plane of the triangle hit.
-    double plane_share(const Hit& hit, const dvec3& origin, const dvec3& direction) const;
+    /// The way from the eye, or the near plane, to a point; empty (far_t <= near_t) where the point lies before it.
+    Ray ray_to(const vec3& point) const;
+    /// Whether a hit on the ray lies before its end, measured in double precision where that is in doubt.
+    bool surely_before(const Hit& hit, const Ray& ray) const;
+    /// Share of the way along the ray at which it meets the plane of the triangle hit.
+    double plane_share(const Hit& hit, const Ray& ray) const;
 
+    struct Count;
     struct Bvh;
     const Scene& scene_;
     View view_;

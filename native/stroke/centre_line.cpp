@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace fovea {
 
@@ -13,6 +14,7 @@ constexpr double tolerance = 0.1;       // px between a dropped point and the li
 constexpr double shortest = 0.05;       // px between neighbours: below it a direction means nothing
 constexpr float strength_step = 0.05f;  // change of strength that keeps a point
 constexpr int taper_steps = 4;
+constexpr double most_overshoot = 1000.0;  // px
 constexpr double tip_width =
     0.2;  // of a tapered end, in widths of the pen: corners of the drawing stay closed
 
@@ -80,20 +82,6 @@ void even_out(CentreLine& line) {
     }
 }
 
-/// Points at the given arc lengths (ascending), except next to others.
-void insert_points(CentreLine& line, In<double> arcs) {
-    CentreLine out{line.front()};
-    std::size_t next = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const CentrePoint &a = line[i - 1], &b = line[i];
-        for (; next < arcs.size() && arcs[next] < b.arc; ++next)
-            if (arcs[next] > out.back().arc + 0.5 && arcs[next] < b.arc - 0.5)
-                out.push_back(mix(a, b, (arcs[next] - a.arc) / (b.arc - a.arc)));
-        out.push_back(b);
-    }
-    line = std::move(out);
-}
-
 /// Width of the pen where a line has this strength.
 float width_of(const Pen& pen, float strength) {
     return pen.width_px * glm::mix(1.0f, strength, pen.strength_width);
@@ -132,6 +120,41 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
     out.push_back(at(last, end_px));
     std::erase_if(out,
                   [](const CentrePoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
+}
+
+void lengthen(CentreLine& line, double before_px, double after_px) {
+    if (line.size() < 2) return;
+    // Straight on is where the line leads over this length: at its very end a dense mesh leads anywhere.
+    constexpr double look_back = 3.0;
+    const auto beyond = [](const auto& from_end, double length, double sign) {
+        CentrePoint end = *from_end.begin();
+        const auto inner = std::ranges::find_if(
+            from_end, [&](const CentrePoint& p) { return glm::distance(p.px, end.px) > look_back; });
+        const dvec2 other = inner != from_end.end() ? inner->px : std::ranges::prev(from_end.end())->px;
+        if (other == end.px) return end;
+        end.px += glm::normalize(end.px - other) * length;
+        end.arc += sign * length;
+        return end;
+    };
+    before_px = std::min(before_px, most_overshoot);
+    after_px = std::min(after_px, most_overshoot);
+    const CentrePoint first = beyond(line, before_px, -1.0);
+    const CentrePoint last = beyond(std::views::reverse(line), after_px, 1.0);
+    if (after_px > 0.0) line.push_back(last);
+    if (before_px > 0.0) line.insert(line.begin(), first);
+}
+
+void insert_points(CentreLine& line, In<double> arcs) {
+    CentreLine out{line.front()};
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const CentrePoint &a = line[i - 1], &b = line[i];
+        for (; next < arcs.size() && arcs[next] < b.arc; ++next)
+            if (arcs[next] > out.back().arc + 0.5 && arcs[next] < b.arc - 0.5)
+                out.push_back(mix(a, b, (arcs[next] - a.arc) / (b.arc - a.arc)));
+        out.push_back(b);
+    }
+    line = std::move(out);
 }
 
 void simplify(CentreLine& line) {

@@ -24,10 +24,16 @@ using CentreLine = std::vector<CentrePoint>;
 void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px,
          double end_px, CentreLine& out);
 
+/// Goes straight on beyond either end of a line, for so many pixels (0 or less: not at all).
+void lengthen(CentreLine& line, double before_px, double after_px);
+
 /// Evens out zigzag of steps below 1.5 px (points move at most .15 px), then drops points that lie
 /// within .1 px of the line between those kept, or on top of each other. Ends stay. Fewer than two
 /// points are left of a line without length.
 void simplify(CentreLine& line);
+
+/// Adds points at the given arc lengths (ascending), except within half a pixel of others.
+void insert_points(CentreLine& line, In<double> arcs);
 
 /// Which ends of a line taper.
 struct TaperedEnds {

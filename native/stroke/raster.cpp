@@ -35,11 +35,16 @@ private:
     dvec4 at_origin_, slope_x_, slope_y_;
 };
 
+/// Edges of a depth buffer's core lie between pixels, or beyond all of them.
+PixelBox pixels_of(const vec4& core) { return {int(core.x), int(core.y), int(core.z), int(core.w)}; }
+
 class Painter {
    public:
     Painter(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height,
-            Array<vec4>& image)
-        : strokes_(strokes), pens_(pens), picture_{0, 0, width, height}, image_(image) {
+            Array<vec4>& image, const SpineTest* spine)
+        : strokes_(strokes), pens_(pens), picture_{0, 0, width, height}, decided_(picture_), image_(image),
+          spine_(spine) {
+        if (spine) decided_ = intersect(picture_, pixels_of(spine->core()));
         for (const Pen& pen : pens) {
             check(pen.texture == none || pen.texture < textures.size(),
                   "pen: there is no texture " + std::to_string(pen.texture));
@@ -55,9 +60,11 @@ class Painter {
             intersect({i * size, j * size, (i + 1) * size, (j + 1) * size}, picture_);
         for (int y = box.y0; y < box.y1; ++y)
             std::fill_n(row(y) + box.x0, box.x1 - box.x0, vec4(0.0f));
+        const PixelBox drawn = intersect(box, decided_);
+        if (drawn.empty()) return;
         const std::size_t list = std::size_t(j) * tiles.across + i;
         for (std::size_t k = tiles.offsets[list]; k < tiles.offsets[list + 1]; ++k)
-            triangle(strokes_.triangles[tiles.triangle[k]], box);
+            triangle(strokes_.triangles[tiles.triangle[k]], drawn);
     }
 
    private:
@@ -79,6 +86,7 @@ class Painter {
                 if (alpha <= 0.0f) continue;
                 if (pen.texture != none)
                     alpha *= ink(texture, f[0], f[1], f[2], pen.texture_length_px);
+                if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
                 row(y)[x] = over(row(y)[x], pen.color, alpha * f[3] * pen.opacity);
             }
         }
@@ -90,10 +98,17 @@ class Painter {
 
     const Strokes& strokes_;
     In<Pen> pens_;
-    PixelBox picture_;
+    PixelBox picture_, decided_;
     Array<vec4>& image_;
+    const SpineTest* spine_;
     std::vector<PenTexture> inks_;
 };
+
+void check_pieces(const Strokes& strokes, const SpineTest& spine) {
+    check(strokes.piece.size() == strokes.px.size(), "strokes: the spine test needs a piece per vertex");
+    const auto missing = std::ranges::find_if(strokes.piece, [&](Index q) { return !spine.has(q); });
+    check(missing == strokes.piece.end(), "strokes: a vertex belongs to a piece that is not there or has no segments");
+}
 
 void check_input(const Strokes& strokes, In<Pen> pens) {
     const std::size_t count = strokes.px.size();
@@ -112,11 +127,12 @@ void check_input(const Strokes& strokes, In<Pen> pens) {
 }  // namespace
 
 void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height,
-            Array<vec4>& image) {
+            Array<vec4>& image, const SpineTest* spine) {
     check(width > 0 && height > 0, "raster: the picture needs a positive width and height");
     check_input(strokes, pens);
+    if (spine) check_pieces(strokes, *spine);
     image.resize(std::size_t(width) * height);
-    const Painter painter(strokes, pens, textures, width, height, image);
+    const Painter painter(strokes, pens, textures, width, height, image, spine);
     const Tiles tiles = sort_into_tiles(strokes.px, strokes.triangles, width, height);
     parallel_for(
         std::size_t(tiles.across) * tiles.up,

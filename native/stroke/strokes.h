@@ -23,6 +23,8 @@ struct Strokes {
     Array<float> opacity;
     /// Per vertex: index of the pen, the same all over a stroke.
     Array<Index> pen;
+    /// Per vertex: piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty otherwise.
+    Array<Index> piece;
     /// Corners of each triangle, either way round, in drawing order: stroke after stroke, along
     /// each stroke.
     Array<glm::uvec3> triangles;

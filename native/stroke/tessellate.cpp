@@ -1,11 +1,14 @@
 #include "stroke/tessellate.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "path/paths.h"
 #include "stroke/centre_line.h"
+#include "stroke/fade.h"
 #include "stroke/strip.h"
 
 namespace fovea {
@@ -16,19 +19,18 @@ constexpr std::size_t block_size = 128;  // runs
 constexpr double whole_error = 1e-3;     // px a run may miss at the ends of a piece that it covers
 constexpr float endless = 1e9f;
 
-void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_path,
-                 In<float> strength, In<Pen> pens) {
-    check(runs.start_px.size() == runs.piece.size() && runs.end_px.size() == runs.piece.size(),
-          "runs: piece, start_px and end_px must have the same length");
-    Index piece = 0, path = 0, pen = 0;
+void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
+                 In<Pen> pens) {
+    const std::size_t count = runs.size();
+    check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
+          "runs: piece, start_px, end_px and invisibility must have the same length");
+    check(pen_of_run.size() == count, "pen_of_run: one entry per run expected");
+    Index piece = 0, pen = 0;
     for (const Index q : runs.piece) piece = std::max(piece, q);
     check(runs.piece.empty() || piece < clipped.pieces.count(),
           "runs: there is no piece " + std::to_string(piece));
-    for (const Index p : clipped.path) path = std::max(path, p);
-    check(clipped.path.empty() || path < pen_of_path.size(),
-          "pen_of_path: no entry for path " + std::to_string(path));
-    for (const Index p : pen_of_path) pen = std::max(pen, p + 1);  // none + 1 == 0
-    check(pen <= pens.size(), "pen_of_path: there is no pen " + std::to_string(pen - 1));
+    for (const Index p : pen_of_run) pen = std::max(pen, p + 1);  // none + 1 == 0
+    check(pen <= pens.size(), "pen_of_run: there is no pen " + std::to_string(pen - 1));
     if (strength.empty()) return;
     std::size_t source = 0;
     for (std::size_t i = 0; i < clipped.source.size(); ++i)
@@ -36,6 +38,18 @@ void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of
                                        clipped.source[i] + std::size_t(clipped.source_t[i] > 0.0f));
     check(clipped.source.empty() || source < strength.size(),
           "strength: no entry for point " + std::to_string(source));
+}
+
+/// The runs that have a pen, the most hidden first; those that are hidden alike as they come.
+Array<Index> drawing_order(const Runs& runs, In<Index> pen_of_run) {
+    constexpr int most = std::numeric_limits<std::uint8_t>::max();
+    Array<Index> place(most + 1, 0);  // per invisibility, the most first
+    for (std::size_t r = 0; r < runs.size(); ++r) place[most - runs.invisibility[r]] += pen_of_run[r] != none;
+    counts_to_offsets(place);
+    Array<Index> order(place.back());
+    for (std::size_t r = 0; r < runs.size(); ++r)
+        if (pen_of_run[r] != none) order[place[most - runs.invisibility[r]]++] = Index(r);
+    return order;
 }
 
 /// What each block of runs adds to the whole, laid end to end in order.
@@ -55,6 +69,7 @@ Strokes join(std::vector<Strokes>& blocks) {
     all.half_width.resize(vertices.back());
     all.opacity.resize(vertices.back());
     all.pen.resize(vertices.back());
+    all.piece.resize(vertices.back());
     all.triangles.resize(triangles.back());
     for (const Strokes& b : blocks) all.count += b.count;
     parallel_for(
@@ -67,6 +82,7 @@ Strokes join(std::vector<Strokes>& blocks) {
             std::ranges::copy(block.half_width, all.half_width.begin() + v);
             std::ranges::copy(block.opacity, all.opacity.begin() + v);
             std::ranges::copy(block.pen, all.pen.begin() + v);
+            std::ranges::copy(block.piece, all.piece.begin() + v);
             std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
                                    [&](glm::uvec3 t) { return t + Index(v); });
         },
@@ -76,36 +92,42 @@ Strokes join(std::vector<Strokes>& blocks) {
 
 }  // namespace
 
-Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_path,
-                   In<float> strength, In<Pen> pens) {
-    check_input(clipped, runs, pen_of_path, strength, pens);
-    std::vector<Strokes> blocks((runs.piece.size() + block_size - 1) / block_size);
-    parallel_blocks(
-        runs.piece.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-            CentreLine line;
-            for (std::size_t r = begin; r < end; ++r) {
-                const Index piece = runs.piece[r];
-                const Index pen = pen_of_path[clipped.path[piece]];
-                if (pen == none || clipped.pieces.size(piece) < 2) continue;
-                const double first = clipped.arc_px[clipped.pieces.begin(piece)];
-                const double last = clipped.arc_px[clipped.pieces.end(piece) - 1];
-                const double start = std::max(runs.start_px[r], first),
-                             stop = std::min(runs.end_px[r], last);
-                const bool closed = clipped.closed[piece] && start < first + whole_error &&
-                                    stop > last - whole_error;
-                cut(clipped, strength, piece, start, stop, line);
-                simplify(line);
-                const int free = clipped.free_ends[piece];
-                shape(line, pens[pen],
-                      {(free & 1) && start < first + whole_error, (free & 2) && stop > last - whole_error});
-                if (!closed) extend(line, pens[pen].cap);
-                if (line.size() < 2) continue;
-                add_strip(line, closed,
-                          {closed ? -endless : float(start), closed ? endless : float(stop), pen},
-                          blocks[block]);
-                ++blocks[block].count;
-            }
-        });
+Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
+                   In<Pen> pens, In<float> visibility) {
+    check_input(clipped, runs, pen_of_run, strength, pens);
+    check(visibility.empty() || visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
+    const Array<Index> order = drawing_order(runs, pen_of_run);
+    std::vector<Strokes> blocks((order.size() + block_size - 1) / block_size);
+    parallel_blocks(order.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+        CentreLine line;
+        Fade fade;
+        for (std::size_t k = begin; k < end; ++k) {
+            const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
+            if (clipped.pieces.size(piece) < 2) continue;
+            const double first = clipped.arc_px[clipped.pieces.begin(piece)];
+            const double last = clipped.arc_px[clipped.pieces.end(piece) - 1];
+            // What overshoots its line goes straight on.
+            const double before = first - runs.start_px[r], after = runs.end_px[r] - last;
+            find_fade(clipped, visibility, piece, std::max(runs.start_px[r], first), std::min(runs.end_px[r], last),
+                      runs.invisibility[r] != 0, fade);
+            const double start = fade.start_px, stop = fade.end_px;
+            const bool from_first = start < first + whole_error, to_last = stop > last - whole_error;
+            const bool closed = clipped.closed[piece] && from_first && to_last;
+            cut(clipped, strength, piece, start, stop, line);
+            if (!closed) lengthen(line, before, after);
+            simplify(line);
+            insert_bends(line, fade);
+            const int free = clipped.free_ends[piece];
+            shape(line, pens[pen], {(free & free_start) && from_first, (free & free_end) && to_last});
+            fade_ends(line, fade);
+            if (line.size() < 2) continue;
+            const float ends[] = {closed ? -endless : float(line.front().arc), closed ? endless : float(line.back().arc)};
+            if (!closed) extend(line, pens[pen].cap);
+            add_strip(line, closed, {ends[0], ends[1], pen}, blocks[block]);
+            blocks[block].piece.resize(blocks[block].px.size(), piece);
+            ++blocks[block].count;
+        }
+    });
     return join(blocks);
 }
 

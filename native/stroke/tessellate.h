@@ -1,4 +1,4 @@
-// Visible runs become strokes: strips of triangles with pens.
+// Runs become strokes: strips of triangles with pens.
 #pragma once
 
 #include "atlas/runs.h"
@@ -7,12 +7,16 @@
 
 namespace fovea {
 
-/// Shapes every visible run into a strip, in the order of the runs.
-/// `pen_of_path`: index into `pens` per path of Paths; `none` draws nothing. `strength`: per point
-/// of Paths, in [0,1], multiplies opacity; empty: 1. A run over the whole of a closed piece is
-/// joined to itself; other runs end in the pen's caps, and taper where their path ends freely. Runs without length in pixels and
-/// points that are not finite are left out. The same for any number of threads.
-Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_path,
-                   In<float> strength, In<Pen> pens);
+/// Shapes every run that has a pen into a strip. The most hidden runs come first and visible ones last, so that visible
+/// strokes lie on top; those that are hidden alike keep the order of the runs. Runs without length in pixels and points
+/// that are not finite are left out. The same for any number of threads.
+/// - A run over the whole of a closed piece is joined to itself; other runs end in the pen's caps, and taper where their
+///   path ends freely; those that start before their piece or end after it go straight on.
+/// - `pen_of_run`: index into `pens` per run; `none` draws nothing.
+/// - `strength`: per point of Paths, in [0,1], multiplies opacity; empty: 1.
+/// - `visibility`: per atlas sample; those at the ends of runs that are seen in part fade them out (fade.h). Empty: all
+///   ends are sharp.
+Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
+                   In<Pen> pens, In<float> visibility = {});
 
 }  // namespace fovea

@@ -114,7 +114,26 @@ def test_passes_in_a_multilayer_exr(scene, tmp_path):
     assert np.allclose(named["Combined.R"], 0.5 * (1 - lines) + named["Lines.R"], atol=1e-3)
 
 
-@pytest.mark.parametrize("visibility", ["EXACT", "ATLAS"])
+@pytest.mark.parametrize(
+    "visibility, told",
+    [
+        ("AUTO", "exact"),
+        ("EXACT", "exact"),
+        ("ATLAS", "segment atlas, 4 probes x 3"),
+        ("SPINE", "spine test, 4 probes x 3"),
+        ("ITEM_BUFFER", "item buffer, 2 layers x 3"),
+    ],
+)
+def test_every_method_draws_much_the_same_and_says_which_it_was(scene, tmp_path, visibility, told):
+    exact = drawn(scene, tmp_path / "exact.png")
+    scene.fovea.visibility, scene.fovea.probes, scene.fovea.depth_scale, scene.fovea.layers = visibility, "4", 3, 2
+    other = drawn(scene, tmp_path / "other.png")
+    assert session.last_statistics()["visibility"] == told
+    assert np.abs(other - exact).mean() < 0.003
+    assert np.array_equal(other, exact) or visibility not in ("AUTO", "EXACT")
+
+
+@pytest.mark.parametrize("visibility", ["EXACT", "ATLAS", "SPINE", "ITEM_BUFFER"])
 def test_a_scene_that_wants_the_gpu_gets_it(scene, tmp_path, visibility):
     if part("blender.preferences").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")

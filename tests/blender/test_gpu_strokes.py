@@ -39,7 +39,7 @@ def test_every_style(name):
     frame = frame_of(room(), view, sample_step=2.0, line_style=chosen)
     textures = Textures(chosen)
     pens = cpu.pens_of(chosen, textures, 1.0)
-    strokes = cpu.shape(frame, cpu.exact(frame, core.Cancel()), pens)
+    strokes = cpu.shape(frame, cpu.exact(frame, core.Cancel()), chosen, pens)
     drawn, reference = (backend(strokes, pens, textures, view) for backend in (on_gpu, cpu.Backend().draw))
     assert drawn.shape == reference.shape == (300, 480, 4) and drawn.dtype == np.float32
     assert reference[..., 3].mean() > 0.01
@@ -95,7 +95,7 @@ def test_strokes_that_thin_and_fade_with_strength():
     pictures = []
     for share in (0.0, 0.5, 1.0):
         pens = [core.Pen(width_px=7.0, strength_width=share)]
-        strokes = cpu.shape(frame, visible, pens)
+        strokes = cpu.shape(frame, visible, chosen, pens)
         drawn = on_gpu(strokes, pens, NoTextures, view)
         off = np.abs(drawn - core.raster(strokes, pens, [], 320, 200)).max(axis=2)
         # Where a wide stroke folds, either may give single pixels to the neighbouring triangle.

@@ -90,14 +90,35 @@ def test_nothing_hides_in_front_of_the_near_plane():
     assert np.mean(cut[0]) > np.mean(whole[0])
 
 
-def test_pictures_larger_than_textures(monkeypatch):
-    frame, backend = frame_of(room(), view_of()), gpu_backend()
-    fine, coarse = backend.visibility(frame), backend.visibility(frame_of(room(), view_of(), depth_scale=1))
-    monkeypatch.setattr(part("backend.gpu"), "size_limit", lambda: 500)  # 2 x 352 texels are too many, 352 are not
-    assert np.mean(backend.visibility(frame) == coarse) == 1 > np.mean(fine == coarse)
-    monkeypatch.setattr(part("backend.gpu_texture"), "size_limit", lambda: 300)
-    with pytest.raises(ValueError, match="use the CPU"):
-        backend.visibility(frame)
+@pytest.mark.parametrize("orthographic", [False, True])
+@pytest.mark.parametrize("side", [200, 390])
+def test_pictures_larger_than_textures_are_looked_at_in_tiles(orthographic, side):
+    """A texel's plane is the same whichever tile shows it, but for the rounding of corners to 1/256 texel."""
+    frame, backend = frame_of(room(), view_of(orthographic=orthographic), 2, 4), gpu_backend()
+    whole = backend.visibility(frame)
+    backend.most_side = side
+    layouts = backend.layouts(frame)
+    assert len(layouts) > 3 and max(max(layout.width, layout.height) for layout in layouts) <= side
+    tiled = backend.visibility(frame)
+    assert np.mean(tiled == whole) > 0.9995 and np.abs(tiled - whole).mean() < 1e-4
+    assert 0.2 < np.mean(tiled) < 0.9
+
+
+def test_the_cpu_looks_in_tiles_too():
+    frame, backend = frame_of(room(), view_of(), 2, 4), cpu.Backend()
+    whole, lines = backend.visibility(frame), backend.item_visibility(frame)
+    backend.most_side = 200
+    assert len(backend.layouts(frame)) > 3
+    assert np.mean(backend.visibility(frame) == whole) > 0.9999
+    assert np.mean(backend.item_visibility(frame) == lines) > 0.9995
+
+
+@pytest.mark.parametrize("make", [gpu_backend, cpu.Backend])
+def test_tiles_need_room(make):
+    backend = make()
+    backend.most_side = 30
+    with pytest.raises(ValueError, match="too few texels"):
+        backend.visibility(frame_of(room(), view_of()))
 
 
 def test_lines_without_occluders():

@@ -73,6 +73,62 @@ def test_switches_and_values_reach_every_line_set(settings):
     assert [s.name for s in drawn.line_sets] == ["outline", "lines"]
 
 
+def test_choosing_a_style_says_what_becomes_of_hidden_lines(settings):
+    settings.hidden, settings.halo, settings.hidden_from, settings.hidden_to = True, 9, 3, 4
+    settings.style = "plain"
+    assert (settings.hidden, settings.halo, settings.overshoot) == (False, 0, 0)
+    # What it offers when they are switched on: dashes for whatever is hidden, in the colour of the visible lines.
+    settings.hidden = True
+    (hidden,) = properties.style_of(bpy.context.scene).line_sets[-1].hidden
+    assert (hidden.first, hidden.last, hidden.pen.texture) == (1, None, "dashes")
+    assert hidden.pen.color == settings.pen_color[:] and hidden.pen.width < settings.pen_width
+
+
+def test_a_hidden_pen_reaches_every_line_set_that_has_no_other(settings):
+    settings.style = "ink"
+    settings.hidden, settings.hidden_from, settings.hidden_to, settings.hidden_pen_width = True, 2, 5, 7
+    settings.halo, settings.overshoot = 3, 4
+    drawn = properties.style_of(bpy.context.scene)
+    assert len(drawn.line_sets) == 2
+    for line_set in drawn.line_sets:
+        assert [(h.first, h.last, h.pen.width) for h in line_set.hidden] == [(2, 5, 7)]
+        assert (line_set.halo, line_set.overshoot) == (3, 4)
+    settings.hidden = False
+    assert not any(s.hidden for s in properties.style_of(bpy.context.scene).line_sets)
+
+
+def test_line_sets_with_hidden_pens_of_their_own_keep_them(settings, monkeypatch):
+    own = style.Hidden(style.Pen(width=1.25), 2, 3)
+    last = style.LineSet(name="last", halo=2, hidden=(style.Hidden(last=1), style.Hidden(first=4)))
+    first = style.LineSet(name="first", kinds={"contour": {}}, halo=1, hidden=(own,))
+    monkeypatch.setattr(style, "load", lambda *_: style.Style(line_sets=(first, last)))
+    properties.apply_style(settings, "any")
+    settings.contour, settings.halo, settings.hidden_pen_width = True, 5, 9
+    before, edited = properties.style_of(bpy.context.scene).line_sets
+    assert before.hidden == (own,) and before.halo == 1
+    assert [(h.first, h.last, h.pen.width) for h in edited.hidden] == [(1, 1, 9), (4, None, 2)] and edited.halo == 5
+
+
+def test_what_hidden_lines_do_is_told(settings):
+    for name in ("hidden", "hidden_from", "hidden_to", "halo", "overshoot"):
+        assert len(settings.bl_rna.properties[name].description.split()) > 6
+    for name in ("halo", "overshoot", "hidden_pen_width", "pen_width"):
+        assert "1080 pixels high" in settings.bl_rna.properties[name].description
+
+
+@pytest.mark.parametrize("visibility, told", [("AUTO", True), ("ATLAS", True), ("EXACT", False)])
+def test_the_panel_shows_the_hidden_pen_and_what_sampling_cannot_tell(settings, visibility, told):
+    of_hidden = {name for name in settings.bl_rna.properties.keys() if name.startswith("hidden_")}
+    assert len(of_hidden) == 10
+    settings.hidden, settings.visibility = False, visibility
+    assert {"hidden", "halo", "overshoot"} <= set(shown_by_the_panel().shown)
+    assert not of_hidden & set(shown_by_the_panel().shown)
+    settings.hidden = True
+    layout = shown_by_the_panel()
+    assert of_hidden <= set(layout.shown)
+    assert any("Sampled" in title for title in layout.titles) == told
+
+
 def test_transparent_film_is_transparent_paper(settings):
     assert not properties.style_of(bpy.context.scene).paper.transparent
     bpy.context.scene.render.film_transparent = True
@@ -119,6 +175,8 @@ class RecordingLayout:
     def row(self):
         return self
 
+    column = row
+
     def panel(self, name, default_closed=False):
         return self, self
 
@@ -128,6 +186,14 @@ def shown_by_the_panel():
     panel = SimpleNamespace(columns=lambda: layout)
     part("blender.panels").RENDER_PT_fovea.draw(panel, bpy.context)
     return layout
+
+
+@pytest.mark.parametrize("visibility, heeded", [("EXACT", False), ("AUTO", True), ("ATLAS", True), ("ITEM_BUFFER", True)])
+def test_the_panel_offers_the_quality_that_the_method_heeds(settings, visibility, heeded):
+    settings.visibility = visibility
+    layout = shown_by_the_panel()
+    assert layout.enabled == heeded and "depth_scale" in layout.shown
+    assert ("layers" in layout.shown) == (visibility == "ITEM_BUFFER") != ("probes" in layout.shown)
 
 
 @pytest.mark.parametrize("on", [True, False])

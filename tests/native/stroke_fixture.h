@@ -28,11 +28,11 @@ inline void add_piece(ClippedPaths& clipped, const std::vector<vec2>& line, bool
     clipped.pieces.offsets.push_back(Index(clipped.px.size()));
 }
 
-inline void add_run(Runs& runs, Index piece, double start, double end) {
+inline void add_run(Runs& runs, Index piece, double start, double end, std::uint8_t hidden_by = 0) {
     runs.piece.push_back(piece);
     runs.start_px.push_back(start);
     runs.end_px.push_back(end);
-    runs.invisibility.push_back(0);
+    runs.invisibility.push_back(hidden_by);
 }
 
 /// Runs over the whole of every piece.
@@ -45,11 +45,11 @@ inline Runs whole_runs(const ClippedPaths& clipped) {
     return runs;
 }
 
-/// Every piece drawn with the one pen.
+/// Every run drawn with the one pen.
 inline Strokes draw(const ClippedPaths& clipped, const Runs& runs, const Pen& pen,
                     In<float> strength = {}) {
-    const std::vector<Index> pen_of_path(clipped.path.size(), 0);
-    return tessellate(clipped, runs, pen_of_path, strength, {&pen, 1});
+    const std::vector<Index> pen_of_run(runs.size(), 0);
+    return tessellate(clipped, runs, pen_of_run, strength, {&pen, 1});
 }
 
 inline Strokes draw(const std::vector<vec2>& line, const Pen& pen, bool closed = false) {

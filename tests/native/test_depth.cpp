@@ -7,6 +7,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "meshes.h"
+
 using namespace fovea;
 
 namespace {
@@ -217,6 +219,21 @@ TEST(Depth, TheBorderShowsWhatLiesAroundTheFrame) {
             EXPECT_FLOAT_EQ(a.depth, b.depth);
             EXPECT_NEAR(a.ddx, b.ddx, 1e-6);
         }
+}
+
+TEST(Depth, SolidBodiesLookTheSameWithoutTheirFarSides) {
+    const auto ball = meshes::sphere(16).surface(), box = meshes::box().surface(), sheet = meshes::grid(3).surface();
+    const dmat4 far = glm::translate(dmat4(1.0), dvec3(0.4, 0.2, -6)), mirrored = glm::scale(far, dvec3(-1, 1.3, 1));
+    const dmat4 near = glm::translate(dmat4(1.0), dvec3(-0.5, -0.3, -0.9));  // the near plane cuts it
+    const Scene scene({{ball, far, 1}, {box, glm::rotate(mirrored, 0.5, dvec3(1, 1, 0)), 2},
+                       {sheet, glm::rotate(far, 0.9, dvec3(1, 2, 0)), 3}, {ball, near, 4}});
+    const View view = perspective(90, 70);
+    std::vector<DepthMesh> meshes = depth_meshes(scene, view, 0.0);
+    ASSERT_EQ(meshes.size(), 4u);
+    EXPECT_TRUE(meshes[0].one_sided && meshes[1].one_sided && !meshes[2].one_sided && !meshes[3].one_sided);
+    const DepthBuffer culled = draw(view, meshes, 2);
+    for (DepthMesh& mesh : meshes) mesh.one_sided = false;
+    EXPECT_TRUE(same(culled, draw(view, meshes, 2)));
 }
 
 TEST(Depth, SameWithOneAndManyThreads) {

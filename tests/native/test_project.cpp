@@ -49,7 +49,7 @@ TEST(Project, SamplesAreTheLengthOverTheStepRoundedUp) {
         }
 }
 
-TEST(Project, PiecesFollowEachOtherWithTheirPadding) {
+TEST(Project, SamplesOfPiecesFollowEachOther) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> x(-100, 740), y(-100, 580);
     std::vector<std::vector<dvec3>> lines;
@@ -64,28 +64,16 @@ TEST(Project, PiecesFollowEachOtherWithTheirPadding) {
         Index samples = 0;
         for (Index i = first_of(clipped, q); i <= last_of(clipped, q); ++i) samples += clipped.sample_count[i];
         ASSERT_GT(samples, 0u);
-        next += padding_of(samples);
         for (Index i = first_of(clipped, q); i <= last_of(clipped, q); ++i) {
             EXPECT_EQ(clipped.sample_start[i], next);
             next += clipped.sample_count[i];
         }
-        next += padding_of(samples);
         if (q > 0) {
             EXPECT_LE(clipped.path[q - 1], clipped.path[q]);
         }
     }
     EXPECT_EQ(clipped.samples, next);
     EXPECT_GT(clipped.pieces.count(), 1000u);
-}
-
-TEST(Project, PaddingLeavesTwoSamplesAtLeast) {
-    for (Index samples = 0; samples < 50; ++samples) {
-        EXPECT_LE(padding_of(samples), most_padding);
-        if (samples >= 2) {
-            EXPECT_LE(2 * padding_of(samples) + 2, samples);
-        }
-    }
-    EXPECT_EQ(padding_of(1000), most_padding);
 }
 
 TEST(Project, ASingleSampleIsDroppedUnlessPartOfAPath) {

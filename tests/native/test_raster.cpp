@@ -74,9 +74,9 @@ TEST(Raster, LaterStrokesLieOverEarlierOnes) {
     Pen pens[2] = {pen(8.0f), pen(8.0f, Cap::round, 0.5f)};
     pens[0].color = {1.0f, 0.0f, 0.0f};
     pens[1].color = {0.0f, 0.0f, 1.0f};
-    const std::vector<Index> pen_of_path{0, 1};
+    const std::vector<Index> pen_of_run{0, 1};
     Array<vec4> image;
-    raster(tessellate(clipped, whole_runs(clipped), pen_of_path, {}, pens), pens, {}, 64, 64,
+    raster(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64,
            image);
     EXPECT_EQ(image[32 * 64 + 32], vec4(0.5f, 0.0f, 0.5f, 1.0f));
     EXPECT_EQ(image[32 * 64 + 15], vec4(1.0f, 0.0f, 0.0f, 1.0f));

@@ -7,7 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "atlas/runs.h"
+#include "atlas/filters.h"
+#include "atlas/short_hidden.h"
 #include "wires.h"
 
 using namespace fovea;
@@ -81,30 +82,6 @@ TEST(Runs, ASampleHoldsTheShareThatIsCovered) {
     EXPECT_NEAR(samples[start + 6], 1.0f, 1e-3f);
     EXPECT_NEAR(samples[start + 29], 1.0f, 1e-3f);
     EXPECT_NEAR(samples[start + 30], 0.0f, 1e-3f);
-}
-
-TEST(Runs, PaddingRepeatsTheEndsOfItsPiece) {
-    const ClippedPaths clipped = pieces_of({{100}, {10}, {80, 20}});
-    Runs runs;
-    add_run(runs, 0, -50, 0);
-    add_run(runs, 2, -10, 50);
-    const Array<float> samples = samples_from_runs(clipped, runs);
-    const auto padding = [&](Index piece, bool before) {
-        Index low = none, high = 0;
-        for (Index i = first_of(clipped, piece); i < last_of(clipped, piece); ++i) {
-            low = std::min(low, clipped.sample_start[i]);
-            high = clipped.sample_start[i] + clipped.sample_count[i];
-        }
-        const Index count = padding_of(high - low);
-        EXPECT_GT(count, 0u);
-        return std::vector<float>(samples.begin() + (before ? low - count : high),
-                                  samples.begin() + (before ? low : high + count));
-    };
-    for (float v : padding(0, true)) EXPECT_EQ(v, 1.0f);
-    for (float v : padding(0, false)) EXPECT_EQ(v, 0.0f);
-    for (float v : padding(1, true)) EXPECT_EQ(v, 0.0f);
-    for (float v : padding(2, true)) EXPECT_EQ(v, 0.0f);
-    for (float v : padding(2, false)) EXPECT_NEAR(v, 1.0f, 1e-3f);
 }
 
 TEST(Runs, EndWhereTheSamplesCrossTheThreshold) {
@@ -217,4 +194,32 @@ TEST(CloseGaps, JoinsShortGapsAndDropsShortSpurs) {
     EXPECT_EQ(same.start_px, runs.start_px);
     EXPECT_EQ(closed(clipped, kept, 2.0, 1.0f).start_px, kept.start_px) << "done twice, nothing more changes";
     EXPECT_TRUE(closed(clipped, Runs(), 2.0, 1.0f).piece.empty());
+}
+
+TEST(Runs, ShortHiddenStretchesAreLeftOutAndVisibleOnesStay) {
+    const ClippedPaths clipped = pieces_of({{100}, {100}, {8}});
+    Runs runs;
+    for (Index piece : {0, 1}) {
+        runs.push(piece, -50, -20, 0);
+        runs.push(piece, -20, -12, 1);  // 8 px in all
+        runs.push(piece, -12, -10, 0);
+        runs.push(piece, -10, -5, 2);  // 9 px, of which
+        runs.push(piece, -5, -1, 1);   // neither has as many
+        runs.push(piece, -1, 47, 0);
+        runs.push(piece, 47, 50, 1);  // at the end
+    }
+    runs.push(2, -4, 4, 1);  // a whole piece
+    const std::vector<float> least{9.0f, 1.0f, 100.0f};
+    const Runs kept = without_short_hidden(clipped, runs, least);
+    const auto of_piece = [&](Index piece) {
+        std::vector<std::array<double, 3>> found;
+        for (std::size_t r = 0; r < kept.size(); ++r)
+            if (kept.piece[r] == piece) found.push_back({kept.start_px[r], kept.end_px[r], double(kept.invisibility[r])});
+        return found;
+    };
+    const std::vector<std::array<double, 3>> first{{-50, -20, 0}, {-12, -10, 0}, {-10, -5, 2}, {-5, -1, 1}, {-1, 47, 0}};
+    EXPECT_EQ(of_piece(0), first);
+    EXPECT_EQ(of_piece(1).size(), 7u) << "long enough for that path";
+    EXPECT_EQ(of_piece(2).size(), 1u);
+    EXPECT_THROW(without_short_hidden(clipped, runs, {}), std::invalid_argument);
 }

@@ -22,11 +22,10 @@ View test_view() {
     return view;
 }
 
-/// Appends a piece through view-space points, with samples of about 2 pixels and padding at both ends.
+/// Appends a piece through view-space points, with samples of about 2 pixels.
 void add_piece(const View& view, ClippedPaths& clipped, const std::vector<dvec3>& points, Index facet0 = none,
                Index facet1 = none) {
     const Index begin = Index(clipped.px.size()), end = begin + Index(points.size());
-    Index samples = 0;
     for (const dvec3& point : points) {
         clipped.px.push_back(to_pixels(view, view.view_to_clip * dvec4(point, 1.0)));
         clipped.depth.push_back(float(screen_depth(view, point.z)));
@@ -35,13 +34,11 @@ void add_piece(const View& view, ClippedPaths& clipped, const std::vector<dvec3>
         clipped.sample_count.push_back(0);
     }
     for (Index i = begin; i + 1 < end; ++i)
-        samples += clipped.sample_count[i] = Index(std::ceil(glm::length(clipped.px[i + 1] - clipped.px[i]) / 2.0f));
-    clipped.samples += padding_of(samples);
+        clipped.sample_count[i] = Index(std::ceil(glm::length(clipped.px[i + 1] - clipped.px[i]) / 2.0f));
     for (Index i = begin; i < end; ++i) {
         clipped.sample_start.push_back(clipped.samples);
         clipped.samples += clipped.sample_count[i];
     }
-    clipped.samples += padding_of(samples);
     clipped.pieces.offsets.push_back(end);
 }
 
@@ -125,23 +122,6 @@ TEST(Sampled, BehindAnEdgeChangesAtTheAnalyticPixel) {
     }
 }
 
-TEST(Sampled, PaddingRepeatsTheEnds) {
-    const View view = test_view();
-    const Rectangle face(vec3(-3, -3, -4), vec3(0, -3, -4), vec3(0, 3, -4), vec3(-3, 3, -4), 0);
-    ClippedPaths clipped;
-    add_piece(view, clipped, {{-1, 0.1, -6}, {1, -0.2, -8}});
-    add_piece(view, clipped, {{1, 0.1, -6}, {-1, -0.2, -8}});
-    const Array<float> values = visibility(view, clipped, {face});
-    const Index second = piece_samples(clipped).begin(1), padding = clipped.sample_start[0];
-    EXPECT_EQ(padding, most_padding);
-    for (Index k = 0; k < padding; ++k) {
-        EXPECT_EQ(values[k], 0.0f);
-        EXPECT_EQ(values[second - 1 - k], 1.0f);
-        EXPECT_EQ(values[second + k], 1.0f);
-        EXPECT_EQ(values[clipped.samples - 1 - k], 0.0f);
-    }
-}
-
 TEST(Sampled, LinesOfASurfaceAreSeenAndLinesJustBehindAreNot) {
     const View view = test_view();
     std::mt19937 random(1);
@@ -205,9 +185,9 @@ TEST(Layout, BatchesHoldWholePiecesAndTablesFindTheOwner) {
             const Index from = Index(tables.owners[s / owner_stride]), to = Index(tables.owners[s / owner_stride + 1]);
             Index owner = none;
             for (Index k = from; k <= to; ++k)
-                if (tables.segments[3 * k + 2].z <= float(s)) owner = k;
+                if (tables.segments[3 * k].w <= float(s)) owner = k;
             ASSERT_NE(owner, none) << s;
-            EXPECT_TRUE(owner + 1 == segments || float(s) < tables.segments[3 * (owner + 1) + 2].z);
+            EXPECT_TRUE(owner + 1 == segments || float(s) < tables.segments[3 * (owner + 1)].w);
         }
     }
     EXPECT_EQ(pieces, clipped.pieces.count());

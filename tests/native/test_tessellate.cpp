@@ -1,4 +1,5 @@
 // Strokes state geometry: areas, bends, ends, and u that stays where it is.
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

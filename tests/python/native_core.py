@@ -109,11 +109,20 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     closed = core.close_gaps(clipped, runs, 2.0, np.ones(len(paths), np.float32))
     trimmed = core.trim_folds(clipped, closed, paths, 8.0)
     pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
-    strokes = core.tessellate(clipped, trimmed, np.zeros(len(paths), np.uint32), paths.strength, pens)
+    haloed = core.halo(clipped, trimmed, np.full(len(paths), 2.5, np.float32))
+    shot = core.overshoot(clipped, haloed, np.full(len(paths), 1.5, np.float32))
+    parts = core.with_hidden(clipped, shot, paths)
+    compact = core.compact(clipped, paths, parts)
+    ranges = np.array([(i, 0, 9, 0) for i in range(len(line_sets))], np.uint32)
+    pen_of_part = core.pens_of_runs(clipped, parts, paths.line_set, ranges)
+    strokes = core.tessellate(clipped, parts, pen_of_part, paths.strength, pens)
     arrays = members("paths", paths, "offsets points_obj place kinds closed ids")
     arrays |= members("clipped", clipped, "offsets path px depth position_view arc_px sample_start sample_count")
-    for stage, visible in (("runs", runs), ("closed", closed), ("trimmed", trimmed), ("parts", core.with_hidden(clipped, trimmed, paths))):
+    stages = {"runs": runs, "closed": closed, "trimmed": trimmed, "haloed": haloed, "shot": shot, "parts": parts}
+    for stage, visible in stages.items():
         arrays |= members(stage, visible, "piece start_px end_px invisibility")
+    names = "offsets path_id path piece start_px end_px invisibility line_set closed px position_view arc_px strength kinds"
+    arrays |= members("compact", compact, names)
     arrays |= members("strokes", strokes, "px arc half_width opacity triangles")
     arrays["samples"] = core.samples_from_runs(clipped, runs)
     arrays["image"] = core.raster(strokes, pens, [], *size)

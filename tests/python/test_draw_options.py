@@ -34,6 +34,19 @@ def test_frames_are_numbered_files(tmp_path):
     assert [path.name for path in draw_options.pictures(options)] == ["out_0009.exr", "out_0010.exr"]
 
 
+@pytest.mark.parametrize("text, surfaces", [("1", (1, 1)), ("2-3", (2, 3)), ("4-", (4, None))])
+def test_hidden_lines_are_chosen_by_what_hides_them(text, surfaces):
+    assert draw_options.parse(["--hidden-by", text]).hidden_by == surfaces
+
+
+def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
+    options = draw_options.parse(["demo"])
+    assert (options.visibility, options.probes, options.depth_scale, options.layers) == (None,) * 4
+    words = "demo --visibility item-buffer --probes 16 --depth-scale 3 --layers 1".split()
+    options = draw_options.parse(words)
+    assert (options.visibility, options.probes, options.depth_scale, options.layers) == ("item-buffer", "16", 3, 1)
+
+
 @pytest.mark.parametrize(
     "words, reason",
     [
@@ -48,6 +61,10 @@ def test_frames_are_numbered_files(tmp_path):
         (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
         (["--sheet", "--frames", "1-2"], "a sheet has no --frames"),
         (["--sheet", "--style", "ink"], "a sheet has no --style"),
+        (["--sheet", "--hidden"], "a sheet has no --hidden"),
+        (["--hidden-by", "0"], "not FIRST-LAST"),
+        (["--hidden-by", "3-2"], "not FIRST-LAST"),
+        (["--halo", "wide"], "'wide' is not a number of pixels"),
     ],
 )
 def test_mistakes_are_named(capsys, words, reason):

@@ -90,3 +90,65 @@ def test_how_curvature_is_estimated_is_asked_for_and_told(tmp_path):
     for wrong in (("--degree", "5"), ("--rings", "99"), ("--smoothing", "-1")):
         with pytest.raises(ValueError, match="wave: "):
             reason(*wrong)
+
+
+def test_a_cube_from_a_corner_shows_nine_of_its_twelve_edges(extract):
+    words = ("--definition", "crease", "--eye", "3,4,5")
+    seen = extract(*words, "--visible")
+    assert np.all(seen["invisibility"] == 0)
+    assert len(rounded(seen)) == 9 and not any((-1, -1, -1) in ends for ends in rounded(seen))
+    everything = extract(*words, "--visible", "--hidden")
+    assert sum((-1, -1, -1) in ends for ends in rounded(everything)) == 3
+    assert len(rounded(everything)) == 12 and np.count_nonzero(everything["invisibility"]) == 3
+    assert np.all(np.diff(everything["offsets"]) >= 2) and everything["offsets"][-1] == len(everything["points"])
+    assert {len(everything[name]) for name in ("closed", "path_id", "invisibility")} == {12}
+    assert {len(everything[name]) for name in ("points", "px", "arc_px", "strength", "kinds")} == {24}
+
+
+def rounded(found):
+    """Segments with corners where the model has them."""
+    return segments(found | {"points": np.round(found["points"], 4)})
+
+
+@pytest.mark.parametrize("words, half", [((), None), (("--fov", "40"), np.tan(np.radians(20))), (("--ortho",), None)])
+def test_runs_lie_where_they_are_seen(extract, words, half):
+    """A pinhole by hand: right, up and back from the eye to the middle of the cube."""
+    eye, (width, height) = np.array([3.0, 4.0, 5.0]), (640, 400)
+    found = extract("--definition", "crease", "--eye", "3,4,5", "--visible", "--hidden", "--size", "640x400", *words)
+    back = eye / np.linalg.norm(eye)
+    right = np.cross((1.0, 0.0, 0.0), back)
+    right /= np.linalg.norm(right)
+    aside, up = found["points"] @ right, found["points"] @ np.cross(back, right)
+    if "--ortho" in words:
+        half, distance = np.sqrt(3), 1.0
+    else:
+        half = half or np.sqrt(3 / (eye @ eye - 3))
+        distance = np.linalg.norm(eye) - found["points"] @ back
+    scale = height / 2 / half / distance
+    np.testing.assert_allclose(found["px"], np.stack([width / 2 + aside * scale, height / 2 + up * scale], -1), atol=1e-2)
+    inner = np.setdiff1d(np.arange(1, len(found["px"])), found["offsets"])
+    steps = np.linalg.norm(found["px"][inner] - found["px"][inner - 1], axis=1)
+    np.testing.assert_allclose(found["arc_px"][inner] - found["arc_px"][inner - 1], steps, atol=1e-3)
+    if "--fov" not in words:
+        assert np.all((found["px"] >= 0) & (found["px"] <= (width, height))), "the frame holds the model"
+
+
+def test_a_run_ends_where_something_hides_it(extract, tmp_path):
+    """A square hides the middle of a long edge behind it, as wide as its shadow there."""
+    model = tmp_path / "square.obj"
+    square = [f"v {x} {y} 0\n" for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    sheet = [f"v {x} {y} -2\n" for x, y in ((-8, 0.2), (8, 0.2), (8, -9), (-8, -9))]
+    model.write_text("".join(square + sheet) + "f 1 2 3 4\nf 5 6 7 8\n")
+    words = [str(model), "-o", str(tmp_path / "out.npz"), "--definition", "border", "--visible", "--hidden", "--fov", "150"]
+    found = lines.extract(native.load(), lines.parse([*words, "--eye", "0,0,4"]))[0]
+    parts = [found["points"][a:b] for a, b in zip(found["offsets"], found["offsets"][1:])]
+    edge = [(part[[0, -1], 0], by) for part, by in zip(parts, found["invisibility"]) if np.allclose(part[:, 1:], (0.2, -2), atol=1e-3)]
+    (covered,) = [sorted(ends) for ends, by in edge if by]
+    np.testing.assert_allclose(covered, (-1.5, 1.5), atol=0.01)
+
+
+@pytest.mark.parametrize("words", [("--hidden",), ("--visible", "--size", "12"), ("--visible", "--fov", "180")])
+def test_words_that_make_no_sense_are_named(extract, words, capsys):
+    with pytest.raises(SystemExit):
+        extract("--definition", "crease", "--eye", "3,4,5", *words)
+    assert words[-1] in capsys.readouterr().err

@@ -42,12 +42,13 @@ PARTS = {
     "__init__": "blender",
     "stages": "",
     "native": "_native",
-    "style": "stages",
+    "style": "style stages",
     "catalogue": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
-    "backend/gpu": "backend/gpu native stages",
-    "pipeline": "backend/cpu stages style textures",
+    "backend/gpu": "backend/cpu backend/gpu native stages",
+    "visibility": "backend/cpu",
+    "pipeline": "backend/cpu stages style textures visibility",
     "blender": "blender backend pipeline textures style catalogue stages native",
 }
 

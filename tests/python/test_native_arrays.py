@@ -211,7 +211,7 @@ def stages():
 
 
 def test_stages_of_different_scenes_are_not_mixed(stages):
-    (_, _, paths, clipped, runs), (_, tracer, few_paths, few_clipped, _) = stages
+    (_, _, paths, clipped, runs), (_, tracer, few_paths, few_clipped, few_runs) = stages
     for mixed in (
         lambda: core.project(paths, tracer),
         lambda: core.exact_visibility(clipped, few_paths, tracer),
@@ -221,11 +221,39 @@ def test_stages_of_different_scenes_are_not_mixed(stages):
         lambda: core.close_gaps(clipped, runs, 1.0, np.ones(len(few_paths), np.float32)),
         lambda: core.trim_folds(few_clipped, runs, few_paths, 5.0),
         lambda: core.trim_folds(clipped, runs, few_paths, 5.0),
-        lambda: core.tessellate(few_clipped, runs, np.zeros(len(paths), np.uint32), None, [core.Pen()]),
-        lambda: core.tessellate(clipped, runs, np.zeros(len(few_paths), np.uint32), None, [core.Pen()]),
+        lambda: core.halo(few_clipped, runs, np.ones(len(paths), np.float32)),
+        lambda: core.halo(clipped, runs, np.ones(len(few_paths), np.float32)),
+        lambda: core.overshoot(few_clipped, runs, np.ones(len(paths), np.float32)),
+        lambda: core.overshoot(clipped, runs, np.ones(len(few_paths), np.float32)),
+        lambda: core.compact(few_clipped, paths, runs),
+        lambda: core.compact(clipped, few_paths, runs),
+        lambda: core.pens_of_runs(few_clipped, runs, paths.line_set, np.zeros((0, 4), np.uint32)),
+        lambda: core.pens_of_runs(clipped, runs, few_paths.line_set, np.zeros((0, 4), np.uint32)),
+        lambda: core.tessellate(few_clipped, runs, np.zeros(len(runs), np.uint32), None, [core.Pen()]),
+        lambda: core.tessellate(clipped, runs, np.zeros(len(few_runs), np.uint32), None, [core.Pen()]),
     ):
         with pytest.raises(ValueError):
             mixed()
+
+
+def test_runs_are_read_back_in_path_order(stages):
+    _, tracer, paths, clipped, runs = stages[0]
+    parts = core.with_hidden(clipped, runs, paths)
+    found = core.compact(clipped, paths, parts)
+    assert len(found) == len(parts) and np.all(np.diff(found.path.astype(int)) >= 0)
+    np.testing.assert_array_equal(found.path, clipped.path[parts.piece])
+    np.testing.assert_array_equal(found.path_id, paths.ids[found.path])
+    np.testing.assert_array_equal(found.invisibility, parts.invisibility)
+    first, last = found.offsets[:-1], found.offsets[1:] - 1
+    np.testing.assert_array_equal(found.arc_px[first], parts.start_px)
+    np.testing.assert_array_equal(found.arc_px[last], parts.end_px)
+    lengths = np.linalg.norm(np.diff(found.px, axis=0), axis=1)
+    along = np.add.reduceat(np.append(lengths, 0), first) - np.append(lengths, 0)[last]
+    np.testing.assert_allclose(along, parts.end_px - parts.start_px, atol=2e-3)
+    ids = found.path_id
+    del found
+    gc.collect()
+    np.testing.assert_array_equal(ids, paths.ids[clipped.path[parts.piece]])
 
 
 def test_a_tracer_of_moved_surfaces_is_refused(stages):

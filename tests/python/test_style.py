@@ -48,6 +48,40 @@ def test_every_value_survives():
     assert line_set.pen == style.Pen((0.1, 0.2, 0.3), 0.5, 3.0, "solid", 2.0, "butt", 4.0, 0.5)
 
 
+def test_pens_of_hidden_lines_survive_in_the_order_of_their_ranges():
+    thin = {"width": 1.5, "texture": "dashes", "cap": "butt"}
+    data = minimal(hidden=[{"from": 4, "pen": thin}, {"to": 2}, {"from": 3, "to": 3}], halo=3, overshoot=12.5)
+    read = style.parse(json.dumps(data))
+    line_set = read.line_sets[0]
+    assert [(h.first, h.last) for h in line_set.hidden] == [(1, 2), (3, 3), (4, None)]
+    assert line_set.hidden[2].pen == style.Pen(width=1.5, texture="dashes", cap="butt")
+    assert (line_set.halo, line_set.overshoot) == (3.0, 12.5)
+    assert style.parse(style.dump(read)) == read
+    assert json.loads(style.dump(read))["line_sets"][0]["hidden"][2]["from"] == 4
+
+
+def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
+    plain = style.parse(json.dumps(minimal())).line_sets[0]
+    assert (plain.hidden, plain.overshoot, plain.halo) == ((), 0.0, 0.0)
+
+
+def test_pens_and_their_ranges():
+    ranges = [style.Hidden(style.Pen(width=3.0), 1, 2), style.Hidden(style.Pen(width=4.0), 5)]
+    sets = (style.LineSet(pen=style.Pen(width=1.0), hidden=tuple(ranges)), style.LineSet(pen=style.Pen(width=2.0)))
+    both = style.Style(line_sets=sets)
+    assert [pen.width for pen in both.pens()] == [1, 2, 3, 4]
+    assert both.pen_ranges() == [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 2, 2), (0, 5, style.UNCOUNTED, 3)]
+
+
+@pytest.mark.parametrize(
+    "ranges, counted",
+    [([], 0), ([(1, None)], 1), ([(1, 1)], 2), ([(1, 2), (3, None)], 3), ([(4, None)], 4), ([(2, 5)], 6)],
+)
+def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
+    hidden = tuple(style.Hidden(first=first, last=last) for first, last in ranges)
+    assert style.Style(line_sets=(style.LineSet(), style.LineSet(hidden=hidden))).counted() == counted
+
+
 @pytest.mark.parametrize(
     "data, named",
     [
@@ -63,6 +97,18 @@ def test_every_value_survives():
         (minimal(pen={"cap": "square"}), "square"),
         (minimal(pen={"color": [0, 0]}), "3 numbers"),
         (minimal(pen={"texture": "no_such_texture"}), "no_such_texture"),
+        (minimal(halo=101), "line_sets[0].halo is 101"),
+        (minimal(overshoot=-1), "line_sets[0].overshoot is -1"),
+        (minimal(hidden={}), "line_sets[0].hidden must be a list"),
+        (minimal(hidden=[{"form": 1}]), "form"),
+        (minimal(hidden=[{"from": 0}]), "line_sets[0].hidden[0].from is 0"),
+        (minimal(hidden=[{"from": 1.5}]), "hidden[0].from is 1.5"),
+        (minimal(hidden=[{"to": True}]), "hidden[0].to is True"),
+        (minimal(hidden=[{"from": 3, "to": 2}]), "hidden[0].to is 2, less than line_sets[0].hidden[0].from, which is 3"),
+        (minimal(hidden=[{"from": 1, "to": 2}, {"from": 2}]), "line_sets[0].hidden: two ranges hold what 2 surfaces hide"),
+        (minimal(hidden=[{"from": 4}, {"from": 1}]), "two ranges hold what 4 surfaces hide"),
+        (minimal(hidden=[{"pen": {"cap": "square"}}]), "line_sets[0].hidden[0].pen.cap is 'square'"),
+        (minimal(hidden=[{"pen": {"width": 0}}]), "line_sets[0].hidden[0].pen.width"),
         (minimal(name=3), "name"),
         ({"schema": style.SCHEMA, "line_sets": []}, "line_sets"),
         ({"schema": 99, "line_sets": [{}]}, "99"),

@@ -1,0 +1,64 @@
+"""Checks of what a style file says: flat records, numbers within their ranges, and no key that is not known."""
+
+import math
+import re
+from dataclasses import fields
+
+RANGES = {
+    "opacity": (0, 1),
+    "width": (0.1, 1000),
+    "length_scale": (0.01, 100),
+    "taper": (0, 10000),
+    "strength_width": (0, 1),
+    "corner_angle": (0, 180),
+    "least_length": (0, 10000),
+    "overshoot": (0, 200),
+    "halo": (0, 100),
+}
+
+
+class StyleError(ValueError):
+    """What is wrong with a style, in words for its author."""
+
+
+def record(cls, data, where):
+    """An instance of a flat dataclass; every value must be of the type of the field's default."""
+    check_keys(data, {f.name for f in fields(cls)}, where)
+    defaults = cls()
+    return cls(**{key: _value(value, getattr(defaults, key), key, f"{where}.{key}") for key, value in data.items()})
+
+
+def _value(value, default, key, where):
+    if isinstance(default, bool) or isinstance(default, str):
+        if not isinstance(value, type(default)):
+            raise StyleError(f"{where} must be {'true or false' if isinstance(default, bool) else 'text'}")
+        # Names end up as file names here and elsewhere: none may lead out of its folder.
+        if isinstance(value, str) and key != "name" and not re.fullmatch(r"[\w-]+", value):
+            raise StyleError(f"{where} is {value!r}; only letters, digits, _ and - are allowed")
+        return value
+    if isinstance(default, tuple):
+        if not isinstance(value, (list, tuple)) or len(value) != len(default):
+            raise StyleError(f"{where} must be a list of {len(default)} numbers")
+        return tuple(check_range(v, (0, math.inf), where) for v in value)
+    return check_range(value, RANGES[key], where)
+
+
+def finite(value, where):
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise StyleError(f"{where} is {value!r}, not a finite number")
+    return float(value)
+
+
+def check_range(value, limits, where):
+    number = finite(value, where)
+    if not limits[0] <= number <= limits[1]:
+        raise StyleError(f"{where} is {number:g}, outside {limits[0]:g} to {limits[1]:g}")
+    return number
+
+
+def check_keys(data, known, where):
+    if not isinstance(data, dict):
+        raise StyleError(f"{where} must be a JSON object")
+    unknown = sorted(set(data) - set(known))
+    if unknown:
+        raise StyleError(f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known)) or 'none'}")

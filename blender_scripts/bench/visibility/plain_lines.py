@@ -1,0 +1,69 @@
+"""Plain OpenGL lines with a depth buffer and no style: what drawing lines costs when nothing is asked of them.
+
+Everything lies in vertex buffers from the first frame on, but for lines that change with the view."""
+
+import gpu
+import numpy as np
+from bl_ext.user_default.fovea import native
+from bl_ext.user_default.fovea.backend.gpu_program import vertex_buffer
+from bl_ext.user_default.fovea.backend.gpu_texture import Target
+from mathutils import Matrix
+
+# Lines are drawn a little nearer, so that their own surface does not hide them.
+NEARER = np.diag((1.0, 1.0, 1.0 - 1e-4, 1.0))
+
+
+class PlainLines:
+    def __init__(self, placed, object_to_world):
+        self.shader = gpu.shader.from_builtin("UNIFORM_COLOR")
+        self.surfaces = []
+        self.object_to_world = object_to_world
+        for placement, matrix in enumerate(object_to_world):
+            positions, _ = native.load().depth_corners(placed, placement)
+            if len(positions):
+                self.surfaces.append(batch("TRIS", world(positions, matrix)))
+        self.lines, self.drawn = None, None
+
+    def upload(self, paths):
+        """Vertices of the lines; the same ones again cost nothing."""
+        if self.drawn is not None and np.array_equal(self.drawn, paths.ids):
+            return
+        self.drawn = np.array(paths.ids)
+        point_counts = np.diff(paths.offsets)
+        placement = np.repeat(paths.placement, point_counts)
+        points = np.empty_like(paths.points_obj)
+        for index, matrix in enumerate(self.object_to_world):
+            points[placement == index] = world(paths.points_obj[placement == index], matrix)
+        starts = np.ones(len(points), bool)
+        starts[paths.offsets[1:] - 1] = False  # the last point of a path starts no segment
+        first = np.flatnonzero(starts)
+        self.lines = batch("LINES", points[np.stack((first, first + 1), axis=1).ravel()])
+
+    def draw(self, world_to_clip, width, height):
+        """Target with the picture, drawn to the end."""
+        target = Target(width, height, "RGBA8", depth=True)
+        with target.bind() as framebuffer, gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
+            framebuffer.clear(color=(1.0, 1.0, 1.0, 1.0), depth=1.0)
+            gpu.state.depth_test_set("LESS_EQUAL")
+            gpu.state.depth_mask_set(True)
+            gpu.matrix.load_matrix(Matrix.Identity(4))
+            gpu.matrix.load_projection_matrix(Matrix(world_to_clip))
+            self._paint((1.0, 1.0, 1.0, 1.0), self.surfaces)
+            gpu.matrix.load_projection_matrix(Matrix(NEARER @ world_to_clip))
+            self._paint((0.0, 0.0, 0.0, 1.0), [self.lines])
+        target.wait()
+        return target
+
+    def _paint(self, color, batches):
+        self.shader.bind()
+        self.shader.uniform_float("color", color)
+        for each in batches:
+            each.draw(self.shader)
+
+
+def world(points, matrix):
+    return np.ascontiguousarray(points @ matrix[:3, :3].T + matrix[:3, 3], np.float32)
+
+
+def batch(kind, positions):
+    return gpu.types.GPUBatch(type=kind, buf=vertex_buffer({"pos": positions}))

@@ -1,0 +1,115 @@
+"""Runs inside Blender for `fovea bench visibility`: blender -b -P worker.py -- JSON (scene, methods, frames, size, shared, out).
+
+Everything happens inside one render, where there is a GPU context. OUT gets a row after every method, so that what
+fails later loses only what came after."""
+
+import json
+import math
+import sys
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+import bpy
+import numpy as np
+import scenes
+from bench.visibility import methods, quality
+from bl_ext.user_default.fovea import catalogue, native, pipeline
+from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea.blender import camera, scene
+from mathutils import Matrix, Vector
+
+STEP = math.radians(1)
+LINES = ("contour", "crease", "border")
+
+
+@dataclass(frozen=True)
+class World:
+    """The scene as the stages take it."""
+
+    placed: object  # native Scene
+    object_to_world: np.ndarray  # (n, 4, 4) float64
+
+    def seen(self, view):
+        """The native View of one."""
+        return scene.seen(native.load(), view)
+
+
+def main(asked):
+    bpy.ops.wm.read_homefile()
+    scenes.build(asked["scene"], Path(asked["shared"]) if asked["shared"] else None)
+    set_drawing(bpy.context.scene, asked["size"])
+    pivot, kept = middle(bpy.context.scene), {}
+    draw = pipeline.draw
+
+    def measured(placed, seen, style, backend, options, **watching):
+        pipeline.draw = draw
+        world = World(placed, kept["snapshot"].object_to_world)
+        run(world, orbit(kept["view"], pivot, asked["frames"]), style, options, asked)
+        return draw(placed, seen, style, cpu.Backend(), options, **watching)
+
+    camera.of_render = remembering(kept, "view", camera.of_render)
+    scene.gather = remembering(kept, "snapshot", scene.gather)
+    pipeline.draw = measured
+    bpy.ops.render.render()
+
+
+def remembering(kept, name, function):
+    """The function, which keeps what it last returned."""
+
+    def call(*arguments, **named):
+        kept[name] = function(*arguments, **named)
+        return kept[name]
+
+    return call
+
+
+def middle(scene_):
+    """Of the box around everything."""
+    corners = np.array([obj.matrix_world @ Vector(c) for obj in scene_.objects if obj.type == "MESH" for c in obj.bound_box])
+    return (corners.min(axis=0) + corners.max(axis=0)) / 2
+
+
+def set_drawing(scene_, size):
+    scene_.render.engine = "FOVEA"
+    scene_.render.resolution_x, scene_.render.resolution_y = size
+    scene_.render.resolution_percentage = 100
+    for definition in catalogue.definitions():
+        setattr(scene_.fovea, definition["name"], definition["name"] in LINES)
+
+
+def orbit(view, pivot, frames):
+    """Views, STEP apart, turning about the vertical axis through the pivot."""
+    views = []
+    for k in range(frames):
+        turn = np.array(Matrix.Rotation(k * STEP, 4, "Z"))
+        turn[:3, 3] = pivot - turn[:3, :3] @ pivot
+        views.append(replace(view, world_to_view=view.world_to_view @ turn))
+    return views
+
+
+def run(world, views, style, options, asked):
+    judge, rows = quality.Judge(), []
+    for name in ("exact", *[name for name in asked["methods"] if name != "exact"]):
+        method = methods.make(name, world, style, options)
+        told = [method.frame(view) for view in views[:1] + views][1:]  # the first one compiles and uploads
+        disagree, flicker = judge.compare(name, told)
+        if name not in asked["methods"]:
+            continue
+        stages = {stage: round(float(np.mean([frame.stages[stage] for frame in told])), 2) for stage in told[0].stages}
+        rows.append({
+            "scene": asked["scene"],
+            "method": name,
+            "segments": told[0].segments,
+            "samples": told[0].samples,
+            "fps": round(1000 / sum(stages.values()), 2),
+            "stages": stages,
+            "disagree": disagree,
+            "flicker": flicker,
+        })  # fmt: skip
+        Path(asked["out"]).write_text(json.dumps(rows))
+
+
+if __name__ == "__main__":
+    main(json.loads(sys.argv[sys.argv.index("--") + 1]))

@@ -1,0 +1,53 @@
+"""The camera of `fovea lines`: it looks at the middle of a model."""
+
+import numpy as np
+
+
+def view(positions, eye, ortho, size=(1024, 1024), fov=90.0):
+    """What a native View is made of, with world_to_view first: from `eye` (for an orthographic view the direction
+    towards the viewer). `fov`: degrees over the frame's shorter side; None: as many as hold all positions, which an
+    orthographic frame does in any case."""
+    finite = positions[np.isfinite(positions).all(axis=1)]
+    low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
+    centre, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
+    towards = eye if ortho else eye - centre
+    if not towards.any():
+        if ortho:
+            raise ValueError("--eye 0,0,0 is no direction")
+        towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: what is partly in the frame is extracted whole
+    distance = 2 * radius if ortho else np.linalg.norm(towards)
+    backwards = towards / np.linalg.norm(towards)
+    eye = centre + distance * backwards if ortho else eye
+    near, far = (0.5 * radius, 4 * radius) if ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
+    half = radius if ortho else _half_frame(radius, distance, fov)
+    halves = half * np.array(size) / min(size)
+    clip = _orthographic(halves, near, far) if ortho else _perspective(halves, near, far)
+    return _looking(eye, backwards), clip, *size, ortho, near, far
+
+
+def _half_frame(radius, distance, fov):
+    """Half the frame's shorter side, at distance 1. From within a model no frame holds it."""
+    if fov is not None:
+        return np.tan(np.radians(fov / 2))
+    return radius / np.sqrt(distance**2 - radius**2) if distance > np.sqrt(2) * radius else 1.0
+
+
+def _looking(eye, backwards):
+    """World to view: the eye at the origin, looking along -z."""
+    aside = np.eye(3)[np.abs(backwards).argmin()]
+    right = np.cross(aside, backwards)
+    right /= np.linalg.norm(right)
+    matrix = np.eye(4)
+    matrix[:3, :3] = right, np.cross(backwards, right), backwards
+    matrix[:3, 3] = -matrix[:3, :3] @ eye
+    return matrix
+
+
+def _perspective(halves, near, far):
+    (x, y), depth = 1 / halves, far - near
+    return np.array([[x, 0, 0, 0], [0, y, 0, 0], [0, 0, -(far + near) / depth, -2 * far * near / depth], [0, 0, -1, 0]])
+
+
+def _orthographic(halves, near, far):
+    (x, y), depth = 1 / halves, far - near
+    return np.array([[x, 0, 0, 0], [0, y, 0, 0], [0, 0, -2 / depth, -(far + near) / depth], [0, 0, 0, 1]])

@@ -1,0 +1,34 @@
+"""`fovea figures [NAME...]`: draws the pictures of README that show what becomes of hidden lines, each by `fovea draw`."""
+
+import argparse
+from pathlib import Path
+
+from . import actions
+from .target import PROJECT, SHARED
+
+FOLDER = PROJECT / "blender_scripts" / "figures"
+CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
+SIZE = ["--size", "1280x720"]
+FIGURES = {  # name: the words of `fovea draw`
+    "hidden-crank-arm": [CRANK_ARM, "--style", "technical", "--hidden"],
+    "hidden-office": ["office", "--style", "technical", "--hidden-by", "1"],
+    "halo-crank-arm": [CRANK_ARM, "--style", "plain", "--halo", "10"],
+    "halo-office": ["office", "--style", "plain", "--halo", "5"],
+    "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20"],
+    "overshoot-office": ["office", "--style", "plain", "--overshoot", "9"],
+}
+
+
+def figures(target, words):
+    parser = argparse.ArgumentParser("fovea figures")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(FIGURES))
+    parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder")
+    options = parser.parse_args(words)
+    unknown = sorted(set(options.names) - set(FIGURES))
+    if unknown:
+        parser.error(f"there is no figure {', '.join(unknown)}; there are: {', '.join(FIGURES)}")
+    options.output.mkdir(parents=True, exist_ok=True)
+    for name in options.names or FIGURES:
+        picture = options.output.absolute() / f"{name}.png"
+        actions.draw(target, [*map(str, FIGURES[name]), *SIZE, "-o", str(picture)])
+    return 0

@@ -1,0 +1,38 @@
+// Filters along the path. They act on visible runs (those that nothing hides), in pixels of arc length, over segments,
+// atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
+// Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
+//
+// Order: close_gaps, trim_folds, halo, overshoot. What overshoots after its halo shortens the gap; the other way round
+// it would come out beyond the line it passes behind.
+#pragma once
+
+#include "atlas/runs.h"
+
+namespace fovea {
+
+/// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`, unless
+/// they begin or end where their line does, or the frame.
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px);
+
+/// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
+/// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of visible runs (not
+/// of pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
+Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
+
+/// Lengthens visible runs at both ends by the path's `amount_px` (dilation), or shortens them by less than nothing
+/// (erosion). Runs that meet are joined, runs that vanish go. At the ends of its path a line goes straight on beyond
+/// them: such a run starts before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame.
+/// The result grows with the amount, without steps but where runs meet; an amount of 0 leaves a path as it is.
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
+
+/// Where a line passes behind another one, it stops the path's `gap_px` (0 or more) short: where a visible run crosses,
+/// in the image, a visible run that is nearer by more than two pixels' size in space, or ends at one. The gap is measured
+/// across the nearer line, from its middle, on both sides; where they cross at less than 15 degrees it grows no further.
+/// Ends at which a line turns away on its own surface, or meets another line, stay. So do those behind an outline that
+/// is not drawn. Nothing passes behind lines found in the image. A gap of 0 leaves a path as it is.
+/// On paths with `of_view` set (one entry per path of Paths; may be empty) a gap is only where a line crosses at 15 degrees
+/// or more: contours of mesh edges graze themselves where their own surface folds over them.
+/// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
+
+}  // namespace fovea

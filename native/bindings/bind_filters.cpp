@@ -1,0 +1,50 @@
+// Filters of runs along their paths.
+#include "atlas/filters.h"
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+#include "path/paths.h"
+
+namespace fovea::bindings {
+
+void bind_filters(py::module_& m) {
+    m.def(
+        "close_gaps",
+        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {
+            const In<float> spurs = borrow<float>(spur_px, "spur_px");
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spurs));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
+        R"(Joins visible runs over gaps shorter than gap_px, drops those that are shorter than spur_px and hidden on both
+sides. spur_px: (P,) float32 per path of Paths.)");
+    m.def(
+        "trim_folds",
+        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(trim_folds(clipped, runs, paths.of_view, fold_px));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("fold_px"),
+        "Cuts folds of at most fold_px off the ends of contours.");
+    m.def(
+        "halo",
+        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, const Arg<float>& gap_px) {
+            const In<float> gaps = borrow<float>(gap_px, "gap_px");
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(halo(clipped, runs, gaps, paths.of_view));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("gap_px"),
+        R"(Visible runs that stop gap_px short of visible lines that they pass behind. gap_px: (P,) float32 per path of Paths, 0
+or more; 0 leaves a path as it is. Comes before overshoot.)");
+    m.def(
+        "overshoot",
+        [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& amount_px) {
+            const In<float> amounts = borrow<float>(amount_px, "amount_px");
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(overshoot(clipped, runs, amounts));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("amount_px"),
+        R"(Visible runs longer at both ends by amount_px, beyond the ends of their paths, too, or shorter where it is less than 0.
+amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is.)");
+}
+
+}  // namespace fovea::bindings

@@ -1,0 +1,68 @@
+#include "scene/bodies.h"
+
+#include <numeric>
+
+namespace fovea {
+namespace {
+
+/// Disjoint sets whose name is their least member.
+class Sets {
+   public:
+    explicit Sets(Index count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    Index name(Index i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(Index i, Index j) {
+        i = name(i);
+        j = name(j);
+        parent_[std::max(i, j)] = std::min(i, j);
+    }
+
+   private:
+    Array<Index> parent_;
+};
+
+}  // namespace
+
+Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
+    Array<std::uint8_t> hides(surface.facet_count(), 0);
+    for (Index t = 0; t < surface.occluding_triangles; ++t) hides[surface.triangle_facet[t]] = 1;
+    const auto each_side = [&](Index edge, const auto& body) {
+        for (Index s = surface.edge_rows.begin(edge); s < surface.edge_rows.end(edge); ++s)
+            if (hides[surface.edge_sides[s].facet()]) body(surface.edge_sides[s]);
+    };
+    const auto edge_count = static_cast<Index>(surface.edges.size());
+    Sets sets(surface.facet_count());
+    for (Index e = 0; e < edge_count; ++e) {
+        Index first = none;
+        each_side(e, [&](EdgeSide side) {
+            if (first == none) first = side.facet();
+            sets.join(first, side.facet());
+        });
+    }
+    Index count = 0;
+    for (Index f = 0; f < of_facet.size(); ++f)
+        if (hides[f]) of_facet[f] = sets.name(f) == f ? count++ : of_facet[sets.name(f)];
+    solid.assign(count, 1);
+    for (Index e = 0; e < edge_count; ++e) {
+        int turns = 0;
+        Index body = none;
+        each_side(e, [&](EdgeSide side) {
+            turns += side.forward() ? 1 : -1;
+            body = of_facet[side.facet()];
+        });
+        if (turns != 0) solid[body] = 0;
+    }
+}
+
+SceneBodies::SceneBodies(const Scene& scene) : bodies_(scene.placements.size()) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Surface& surface = *scene.placements[i].surface;
+        if (scene.placements[i].usage & (usage_occlude | usage_holdout))
+            bodies_[i] = surface.cache().get<Bodies>(0, [&] { return Bodies(surface); });
+    }
+}
+
+}  // namespace fovea

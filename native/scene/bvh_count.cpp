@@ -1,0 +1,93 @@
+// How many surfaces a ray passes, with Embree's filters.
+#include <algorithm>
+#include <tuple>
+
+#include "scene/bvh.h"
+
+namespace fovea {
+namespace {
+
+/// A hit that counts. Of a sheet both sides are alike.
+struct Met {
+    Index placement, body;
+    bool leaves;  ///< a solid body
+    float t;
+};
+
+bool before(const Met& a, const Met& b) {
+    return std::tie(a.placement, a.body, a.leaves, a.t) < std::tie(b.placement, b.body, b.leaves, b.t);
+}
+
+/// The most hits, one after the other, that lie farther apart than the margin of rays. More hits never give fewer.
+template <typename Iterator>
+int apart(Iterator begin, Iterator end) {
+    int count = 0;
+    float last = -1.0f;
+    for (; begin != end; ++begin) {
+        if (begin->t - last <= static_cast<float>(ray_margin)) continue;
+        last = begin->t;
+        ++count;
+    }
+    return count;
+}
+
+/// Surfaces that sorted hits belong to: a solid body counts for each time that the ray enters it, or leaves it, if that
+/// is more (the near plane may cut it open, or the eye lie in it); a sheet for each time that the ray passes it.
+int surfaces(const std::vector<Met>& met) {
+    int count = 0;
+    for (auto begin = met.begin(); begin != met.end();) {
+        const auto other = [&](const Met& m) { return m.placement != begin->placement || m.body != begin->body; };
+        const auto end = std::find_if(begin, met.end(), other);
+        const auto leaving = std::find_if(begin, end, [](const Met& m) { return m.leaves; });
+        count += std::max(apart(begin, leaving), apart(leaving, end));
+        begin = end;
+    }
+    return count;
+}
+
+}  // namespace
+
+/// Takes every hit on the way and lets none stop the ray, until they are enough.
+struct Tracer::Count : RayContext {
+    const Tracer& tracer;
+    const SceneBodies& bodies;
+    const Ray& ray;
+    int most, count = 0;
+    std::vector<Met> met;
+
+    static void filter(const RTCFilterFunctionNArguments* at) {
+        auto& self = *static_cast<Count*>(at->context);
+        if (self.count < self.most && !self.ignored(*at)) self.add(*at);
+        if (self.count < self.most) at->valid[0] = 0;
+    }
+
+    void add(const RTCFilterFunctionNArguments& at) {
+        const Hit hit{placement(at), RTCHitN_primID(at.hit, 1, 0), RTCRayN_tfar(at.ray, 1, 0)};
+        if (!tracer.surely_before(hit, ray)) return;
+        const Bodies& of = bodies.of(hit.placement);
+        const Index body = of.of_facet[scene.placements[hit.placement].surface->triangle_facet[hit.triangle]];
+        // Both in object space, where winding tells in from out.
+        const float along = RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
+                            RTCHitN_Ng_y(at.hit, 1, 0) * RTCRayN_dir_y(at.ray, 1, 0) +
+                            RTCHitN_Ng_z(at.hit, 1, 0) * RTCRayN_dir_z(at.ray, 1, 0);
+        const Met made{hit.placement, body, of.solid[body] && along > 0.0f, hit.t};
+        met.insert(std::upper_bound(met.begin(), met.end(), made, before), made);
+        count = surfaces(met);
+    }
+};
+
+int Tracer::hidden_by(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies) const {
+    const Ray ray = ray_to(point);
+    if (most <= 0 || ray.far_t <= ray.near_t) return 0;
+    Count counted{{scene_, bvh_->placement_of_instance, ray, ignore}, *this, bodies, ray, most, 0, {}};
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &counted;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    arguments.filter = Count::filter;
+    RTCRay made = embree_ray(ray);
+    rtcOccluded1(bvh_->top, &made, &arguments);
+    return counted.count;
+}
+
+}  // namespace fovea

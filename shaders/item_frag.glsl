@@ -1,0 +1,16 @@
+// One layer of the item buffer (native/atlas/item_buffer.h): what no surface hides and no layer in front of it holds.
+void main()
+{
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec4 here = texelFetch(depth_buffer, texel, 0);
+  float slope = max(abs(here.y), abs(here.z)) / buffer_scale;
+  if (here.w >= 0.0 && here.x - line_depth > slope * slope_factor + here.x * bias) {
+    discard;
+  }
+  if ((layers_in_front > 0 && texelFetch(layer0, texel, 0).x == item_number) ||
+      (layers_in_front > 1 && texelFetch(layer1, texel, 0).x == item_number))
+  {
+    discard;
+  }
+  item = item_number;
+}

@@ -1,0 +1,15 @@
+// Lines of the item buffer: quads one texel wide along the longer axis of their segment, four corners each, so that
+// every column (or row) has one texel of them. Clip space is depth (native/base/view.h); what nothing hides is nearest.
+void main()
+{
+  int segment = int(corner) / 4;
+  vec4 first = fetch_row(segments, 3 * segment);
+  vec4 last = fetch_row(segments, 3 * segment + 1);
+  vec3 end = int(corner) % 4 < 2 ? first.xyz : last.xyz;
+  vec2 way = abs((last.xy - first.xy) * buffer_scale);
+  vec2 across = way.x >= way.y ? vec2(0.0, 0.5) : vec2(0.5, 0.0);
+  vec2 texel = (end.xy + border) * buffer_scale + (int(corner) % 2 == 0 ? across : -across);
+  gl_Position = vec4(texel / buffer_size * 2.0 - 1.0, clamp(end.z, 0.0, 1.0) * 2.0 - 1.0, 1.0);
+  line_depth = end.z;
+  item_number = fetch_row(items, segment).x;
+}

@@ -1,0 +1,23 @@
+// The spine test (native/atlas/spine.h): share of the probes around arc length u of this stroke's piece that see it.
+float spine_visibility(float u)
+{
+  int low = int(spine.x);
+  int high = int(spine.y);
+  while (low < high) {
+    int middle = (low + high + 1) / 2;
+    if (fetch_row(segments, 3 * middle).w <= u) {
+      low = middle;
+    }
+    else {
+      high = middle - 1;
+    }
+  }
+  vec4 first = fetch_row(segments, 3 * low);
+  vec4 last = fetch_row(segments, 3 * low + 1);
+  vec4 own = fetch_row(segments, 3 * low + 2);
+  vec2 part = vec2(0.0);
+  if (last.w > first.w) {
+    part = clamp((vec2(u - 0.5, u + 0.5) - first.w) / (last.w - first.w), 0.0, 1.0);
+  }
+  return depth_share(Line(own.xy, own.z), first.xyz, last.xyz, part.x, part.y);
+}
