@@ -53,7 +53,7 @@ int first_texel(double edge, int size) {
 /// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
 /// of the near plane; `plane`: depth over the texels.
 void append_screen_triangle(const std::array<dvec3, 3>& clip, const dvec3& plane, Index facet, const Target& target,
-                            const std::array<bool, 3>& of_mesh, double away, std::vector<ScreenTriangle>& out) {
+                            double away, const std::array<bool, 3>& of_mesh, std::vector<ScreenTriangle>& out) {
     ScreenTriangle t;
     t.of_mesh = of_mesh;
     for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
@@ -109,8 +109,8 @@ void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Targe
         }
     }
     for (int i = 2; i < count; ++i)
-        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target,
-                               {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, away, out);
+        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target, away,
+                               {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
 }
 
 /// A share of the work: triangles begin .. end of a mesh.
