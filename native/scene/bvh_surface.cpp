@@ -100,6 +100,7 @@ void SurfaceBvh::follow(const Surface& surface) const {
         rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
     } else {
         rtcSetSceneFlags(scene_, bvh_flags | RTC_SCENE_FLAG_DYNAMIC);
+        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
         take_triangles(surface);  // other triangles: Embree builds it anew
         moves_ = true;
