@@ -15,7 +15,7 @@ constexpr std::size_t runs_per_block = 256;
 constexpr double reach_px = 2.0;      // beyond the ends of a run: what hides it is found there, however it was sampled
 constexpr double direction_px = 3.0;  // to both sides: a dense mesh's own segments zigzag
 constexpr double joint_px = 1e-3;     // two segments that share a point leave no gap for a line to slip through
-constexpr double least_pixels = 2.0;  // a nearer line is nearer by so many pixels' size
+constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size: outlines of rough surfaces are not
 constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -87,8 +87,11 @@ std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, con
     const dvec2 a(far.a), c(near.a), along = dvec2(far.b) - a, across = dvec2(near.b) - c;
     const double area = cross(along, across);
     const double t = cross(c - a, across) / area, u = cross(c - a, along) / area;
-    const double slack_t = joint_px / glm::length(along), slack_u = joint_px / glm::length(across);
-    if (!(t >= -slack_t && t <= 1.0 + slack_t && u >= -slack_u && u <= 1.0 + slack_u)) return {};  // or parallel
+    // How far beside the stretches their lines cross, in shares of them.
+    const double beside_t = std::max({0.0, -t, t - 1.0}), beside_u = std::max({0.0, -u, u - 1.0});
+    const bool meet = beside_t * beside_t * glm::dot(along, along) <= joint_px * joint_px &&
+                      beside_u * beside_u * glm::dot(across, across) <= joint_px * joint_px;
+    if (area == 0.0 || !meet) return {};
     const auto on_segment = [&](Index point, const dvec2& at) {
         const dvec2 start(clipped.px[point]), way = dvec2(clipped.px[point + 1]) - start;
         return Place{point, std::clamp(glm::dot(at - start, way) / glm::dot(way, way), 0.0, 1.0)};
