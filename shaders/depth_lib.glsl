@@ -64,13 +64,23 @@ bool depth_sees(Line line, vec2 px, float depth)
   return open;
 }
 
+bool depth_probe(Line line, vec3 first, vec3 last, float t0, float t1, int k)
+{
+  vec3 place = mix(first, last, mix(t0, t1, (float(k) + 0.5) / float(probes)));
+  return depth_sees(line, place.xy, place.z);
+}
+
 // Share of the probes, evenly spread over the part of the line between two fractions of its way, that see it.
 float depth_share(Line line, vec3 first, vec3 last, float t0, float t1)
 {
+  bool start = depth_probe(line, first, last, t0, t1, 0);
+  if (probes == 1 || (start == depth_probe(line, first, last, t0, t1, probes / 2) &&
+                      start == depth_probe(line, first, last, t0, t1, probes - 1))) {
+    return start ? 1.0 : 0.0;
+  }
   int seen = 0;
   for (int k = 0; k < probes; k++) {
-    vec3 place = mix(first, last, mix(t0, t1, (float(k) + 0.5) / float(probes)));
-    seen += depth_sees(line, place.xy, place.z) ? 1 : 0;
+    seen += depth_probe(line, first, last, t0, t1, k) ? 1 : 0;
   }
   return float(seen) / float(probes);
 }

@@ -5,13 +5,12 @@ import numpy as np
 
 AGREES = 0.25  # visibility in [0, 1] may differ by so much
 NEAR_PX = 2.0  # of a change: on the path, or beside it in the image
-UNSET = 0xFFFFFFFF
 
 
 class Truth:
-    """Exact visibility of a Frame's atlas samples, and which of them are `far` from a change: `all`; on their `path`; or
-    also in the `image`, where the sample moved across its line by up to 2 px, at its own depth, is seen or hidden alike.
-    """
+    """Exact visibility of a Frame's atlas samples, and which of them are `far` from a change: `all`; on their `path`;
+    or also in the `image`, where the sample moved across its line by up to 2 px, at its own depth, is seen or hidden
+    alike."""
 
     def __init__(self, core, frame, runs):
         self.samples = Samples(frame.clipped)

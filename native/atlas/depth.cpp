@@ -21,6 +21,8 @@ struct ScreenTriangle {
     std::array<dvec2, 3> corner;
     dvec3 plane;  // depth = plane . (x, y, 1)
     Index facet;
+    /// Which edges, from each corner to the next, are the mesh's; the near plane's cut is none, as on the GPU.
+    std::array<bool, 3> of_mesh;
     int x0, x1, y0, y1;  // texels whose centres the bounding box holds, x1 and y1 excluded
 };
 
@@ -51,8 +53,9 @@ int first_texel(double edge, int size) {
 /// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
 /// of the near plane; `plane`: depth over the texels.
 void append_screen_triangle(const std::array<dvec3, 3>& clip, const dvec3& plane, Index facet, const Target& target,
-                            double away, std::vector<ScreenTriangle>& out) {
+                            double away, const std::array<bool, 3>& of_mesh, std::vector<ScreenTriangle>& out) {
     ScreenTriangle t;
+    t.of_mesh = of_mesh;
     for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
     const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
     const auto [ay, by, cy] = std::array{t.corner[0].y, t.corner[1].y, t.corner[2].y};
@@ -63,7 +66,10 @@ void append_screen_triangle(const std::array<dvec3, 3>& clip, const dvec3& plane
     if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
     const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
     if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
-    if (area < 0.0) std::swap(t.corner[1], t.corner[2]);
+    if (area < 0.0) {
+        std::swap(t.corner[1], t.corner[2]);
+        std::swap(t.of_mesh[0], t.of_mesh[2]);
+    }
     t.plane = plane;
     t.facet = facet;
     out.push_back(t);
@@ -88,16 +94,23 @@ void append_clipped(const std::array<dvec4, 3>& corner, Index facet, const Targe
     dvec3 plane;
     if (kept == 0 || !depth_plane(corner, plane)) return;
     std::array<dvec3, 4> polygon;
+    std::array<bool, 4> of_mesh;  // the edge from each corner to the next
     int count = 0;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         const dvec3 p(corner[i].x, corner[i].y, corner[i].w), q(corner[j].x, corner[j].y, corner[j].w);
-        if (inside[i] >= 0.0) polygon[count++] = p;
-        if ((inside[i] >= 0.0) != (inside[j] >= 0.0))
+        if (inside[i] >= 0.0) {
+            of_mesh[count] = true;
+            polygon[count++] = p;
+        }
+        if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
+            of_mesh[count] = inside[i] < 0.0;
             polygon[count++] = glm::mix(p, q, inside[i] / (inside[i] - inside[j]));
+        }
     }
     for (int i = 2; i < count; ++i)
-        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target, away, out);
+        append_screen_triangle({polygon[0], polygon[i - 1], polygon[i]}, plane, facet, target, away,
+                               {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
 }
 
 /// A share of the work: triangles begin .. end of a mesh.
@@ -147,10 +160,21 @@ bool covers(const ScreenTriangle& t, dvec2 p) {
     return true;
 }
 
-/// Code of an edge (inside, nx, ny), known at texel 0 of a row, at texel x.
-int code_at(const dvec3& edge, int x) {
-    return edge_code({float(edge.x + edge.y * x), float(edge.y), float(edge.z)});
-}
+/// An edge of a triangle along a row of texels.
+struct RowEdge {
+    int along;            ///< its code without the distance
+    double inside, step;  ///< distance inside at texel 0, and its change from texel to texel
+
+    /// What is no edge of the mesh cuts nothing off.
+    RowEdge(dvec2 a, dvec2 b, int y, bool of_mesh) {
+        const dvec2 way = b - a, inwards(-way.y, way.x);
+        const double length = std::abs(way.x) + std::abs(way.y), unit = length > 0.0 && of_mesh ? 1.0 / length : 0.0;
+        along = edge_code({0.0f, float(inwards.x * unit), float(inwards.y * unit)});
+        inside = glm::dot(inwards, dvec2(0.5, y + 0.5) - a) * unit;
+        step = inwards.x * unit;
+    }
+    int code(int x) const { return edge_code(along, float(inside + step * x)); }
+};
 
 void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
     // The part of the row inside all three edges, a texel or two wider for rounding: texels near its ends are tested.
@@ -167,11 +191,8 @@ void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
     }
     const int x0 = static_cast<int>(std::min(left, double(t.x1))), x1 = static_cast<int>(std::max(right, double(t.x0)));
     const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), t.facet, {}};
-    dvec3 edges[3];  // as TexelEdge, at the centre of texel 0
-    for (int i = 0; i < 3; ++i) {
-        const dvec2 a = t.corner[i], way = t.corner[(i + 1) % 3] - a;
-        edges[i] = dvec3(way.x * (y + 0.5 - a.y) - way.y * (0.5 - a.x), -way.y, way.x);
-    }
+    const RowEdge first(t.corner[0], t.corner[1], y, t.of_mesh[0]), second(t.corner[1], t.corner[2], y, t.of_mesh[1]),
+        third(t.corner[2], t.corner[0], y, t.of_mesh[2]);
     const double depth_y = t.plane.y * (y + 0.5) + t.plane.z;
     DepthTexel* row = &buffer.texels[std::size_t(y) * buffer.width];
     for (int x = x0; x < x1; ++x) {
@@ -180,7 +201,7 @@ void draw_row(const ScreenTriangle& t, int y, DepthBuffer& buffer) {
         if ((x < x0 + unsure || x >= x1 - unsure) && !covers(t, dvec2(x + 0.5, y + 0.5))) continue;
         row[x] = plane;
         row[x].depth = depth;
-        row[x].edges = pack_edges(code_at(edges[0], x), code_at(edges[1], x), code_at(edges[2], x));
+        row[x].edges = pack_edges(first.code(x), second.code(x), third.code(x));
     }
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "atlas/segment.h"
-#include "atlas/shadow.h"
+#include "atlas/occluding.h"
 
 namespace fovea {
 namespace {
@@ -51,8 +50,7 @@ class Marcher {
 
    private:
     struct Known {
-        Shadow shadow;
-        Index placement = none, triangle = none, other = none;
+        Occluding by;
         Interval interval;  // on the current segment
         bool interval_known = false;
     };
@@ -61,9 +59,8 @@ class Marcher {
     Interval hidden_at(double s) {
         for (int i = 0; i < remembered; ++i) {
             Known& known = known_[order_[i]];
-            if (!known.shadow.usable()) continue;
             if (!known.interval_known) {
-                known.interval = interval_of(known);
+                known.interval = known.by.hides(tracer_, *segment_);
                 known.interval_known = true;
             }
             if (!known.interval.holds(s)) continue;
@@ -76,33 +73,12 @@ class Marcher {
     }
 
     Interval remember(const Hit& hit, double s) {
-        const Outline outline = tracer_.outline(hit);
-        const View& view = tracer_.view();
         std::rotate(order_, order_ + remembered - 1, order_ + remembered);
         Known& known = known_[order_[0]];
-        known.shadow =
-            Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
-        known.placement = hit.placement;
-        known.triangle = outline.triangle;
-        known.other = outline.other;
-        known.interval = interval_of(known);
-        known.interval_known = true;
+        known = {Occluding(tracer_, hit), {}, true};
+        known.interval = known.by.hides(tracer_, *segment_);
         // The ray is the judge: at its own sample the triangle hides, whatever rounding says.
-        Interval interval = known.interval;
-        if (!interval.holds(s)) interval = {s, s};
-        return interval;
-    }
-
-    Interval interval_of(const Known& known) const {
-        const Ignore& ignore = segment_->ignore;
-        const Surface& surface = *tracer_.scene().placements[known.placement].surface;
-        // How near a curve's own surface may be, only rays know.
-        if (known.placement == ignore.placement && ignore.across_triangles()) return {};
-        if (ignore.holds(known.placement, surface, known.triangle)) return {};
-        if (known.other != none && ignore.holds(known.placement, surface, known.other)) return {};
-        Interval interval = known.shadow.hides(segment_->a, segment_->b);
-        if (interval.begin > interval.end) return {};
-        return {segment_->to_screen(interval.begin), segment_->to_screen(interval.end)};
+        return known.interval.holds(s) ? known.interval : Interval{s, s};
     }
 
     /// Moves found.begin down to where the segment, visible at `seen`, becomes hidden. At the very beginning of the

@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "atlas/exact.h"
-#include "atlas/segment.h"
+#include "atlas/occluding.h"
 #include "base/check.h"
 
 namespace fovea {
 namespace {
 
-constexpr std::size_t runs_per_block = 64;
+constexpr std::size_t runs_per_block = 256;
+/// Sets of surfaces remembered from segment to segment.
+constexpr int remembered = 6;
 
 /// Splits hidden runs.
 class Splitter {
@@ -78,10 +80,53 @@ class Splitter {
             const auto after = std::upper_bound(arcs + begin + 1, arcs + last, arc);
             at_ = static_cast<Index>(after - arcs) - 1;
             segment_ = segment_at(clipped_, paths_, tracer_, piece_, at_);
+            for (Enough& enough : enough_) enough.interval_known = false;
         }
         const double length = clipped_.arc_px[at_ + 1] - clipped_.arc_px[at_];
         const double s = length > 0.0 ? std::clamp((arc - clipped_.arc_px[at_]) / length, 0.0, 1.0) : 0.5;
-        return std::max(1, tracer_.hidden_by(vec3(segment_.at(s)), segment_.ignore, levels_, bodies_));
+        if (enough_at(s)) return levels_;
+        tracer_.surfaces_before(vec3(segment_.at(s)), segment_.ignore, levels_, bodies_, surfaces_);
+        const int count = static_cast<int>(surfaces_.size());
+        if (count == levels_) remember();
+        return std::max(1, count);
+    }
+
+    /// As many surfaces as are told apart, met before: no ray has to find them again where all of them hide the line.
+    struct Enough {
+        std::vector<Occluding> surfaces;
+        Interval interval;  // on the segment of count_at
+        bool interval_known = false;
+    };
+
+    bool enough_at(double s) {
+        for (int i = 0; i < remembered; ++i) {
+            Enough& enough = enough_[order_[i]];
+            if (!enough.interval_known) enough.interval = interval_of(enough);
+            enough.interval_known = true;
+            if (!enough.interval.holds(s)) continue;
+            if (i > 0) std::swap(order_[i], order_[i - 1]);
+            return true;
+        }
+        return false;
+    }
+
+    Interval interval_of(const Enough& enough) const {
+        if (enough.surfaces.empty()) return {};
+        Interval common{0.0, 1.0};
+        for (const Occluding& surface : enough.surfaces) {
+            const Interval interval = surface.hides(tracer_, segment_);
+            common = {std::max(common.begin, interval.begin), std::min(common.end, interval.end)};
+            if (common.begin > common.end) return {};
+        }
+        return common;
+    }
+
+    void remember() {
+        std::rotate(order_, order_ + remembered - 1, order_ + remembered);
+        Enough& enough = enough_[order_[0]];
+        enough.surfaces.clear();
+        for (const Hit& hit : surfaces_) enough.surfaces.emplace_back(tracer_, hit);
+        enough.interval_known = false;
     }
 
     const ClippedPaths& clipped_;
@@ -94,6 +139,9 @@ class Splitter {
     Segment segment_;
     double start_ = 0.0;  // of the run that is open
     int count_ = 0;       // its number; 0 where none was counted yet
+    std::vector<Hit> surfaces_;
+    Enough enough_[remembered];
+    std::uint8_t order_[remembered] = {0, 1, 2, 3, 4, 5};  // of enough_, those that hid last before the others
 };
 
 }  // namespace

@@ -62,12 +62,18 @@ struct Looker {
 
     /// Share of the probes, evenly spread over the part of the line from screen fraction t0 to t1, that see it.
     float visibility(const Line& line, float t0, float t1) const {
+        const int probes = options.probes;
+        const bool start = probe(line, t0, t1, 0);
+        if (probes == 1 || (start == probe(line, t0, t1, probes / 2) && start == probe(line, t0, t1, probes - 1)))
+            return start ? 1.0f : 0.0f;
         int seen = 0;
-        for (int k = 0; k < options.probes; ++k) {
-            const float t = glm::mix(t0, t1, (float(k) + 0.5f) / float(options.probes));
-            seen += sees(line, glm::mix(line.px0, line.px1, t), glm::mix(line.depth0, line.depth1, t));
-        }
-        return float(seen) / float(options.probes);
+        for (int k = 0; k < probes; ++k) seen += probe(line, t0, t1, k);
+        return float(seen) / float(probes);
+    }
+
+    bool probe(const Line& line, float t0, float t1, int k) const {
+        const float t = glm::mix(t0, t1, (float(k) + 0.5f) / float(options.probes));
+        return sees(line, glm::mix(line.px0, line.px1, t), glm::mix(line.depth0, line.depth1, t));
     }
 };
 

@@ -10,7 +10,7 @@ namespace fovea {
 struct SampledOptions {
     /// Places looked at per sample: 1 .. 16. They lie in the middles of equal parts of its share of the segment, where
     /// their mean is nearest to its coverage, and none beside the line: there an edge along the line would count as if
-    /// it crossed it.
+    /// it crossed it. Where the first, the middle and the last of them agree, they speak for all.
     int probes = 1;
     /// A line this share of its depth behind a surface still lies on it.
     float bias = 1e-5f;
@@ -26,11 +26,10 @@ void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
 /// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:
-/// - Any whose triangle (triangle_edges.h) reaches as far as the probe: what hides it is really there, on the near side
-///   of its edge, even where the probe's own texel shows what is beyond.
-/// - Else, where the triangle at the probe covers no texel's centre, the texel the probe lies in, when it hides the line
-///   clearly: by more than surfaces as steep as its own, or as the line's own facets, rise over the distance between
-///   the texel's centre and the probe.
+/// - Any whose triangle (triangle_edges.h) reaches as far as the probe: what hides it is really there, on the near
+///   side of its edge, even where the probe's own texel shows what is beyond.
+/// - Else the texel the probe lies in, when it hides the line clearly: by more than surfaces as steep as its own, or as
+///   the line's own facets, rise over the distance between the texel's centre and the probe.
 /// - Else all four: a silhouette lies a little behind the bulge of its own surface, but has open texels beside it.
 /// - An inner line (own_sides.h) is seen where its texel does not hide it and one of the four shows an own facet.
 ///

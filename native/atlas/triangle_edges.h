@@ -16,13 +16,15 @@ struct TexelEdge {
 
 /// An edge in 16 bits: 256 directions, evenly spread over the diamond |nx| + |ny| = 1, times 256 + the distance in
 /// [0, 1] in 1/255. It errs by at most 1/64 + 1/510 texel. Where a line has no direction, the edge cuts nothing off.
+/// `along`: what the code is at distance 0; with `inside` in the measure of |nx| + |ny| = 1.
+inline int edge_code(int along, float inside) { return along + int(std::clamp(inside, 0.0f, 1.0f) * 255.0f + 0.5f); }
+
 inline int edge_code(TexelEdge edge) {
     const float length = std::abs(edge.nx) + std::abs(edge.ny);
     if (!(length > 0.0f)) return 255;
     const float x = edge.nx / length;
     const float turn = edge.ny < 0.0f ? 3.0f + x : 1.0f - x;
-    const float inside = std::clamp(edge.inside / length, 0.0f, 1.0f);
-    return int(turn * 64.0f + 0.5f) % 256 * 256 + int(inside * 255.0f + 0.5f);
+    return edge_code(int(turn * 64.0f + 0.5f) % 256 * 256, edge.inside / length);
 }
 
 inline TexelEdge edge_of_code(int code) {

@@ -112,6 +112,8 @@ class Surface {
 
     /// What later stages derive from this surface (BVH, static lines, chains).
     Cache& cache() const { return *cache_; }
+    /// What is brought up to date when the vertices move, instead of being derived anew.
+    Cache& lasting_cache() const { return *lasting_cache_; }
     /// Changes whenever the positions do.
     std::uint64_t version() const { return version_; }
 
@@ -155,7 +157,7 @@ class Surface {
     FieldOptions field_options_;
     const Surface* source_ = nullptr;
     dmat3 stretch_{1.0};
-    std::unique_ptr<Cache> cache_ = std::make_unique<Cache>();
+    std::unique_ptr<Cache> cache_ = std::make_unique<Cache>(), lasting_cache_ = std::make_unique<Cache>();
     std::uint64_t version_ = 0;
 };
 

@@ -1,30 +1,9 @@
 #include "scene/bvh.h"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace fovea {
 namespace {
-
-RTCDevice device() {
-    // Lives as long as the process: Embree's threads may still run when statics are torn down.
-    static const RTCDevice shared = [] {
-        // The same instructions wherever there are wider ones, too: frames of one film are rendered on many machines.
-        const RTCDevice made = rtcNewDevice("max_isa=avx2");
-        if (!made) throw std::runtime_error("Embree could not be started on this machine");
-        return made;
-    }();
-    return shared;
-}
-
-void check_device(const std::string& what) {
-    const RTCError error = rtcGetDeviceError(device());
-    if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
-}
-
-/// Robust: no ray slips between two triangles that share a side.
-const RTCSceneFlags scene_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
 
 void skip_ignored(const RTCFilterFunctionNArguments* at) {
     if (static_cast<const RayContext*>(at->context)->ignored(*at)) at->valid[0] = 0;
@@ -32,27 +11,16 @@ void skip_ignored(const RTCFilterFunctionNArguments* at) {
 
 }  // namespace
 
-SurfaceBvh::SurfaceBvh(const Surface& surface) : scene(rtcNewScene(device())) {
-    const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
-                               sizeof(vec3), surface.vertex_count());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface.triangles.data(), 0,
-                               sizeof(Triangle), surface.occluding_triangles);
-    rtcSetGeometryEnableFilterFunctionFromArguments(geometry, true);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneFlags(scene, scene_flags | RTC_SCENE_FLAG_COMPACT);
-    rtcCommitScene(scene);
-    check_device(surface.name());
-}
-Tracer::Bvh::Bvh() : top(rtcNewScene(device())) { rtcSetSceneFlags(top, scene_flags); }
+Tracer::Bvh::Bvh() : top(rtcNewScene(bvh_device())) { rtcSetSceneFlags(top, bvh_flags); }
 
 void Tracer::Bvh::add(const Scene& scene, Index placement) {
     const Surface& surface = *scene.placements[placement].surface;
-    surfaces.push_back(surface.cache().get<SurfaceBvh>(0, [&] { return SurfaceBvh(surface); }));
-    const RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, surfaces.back()->scene);
+    const auto kept = surface.lasting_cache().get<std::unique_ptr<const SurfaceBvh>>(
+        0, [&] { return std::make_unique<const SurfaceBvh>(surface); });
+    surfaces.emplace_back(kept, kept->get());
+    surfaces.back()->follow(surface);
+    const RTCGeometry instance = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, surfaces.back()->scene());
     rtcSetGeometryTimeStepCount(instance, 1);
     const mat4 transform(object_to_view[placement]);
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
@@ -65,7 +33,7 @@ void Tracer::Bvh::add(const Scene& scene, Index placement) {
 
 void Tracer::Bvh::commit() {
     rtcCommitScene(top);
-    check_device("scene");
+    check_bvh_device("scene");
 }
 
 std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const {

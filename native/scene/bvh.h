@@ -3,19 +3,44 @@
 
 #include <embree4/rtcore.h>
 
+#include <mutex>
+
 #include "scene/tracer.h"
 
 namespace fovea {
 
-/// BVH over the occluding triangles of a surface; borrows the surface's arrays, whose cache it lives in.
-struct SurfaceBvh {
-    RTCScene scene = nullptr;
+/// Robust: no ray slips between two triangles that share a side.
+inline const RTCSceneFlags bvh_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
 
+/// The one Embree device.
+RTCDevice bvh_device();
+/// Throws std::runtime_error, naming `what`, where Embree has failed since.
+void check_bvh_device(const std::string& what);
+
+/// BVH over the occluding triangles of a surface; borrows the surface's arrays, in whose lasting cache it lives. A
+/// surface that never moves has the best for rays. When vertices move it is refitted, and built anew only where the
+/// triangles are others, or lie so differently that its boxes no longer keep them apart.
+class SurfaceBvh {
+   public:
     explicit SurfaceBvh(const Surface& surface);
-    ~SurfaceBvh() { rtcReleaseScene(scene); }
-    SurfaceBvh(SurfaceBvh&& other) noexcept : scene(std::exchange(other.scene, nullptr)) {}
+    ~SurfaceBvh() { rtcReleaseScene(scene_); }
     SurfaceBvh(const SurfaceBvh&) = delete;
     SurfaceBvh& operator=(const SurfaceBvh&) = delete;
+
+    /// Follows the surface to where it is now. Tracers made before see it move.
+    void follow(const Surface& surface) const;
+    RTCScene scene() const { return scene_; }
+
+   private:
+    void take_triangles(const Surface& surface) const;
+
+    RTCScene scene_;
+    RTCGeometry geometry_;  // the scene's
+    mutable std::mutex mutex_;
+    mutable bool moves_ = false;                         // it has followed once
+    mutable std::uint64_t version_ = 0, triangles_ = 0;  // of the surface; hash of contents and place
+    mutable Array<Index> neighbours_;                    // some triangles, in an order in which they lay side by side
+    mutable double spread_ = 0.0;                        // of the neighbours, when built
 };
 
 struct Tracer::Bvh {

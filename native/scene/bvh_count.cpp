@@ -7,42 +7,49 @@
 namespace fovea {
 namespace {
 
-/// A hit that counts. Of a sheet both sides are alike.
+/// A hit, and on what. Of a sheet both sides are alike.
 struct Met {
-    Index placement, body;
+    Hit hit;
+    Index body;
     bool leaves;  ///< a solid body
-    float t;
 };
 
 bool before(const Met& a, const Met& b) {
-    return std::tie(a.placement, a.body, a.leaves, a.t) < std::tie(b.placement, b.body, b.leaves, b.t);
+    return std::tie(a.hit.placement, a.body, a.leaves, a.hit.t) < std::tie(b.hit.placement, b.body, b.leaves, b.hit.t);
 }
 
-/// The most hits, one after the other, that lie farther apart than the margin of rays. More hits never give fewer.
-template <typename Iterator>
-int apart(Iterator begin, Iterator end) {
-    int count = 0;
+/// Calls found(hit) for the most hits, one after the other, that lie farther apart than the margin of rays. More hits
+/// never give fewer.
+template <typename Iterator, typename Found>
+void apart(Iterator begin, Iterator end, const Found& found) {
     float last = -1.0f;
     for (; begin != end; ++begin) {
-        if (begin->t - last <= static_cast<float>(ray_margin)) continue;
-        last = begin->t;
-        ++count;
+        if (begin->hit.t - last <= static_cast<float>(ray_margin)) continue;
+        last = begin->hit.t;
+        found(begin->hit);
     }
-    return count;
 }
 
-/// Surfaces that sorted hits belong to: a solid body counts for each time that the ray enters it, or leaves it, if that
-/// is more (the near plane may cut it open, or the eye lie in it); a sheet for each time that the ray passes it.
-int surfaces(const std::vector<Met>& met) {
-    int count = 0;
+/// Calls found(hit) once for each surface that sorted hits belong to: a solid body counts for each time that the ray
+/// enters it, or leaves it, if that is more (the near plane may cut it open, or the eye lie in it); a sheet for each
+/// time that the ray passes it.
+template <typename Found>
+void each_surface(const std::vector<Met>& met, const Found& found) {
     for (auto begin = met.begin(); begin != met.end();) {
-        const auto other = [&](const Met& m) { return m.placement != begin->placement || m.body != begin->body; };
+        const auto other = [&](const Met& m) {
+            return m.hit.placement != begin->hit.placement || m.body != begin->body;
+        };
         const auto end = std::find_if(begin, met.end(), other);
         const auto leaving = std::find_if(begin, end, [](const Met& m) { return m.leaves; });
-        count += std::max(apart(begin, leaving), apart(leaving, end));
+        int enters = 0, leaves = 0;
+        apart(begin, leaving, [&](const Hit&) { ++enters; });
+        apart(leaving, end, [&](const Hit&) { ++leaves; });
+        if (enters >= leaves)
+            apart(begin, leaving, found);
+        else
+            apart(leaving, end, found);
         begin = end;
     }
-    return count;
 }
 
 }  // namespace
@@ -70,15 +77,18 @@ struct Tracer::Count : RayContext {
         const float along = RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
                             RTCHitN_Ng_y(at.hit, 1, 0) * RTCRayN_dir_y(at.ray, 1, 0) +
                             RTCHitN_Ng_z(at.hit, 1, 0) * RTCRayN_dir_z(at.ray, 1, 0);
-        const Met made{hit.placement, body, of.solid[body] && along > 0.0f, hit.t};
+        const Met made{hit, body, of.solid[body] && along > 0.0f};
         met.insert(std::upper_bound(met.begin(), met.end(), made, before), made);
-        count = surfaces(met);
+        count = 0;
+        each_surface(met, [&](const Hit&) { ++count; });
     }
 };
 
-int Tracer::hidden_by(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies) const {
+void Tracer::surfaces_before(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies,
+                             std::vector<Hit>& surfaces) const {
+    surfaces.clear();
     const Ray ray = ray_to(point);
-    if (most <= 0 || ray.far_t <= ray.near_t) return 0;
+    if (most <= 0 || ray.far_t <= ray.near_t) return;
     Count counted{{scene_, bvh_->placement_of_instance, ray, ignore}, *this, bodies, ray, most, 0, {}};
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
@@ -87,7 +97,7 @@ int Tracer::hidden_by(const vec3& point, const Ignore& ignore, int most, const S
     arguments.filter = Count::filter;
     RTCRay made = embree_ray(ray);
     rtcOccluded1(bvh_->top, &made, &arguments);
-    return counted.count;
+    each_surface(counted.met, [&](const Hit& hit) { surfaces.push_back(hit); });
 }
 
 }  // namespace fovea

@@ -85,10 +85,11 @@ class Tracer {
     /// away.
     std::optional<Hit> occluder(const vec3& point, const Ignore& ignore) const;
 
-    /// How many surfaces hide `point`, told apart up to `most`: a solid body counts once for entering and leaving it, a
-    /// sheet once for each crossing. Hits on one body nearer to each other than ray_margin are one crossing, as where
-    /// a ray passes between two triangles. `bodies`: of this scene.
-    int hidden_by(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies) const;
+    /// The surfaces that hide `point`, at most `most`, one hit for each: a solid body is one for entering and leaving
+    /// it, a sheet one for each crossing. Hits on one body nearer to each other than ray_margin are one crossing, as
+    /// where a ray passes between two triangles. `bodies`: of this scene; `surfaces`: what is found.
+    void surfaces_before(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies,
+                         std::vector<Hit>& surfaces) const;
 
     /// The nearest surface beyond `point` on the ray from the eye through it.
     std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;

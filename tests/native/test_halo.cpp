@@ -27,7 +27,7 @@ Runs with_gap(const ClippedPaths& clipped, float gap) { return halo(clipped, who
 TEST(Halo, LeavesLinesThatTurnAwayOnTheirOwnSurface) {
     // The lower rim of a can goes out of sight behind it, where its outline begins; nothing is behind anything.
     const meshes::Mesh can = meshes::cylinder(24);
-    const LineSet lines{{{definition_index("contour"), {}}, {definition_index("border"), {}}}, 60.0};
+    const LineSet lines = drawing::line_set({"contour", "border"});
     for (double height : {0.5, 2.0, 4.0}) {
         const View view = drawing::perspective({0.3, -7, height}, {0, 0, 0});
         const drawing::Drawing drawn({drawing::place(can)}, view, {lines});
@@ -42,13 +42,14 @@ TEST(Halo, LeavesLinesThatTurnAwayOnTheirOwnSurface) {
     }
 }
 
-TEST(Halo, ContoursStopShortOnlyOfLinesThatCross) {
+TEST(Halo, ContoursDoNotStopShortOfLinesThatTheyGraze) {
     const ClippedPaths clipped = Wires(crossing(90)).project(camera());
     Runs runs = whole(clipped);
-    runs.end_px[0] = 60.0;  // hidden from there on, and nothing crosses
+    runs.end_px[0] = 60.0;  // hidden from there on, by nothing that is drawn
     const std::vector<std::uint8_t> of_view{2, 0};
-    expect_runs(halo(clipped, runs, everywhere(clipped, 5), of_view), {{0, -100, -5}, {0, 5, 60}, {1, -100, 100}}, 0.02);
-    expect_runs(halo(clipped, runs, everywhere(clipped, 5)), {{0, -100, -5}, {0, 5, 55}, {1, -100, 100}}, 0.02);
+    const std::vector<Part> expected{{0, -100, -5}, {0, 5, 60}, {1, -100, 100}};
+    expect_runs(halo(clipped, runs, everywhere(clipped, 5), of_view), expected, 0.02);
+    expect_runs(halo(clipped, runs, everywhere(clipped, 5)), expected, 0.02);
     EXPECT_THROW(halo(clipped, runs, everywhere(clipped, 5), std::vector<std::uint8_t>{1}), std::invalid_argument);
     const ClippedPaths grazing = Wires(crossing(10)).project(camera());
     expect_same(halo(grazing, whole(grazing), everywhere(grazing, 5), of_view), whole(grazing));

@@ -1,4 +1,4 @@
-// Lines of a surface are not hidden by it, and those behind it do not show, from wherever and however it is looked into.
+// Lines of a surface are not hidden by it, and those behind it do not show, from wherever it is seen.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -97,7 +97,8 @@ struct Pictures {
     }
     Count count(int scale, int probes) const {
         Count count;
-        for (std::size_t i = 0; i < far.size(); ++i) pictures[i]->count(far[i], pictures[i]->look(scale, probes), count);
+        for (std::size_t i = 0; i < far.size(); ++i)
+            pictures[i]->count(far[i], pictures[i]->look(scale, probes), count);
         return count;
     }
 };

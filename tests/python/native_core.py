@@ -109,7 +109,7 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     closed = core.close_gaps(clipped, runs, 2.0, np.ones(len(paths), np.float32))
     trimmed = core.trim_folds(clipped, closed, paths, 8.0)
     pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
-    haloed = core.halo(clipped, trimmed, np.full(len(paths), 2.5, np.float32))
+    haloed = core.halo(clipped, trimmed, paths, np.full(len(paths), 2.5, np.float32))
     shot = core.overshoot(clipped, haloed, np.full(len(paths), 1.5, np.float32))
     parts = core.with_hidden(clipped, shot, paths)
     compact = core.compact(clipped, paths, parts)

@@ -1,0 +1,110 @@
+// A surface's BVH follows its vertices: rays say what they say of a surface that was made there.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "drawing.h"
+
+using namespace fovea;
+using namespace fovea::meshes;
+using namespace fovea::drawing;
+
+namespace {
+
+const View view = perspective({0, -6, 1}, {0, 0, 0}, 36);
+
+/// A sphere of quads, bent and pulled by step k.
+Mesh bent(int k) {
+    Mesh mesh = sphere(40);
+    for (vec3& p : mesh.positions) {
+        const float angle = 0.3f * k * p.z;
+        p = vec3(std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y, p.z);
+        p.x *= 1.0f + 0.2f * k * p.z * p.z;
+    }
+    return mesh;
+}
+
+/// The moved surface and a new one at the same place hide the same of each other's scene.
+void expect_same(const std::shared_ptr<Surface>& moved_surface, const Mesh& now, const char* what) {
+    const Placement behind = place(grid(12), moved({0, 2, 0}) * dmat4(glm::rotate(dmat4(1.0), 1.5, dvec3(1, 0, 0))), 2);
+    const LineSet all = line_set_with("crease", {0, 1});
+    const Drawing old({{moved_surface, dmat4(1.0), 1}, behind}, view, {all});
+    const Drawing fresh({place(now), behind}, view, {all});
+    ASSERT_EQ(old.clipped.samples, fresh.clipped.samples) << what;
+    ASSERT_EQ(old.runs.size(), fresh.runs.size()) << what;
+    ASSERT_GT(old.runs.size(), 50u) << what;
+    EXPECT_EQ(old.runs.piece, fresh.runs.piece) << what;
+    for (std::size_t r = 0; r < old.runs.size(); ++r) {
+        EXPECT_NEAR(old.runs.start_px[r], fresh.runs.start_px[r], 1e-6) << what;
+        EXPECT_NEAR(old.runs.end_px[r], fresh.runs.end_px[r], 1e-6) << what;
+    }
+}
+
+}  // namespace
+
+TEST(Bvh, FollowsASurfaceThatMoves) {
+    const auto surface = bent(0).surface();
+    expect_same(surface, bent(0), "at rest");
+    for (int k = 1; k <= 6; ++k) {
+        surface->set_positions(bent(k).positions);
+        expect_same(surface, bent(k), "bent");
+    }
+    surface->set_positions(bent(0).positions);
+    expect_same(surface, bent(0), "back again");
+}
+
+TEST(Bvh, FollowsVerticesThatAreThrownAbout) {
+    const auto surface = bent(0).surface();
+    std::mt19937 random(5);
+    for (int k = 0; k < 3; ++k) {
+        // Vertices change places: what lay side by side no longer does.
+        Mesh mesh = bent(1);
+        std::shuffle(mesh.positions.begin(), mesh.positions.end(), random);
+        surface->set_positions(mesh.positions);
+        const auto fresh = mesh.surface();
+        const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{fresh, dmat4(1.0), 1}});
+        const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
+        int hits = 0;
+        for (int y = 3; y < 480; y += 7)
+            for (int x = 3; x < 640; x += 7) {
+                const auto a = old_tracer.seen({x + 0.37, y + 0.41}), b = new_tracer.seen({x + 0.37, y + 0.41});
+                ASSERT_EQ(a.has_value(), b.has_value());
+                if (!a) continue;
+                EXPECT_NEAR(a->t, b->t, 1e-5);
+                ++hits;
+            }
+        EXPECT_GT(hits, 300);
+    }
+}
+
+TEST(Bvh, FollowsAQuadThatBendsAndLosesATriangle) {
+    // Bent the other way, and flat to nothing: other triangles, and fewer.
+    Mesh mesh = bent_quad(0.5f);
+    const auto surface = mesh.surface();
+    const auto hit_at = [&](const Mesh& now) {
+        const Placement placed{surface, moved({-0.5, 0, -0.5}) * glm::rotate(dmat4(1.0), 1.57, dvec3(1, 0, 0)), 1};
+        const Scene old_scene({placed}), new_scene({{now.surface(), placed.object_to_world, 1}});
+        const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
+        int differ = 0, hits = 0;
+        for (int y = 0; y < 480; y += 3)
+            for (int x = 0; x < 640; x += 3) {
+                const auto a = old_tracer.seen({x + 0.3, y + 0.4}), b = new_tracer.seen({x + 0.3, y + 0.4});
+                differ += a.has_value() != b.has_value() || (a && std::abs(a->t - b->t) > 1e-5);
+                hits += a.has_value();
+            }
+        EXPECT_EQ(differ, 0);
+        return hits;
+    };
+    const int at_first = hit_at(mesh);
+    EXPECT_GT(at_first, 300);
+    mesh.positions[2] = vec3(0.2f, 0.2f, 0.4f);  // an arrow head
+    surface->set_positions(mesh.positions);
+    EXPECT_LT(hit_at(mesh), at_first);
+    for (vec3& p : mesh.positions) p.y = 0.0f;  // no area
+    mesh.positions[2].z = 0.0f;
+    surface->set_positions(mesh.positions);
+    EXPECT_EQ(hit_at(mesh), 0);
+    mesh.positions = bent_quad(0.5f).positions;
+    surface->set_positions(mesh.positions);
+    EXPECT_EQ(hit_at(mesh), at_first);
+}
