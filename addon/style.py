@@ -66,7 +66,7 @@ class Style:
         return [(*row, pen) for pen, row in enumerate(rows)]
 
     def counted(self):
-        """How many hiding surfaces the pens tell apart: parts that more hide look like those. 0: none hidden is drawn."""
+        """How many hiding surfaces the pens tell apart; more look like so many. 0: nothing hidden is drawn."""
         return max((h.last + 1 if h.last else h.first for s in self.line_sets for h in s.hidden), default=0)
 
 

@@ -109,7 +109,7 @@ def hidden_properties(line_set):
             "Overshoot",
             "overshoot",
             line_set.overshoot,
-            "How far lines go on beyond their ends and where they become hidden, in pixels of an image 1080 pixels high",
+            "How far lines go on beyond their ends and behind what hides them, in pixels of an image 1080 pixels high",
         ),
         **pen_properties(HIDDEN, hidden.pen, "hidden lines"),
     }
