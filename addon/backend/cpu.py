@@ -163,8 +163,8 @@ class Backend:
 
 
 def depth_layouts(frame, side, overlap_px):
-    """DepthLayouts of a Frame in at most `side` texels along each axis: one, or tiles. Cores are looked out of by so many
-    pixels, besides what a sample's own probes are apart."""
+    """DepthLayouts of a Frame in at most `side` texels along each axis: one, or tiles. Cores are looked out of by so
+    many pixels, besides what a sample's own probes are apart."""
     probes_px = math.ceil(8 * max(1.0, frame.view.reference_scale))
     return native.load().depth_tiles(frame.view, frame.depth_scale, side, probes_px + overlap_px)
 

@@ -47,9 +47,8 @@ class StrokePass:
 
 def boxes(width, height, side):
     """Boxes of at most `side` pixels along each axis that make up a picture."""
-    return [
-        (x, y, min(x + side, width), min(y + side, height)) for y in range(0, height, side) for x in range(0, width, side)
-    ]
+    corners = [(x, y) for y in range(0, height, side) for x in range(0, width, side)]
+    return [(x, y, min(x + side, width), min(y + side, height)) for x, y in corners]
 
 
 def box_of(layout, view):

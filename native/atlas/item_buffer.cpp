@@ -27,7 +27,7 @@ dvec2 texels(const DepthBuffer& depth, vec2 px) {
 /// True where a line from `from` to `to` goes as far in x as in y.
 bool along_x(dvec2 from, dvec2 to) { return std::abs(to.x - from.x) >= std::abs(to.y - from.y); }
 
-/// First and last texel (excluded) whose centres lie on the way; the texel in which a line ends is left to the next one.
+/// First and last texel (excluded) whose centres lie on the way; the texel in which a line ends is left to the next.
 std::pair<int, int> texels_between(double a, double b, int size) {
     const double low = a <= b ? std::ceil(a - 0.5) : std::floor(b - 0.5) + 1.0;
     const double high = a <= b ? std::ceil(b - 0.5) : std::floor(a - 0.5) + 1.0;
@@ -92,7 +92,8 @@ class Drawing {
         const float depth = float(glm::mix(s.depth_from, s.depth_to, t));
         const DepthTexel& here = depth_.at(x, y);
         const float step = std::max(std::abs(here.ddx), std::abs(here.ddy)) / float(depth_.scale);
-        if (here.facet != none && here.depth - depth > step * options_.slope_factor + here.depth * options_.bias) return;
+        const float least = step * options_.slope_factor + here.depth * options_.bias;
+        if (here.facet != none && here.depth - depth > least) return;
         const std::size_t first = (std::size_t(y) * buffer_.width + x) * buffer_.layers;
         insert(&buffer_.items[first], &nearness_[first], s.item, std::min(depth, 1.0f));
     }

@@ -144,13 +144,13 @@ void lengthen(CentreLine& line, double before_px, double after_px) {
     if (before_px > 0.0) line.insert(line.begin(), first);
 }
 
-void insert_points(CentreLine& line, In<double> arcs) {
+void insert_points(CentreLine& line, In<double> arcs, double near_px) {
     CentreLine out{line.front()};
     std::size_t next = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const CentrePoint &a = line[i - 1], &b = line[i];
         for (; next < arcs.size() && arcs[next] < b.arc; ++next)
-            if (arcs[next] > out.back().arc + 0.5 && arcs[next] < b.arc - 0.5)
+            if (arcs[next] > out.back().arc + near_px && arcs[next] < b.arc - near_px)
                 out.push_back(mix(a, b, (arcs[next] - a.arc) / (b.arc - a.arc)));
         out.push_back(b);
     }

@@ -32,8 +32,8 @@ void lengthen(CentreLine& line, double before_px, double after_px);
 /// points are left of a line without length.
 void simplify(CentreLine& line);
 
-/// Adds points at the given arc lengths (ascending), except within half a pixel of others.
-void insert_points(CentreLine& line, In<double> arcs);
+/// Adds points at the given arc lengths (ascending), except so near to others.
+void insert_points(CentreLine& line, In<double> arcs, double near_px = 0.5);
 
 /// Which ends of a line taper.
 struct TaperedEnds {

@@ -101,7 +101,8 @@ void find_fade(const ClippedPaths& clipped, In<float> visibility, Index piece, d
 }
 
 void insert_bends(CentreLine& line, const Fade& fade) {
-    if (!fade.arc.empty() && line.size() > 1) insert_points(line, fade.arc);
+    // Samples of a small picture lie close together: without the last bend before an end, all of the line would fade.
+    if (!fade.arc.empty() && line.size() > 1) insert_points(line, fade.arc, 0.1);
 }
 
 void fade_ends(CentreLine& line, const Fade& fade) {

@@ -62,7 +62,8 @@ def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
     assert np.mean(value[hidden] < 0.5) > 0.98 and np.mean(value[shown] >= 0.5) > 0.98
 
 
-@pytest.mark.parametrize("backend", [cpu.Backend, pytest.param(lambda: part("backend.gpu").Backend(), marks=pytest.mark.gpu)])
+@pytest.mark.gpu
+@pytest.mark.parametrize("backend", [cpu.Backend, lambda: part("backend.gpu").Backend()])
 def test_lines_without_occluders_that_do_not_cross_are_all_seen(backend):
     scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW])
     seen = frame(*HIGH, view_of(480, 300), scene)

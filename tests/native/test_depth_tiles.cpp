@@ -86,7 +86,8 @@ TEST(DepthTiles, TexelsAreThoseOfTheWhole) {
             const DepthBuffer whole = draw_depth(view, soup.meshes(), {.scale = scale});
             std::size_t same = 0, all = 0, shown = 0;
             for (const DepthBuffer& layout : depth_tiles(view, {.scale = scale}, 40 * scale, 4)) {
-                const int x0 = (whole.border_x - layout.border_x) * scale, y0 = (whole.border_y - layout.border_y) * scale;
+                const int x0 = (whole.border_x - layout.border_x) * scale;
+                const int y0 = (whole.border_y - layout.border_y) * scale;
                 const DepthBuffer tile = draw_depth_into(layout, view, soup.meshes());
                 for (int y = 0; y < tile.height; ++y)
                     for (int x = 0; x < tile.width; ++x, ++all) {

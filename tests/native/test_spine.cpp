@@ -36,7 +36,9 @@ struct Scene2 {
             for (int x = 120; x < 200; ++x) depth.texels[y * 200 + x] = {0.9f, 0.0f, 0.0f, 0};
     }
 
-    float at(float u, int probes = 9) const { return SpineTest(clipped, sides, depth, {.probes = probes}).visibility(0, u); }
+    float at(float u, int probes = 9) const {
+        return SpineTest(clipped, sides, depth, {.probes = probes}).visibility(0, u);
+    }
 };
 
 }  // namespace
