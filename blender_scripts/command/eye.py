@@ -14,7 +14,7 @@ def view(positions, eye, ortho, size=(1024, 1024), fov=90.0):
     if not towards.any():
         if ortho:
             raise ValueError("--eye 0,0,0 is no direction")
-        towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: what is partly in the frame is extracted whole
+        towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: lines partly in the frame are found whole
     distance = 2 * radius if ortho else np.linalg.norm(towards)
     backwards = towards / np.linalg.norm(towards)
     eye = centre + distance * backwards if ortho else eye

@@ -42,7 +42,7 @@ def parse(words):
     parser.add_argument("--smoothing", type=float, default=0.0, metavar="EDGES", help="how far curvature is averaged")
     parser.add_argument("--visible", action="store_true", help="only what is seen, also in pixels")
     parser.add_argument("--hidden", action="store_true", help="with --visible: hidden parts, too")
-    parser.add_argument("--size", type=draw_options.frame_size, default=(1024, 1024), metavar="WxH", help="of the frame, in pixels")
+    parser.add_argument("--size", type=draw_options.frame_size, default=(1024, 1024), metavar="WxH", help="pixels")
     parser.add_argument("--fov", type=_angle, metavar="DEG", help="over the frame's shorter side (all of the model)")
     parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
     # argparse would take "-1,2,3" for an option.

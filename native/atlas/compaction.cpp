@@ -28,7 +28,8 @@ Inner inner_points(const ClippedPaths& clipped, Index piece, double start, doubl
 /// Writes the points of runs.
 class Writer {
    public:
-    Writer(const ClippedPaths& clipped, const Paths& paths, CompactRuns& out) : clipped_(clipped), paths_(paths), out_(out) {}
+    Writer(const ClippedPaths& clipped, const Paths& paths, CompactRuns& out)
+        : clipped_(clipped), paths_(paths), out_(out) {}
 
     void write(std::size_t run) {
         const Index piece = out_.piece[run];
@@ -70,7 +71,8 @@ class Writer {
 
     void write_between(Index at, double arc) {
         const auto arcs = clipped_.arc_px.begin();
-        const Index after = static_cast<Index>(std::upper_bound(arcs + begin_ + 1, arcs + last_, arc) - arcs), before = after - 1;
+        const Index after = static_cast<Index>(std::upper_bound(arcs + begin_ + 1, arcs + last_, arc) - arcs),
+                    before = after - 1;
         const double length = arcs[after] - arcs[before];
         const double s = length > 0.0 ? std::clamp((arc - arcs[before]) / length, 0.0, 1.0) : 0.0;
         const dvec3 a(clipped_.position_view[before]), b(clipped_.position_view[after]);
@@ -110,8 +112,9 @@ class Writer {
 CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs) {
     check_runs(clipped, runs);
     const std::size_t count = runs.size();
-    check(clipped.path.empty() || (clipped.path.back() < paths.count() && clipped.source.back() < paths.strength.size()),
-          "compact: these are not the paths that were clipped");
+    check(
+        clipped.path.empty() || (clipped.path.back() < paths.count() && clipped.source.back() < paths.strength.size()),
+        "compact: these are not the paths that were clipped");
     CompactRuns out;
     out.piece = runs.piece;
     out.start_px = runs.start_px;

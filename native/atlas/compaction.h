@@ -15,19 +15,19 @@ struct CompactRuns {
     Array<Index> path, piece;      ///< of Paths, of ClippedPaths
     Array<double> start_px, end_px;
     Array<std::uint8_t> invisibility, line_set;
-    Array<std::uint8_t> closed;    ///< 1 where the run is the whole of a closed piece: its last point is its first again
+    Array<std::uint8_t> closed;  ///< 1 where the run is the whole of a closed piece: its last point is its first again
     // Per point.
     Array<vec2> px;
     Array<vec3> position_view;
     Array<double> arc_px;
     Array<float> strength;
-    Array<Kinds> kinds;            ///< what the segment from this point is; at the last point: what that before it is
+    Array<Kinds> kinds;  ///< what the segment from this point is; at the last point: what that before it is
 };
 
 /// The points of the paths within each run, and its two ends: interpolated along the image in pixels, along the line in
 /// space in positions and strength. Where a run overshoots its line, the line's end is a point of it, too, and it goes
-/// on the way that it led over its last 3 pixels, as far from the viewer as that end. Throws std::invalid_argument where
-/// runs, pieces and paths do not belong together. Parallel; the same for any number of threads.
+/// on the way that it led over its last 3 pixels, as far from the viewer as that end. Throws std::invalid_argument
+/// where runs, pieces and paths do not belong together. Parallel; the same for any number of threads.
 CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs);
 
 }  // namespace fovea

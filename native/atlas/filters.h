@@ -26,12 +26,12 @@ Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> 
 Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
 
 /// Where a line passes behind another one, it stops the path's `gap_px` (0 or more) short: where a visible run crosses,
-/// in the image, a visible run that is nearer by more than eight pixels' size in space, or ends at one. The gap is measured
-/// across the nearer line, from its middle, on both sides; where they cross at less than 15 degrees it grows no further.
-/// Ends at which a line turns away on its own surface, or meets another line, stay. So do those behind an outline that
-/// is not drawn. Nothing passes behind lines found in the image. A gap of 0 leaves a path as it is.
-/// On paths with `of_view` set (one entry per path of Paths; may be empty) a gap is only where a line crosses at 15 degrees
-/// or more: contours of mesh edges graze themselves where their own surface folds over them.
+/// in the image, a visible run that is nearer by more than eight pixels' size in space, or ends at one. The gap is
+/// measured across the nearer line, from its middle, on both sides; where they cross at less than 15 degrees it grows
+/// no further. Ends at which a line turns away on its own surface, or meets another line, stay. So do those behind an
+/// outline that is not drawn. Nothing passes behind lines found in the image. A gap of 0 leaves a path as it is.
+/// On paths with `of_view` set (one entry per path of Paths; may be empty) a gap is only where a line crosses at 15
+/// degrees or more: contours of mesh edges graze themselves where their own surface folds over them.
 /// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
 Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
 

@@ -15,7 +15,7 @@ constexpr std::size_t runs_per_block = 256;
 constexpr double reach_px = 2.0;      // beyond the ends of a run: what hides it is found there, however it was sampled
 constexpr double direction_px = 3.0;  // to both sides: a dense mesh's own segments zigzag
 constexpr double joint_px = 1e-3;     // two segments that share a point leave no gap for a line to slip through
-constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size: outlines of rough surfaces are not
+constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size; less has a rough outline
 constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }

@@ -72,8 +72,8 @@ void Strand::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out)
             }
         }
     }
-    const bool across = cyclic && out.size() > 1 && out.front().begin <= begin + same_place_px &&
-                        out.back().end >= end - same_place_px;
+    const bool across =
+        cyclic && out.size() > 1 && out.front().begin <= begin + same_place_px && out.back().end >= end - same_place_px;
     if (!across) return;
     out.back().end = end + (out.front().end - begin);
     out.erase(out.begin());
@@ -104,7 +104,8 @@ void Strand::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const
 }
 
 vec2 place_px(const ClippedPaths& clipped, Index piece, double arc_px) {
-    const auto begin = clipped.arc_px.begin() + clipped.pieces.begin(piece), end = clipped.arc_px.begin() + clipped.pieces.end(piece);
+    const auto begin = clipped.arc_px.begin() + clipped.pieces.begin(piece),
+               end = clipped.arc_px.begin() + clipped.pieces.end(piece);
     const auto above = std::clamp(std::upper_bound(begin, end, arc_px), begin + 1, end - 1);
     const auto i = static_cast<Index>(above - clipped.arc_px.begin());
     const double length = clipped.arc_px[i] - clipped.arc_px[i - 1];

@@ -42,8 +42,7 @@ class StretchGrid {
                 x1 = from.x + slope * (std::clamp(y + 1.0 + slack, from.y, to.y) - from.y);
             }
             const int right = clamped(std::max(x0, x1) + slack, width_);
-            for (int x = clamped(std::min(x0, x1) - slack, width_); x <= right; ++x)
-                body(std::size_t(y) * width_ + x);
+            for (int x = clamped(std::min(x0, x1) - slack, width_); x <= right; ++x) body(std::size_t(y) * width_ + x);
         }
     }
 

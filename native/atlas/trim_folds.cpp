@@ -17,7 +17,8 @@ double trim_end(const ClippedPaths& clipped, Index piece, double start, double e
     const vec2 tip = place_px(clipped, piece, end);
     const auto arcs = clipped.arc_px.begin();
     const double low = way > 0 ? end - fold_px : end, high = way > 0 ? end : end + fold_px;
-    const auto first = std::lower_bound(arcs + clipped.pieces.begin(piece), arcs + clipped.pieces.end(piece), low) - arcs;
+    const auto first =
+        std::lower_bound(arcs + clipped.pieces.begin(piece), arcs + clipped.pieces.end(piece), low) - arcs;
     for (auto i = static_cast<Index>(first); i < clipped.pieces.end(piece) && clipped.arc_px[i] <= high; ++i) {
         const double arc = clipped.arc_px[i], left = (end - arc) * way;
         if (left <= 0.0 || left > fold_px || (arc - start) * way <= before_px || left <= (end - result) * way) continue;
@@ -54,7 +55,8 @@ Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> 
     parallel_for(count, [&](std::size_t r) {
         const Index piece = runs.piece[r];
         if (!of_view[clipped.path[piece]] || runs.invisibility[r] != 0) return;
-        const double first = clipped.arc_px[clipped.pieces.begin(piece)], last = clipped.arc_px[clipped.pieces.end(piece) - 1];
+        const double first = clipped.arc_px[clipped.pieces.begin(piece)],
+                     last = clipped.arc_px[clipped.pieces.end(piece) - 1];
         double start = runs.start_px[r], end = runs.end_px[r];
         const bool cusps = of_view[clipped.path[piece]] == ends_at_cusps && !clipped.closed[piece];
         if (cusps || end < last - same_place_px) end = trim_end(clipped, piece, start, end, 1, fold_px);

@@ -15,8 +15,8 @@ void bind_filters(py::module_& m) {
             return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spurs));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
-        R"(Joins visible runs over gaps shorter than gap_px, drops those that are shorter than spur_px and hidden on both
-sides. spur_px: (P,) float32 per path of Paths.)");
+        R"(Joins visible runs over gaps shorter than gap_px, drops those that are shorter than spur_px and hidden on
+both sides. spur_px: (P,) float32 per path of Paths.)");
     m.def(
         "trim_folds",
         [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {
@@ -33,8 +33,8 @@ sides. spur_px: (P,) float32 per path of Paths.)");
             return std::make_shared<Runs>(halo(clipped, runs, gaps, paths.of_view));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("gap_px"),
-        R"(Visible runs that stop gap_px short of visible lines that they pass behind. gap_px: (P,) float32 per path of Paths, 0
-or more; 0 leaves a path as it is. Comes before overshoot.)");
+        R"(Visible runs that stop gap_px short of visible lines that they pass behind. gap_px: (P,) float32 per path
+of Paths, 0 or more; 0 leaves a path as it is. Comes before overshoot.)");
     m.def(
         "overshoot",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& amount_px) {
@@ -43,8 +43,8 @@ or more; 0 leaves a path as it is. Comes before overshoot.)");
             return std::make_shared<Runs>(overshoot(clipped, runs, amounts));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("amount_px"),
-        R"(Visible runs longer at both ends by amount_px, beyond the ends of their paths, too, or shorter where it is less than 0.
-amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is.)");
+        R"(Visible runs longer at both ends by amount_px, beyond the ends of their paths, too, or shorter where it is
+less than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is.)");
 }
 
 }  // namespace fovea::bindings

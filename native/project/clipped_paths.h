@@ -8,7 +8,8 @@ namespace fovea {
 /// The depth of lines that nothing hides: nearer than any surface, however steep it is.
 inline constexpr float before_all = 1e30f;
 
-/// How a piece begins and ends: with an end of its path, at the seam of a closed path, or else (no bit) cut by the frame.
+/// How a piece begins and ends: with an end of its path, at the seam of a closed path, or, with no bit set, cut by the
+/// frame.
 enum PieceEnds : std::uint8_t { path_start = 1, path_end = 2, seam_start = 4, seam_end = 8 };
 
 /// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves

@@ -90,7 +90,8 @@ inline bool holds(const Runs& all, const Runs& part) {
         if (part.invisibility[r] != 0) continue;
         double from = part.start_px[r];  // not found visible yet
         for (std::size_t k = 0; k < all.size(); ++k) {
-            const bool goes_on = all.invisibility[k] == 0 && all.piece[k] == part.piece[r] && all.start_px[k] <= from + 1e-5;
+            const bool goes_on =
+                all.invisibility[k] == 0 && all.piece[k] == part.piece[r] && all.start_px[k] <= from + 1e-5;
             if (goes_on) from = std::max(from, all.end_px[k]);
         }
         if (from < part.end_px[r] - 1e-5) return false;

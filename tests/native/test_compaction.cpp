@@ -11,7 +11,9 @@ using namespace fovea::line_filters;
 namespace {
 
 /// Place of a point in the image, by the camera.
-dvec2 seen_at(const View& view, const vec3& position) { return to_pixels(view, view.view_to_clip * dvec4(dvec3(position), 1.0)); }
+dvec2 seen_at(const View& view, const vec3& position) {
+    return to_pixels(view, view.view_to_clip * dvec4(dvec3(position), 1.0));
+}
 
 double distance_to_line(const dvec3& p, const dvec3& a, const dvec3& b) {
     return glm::length(glm::cross(p - a, glm::normalize(b - a)));
@@ -22,7 +24,8 @@ double distance_to_line(const dvec3& p, const dvec3& a, const dvec3& b) {
 TEST(Compaction, EndsLieOnTheLineInSpaceAndInTheImage) {
     for (bool orthographic : {false, true}) {
         const View view = camera(0.1, orthographic);
-        const dvec3 a = orthographic ? dvec3(-0.5, 0.1, -3) : at(100, 100, 3), b = orthographic ? dvec3(0.6, 0.2, -9) : at(500, 300, 12);
+        const dvec3 a = orthographic ? dvec3(-0.5, 0.1, -3) : at(100, 100, 3),
+                    b = orthographic ? dvec3(0.6, 0.2, -9) : at(500, 300, 12);
         Wires wires({divided(a, b, 5)});
         for (int i = 0; i <= 5; ++i) wires.paths.strength[i] = 0.2f * i;
         const ClippedPaths clipped = wires.project(view);
@@ -38,7 +41,8 @@ TEST(Compaction, EndsLieOnTheLineInSpaceAndInTheImage) {
             EXPECT_LT(glm::length(seen_at(view, found.position_view[i]) - dvec2(found.px[i])), 1e-3) << i;
             const dvec3 position(found.position_view[i]);
             EXPECT_LT(distance_to_line(position, a, b), 1e-5) << i;
-            EXPECT_NEAR(found.strength[i], glm::distance(position, a) / glm::distance(a, b), 1e-5) << "it is linear in space";
+            EXPECT_NEAR(found.strength[i], glm::distance(position, a) / glm::distance(a, b), 1e-5)
+                << "it is linear in space";
             EXPECT_NEAR(found.arc_px[i] - first, glm::length(found.px[i] - clipped.px[0]), 1e-3) << i;
             EXPECT_EQ(found.kinds[i], 1u);
         }

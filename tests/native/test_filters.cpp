@@ -28,7 +28,9 @@ std::vector<dvec3> ring(double x, double y, double radius, int first = 0) {
 
 /// Lines, rings and lines that the frame cuts.
 ClippedPaths of_all_kinds() {
-    std::vector<std::vector<dvec3>> lines{ring(100, 100, 50), ring(640, 240, 80), ring(640, 240, 100, 16),
+    std::vector<std::vector<dvec3>> lines{ring(100, 100, 50),
+                                          ring(640, 240, 80),
+                                          ring(640, 240, 100, 16),
                                           {at(-300, 30), at(900, 40), at(900, 80), at(-300, 90)}};
     for (int k = 0; k < 300; ++k) lines.push_back(divided(at(50, 0.5 * k), at(450, 0.6 * k), 1 + k % 7));
     return Wires(lines).project(camera());
@@ -75,7 +77,8 @@ TEST(Overshoot, GoesBeyondTheEndsOfALineButNotBeyondTheFrame) {
 
 TEST(Overshoot, HiddenRunsGiveWayAndStayOtherwise) {
     const ClippedPaths clipped = straight();
-    const Runs runs = runs_of({{0, -100, -50, 2}, {0, -50, 0}, {0, 0, 4, 1}, {0, 4, 10, 3}, {0, 40, 60}, {0, 60, 100, 1}});
+    const Runs runs =
+        runs_of({{0, -100, -50, 2}, {0, -50, 0}, {0, 0, 4, 1}, {0, 4, 10, 3}, {0, 40, 60}, {0, 60, 100, 1}});
     expect_runs(overshoot(clipped, runs, everywhere(clipped, 5)),
                 {{0, -100, -55, 2}, {0, -55, 5}, {0, 5, 10, 3}, {0, 35, 65}, {0, 65, 100, 1}});
     expect_runs(overshoot(clipped, runs, everywhere(clipped, -5)),
@@ -124,7 +127,8 @@ TEST(Overshoot, DoesNotSeeSegmentsNorAtlasRows) {
     const Runs runs = runs_from_samples(one, samples);
     ASSERT_GT(runs.size(), 3u);
     for (float amount : {3.0f, 12.0f, -4.0f}) {
-        const Runs a = overshoot(one, runs, everywhere(one, amount)), b = overshoot(many, runs, everywhere(many, amount));
+        const Runs a = overshoot(one, runs, everywhere(one, amount)),
+                   b = overshoot(many, runs, everywhere(many, amount));
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t r = 0; r < a.size(); ++r) {
             EXPECT_NEAR(a.start_px[r], b.start_px[r], 1e-3);
@@ -144,7 +148,8 @@ TEST(Overshoot, OfARingDoesNotSeeItsSeam) {
     expect_runs(grown({{0, first, last}}, -5), {{0, first, last}});
     expect_runs(grown({{0, first + 2, first + 20}}, 5), {{0, first, first + 25}, {0, last - 3, last}});
     expect_runs(grown({{0, last - 20, last}}, 5), {{0, first, first + 5}, {0, last - 25, last}});
-    expect_runs(grown({{0, first, first + 10}, {0, last - 20, last}}, 5), {{0, first, first + 15}, {0, last - 25, last}});
+    expect_runs(grown({{0, first, first + 10}, {0, last - 20, last}}, 5),
+                {{0, first, first + 15}, {0, last - 25, last}});
     expect_runs(grown({{0, first, first + 10}, {0, last - 20, last}}, -12), {{0, last - 8, last - 2}});
     expect_runs(grown({{0, first + 4, last - 4}}, 5), {{0, first, last}});
 }
@@ -179,8 +184,10 @@ TEST(CloseGaps, DoesNotSeeTheSeamOfARing) {
 
 TEST(CloseGaps, HiddenRunsGiveWay) {
     const ClippedPaths clipped = straight();
-    const Runs runs = runs_of({{0, -100, -50}, {0, -50, -49, 1}, {0, -49, 0}, {0, 0, 50, 2}, {0, 50, 51}, {0, 51, 100, 1}});
-    expect_runs(close_gaps(clipped, runs, 3.0, everywhere(clipped, 4.0f)), {{0, -100, 0}, {0, 0, 50, 2}, {0, 51, 100, 1}});
+    const Runs runs =
+        runs_of({{0, -100, -50}, {0, -50, -49, 1}, {0, -49, 0}, {0, 0, 50, 2}, {0, 50, 51}, {0, 51, 100, 1}});
+    expect_runs(close_gaps(clipped, runs, 3.0, everywhere(clipped, 4.0f)),
+                {{0, -100, 0}, {0, 0, 50, 2}, {0, 51, 100, 1}});
 }
 
 TEST(Filters, AreTheSameForAnyNumberOfThreads) {

@@ -20,7 +20,9 @@ std::vector<std::vector<dvec3>> crossing(double degrees, double far = 4.0, doubl
             divided(at(200 - way.x, 200 - way.y, near), at(200 + way.x, 200 + way.y, near), segments)};
 }
 
-Runs with_gap(const ClippedPaths& clipped, float gap) { return halo(clipped, whole(clipped), everywhere(clipped, gap)); }
+Runs with_gap(const ClippedPaths& clipped, float gap) {
+    return halo(clipped, whole(clipped), everywhere(clipped, gap));
+}
 
 }  // namespace
 
@@ -64,7 +66,8 @@ TEST(Halo, StaysOffTheFrame) {
 TEST(Halo, AtATJunctionTheGapIsAsWideAsAsked) {
     // A plate whose right edge stands at x = 200, drawn as a line, hides the left half of a line behind it.
     meshes::Mesh plate("plate", {});
-    for (const auto& [x, y] : {std::pair(50, 50), {200, 50}, {200, 350}, {50, 350}}) plate.positions.push_back(vec3(at(x, y, 3)));
+    for (const auto& [x, y] : {std::pair(50, 50), {200, 50}, {200, 350}, {50, 350}})
+        plate.positions.push_back(vec3(at(x, y, 3)));
     plate.add_polygon({0, 1, 2, 3});
     for (double degrees : {90.0, 45.0}) {
         const double lean = 150.0 / std::tan(degrees * radians);
@@ -76,7 +79,8 @@ TEST(Halo, AtATJunctionTheGapIsAsWideAsAsked) {
         const Runs visible = exact_visibility(clipped, wires.paths, tracer, Cancel());
         ASSERT_NEAR(visible.start_px[0], 0.0, exact_tolerance_px);
         const Runs haloed = halo(clipped, visible, everywhere(clipped, 6));
-        EXPECT_NEAR(haloed.start_px[0], 6.0 / std::sin(degrees * radians), exact_tolerance_px) << "across the nearer line";
+        EXPECT_NEAR(haloed.start_px[0], 6.0 / std::sin(degrees * radians), exact_tolerance_px)
+            << "across the nearer line";
         EXPECT_NEAR(haloed.end_px[0], 100.0, 1e-3);
         EXPECT_EQ(haloed.start_px[1], visible.start_px[1]) << "the nearer line is whole";
         EXPECT_EQ(haloed.end_px[1], visible.end_px[1]);
@@ -114,12 +118,14 @@ TEST(Halo, IsTheSameAtAnyScaleAndForOrthographicCameras) {
 }
 
 TEST(Halo, LinesThatMeetAreNotBehindEachOther) {
-    for (double near : {4.0, 3.999}) {
+    for (double near : {4.0, 3.999, 3.93}) {  // a pixel is 0.01 there
         const ClippedPaths clipped = Wires(crossing(60, 4.0, near, 9)).project(camera());
         expect_same(with_gap(clipped, 4), whole(clipped));  // on the same surface
     }
+    EXPECT_EQ(with_gap(Wires(crossing(60, 4.0, 3.91, 9)).project(camera()), 4).size(), 3u) << "nine pixels before it";
     const dvec3 corner = at(200, 200, 3);
-    const ClippedPaths star = Wires({{corner, at(300, 210, 2)}, {corner, at(300, 212, 6)}, {at(300, 205, 5), corner}}).project(camera());
+    const ClippedPaths star =
+        Wires({{corner, at(300, 210, 2)}, {corner, at(300, 212, 6)}, {at(300, 205, 5), corner}}).project(camera());
     expect_same(with_gap(star, 4), whole(star));  // at a common corner
     std::vector<dvec3> spiral;
     for (int i = 0; i < 400; ++i)
@@ -129,14 +135,17 @@ TEST(Halo, LinesThatMeetAreNotBehindEachOther) {
 }
 
 TEST(Halo, ALineMayPassBehindItself) {
-    const ClippedPaths knot = Wires({{at(100, 200, 4), at(300, 200, 4), at(300, 100, 4), at(200, 100, 3), at(200, 300, 3)}}).project(camera());
+    const ClippedPaths knot =
+        Wires({{at(100, 200, 4), at(300, 200, 4), at(300, 100, 4), at(200, 100, 3), at(200, 300, 3)}})
+            .project(camera());
     const double start = knot.arc_px[0];
     expect_runs(with_gap(knot, 4), {{0, start, start + 96}, {0, start + 104, knot.arc_px[4]}}, 0.1);
 }
 
 TEST(Halo, CrossesTheSeamOfARing) {
     std::vector<dvec3> square{at(200, 200), at(300, 200), at(300, 300), at(200, 300), at(200, 200)};
-    const ClippedPaths clipped = Wires({square, {at(150, 198, 3), at(250, 198.1, 3)}, {at(201, 150, 3), at(201, 250, 3)}}).project(camera());
+    const ClippedPaths clipped =
+        Wires({square, {at(150, 198, 3), at(250, 198.1, 3)}, {at(201, 150, 3), at(201, 250, 3)}}).project(camera());
     ASSERT_TRUE(clipped.closed[0]);
     const double first = clipped.arc_px[0], last = clipped.arc_px[4];
     expect_runs(halo(clipped, whole(clipped), std::vector<float>{4, 0, 0}),
@@ -147,7 +156,8 @@ TEST(Halo, GrowsWithItsGapAndOnlyVisibleLinesMakeOne) {
     std::vector<std::vector<dvec3>> lines;
     std::mt19937 random(5);
     std::uniform_real_distribution<double> x(0, 640), y(0, 480), depth(2, 9);
-    for (int k = 0; k < 60; ++k) lines.push_back({at(x(random), y(random), depth(random)), at(x(random), y(random), depth(random))});
+    for (int k = 0; k < 60; ++k)
+        lines.push_back({at(x(random), y(random), depth(random)), at(x(random), y(random), depth(random))});
     const ClippedPaths clipped = Wires(lines).project(camera());
     const Runs runs = whole(clipped);
     Runs less = runs;
@@ -170,7 +180,8 @@ TEST(Halo, FindsEveryCrossingOfManyLines) {
     // A net of threads, the vertical ones before the others: each cell of the grid holds some of it.
     std::vector<std::vector<dvec3>> lines;
     for (int k = 0; k < 20; ++k) lines.push_back(divided(at(10, 20 + 22 * k, 4), at(630, 20 + 22 * k, 4), 1 + 5 * k));
-    for (int k = 0; k < 30; ++k) lines.push_back(divided(at(20 + 20.5 * k, 5, 3), at(20 + 20.5 * k, 470, 3), 1 + 9 * k));
+    for (int k = 0; k < 30; ++k)
+        lines.push_back(divided(at(20 + 20.5 * k, 5, 3), at(20 + 20.5 * k, 470, 3), 1 + 9 * k));
     const ClippedPaths clipped = Wires(lines).project(camera());
     const Runs runs = with_gap(clipped, 2);
     EXPECT_EQ(runs.size(), 20u * 31u + 30u);

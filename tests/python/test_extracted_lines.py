@@ -125,7 +125,8 @@ def test_runs_lie_where_they_are_seen(extract, words, half):
         half = half or np.sqrt(3 / (eye @ eye - 3))
         distance = np.linalg.norm(eye) - found["points"] @ back
     scale = height / 2 / half / distance
-    np.testing.assert_allclose(found["px"], np.stack([width / 2 + aside * scale, height / 2 + up * scale], -1), atol=1e-2)
+    expected = np.stack([width / 2 + aside * scale, height / 2 + up * scale], -1)
+    np.testing.assert_allclose(found["px"], expected, atol=1e-2)
     inner = np.setdiff1d(np.arange(1, len(found["px"])), found["offsets"])
     steps = np.linalg.norm(found["px"][inner] - found["px"][inner - 1], axis=1)
     np.testing.assert_allclose(found["arc_px"][inner] - found["arc_px"][inner - 1], steps, atol=1e-3)
@@ -133,17 +134,17 @@ def test_runs_lie_where_they_are_seen(extract, words, half):
         assert np.all((found["px"] >= 0) & (found["px"] <= (width, height))), "the frame holds the model"
 
 
-def test_a_run_ends_where_something_hides_it(extract, tmp_path):
+def test_a_run_ends_where_something_hides_it(tmp_path):
     """A square hides the middle of a long edge behind it, as wide as its shadow there."""
     model = tmp_path / "square.obj"
     square = [f"v {x} {y} 0\n" for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     sheet = [f"v {x} {y} -2\n" for x, y in ((-8, 0.2), (8, 0.2), (8, -9), (-8, -9))]
     model.write_text("".join(square + sheet) + "f 1 2 3 4\nf 5 6 7 8\n")
-    words = [str(model), "-o", str(tmp_path / "out.npz"), "--definition", "border", "--visible", "--hidden", "--fov", "150"]
-    found = lines.extract(native.load(), lines.parse([*words, "--eye", "0,0,4"]))[0]
+    words = ["--definition", "border", "--eye", "0,0,4", "--visible", "--hidden", "--fov", "150"]
+    found = lines.extract(native.load(), lines.parse([str(model), "-o", str(tmp_path / "out.npz"), *words]))[0]
     parts = [found["points"][a:b] for a, b in zip(found["offsets"], found["offsets"][1:])]
-    edge = [(part[[0, -1], 0], by) for part, by in zip(parts, found["invisibility"]) if np.allclose(part[:, 1:], (0.2, -2), atol=1e-3)]
-    (covered,) = [sorted(ends) for ends, by in edge if by]
+    on_edge = [np.allclose(part[:, 1:], (0.2, -2), atol=1e-3) for part in parts]
+    (covered,) = [sorted(parts[i][[0, -1], 0]) for i in np.flatnonzero(on_edge & (found["invisibility"] > 0))]
     np.testing.assert_allclose(covered, (-1.5, 1.5), atol=0.01)
 
 
