@@ -6,7 +6,7 @@
 
 #include "atlas/triangle_edges.h"
 #include "base/check.h"
-#include "mesh/bodies.h"
+#include "scene/bodies.h"
 
 namespace fovea {
 namespace {
@@ -282,7 +282,7 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
             const Sphere sphere = bounding_sphere(placement, view);
             const bool beyond_near = -sphere.center.z - sphere.radius > view.near_clip;
             result.push_back({i, view.world_to_view * placement.object_to_world,
-                              beyond_near && bodies(*placement.surface)->all});
+                              beyond_near && bodies_of(*placement.surface)->all_outward});
         }
     }
     return result;

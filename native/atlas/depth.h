@@ -69,7 +69,7 @@ dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout);
 struct Occluder {
     Index placement;
     dmat4 object_to_view;
-    bool solid;  ///< made of bodies (mesh/bodies.h), and wholly beyond the near plane
+    bool solid;  ///< made of bodies that face outwards (scene/bodies.h), and wholly beyond the near plane
 };
 
 /// Placements with occluding triangles in the frame widened by `margin`.

@@ -55,13 +55,23 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
         });
         if (turns != 0) solid[body] = 0;
     }
+    Array<double> volume(count, 0.0);
+    for (Index t = 0; t < surface.occluding_triangles; ++t) {
+        const auto corner = [&](int i) { return dvec3(surface.positions[surface.triangles[t][i]] - surface.center); };
+        volume[of_facet[surface.triangle_facet[t]]] += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+    }
+    all_outward = count > 0;
+    for (Index b = 0; b < count; ++b) all_outward = all_outward && solid[b] && volume[b] > 0.0;
+}
+
+std::shared_ptr<const Bodies> bodies_of(const Surface& surface) {
+    return surface.cache().get<Bodies>(0, [&] { return Bodies(surface); });
 }
 
 SceneBodies::SceneBodies(const Scene& scene) : bodies_(scene.placements.size()) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const Surface& surface = *scene.placements[i].surface;
         if (scene.placements[i].usage & (usage_occlude | usage_holdout))
-            bodies_[i] = surface.cache().get<Bodies>(0, [&] { return Bodies(surface); });
+            bodies_[i] = bodies_of(*scene.placements[i].surface);
     }
 }
 

@@ -11,9 +11,13 @@ namespace fovea {
 struct Bodies {
     Array<Index> of_facet;      ///< body, numbered by first facet; `none` where a facet hides nothing
     Array<std::uint8_t> solid;  ///< per body
+    bool all_outward = false;   ///< there are bodies, all are solid, and the volume inside each is positive
 
     explicit Bodies(const Surface& surface);
 };
+
+/// Kept with the surface.
+std::shared_ptr<const Bodies> bodies_of(const Surface& surface);
 
 /// Bodies of every placement that hides something (null of others), kept with the surfaces.
 class SceneBodies {

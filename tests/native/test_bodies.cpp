@@ -1,7 +1,7 @@
 // What is solid and what is not.
 #include <gtest/gtest.h>
 
-#include "mesh/bodies.h"
+#include "scene/bodies.h"
 #include "meshes.h"
 
 using namespace fovea;
@@ -9,17 +9,7 @@ using namespace fovea::meshes;
 
 namespace {
 
-Index closed_facets(const Surface& surface) {
-    const auto found = bodies(surface);
-    EXPECT_EQ(found->of_facet.size(), surface.facet_count());
-    return static_cast<Index>(std::count(found->of_facet.begin(), found->of_facet.end(), 1));
-}
-
-bool all_solid(const Mesh& mesh) {
-    const auto surface = mesh.surface();
-    EXPECT_TRUE(closed_facets(*surface) == surface->facet_count() || !bodies(*surface)->all);
-    return bodies(*surface)->all;
-}
+bool all_outward(const Mesh& mesh) { return bodies_of(*mesh.surface())->all_outward; }
 
 /// The box, and another to its right.
 Mesh with_another(const Mesh& first, const Mesh& second) {
@@ -50,27 +40,29 @@ Mesh inside_out(Mesh mesh) {
 }  // namespace
 
 TEST(Bodies, AreClosedAndFaceOutwards) {
-    EXPECT_TRUE(all_solid(box()));
-    EXPECT_TRUE(all_solid(box(vec3(10, 20, 30), vec3(11, 21, 31)))) << "wherever it lies";
-    EXPECT_TRUE(all_solid(tetrahedron()));
-    EXPECT_TRUE(all_solid(sphere(12)));
-    EXPECT_FALSE(all_solid(inside_out(box())));
-    EXPECT_FALSE(all_solid(grid(4)));
-    EXPECT_FALSE(all_solid(moebius(12)));
-    EXPECT_FALSE(all_solid(two_boxes_at_an_edge())) << "four facets at an edge";
-    EXPECT_FALSE(all_solid(Mesh("nothing", {})));
+    EXPECT_TRUE(all_outward(box()));
+    EXPECT_TRUE(all_outward(box(vec3(10, 20, 30), vec3(11, 21, 31)))) << "wherever it lies";
+    EXPECT_TRUE(all_outward(tetrahedron()));
+    EXPECT_TRUE(all_outward(sphere(12)));
+    EXPECT_FALSE(all_outward(inside_out(box())));
+    EXPECT_FALSE(all_outward(grid(4)));
+    EXPECT_FALSE(all_outward(moebius(12)));
+    EXPECT_TRUE(all_outward(two_boxes_at_an_edge())) << "four facets at an edge, two each way";
+    EXPECT_FALSE(all_outward(Mesh("nothing", {})));
 }
 
 TEST(Bodies, AreToldApart) {
-    const auto surface = with_another(box(), inside_out(box())).surface();
-    EXPECT_EQ(closed_facets(*surface), 6u);
-    EXPECT_TRUE(bodies(*surface)->of_facet[0]);
-    EXPECT_TRUE(all_solid(with_another(box(), tetrahedron())));
+    const auto found = bodies_of(*with_another(box(), inside_out(box())).surface());
+    ASSERT_EQ(found->solid.size(), 2u);
+    EXPECT_TRUE(found->solid[0] && found->solid[1]) << "whichever side is out";
+    EXPECT_NE(found->of_facet.front(), found->of_facet.back());
+    EXPECT_FALSE(found->all_outward);
+    EXPECT_TRUE(all_outward(with_another(box(), tetrahedron())));
 }
 
 TEST(Bodies, HideWithAllOfTheirFacets) {
     Mesh glazed = box();
     glazed.occluding.assign(6, 1);
     glazed.occluding[2] = 0;
-    EXPECT_FALSE(all_solid(glazed));
+    EXPECT_FALSE(all_outward(glazed));
 }
