@@ -24,8 +24,7 @@ void main()
   int b = edge_code(inside.y, vec2(right.y, up.y));
   int c = edge_code(inside.z, vec2(right.z, up.z));
   edges = vec2(float(a * 256 + c / 256), float(b * 256 + c % 256));
-  // More precise than what clip space leaves of it, far away.
 #ifdef WRITES_DEPTH
-  gl_FragDepth = depth * window_depth.x + window_depth.y;
+  gl_FragDepth = depth;
 #endif
 }

@@ -49,13 +49,13 @@ Look depth_look(vec2 texel, Line line, vec2 at, float depth)
 bool depth_sees(Line line, vec2 px, float depth)
 {
   vec2 at = (px + border) * buffer_scale;
-  vec2 nearest = floor(at), corner = floor(at - 0.5);
+  vec2 nearest = floor(at), opposite = 2.0 * floor(at - 0.5) + 1.0 - nearest;
   bool inner = line.steepness < 0.0;
   bool open = false;
   for (int k = 0; k < 4; k++) {
-    vec2 texel = corner + vec2(k % 2, k / 2);
+    vec2 texel = vec2(k % 2 == 0 ? nearest.x : opposite.x, k < 2 ? nearest.y : opposite.y);
     Look there = depth_look(texel, line, at, depth);
-    bool clearly = texel == nearest && there.gap > (inner ? 0.0 : there.bulge);
+    bool clearly = k == 0 && there.gap > (inner ? 0.0 : there.bulge);
     if (there.holds || clearly) {
       return false;
     }
@@ -74,8 +74,7 @@ bool depth_probe(Line line, vec3 first, vec3 last, float t0, float t1, int k)
 float depth_share(Line line, vec3 first, vec3 last, float t0, float t1)
 {
   bool start = depth_probe(line, first, last, t0, t1, 0);
-  if (probes == 1 || (start == depth_probe(line, first, last, t0, t1, probes / 2) &&
-                      start == depth_probe(line, first, last, t0, t1, probes - 1))) {
+  if (probes == 1 || start == depth_probe(line, first, last, t0, t1, probes - 1)) {
     return start ? 1.0 : 0.0;
   }
   int seen = 0;

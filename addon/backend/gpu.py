@@ -13,6 +13,7 @@ from .gpu_strokes import Picture, StrokePass, box_of, boxes
 from .gpu_texture import Target, size_limit, upload_row
 
 _BACKGROUND = (0.0, 0.0, 0.0, -1.0)  # depth, slopes, facet
+_FAR = 160  # near clip distances: there the steps of clip space are as large as the bias of lines on surfaces
 
 
 class Backend:
@@ -75,15 +76,15 @@ class Backend:
         """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
         see native/atlas/depth.h."""
         target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
-        # Orthographic depth goes on below 0 beyond the far plane; the window has no room for that as it is.
-        window_depth = (0.5, 0.5) if view.orthographic else (1.0, 0.0)
         draws = native.load().depth_draws(scene, view, layout)
+        # Clip space leaves depth steps of 6e-8; perspective makes that a growing share of it, far away.
+        far = not view.orthographic and native.load().depth_reach(scene, view) > _FAR * view.near_clip
         self._keep_surfaces(scene, draws)
         with target.bind() as framebuffer:
             framebuffer.clear(color=_BACKGROUND, depth=0.0)
             gpu.state.depth_test_set("GREATER")
             gpu.state.depth_mask_set(True)
-            program = self._programs.bind("depth", window_depth=window_depth, buffer_scale=float(layout.scale))
+            program = self._programs.bind("far_depth" if far else "depth", buffer_scale=float(layout.scale))
             for version, _, matrix, facet_base, culled in draws:
                 gpu.state.face_culling_set(culled)
                 program.uniform_float("object_to_depth_clip", matrix)

@@ -288,6 +288,15 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
     return result;
 }
 
+double depth_reach(const Scene& scene, const View& view, double margin) {
+    double reach = 0.0;
+    for (const Occluder& occluder : occluders(scene, view, margin)) {
+        const Sphere sphere = bounding_sphere(scene.placements[occluder.placement], view);
+        reach = std::max(reach, sphere.radius - sphere.center.z);
+    }
+    return reach;
+}
+
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin) {
     std::vector<DepthMesh> meshes;
     for (const Occluder& occluder : occluders(scene, view, margin)) {

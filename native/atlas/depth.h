@@ -75,6 +75,9 @@ struct Occluder {
 /// Placements with occluding triangles in the frame widened by `margin`.
 std::vector<Occluder> occluders(const Scene& scene, const View& view, double margin);
 
+/// How far away along the view they reach; 0: there are none.
+double depth_reach(const Scene& scene, const View& view, double margin);
+
 /// Their triangles, borrowed from the scene.
 std::vector<DepthMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 

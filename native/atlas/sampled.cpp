@@ -48,12 +48,13 @@ struct Looker {
     }
 
     bool sees(const Line& line, vec2 px, float depth) const {
-        const vec2 at = buffer.to_texels(px), nearest = glm::floor(at), corner = glm::floor(at - 0.5f);
+        const vec2 at = buffer.to_texels(px), nearest = glm::floor(at);
+        const vec2 opposite = 2.0f * glm::floor(at - 0.5f) + 1.0f - nearest;  // of the four around
         bool open = false;
         for (int k = 0; k < 4; ++k) {
-            const vec2 texel = corner + vec2(k % 2, k / 2);
+            const vec2 texel(k % 2 == 0 ? nearest.x : opposite.x, k < 2 ? nearest.y : opposite.y);
             const Look there = look(texel, line, at, depth);
-            const bool clearly = texel == nearest && there.gap > (line.inner ? 0.0f : there.bulge);
+            const bool clearly = k == 0 && there.gap > (line.inner ? 0.0f : there.bulge);
             if (there.holds || clearly) return false;
             open = open || (line.inner ? there.own : there.gap <= 0.0f);
         }
@@ -64,8 +65,7 @@ struct Looker {
     float visibility(const Line& line, float t0, float t1) const {
         const int probes = options.probes;
         const bool start = probe(line, t0, t1, 0);
-        if (probes == 1 || (start == probe(line, t0, t1, probes / 2) && start == probe(line, t0, t1, probes - 1)))
-            return start ? 1.0f : 0.0f;
+        if (probes == 1 || start == probe(line, t0, t1, probes - 1)) return start ? 1.0f : 0.0f;
         int seen = 0;
         for (int k = 0; k < probes; ++k) seen += probe(line, t0, t1, k);
         return float(seen) / float(probes);

@@ -10,7 +10,7 @@ namespace fovea {
 struct SampledOptions {
     /// Places looked at per sample: 1 .. 16. They lie in the middles of equal parts of its share of the segment, where
     /// their mean is nearest to its coverage, and none beside the line: there an edge along the line would count as if
-    /// it crossed it. Where the first, the middle and the last of them agree, they speak for all.
+    /// it crossed it. Where the first and the last of them agree, they speak for all.
     int probes = 1;
     /// A line this share of its depth behind a surface still lies on it.
     float bias = 1e-5f;

@@ -141,6 +141,10 @@ void bind_passes(py::module_& m) {
           R"([(version of the surface, placement, object to depth clip space as 16 float32 by columns, facet base, side
 to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
     m.def(
+        "depth_reach",
+        [](const Scene& scene, const View& view) { return depth_reach(scene, view, DepthOptions().margin); },
+        py::arg("scene"), py::arg("view"), "How far away along the view anything that hides lines reaches.");
+    m.def(
         "depth_corners",
         [](const Scene& scene, Index placement) { return depth_corners(*scene.placements.at(placement).surface); },
         py::arg("scene"), py::arg("placement"), "(positions (3 T, 3) float32, facets (3 T,) uint32)");
