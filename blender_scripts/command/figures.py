@@ -1,4 +1,4 @@
-"""`fovea figures [NAME...]`: draws the pictures of README that show what becomes of hidden lines, each by `fovea draw`."""
+"""`fovea figures [NAME...]`: draws the pictures of README that show what is hidden and what becomes of it, each by `fovea draw`."""
 
 import argparse
 from pathlib import Path
@@ -16,7 +16,13 @@ FIGURES = {  # name: the words of `fovea draw`
     "halo-office": ["office", "--style", "plain", "--halo", "5"],
     "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20"],
     "overshoot-office": ["office", "--style", "plain", "--overshoot", "9"],
-}
+} | {  # Cole 2009, figure 5.3
+    f"atlas-{probes}x{scale}": [
+        "office", "--style", "plain", "--visibility", "atlas", "--probes", probes, "--depth-scale", scale,
+        "--size", "640x360",
+    ]
+    for probes in ("1", "16") for scale in ("1", "3")
+}  # fmt: skip
 
 
 def figures(target, words):
@@ -30,5 +36,5 @@ def figures(target, words):
     options.output.mkdir(parents=True, exist_ok=True)
     for name in options.names or FIGURES:
         picture = options.output.absolute() / f"{name}.png"
-        actions.draw(target, [*map(str, FIGURES[name]), *SIZE, "-o", str(picture)])
+        actions.draw(target, [*SIZE, *map(str, FIGURES[name]), "-o", str(picture)])
     return 0
