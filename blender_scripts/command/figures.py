@@ -10,18 +10,18 @@ FOLDER = PROJECT / "blender_scripts" / "figures"
 CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
 SIZE = ["--size", "1280x720"]
 FIGURES = {  # name: the words of `fovea draw`
+    f"atlas-{probes}x{scale}": [
+        "office", "--style", "plain", "--visibility", "atlas", "--probes", probes, "--depth-scale", scale,
+        "--size", "640x360",
+    ]
+    for probes in ("1", "16") for scale in ("1", "3")
+} | {
     "hidden-crank-arm": [CRANK_ARM, "--style", "technical", "--hidden"],
     "hidden-office": ["office", "--style", "technical", "--hidden-by", "1"],
     "halo-crank-arm": [CRANK_ARM, "--style", "plain", "--halo", "8"],
     "halo-office": ["office", "--style", "plain", "--halo", "5"],
     "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20"],
     "overshoot-office": ["office", "--style", "plain", "--overshoot", "9"],
-} | {  # Cole 2009, figure 5.3
-    f"atlas-{probes}x{scale}": [
-        "office", "--style", "plain", "--visibility", "atlas", "--probes", probes, "--depth-scale", scale,
-        "--size", "640x360",
-    ]
-    for probes in ("1", "16") for scale in ("1", "3")
 }  # fmt: skip
 
 

@@ -13,8 +13,8 @@ def test_a_figure_is_drawn_by_words_that_draw_understands(name):
     words = [str(word) for word in figures.FIGURES[name]]
     if words[0].endswith(".obj") and not Path(words[0]).exists():
         pytest.skip(f"there is no {words[0]}")
-    options = draw_options.parse([*words, *figures.SIZE])
-    assert options.hidden or options.hidden_by or options.halo or options.overshoot
+    options = draw_options.parse([*figures.SIZE, *words])
+    assert options.hidden or options.hidden_by or options.halo or options.overshoot or options.visibility
 
 
 def test_readme_shows_every_figure_and_no_other():
