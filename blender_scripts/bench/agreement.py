@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 import bpy
 import numpy as np
 from bench import quality
-from bl_ext.user_default.fovea import native, pipeline
+from bl_ext.user_default.fovea import native, pipeline, visibility
 from bl_ext.user_default.fovea.backend import cpu
 from command import draw_options
 
@@ -22,29 +22,35 @@ import draw
 METHODS = ((1, 1), (1, 2), (4, 2), (9, 1), (9, 2), (16, 2), (16, 3))  # probes, depth scale
 
 
+class BothWays(visibility.Exact):
+    """Exact visibility, which on its way compares sampled visibility with it."""
+
+    def __init__(self, scene):
+        self.scene, self.rows = scene, []
+
+    def runs(self, frame, backend, cancel):
+        runs = cpu.exact(frame, cancel)
+        truth = quality.Truth(native.load(), frame, runs)
+        for probes, scale in METHODS:
+            start = time.perf_counter()
+            depth = native.load().draw_depth(frame.scene, frame.view, scale)
+            seen = native.load().sampled_visibility(frame.clipped, depth, probes)
+            ms = round(1000 * (time.perf_counter() - start))
+            row = {"scene": self.scene, "probes": probes, "depth_scale": scale, "ms": ms}
+            self.rows.append({**row, **truth.compare(seen)})
+        return runs, None
+
+
 def main(out, *words):
     options = draw_options.parse(words)
     draw.open_scene(options.scene)
     draw.set_size(bpy.context.scene, options)
     draw.set_camera(bpy.context.scene, options)
     draw.set_drawing(bpy.context.scene, options)
-    rows = []
-
-    def both_ways(frame, backend, frame_options, cancel):
-        runs = cpu.exact(frame, cancel)
-        truth = quality.Truth(native.load(), frame, runs)
-        for probes, scale in METHODS:
-            start = time.perf_counter()
-            depth = native.load().draw_depth(frame.scene, frame.view, scale)
-            visibility = native.load().sampled_visibility(frame.clipped, depth, probes)
-            ms = round(1000 * (time.perf_counter() - start))
-            row = {"scene": options.scene, "probes": probes, "depth_scale": scale, "ms": ms}
-            rows.append({**row, **truth.compare(visibility)})
-        return runs
-
-    pipeline.visibility = both_ways
+    bpy.context.scene.fovea.visibility = "EXACT"
+    pipeline.METHODS["exact"] = both_ways = BothWays(options.scene)
     bpy.ops.render.render()
-    Path(out).write_text(json.dumps(rows))
+    Path(out).write_text(json.dumps(both_ways.rows))
 
 
 if __name__ == "__main__":
