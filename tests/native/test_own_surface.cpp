@@ -33,7 +33,7 @@ struct AllEdges {
     OwnSides sides;
     Array<float> exact;
     AllEdges(const meshes::Mesh& mesh, const View& view, double size = 1.0)
-        : drawing({place(mesh, scaled(dvec3(size)))}, view, {line_set_with("crease", {0.0})}),
+        : drawing({place(mesh, scaled(dvec3(size)))}, view, {line_set_with("crease", {0, 1})}),
           sides(own_sides(drawing.clipped, drawing.scene, view)),
           exact(samples_from_runs(drawing.clipped, drawing.runs)) {}
 
