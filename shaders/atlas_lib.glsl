@@ -24,8 +24,29 @@ int atlas_owner(int index)
   return low;
 }
 
+// The sample at this fragment.
+struct AtlasSample {
+  vec4 first;  // of its segment: x, y, depth, number of its first sample
+  vec4 last;   // x, y, depth, how many samples
+  int owner;   // the segment
+  float j;     // number of the sample on it
+};
+
 // Whether the depth tile (left, lower, right, upper edge in px) decides what lies there.
 bool atlas_in_tile(vec2 px)
 {
   return all(greaterThanEqual(px, tile.xy)) && all(lessThan(px, tile.zw));
+}
+
+// Of a sample below sample_total; those that the tile does not decide stay as they are.
+AtlasSample atlas_sample(int index)
+{
+  int owner = atlas_owner(index);
+  vec4 first = fetch_row(segments, 3 * owner);
+  vec4 last = fetch_row(segments, 3 * owner + 1);
+  float j = float(index) - first.w;
+  if (!atlas_in_tile(mix(first.xy, last.xy, (j + 0.5) / last.w))) {
+    discard;
+  }
+  return AtlasSample(first, last, owner, j);
 }

@@ -15,19 +15,13 @@ void main()
   if (index >= sample_total) {
     return;
   }
-  int owner = atlas_owner(index);
-  vec4 first = fetch_row(segments, 3 * owner);
-  vec4 last = fetch_row(segments, 3 * owner + 1);
-  float item = fetch_row(items, owner).x;
-  float j = float(index) - first.w;
-  if (!atlas_in_tile(mix(first.xy, last.xy, (j + 0.5) / last.w))) {
-    discard;
-  }
-  vec2 way = abs(last.xy - first.xy);
+  AtlasSample here = atlas_sample(index);
+  vec2 start = here.first.xy, end = here.last.xy, way = abs(end - start);
+  float item = fetch_row(items, here.owner).x;
   ivec2 across = way.x >= way.y ? ivec2(0, 1) : ivec2(1, 0);
   float seen = 0.0;
   for (float k = 0.5; k < buffer_scale; k += 1.0) {
-    vec2 at = (mix(first.xy, last.xy, (j + k / buffer_scale) / last.w) + border) * buffer_scale;
+    vec2 at = (mix(start, end, (here.j + k / buffer_scale) / here.last.w) + border) * buffer_scale;
     ivec2 texel = ivec2(floor(at));
     if (layers_hold(texel, item) || layers_hold(texel - across, item) || layers_hold(texel + across, item)) {
       seen += 1.0;

@@ -6,13 +6,8 @@ void main()
   if (index >= sample_total) {
     return;
   }
-  int owner = atlas_owner(index);
-  vec4 first = fetch_row(segments, 3 * owner);
-  vec4 last = fetch_row(segments, 3 * owner + 1);
-  vec4 own = fetch_row(segments, 3 * owner + 2);
-  float j = float(index) - first.w;
-  if (!atlas_in_tile(mix(first.xy, last.xy, (j + 0.5) / last.w))) {
-    discard;
-  }
-  visibility = depth_share(Line(own.xy, own.z), first.xyz, last.xyz, j / last.w, (j + 1.0) / last.w);
+  AtlasSample here = atlas_sample(index);
+  vec4 own = fetch_row(segments, 3 * here.owner + 2);
+  float count = here.last.w;
+  visibility = depth_share(Line(own.xy, own.z), here.first.xyz, here.last.xyz, here.j / count, (here.j + 1.0) / count);
 }

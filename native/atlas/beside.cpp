@@ -1,7 +1,6 @@
 #include "atlas/beside.h"
 
-#include "base/check.h"
-#include "line/registry.h"
+#include "atlas/segment.h"
 
 namespace fovea {
 namespace {
@@ -18,19 +17,14 @@ class Beside {
         const bool in_image = paths_.placement[clipped_.path[piece]] == none;
         for (Index i = clipped_.pieces.begin(piece); i + 1 < clipped_.pieces.end(piece); ++i) {
             const Index count = clipped_.sample_count[i], start = clipped_.sample_start[i];
-            const Ignore ignore = in_image || count == 0 ? Ignore() : ignore_of(piece, i);
+            const bool asks = !in_image && count > 0;
+            const Ignore ignore = asks ? segment_at(clipped_, paths_, tracer_, piece, i).ignore : Ignore();
             for (Index j = 0; j < count; ++j)
                 seen[start + j] = in_image || !tracer_.occluder(point(i, (j + 0.5) / count) + ignore.above, ignore);
         }
     }
 
    private:
-    Ignore ignore_of(Index piece, Index i) const {
-        const Index source = clipped_.source[i];
-        return tracer_.ignore_at(paths_.placement[clipped_.path[piece]], paths_.place[source],
-                                 paths_.other_facet_at(source), (paths_.kinds[source] & smooth_contours()) != 0);
-    }
-
     /// View-space point beside screen fraction s of segment i.
     vec3 point(Index i, double s) const {
         const dvec2 p(clipped_.px[i]), way = dvec2(clipped_.px[i + 1]) - p;
@@ -53,8 +47,7 @@ class Beside {
 Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer,
                                 double offset_px, const Cancel& cancel) {
     const std::size_t pieces = clipped.path.size();
-    check(pieces == 0 || (clipped.path.back() < paths.count() && clipped.source.back() < paths.place.size()),
-          "seen_beside: these are not the paths that were clipped");
+    check_same_paths(clipped, paths, "seen_beside");
     tracer.check_current();
     Array<std::uint8_t> seen(clipped.samples);
     std::fill(seen.begin(), seen.end(), 0);

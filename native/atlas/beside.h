@@ -9,7 +9,7 @@
 namespace fovea {
 
 /// Per atlas sample: 1 where its point, moved `offset_px` pixels to the left of its segment (as seen, at the same
-/// distance along the view), is exactly visible, under the rules of exact.h; padding holds 0. Lines of the image are
+/// distance along the view), is exactly visible, under the rules of exact.h. Lines of the image are
 /// seen everywhere. A segment without length in the image is moved up.
 Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer,
                                 double offset_px, const Cancel& cancel);

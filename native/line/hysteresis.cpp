@@ -1,32 +1,15 @@
 #include "line/hysteresis.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include "base/disjoint_sets.h"
 
 namespace fovea {
 namespace {
 
-/// Sets of pieces that are joined (union by the lower number, so that no order matters).
-class Joined {
-   public:
-    explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
-    Index root(Index i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(Index a, Index b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-   private:
-    Array<Index> parent_;
-};
-
-Joined join_at_sides(const Curves& pieces) {
-    Joined joined(pieces.size());
+DisjointSets join_at_sides(const Curves& pieces) {
+    DisjointSets joined(pieces.size());
     std::vector<std::tuple<Index, Index, Index>> ends;  // side, level, piece
     for (Index i = 0; i < pieces.size(); ++i)
         for (const Index side : pieces[i].side)
@@ -43,19 +26,19 @@ Joined join_at_sides(const Curves& pieces) {
 }  // namespace
 
 Curves keep_strong(const Curves& pieces, double least_length) {
-    Joined joined = join_at_sides(pieces);
+    DisjointSets joined = join_at_sides(pieces);
     Array<double> length(pieces.size(), 0.0);
     Array<std::uint8_t> strong(pieces.size(), 0);
     for (Index i = 0; i < pieces.size(); ++i) {
         const CurvePiece& piece = pieces[i];
-        const Index root = joined.root(i);
-        length[root] += glm::distance(dvec3(piece.point[0]), dvec3(piece.point[1]));
-        strong[root] |= std::max(piece.strength[0], piece.strength[1]) >= 1.0f;
+        const Index set = joined.name(i);
+        length[set] += glm::distance(dvec3(piece.point[0]), dvec3(piece.point[1]));
+        strong[set] |= std::max(piece.strength[0], piece.strength[1]) >= 1.0f;
     }
     Curves kept;
     for (Index i = 0; i < pieces.size(); ++i) {
-        const Index root = joined.root(i);
-        if (strong[root] && length[root] >= least_length) kept.push_back(pieces[i]);
+        const Index set = joined.name(i);
+        if (strong[set] && length[set] >= least_length) kept.push_back(pieces[i]);
     }
     return kept;
 }

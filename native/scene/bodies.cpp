@@ -1,30 +1,8 @@
 #include "scene/bodies.h"
 
-#include <numeric>
+#include "base/disjoint_sets.h"
 
 namespace fovea {
-namespace {
-
-/// Disjoint sets whose name is their least member.
-class Sets {
-   public:
-    explicit Sets(Index count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    Index name(Index i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(Index i, Index j) {
-        i = name(i);
-        j = name(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-   private:
-    Array<Index> parent_;
-};
-
-}  // namespace
 
 Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
     Array<std::uint8_t> hides(surface.facet_count(), 0);
@@ -34,7 +12,7 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
             if (hides[surface.edge_sides[s].facet()]) body(surface.edge_sides[s]);
     };
     const auto edge_count = static_cast<Index>(surface.edges.size());
-    Sets sets(surface.facet_count());
+    DisjointSets sets(surface.facet_count());
     for (Index e = 0; e < edge_count; ++e) {
         Index first = none;
         each_side(e, [&](EdgeSide side) {

@@ -1,7 +1,6 @@
 #include "scene/contact.h"
 
-#include <numeric>
-
+#include "base/disjoint_sets.h"
 #include "mesh/triangle_sides.h"
 
 namespace fovea {
@@ -94,17 +93,12 @@ class ContactTest {
 Array<double> curve_lengths(const Crossings& crossings) {
     Index ends = 0;
     for (const Crossing& c : crossings) ends = std::max({ends, c.end[0] + 1, c.end[1] + 1});
-    Array<Index> parent(ends);
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](Index e) {
-        while (parent[e] != e) e = parent[e] = parent[parent[e]];
-        return e;
-    };
-    for (const Crossing& c : crossings) parent[root(c.end[0])] = root(c.end[1]);
+    DisjointSets curves(ends);
+    for (const Crossing& c : crossings) curves.join(c.end[0], c.end[1]);
     Array<double> total(ends, 0.0);
-    for (const Crossing& c : crossings) total[root(c.end[0])] += glm::distance(dvec3(c.point[0]), dvec3(c.point[1]));
+    for (const Crossing& c : crossings) total[curves.name(c.end[0])] += glm::distance(dvec3(c.point[0]), dvec3(c.point[1]));
     Array<double> lengths(crossings.size());
-    for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = total[root(crossings[i].end[0])];
+    for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = total[curves.name(crossings[i].end[0])];
     return lengths;
 }
 
