@@ -4,6 +4,7 @@ import time
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from . import emphasis
 from .backend import cpu
 from .stages import Image
 from .textures import Textures
@@ -75,11 +76,13 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         levels = style.counted() if method.counts else min(style.counted(), 1)
         small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
         parts = cpu.parts(frame, tidied, levels, *small, cancel)
-        runs = cpu.at_ends(frame, parts, style, scale)
+        felt = emphasis.of_lines(frame, style)
+        mix = emphasis.mix(style.effects.overshoot, felt.focus)
+        runs = cpu.at_ends(frame, parts, style, scale, mix)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        strokes = cpu.shape(frame, runs, style, pens, samples)
+        strokes = cpu.shape(frame, runs, style, pens, samples, felt)
     with clock.stage("strokes", 0.1):
         lines = method.draw(frame, backend, strokes, pens, textures)
     with clock.stage("paper", 0.1):

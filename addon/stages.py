@@ -22,6 +22,7 @@ class View:
     near_clip: float
     far_clip: float
     reference_scale: float = 1.0  # image pixels per reference pixel: full frame height / 1080
+    frame: tuple | None = None  # left, lower, width, height of the camera's full frame in pixels; None: the image
 
 
 @dataclass(frozen=True)
@@ -80,7 +81,8 @@ class Strokes:
     px: np.ndarray  # (V, 2) float32, corner of the strip, half a pixel wider than the pen
     arc: np.ndarray  # (V, 4) float32: u along the path (0 at its middle), v across, u of the run's start, of its end
     half_width: np.ndarray  # (V,) float32 pixels at this place along the stroke
-    opacity: np.ndarray  # (V,) float32, strength and taper included
+    opacity: np.ndarray  # (V,) float32, of strength, thinness and the pens
+    mix: np.ndarray  # (V, 2) float32, how far colour and ink are those of the pen out of focus
     pen: np.ndarray  # (V,) uint32, index into the frame's pens
     triangles: np.ndarray  # (T, 3) uint32, in drawing order
     count: int = 0  # strokes
@@ -98,6 +100,20 @@ class Pen:
     cap: str = "round"  # round, butt
     taper: float = 0.0  # length of the thinning ends
     strength_width: float = 0.0  # how far weak lines are thin instead of pale
+    wobble: float = 0.0  # how far the pen strays from its line
+    wobble_length: float = 60.0  # in waves of this length
+    seed: float = 0.0  # of that hand
+    pressure: float = 0.0  # how much thinner strokes are at their ends than in the middle
+    spacing: float = 6.0  # how near two lines that go alongside may be where elision thins them
+
+
+@dataclass(frozen=True)
+class Emphasis:
+    """What focus, distance and elision say of the samples along the lines; None: nothing."""
+
+    focus: np.ndarray | None = None  # (samples,) float32 in [0, 1]; 0: in focus
+    distance: np.ndarray | None = None  # (samples,) float32 in [0, 1]; 0: near
+    shown: np.ndarray | None = None  # (samples,) float32 in [0, 1], what elision leaves
 
 
 @dataclass(frozen=True)

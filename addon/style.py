@@ -8,8 +8,9 @@ import json
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 
+from .focus import Distance, Effects, Focus, parse_distance, parse_effects, parse_focus
 from .stages import Pen
-from .style_values import StyleError, check_keys, check_range, finite, record
+from .style_values import RANGES, StyleError, check_keys, check_range, finite, record
 
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
@@ -34,6 +35,7 @@ class Hidden:
     pen: Pen = Pen()
     first: int = 1
     last: int | None = None
+    pen_away: Pen | None = None  # out of focus; None: as in focus
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,9 @@ class LineSet:
     least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
     overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends
     halo: float = 0.0  # reference pixels of gap where visible parts pass behind others
+    overshoot_away: float | None = None  # the same out of focus; None: as in focus
     pen: Pen = Pen()  # of visible parts
+    pen_away: Pen | None = None  # of visible parts out of focus; None: as in focus
     hidden: tuple = ()  # of Hidden, ranges that do not overlap; parts in none of them are not drawn
 
 
@@ -54,10 +58,29 @@ class LineSet:
 class Style:
     paper: Paper = Paper()
     line_sets: tuple = (LineSet(),)
+    focus: Focus = Focus()
+    effects: Effects = Effects()
+    distance: Distance = Distance()
+
+    def pen_pairs(self):
+        """(pen in focus, pen out of focus or None): those of visible parts by line set, then those of hidden parts."""
+        visible = [(s.pen, s.pen_away) for s in self.line_sets]
+        return visible + [(hidden.pen, hidden.pen_away) for s in self.line_sets for hidden in s.hidden]
 
     def pens(self):
-        """All pens: those of visible parts by line set, then those of hidden parts."""
-        return [s.pen for s in self.line_sets] + [hidden.pen for s in self.line_sets for hidden in s.hidden]
+        """All pens: those in focus as in `pen_pairs`, then those out of focus."""
+        pairs = self.pen_pairs()
+        return [pen for pen, _ in pairs] + [away for _, away in pairs if away]
+
+    def away(self):
+        """{index of a pen: index of the pen out of focus}, into `pens`."""
+        pairs = self.pen_pairs()
+        led = [i for i, (_, away) in enumerate(pairs) if away]
+        return {pen: len(pairs) + k for k, pen in enumerate(led)}
+
+    def has_away(self):
+        """Whether lines out of focus are other than those in focus."""
+        return bool(self.away()) or any(s.overshoot_away is not None for s in self.line_sets)
 
     def pen_ranges(self):
         """(line set, least and most surfaces that hide a part, index of its pen) for each of the pens."""
@@ -93,7 +116,7 @@ def parse(text, definitions=None):
         data = json.loads(text)
     except json.JSONDecodeError as error:
         raise StyleError(f"the style is not JSON: {error}") from error
-    check_keys(data, {"schema", "paper", "line_sets"}, "the style")
+    check_keys(data, {"schema", "paper", "focus", "effects", "distance", "line_sets"}, "the style")
     if data.get("schema") != SCHEMA:
         raise StyleError(f"the style has schema {data.get('schema')!r}, this version of Fovea reads {SCHEMA}")
     sets = data.get("line_sets", [])
@@ -102,6 +125,9 @@ def parse(text, definitions=None):
     return Style(
         paper=record(Paper, data.get("paper", {}), "paper"),
         line_sets=tuple(_line_set(entry, f"line_sets[{i}]", definitions) for i, entry in enumerate(sets)),
+        focus=parse_focus(data.get("focus", {}), "focus"),
+        effects=parse_effects(data.get("effects", {}), "effects"),
+        distance=parse_distance(data.get("distance", {}), "distance"),
     )
 
 
@@ -113,7 +139,7 @@ def dump(style):
 def _plain(value):
     """A style or a part of it as JSON has it."""
     if isinstance(value, Hidden):
-        return {"from": value.first, "to": value.last, "pen": _plain(value.pen)}
+        return {"from": value.first, "to": value.last, "pen": _plain(value.pen), "pen_away": _plain(value.pen_away)}
     if is_dataclass(value):
         return {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
     return [_plain(part) for part in value] if isinstance(value, tuple) else value
@@ -127,13 +153,27 @@ def dashed(pen):
 
 def _line_set(data, where, definitions):
     check_keys(data, {f.name for f in fields(LineSet)}, where)
-    plain = {key: value for key, value in data.items() if key not in ("kinds", "pen", "hidden")}
+    own = ("kinds", "pen", "pen_away", "hidden", "overshoot_away")
+    plain = {key: value for key, value in data.items() if key not in own}
     kinds = data.get("kinds", {})
     if not isinstance(kinds, dict):
         raise StyleError(f"{where}.kinds must map lines to their parameters")
     checked = {name: parameters(name, values, f"{where}.kinds", definitions) for name, values in kinds.items()}
     pen, hidden = _pen(data.get("pen", {}), f"{where}.pen"), _hidden(data.get("hidden", []), f"{where}.hidden")
-    return replace(record(LineSet, plain, where), kinds=checked, pen=pen, hidden=hidden)
+    away, overshoot = _pen_away(data, pen, where), data.get("overshoot_away")
+    if overshoot is not None:
+        overshoot = check_range(overshoot, RANGES["overshoot"], f"{where}.overshoot_away")
+    checked_set = record(LineSet, plain, where)
+    return replace(checked_set, kinds=checked, pen=pen, pen_away=away, hidden=hidden, overshoot_away=overshoot)
+
+
+def _pen_away(data, pen, where):
+    """The pen out of focus: as the one in focus but for what is given; None where nothing is."""
+    given = data.get("pen_away")
+    if given is None:
+        return None
+    check_keys(given, {f.name for f in fields(Pen)}, f"{where}.pen_away")
+    return _pen(_plain(pen) | given, f"{where}.pen_away")
 
 
 def _pen(data, where):
@@ -152,11 +192,12 @@ def _hidden(data, where):
     found = []
     for i, entry in enumerate(data):
         here = f"{where}[{i}]"
-        check_keys(entry, {"from", "to", "pen"}, here)
+        check_keys(entry, {"from", "to", "pen", "pen_away"}, here)
         first, last = _surfaces(entry.get("from", 1), f"{here}.from"), entry.get("to")
         if last is not None and _surfaces(last, f"{here}.to") < first:
             raise StyleError(f"{here}.to is {last}, less than {here}.from, which is {first}")
-        found.append(Hidden(_pen(entry.get("pen", {}), f"{here}.pen"), first, last))
+        pen = _pen(entry.get("pen", {}), f"{here}.pen")
+        found.append(Hidden(pen, first, last, _pen_away(entry, pen, here)))
     found.sort(key=lambda hidden: hidden.first)
     for before, after in zip(found, found[1:]):
         if before.last is None or before.last >= after.first:

@@ -14,6 +14,15 @@ RANGES = {
     "least_length": (0, 10000),
     "overshoot": (0, 200),
     "halo": (0, 100),
+    "wobble": (0, 100),
+    "wobble_length": (2, 2000),
+    "seed": (0, 1000000),
+    "pressure": (0, 1),
+    "spacing": (0, 200),
+    "near": (0, 1e9),
+    "far": (0, 1e9),
+    "uniform": (0, 1),
+    "blur_radius": (0, 200),
 }
 
 

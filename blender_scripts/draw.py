@@ -5,8 +5,9 @@ from functools import partial
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, style, style_values
-from bl_ext.user_default.fovea.blender import properties
+from bl_ext.user_default.fovea import catalogue, focus, style, style_values
+from bl_ext.user_default.fovea.blender import focus_settings, properties
+from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -86,6 +87,7 @@ def set_drawing(scene, options):
         choose_lines(fovea, catalogue.named(options.lines))
     set_parameters(fovea, options.param)
     set_hidden(fovea, options)
+    set_focus(scene, options)
 
 
 def choose_style(fovea, name):
@@ -119,6 +121,27 @@ def set_hidden(fovea, options):
         given = getattr(options, name)
         if given is not None:
             setattr(fovea, name, style_values.check_range(given, style_values.RANGES[name], f"--{name}"))
+
+
+def set_focus(scene, options):
+    fovea = scene.fovea
+    if options.focus:
+        in_scene = len(options.focus) == 3
+        near, far = options.focus_radii or (focus_radii(scene, options.focus) if in_scene else (0.1, 0.6))
+        at = (*options.focus, 0.0)[:3]
+        model = "scene" if in_scene else "image"
+        focus_settings.set_focus(fovea, focus.Focus(model, (focus.Point(at, near, far),)))
+    if options.effects:
+        focus_settings.keep_effects(fovea, options.effects)
+    for what in ("lines", "colors"):
+        if options.uniform in (what, "both"):
+            setattr(fovea, f"effect_{what}", "UNIFORM")
+
+
+def focus_radii(scene, place):
+    """Radii around a place in space that look alike from wherever the camera is."""
+    distance = (scene.camera.matrix_world.translation - Vector(place)).length
+    return 0.1 * distance, 0.6 * distance
 
 
 def set_output(scene, options):

@@ -1,14 +1,24 @@
+// Ink of a pen at this place.
+float ink_of(int pen_index)
+{
+  vec4 style = fetch_row(pens, 3 * pen_index + 1);
+  ivec2 size = ivec2(fetch_row(pens, 3 * pen_index + 2).xy);
+  return size.x > 0 ? stroke_ink(int(style.z), size, place.x, place.y, half_width, style.x) : 1.0;
+}
+
 void main()
 {
-  int entry = 3 * int(pen_number);
-  vec4 color = fetch_row(pens, entry);
-  vec4 style = fetch_row(pens, entry + 1);
-  ivec2 size = ivec2(fetch_row(pens, entry + 2).xy);
-  float alpha = stroke_coverage(place.x, place.y, ends.x, ends.y, half_width, style.y > 0.5);
-  if (size.x > 0) {
-    alpha *= stroke_ink(int(style.z), size, place.x, place.y, half_width, style.x);
+  int pen_index = int(pen_number);
+  vec4 color = fetch_row(pens, 3 * pen_index);
+  bool round_cap = fetch_row(pens, 3 * pen_index + 1).y > 0.5;
+  float alpha = opacity * stroke_coverage(place.x, place.y, ends.x, ends.y, half_width, round_cap);
+  float ink_here = ink_of(pen_index);
+  int other = int(color.w);
+  if (other != pen_index) {
+    color = mix(color, fetch_row(pens, 3 * other), away.x);
+    ink_here = mix(ink_here, ink_of(other), away.y);
   }
-  alpha *= opacity * color.w;
+  alpha *= ink_here;
 #ifdef SPINE
   if (alpha > 0.0) {
     alpha *= spine_visibility(clamp(place.x, ends.x, ends.y));

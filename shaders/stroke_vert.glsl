@@ -7,6 +7,7 @@ void main()
   half_width = width_opacity.x;
   opacity = width_opacity.y;
   pen_number = float(pen);
+  away = mixes;
 #ifdef SPINE
   spine = spine_range;
 #endif

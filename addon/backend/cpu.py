@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from .. import native
+from ..stages import Emphasis
 
 UNSET = 0xFFFFFFFF
 
@@ -62,13 +63,19 @@ def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
     return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
 
 
-def at_ends(frame, runs, style, scale):
+def at_ends(frame, runs, style, scale, mix=0.0):
     """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot.
-    Short lines overshoot by at most a quarter of their length, as a hand would."""
+    Short lines overshoot by at most a quarter of their length, as a hand would. `mix` (samples,): how far overshoot is
+    on the way to that out of focus; or 0."""
     core, clipped = native.load(), frame.clipped
-    shorter = core.halo(clipped, runs, frame.paths, _by_path(frame, style, "halo", scale))
-    reach = np.minimum(_by_path(frame, style, "overshoot", scale), _lengths(frame) / 4).astype(np.float32)
-    return core.overshoot(clipped, shorter, reach)
+    shorter = core.halo(clipped, runs, frame.paths, _by_path(frame, [s.halo for s in style.line_sets], scale))
+    sets, most = style.line_sets, _lengths(frame) / 4
+    away = [s.overshoot if s.overshoot_away is None else s.overshoot_away for s in sets]
+    reach, other = (
+        np.minimum(_by_path(frame, amounts, scale), most).astype(np.float32)
+        for amounts in ([s.overshoot for s in sets], away)
+    )
+    return core.overshoot(clipped, shorter, reach, *((other, mix) if np.ndim(mix) else ()))
 
 
 def _lengths(frame):
@@ -78,22 +85,68 @@ def _lengths(frame):
     return np.bincount(clipped.path, clipped.arc_px[last] - clipped.arc_px[first], len(frame.paths))
 
 
-def _by_path(frame, style, name, scale):
+def _by_path(frame, by_set, scale):
     """(P,) float32 pixels of each path from reference pixels of its line set."""
-    by_set = np.array([getattr(line_set, name) * scale for line_set in style.line_sets], np.float32)
-    return by_set[frame.paths.line_set]
+    return np.array([pixels * scale for pixels in by_set], np.float32)[frame.paths.line_set]
 
 
-def shape(frame, runs, style, pens, samples=None):
-    """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other."""
-    core, paths = native.load(), frame.paths
+def focus_of(focus, view):
+    """The native Focus of a style's Focus, as a native View sees it."""
+    in_scene = focus.model == "scene"
+    place = _in_view if in_scene else _in_image
+    points = [(*place(point, view), *_radii(point, view, in_scene)) for point in focus.points]
+    return native.load().Focus(in_scene, points if focus.active() else [], focus.combine == "sum")
+
+
+def _in_view(point, view):
+    x, y, z, _ = view.world_to_view @ (*point.at, 1.0)
+    return x, y, z
+
+
+def _in_image(point, view):
+    left, lower, width, height = view.frame
+    return left + point.at[0] * width, lower + (1 - point.at[1]) * height, 0.0
+
+
+def _radii(point, view, in_scene):
+    unit = 1.0 if in_scene else view.frame[3]
+    return point.near * unit, point.far * unit
+
+
+def focus_of_samples(clipped, focus):
+    """(samples,) float32 in [0, 1]."""
+    return native.load().focus_of_samples(clipped, focus)
+
+
+def focus_of_pixels(view, distance, focus):
+    """(H, W) float32 in [0, 1]; distance (H, W) as of `depth_image`."""
+    return native.load().focus_of_pixels(view, distance, focus)
+
+
+def distance_of_samples(clipped, near, far):
+    """(samples,) float32 in [0, 1]."""
+    return native.load().distance_of_samples(clipped, near, far)
+
+
+def transfer(data):
+    """The native Transfer of a style's."""
+    return native.load().Transfer(data.start, data.end, data.strength, list(data.curve))
+
+
+def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
+    """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other;
+    Emphasis leads to the pens out of focus."""
+    core, paths, effects = native.load(), frame.paths, style.effects
     pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
-    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens, samples)
+    transfers = {name: transfer(getattr(effects, name)) for name in ("color", "texture", "width", "opacity")}
+    transfers |= {f"distance_{name}": transfer(getattr(style.distance, name)) for name in ("width", "opacity")}
+    felt = emphasis.focus, emphasis.distance, emphasis.shown
+    return core.tessellate(frame.clipped, runs, pen_of_run, paths.strength, pens, samples, *felt, transfers, paths.ids)
 
 
 def pens_of(style, textures, scale):
     """The native pens of a style, in its order, in pixels of the image (`scale` of them are a reference pixel)."""
-    core = native.load()
+    core, away = native.load(), style.away()
     return [
         core.Pen(
             color=pen.color,
@@ -104,8 +157,13 @@ def pens_of(style, textures, scale):
             taper_px=pen.taper * scale,
             texture=textures.index(pen),
             strength_width=pen.strength_width,
+            away=away.get(i),
+            wobble_px=pen.wobble * scale,
+            wobble_length_px=pen.wobble_length * scale,
+            seed=int(pen.seed),
+            pressure=pen.pressure,
         )
-        for pen in style.pens()
+        for i, pen in enumerate(style.pens())
     ]
 
 

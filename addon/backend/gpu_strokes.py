@@ -20,6 +20,7 @@ class StrokePass:
             "px": strokes.px,
             "arc": strokes.arc,
             "width_opacity": np.stack((strokes.half_width, strokes.opacity), axis=1),
+            "mixes": strokes.mix,
             "pen": strokes.pen,
         }
         if spine_ranges is not None:

@@ -27,6 +27,7 @@ def of_render(engine, depsgraph):
         near_clip=camera.data.clip_start,
         far_clip=camera.data.clip_end,
         reference_scale=height / REFERENCE_HEIGHT,
+        frame=(-left, -bottom, width, height),
     )
 
 
@@ -42,14 +43,15 @@ def of_region(context, depsgraph):
     view_to_clip = np.array(region_3d.window_matrix, np.float64)
     orthographic = view_to_clip[3, 3] != 0.0
     near, far = space.clip_start, space.clip_end
-    scale = region.height / REFERENCE_HEIGHT
+    scale, frame = region.height / REFERENCE_HEIGHT, (0, 0, region.width, region.height)
     if region_3d.view_perspective == "CAMERA":
         camera = _checked(space.camera or depsgraph.scene.camera).evaluated_get(depsgraph)
         near, far = camera.data.clip_start, camera.data.clip_end
-        scale *= _frame_share(camera, depsgraph, view_to_clip)
+        frame = _frame(camera, depsgraph, view_to_clip, region)
+        scale = frame[3] / REFERENCE_HEIGHT
     if orthographic:
         world_to_view, view_to_clip, near, far = _in_front(world_to_view, view_to_clip)
-    return View(world_to_view, view_to_clip, region.width, region.height, bool(orthographic), near, far, scale)
+    return View(world_to_view, view_to_clip, region.width, region.height, bool(orthographic), near, far, scale, frame)
 
 
 def _checked(camera):
@@ -81,8 +83,8 @@ def _crop(width, height, left, bottom, right, top):
     return crop
 
 
-def _frame_share(camera, depsgraph, view_to_clip):
-    """Height of the camera's frame in the viewport as a share of the region's."""
+def _frame(camera, depsgraph, view_to_clip, region):
+    """Left, lower, width and height of the camera's frame in pixels of the viewport that shows it."""
     render = depsgraph.scene.render
     full = camera.calc_matrix_camera(
         depsgraph,
@@ -91,7 +93,12 @@ def _frame_share(camera, depsgraph, view_to_clip):
         scale_x=render.pixel_aspect_x,
         scale_y=render.pixel_aspect_y,
     )
-    return view_to_clip[1, 1] / full[1][1]
+    # From the frame to the viewport, both from -1 to 1: a zoom and a shift.
+    placed = view_to_clip @ np.linalg.inv(np.array(full, np.float64))
+    size, middle = np.diag(placed)[:2] / placed[3, 3], placed[:2, 3] / placed[3, 3]
+    region_size = np.array((region.width, region.height))
+    lower = (middle - size + 1) / 2 * region_size
+    return (*lower, *(size * region_size))
 
 
 def _in_front(world_to_view, view_to_clip):

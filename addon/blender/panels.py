@@ -3,7 +3,7 @@
 import bpy
 
 from .. import catalogue, native
-from . import pens, session
+from . import focus_settings, pens, session
 
 ENGINE = "FOVEA"
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
@@ -43,6 +43,8 @@ class RENDER_PT_fovea(_Panel, bpy.types.Panel):
         _draw_lines(layout, settings, definitions)
         _draw_pen(layout, settings)
         _draw_hidden(layout, settings)
+        _draw_focus(layout, settings)
+        _draw_effects(layout, settings)
         header, body = layout.panel("fovea_paper")
         header.label(text="Paper")
         if body:
@@ -122,6 +124,53 @@ def _draw_hidden(layout, settings):
         elif settings.visibility != "EXACT":
             body.label(text="Sampled visibility counts one surface at most", icon="INFO")
         _draw_pen_settings(body, settings, pens.HIDDEN)
+
+
+def _draw_focus(layout, settings):
+    header, body = layout.panel("fovea_focus")
+    header.label(text="Focus")
+    if not body:
+        return
+    body.prop(settings, "focus_model")
+    if settings.focus_model == "NONE":
+        return
+    for place in (settings, *settings.focus_points):
+        if settings.focus_model == "IMAGE":
+            names = ("place", "near", "far")
+        else:
+            names = ("object", *(() if place.focus_object else ("location",)), "near_distance", "far_distance")
+        for name in names:
+            body.prop(place, f"focus_{name}")
+    if settings.focus_points:
+        body.prop(settings, "focus_combine")
+
+
+def _draw_effects(layout, settings):
+    header, body = layout.panel("fovea_effects", default_closed=True)
+    header.label(text="Effects of Focus")
+    if not body:
+        return
+    body.prop(settings, "effect_lines")
+    body.prop(settings, "effect_colors")
+    if "UNIFORM" in (settings.effect_lines, settings.effect_colors):
+        body.prop(settings, "effect_uniform")
+    body.prop(settings, "away")
+    if settings.away:
+        body.prop(settings, "away_overshoot")
+        _draw_pen_settings(body, settings, focus_settings.AWAY)
+        _draw_transfers(body, settings, "effect", focus_settings.LINE_EFFECTS)
+        body.prop(settings, "distance_near")
+        body.prop(settings, "distance_far")
+        _draw_transfers(body, settings, "distance", focus_settings.DISTANCE_EFFECTS)
+    _draw_transfers(body, settings, "effect", focus_settings.COLOR_EFFECTS)
+    body.prop(settings, "effect_blur_radius")
+
+
+def _draw_transfers(layout, settings, prefix, names):
+    for name in names:
+        column = layout.column(align=True, heading=name.title())
+        for field in focus_settings.NUMBERS:
+            column.prop(settings, f"{prefix}_{name}_{field}")
 
 
 class OBJECT_PT_fovea(_Panel, bpy.types.Panel):

@@ -9,7 +9,7 @@ from ..stages import Pen
 from .property_kinds import color, file_names, number, redraw
 
 VISIBLE, HIDDEN = "pen", "hidden_pen"  # what the names of the pens' properties begin with
-FIELDS = ("color", "opacity", "width", "texture", "length_scale", "cap", "taper", "strength_width")
+FIELDS = ("color", "opacity", "width", "texture", "length_scale", "cap", "taper", "strength_width", "wobble", "wobble_length", "seed", "pressure", "spacing")
 
 
 def at_hidden(settings, line_set):
@@ -54,6 +54,11 @@ def pen_properties(prefix, pen, what):
         "width": ("Width", f"Width of {what}, in pixels of an image 1080 pixels high"),
         "length_scale": ("Stretch", f"Stretches the texture along {what}"),
         "taper": ("Taper", f"Length of the thinning ends of {what}, in pixels of an image 1080 pixels high"),
+        "wobble": ("Wobble", f"How far {what} stray, in pixels of an image 1080 pixels high"),
+        "wobble_length": ("Wave Length", f"Length of the waves in which {what} stray, in pixels of an image 1080 high"),
+        "seed": ("Seed", "Another number is another hand"),
+        "pressure": ("Pressure", f"How much thinner {what} are at their ends than in the middle"),
+        "spacing": ("Spacing", f"Where elision is on: how near {what} may be to each other, in pixels of an image 1080 high"),
         "strength_width": ("Thin by Strength", f"How far weak ones among {what} are thin, not pale"),
     }
     found = {

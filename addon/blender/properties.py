@@ -11,7 +11,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
-from . import gpu_context, methods, pens
+from . import focus_settings, gpu_context, methods, pens
 from .property_kinds import color, file_names
 from .property_kinds import redraw as _redraw
 
@@ -54,10 +54,12 @@ def style_of(scene):
         for line_set in base.line_sets[:-1]
     ]
     angle = math.degrees(settings.corner_angle)
-    last = replace(old, kinds=kinds, corner_angle=angle, pen=pens.pen_of(settings, pens.VISIBLE), **at_hidden)
+    pen, away = pens.pen_of(settings, pens.VISIBLE), focus_settings.line_set_parts(settings)
+    last = replace(old, kinds=kinds, corner_angle=angle, pen=pen, **at_hidden, **away)
     transparent = base.paper.transparent or scene.render.film_transparent
-    paper = style.Paper(tuple(settings.paper_color), transparent)
-    return style.Style(paper, tuple(s for s in before if s.kinds) + (last,))
+    paper = replace(base.paper, color=tuple(settings.paper_color), transparent=transparent)
+    sets = tuple(s for s in before if s.kinds) + (last,)
+    return replace(base, paper=paper, line_sets=sets, **focus_settings.style_parts(settings, base))
 
 
 def apply_style(settings, name):
@@ -73,6 +75,7 @@ def apply_style(settings, name):
     settings.paper_color = chosen.paper.color
     pens.set_pen(settings, pens.VISIBLE, last.pen)
     pens.set_hidden(settings, last)
+    focus_settings.apply(settings, chosen)
 
 
 def set_parameters(settings, name, values):
@@ -171,6 +174,7 @@ def _scene_group():
         "paper_color": color("Paper", chosen.paper.color, "Colour of the paper"),
     }
     drawn = {**pens.pen_properties(pens.VISIBLE, last.pen, "the strokes"), **pens.hidden_properties(last)}
+    drawn |= focus_settings.annotations(chosen)
     return _group("FoveaSceneSettings", {**annotations, **drawn, **_line_properties(chosen)})
 
 
@@ -248,6 +252,7 @@ _registered = []  # (type that has the settings, group)
 
 
 def register():
+    focus_settings.register()
     occlusion = EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=_redraw)
     _registered[:] = [
         (bpy.types.Scene, _scene_group()),
@@ -264,3 +269,4 @@ def unregister():
         del owner.fovea
         bpy.utils.unregister_class(group)
     _registered.clear()
+    focus_settings.unregister()

@@ -189,6 +189,7 @@ def seen(core, view):
         view.near_clip,
         view.far_clip,
         view.reference_scale,
+        view.frame,
     )
 
 

@@ -1,6 +1,7 @@
 """The words of `fovea draw`: parsed once outside Blender, so that mistakes show at once, and again by draw.py inside."""
 
 import argparse
+import math
 import re
 from pathlib import Path
 
@@ -64,6 +65,11 @@ def _parser():
     add("--hidden-by", type=_surfaces, metavar="A-B", help="of hidden lines, those that A to B surfaces hide: 1, 2-3, 4-")
     add("--halo", type=_pixels, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
     add("--overshoot", type=_pixels, metavar="PX", help="how far lines go on beyond their ends, alike")
+    add("--focus", type=_focus, metavar="U,V|X,Y,Z", help="where to look: 0..1 from the left and the top, or in space")
+    add("--focus-radii", type=_radii, metavar="NEAR,FAR", help="in focus up to, out of it from: heights, or units")
+    add("--effects", type=lambda text: text.split(","), metavar="A,B", help="only these effects answer to focus")
+    add("--uniform", choices=("lines", "colors", "both"), help="what is the same all over, wherever one looks")
+    add("--elision", action=argparse.BooleanOptionalAction, help="thin lines that crowd each other")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
     return parser
@@ -94,7 +100,8 @@ def _check_sheet(options):
     options.size = options.size or TILE
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
-    for other in ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot"):
+    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "focus", "elision")
+    for other in others:
         if getattr(options, other):
             raise ValueError(f"a sheet has no --{other.replace('_', '-')}")
     options.style = "plain"  # one pen for all lines
@@ -114,6 +121,27 @@ def _surfaces(text):
     if last and last < first:
         raise argparse.ArgumentTypeError(f"'{text}' is not FIRST-LAST of the surfaces that hide a line")
     return first, last or None
+
+
+def _numbers(text, counts, what):
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) not in counts or not all(math.isfinite(n) for n in numbers):
+        raise argparse.ArgumentTypeError(f"'{text}' is not {what}")
+    return numbers
+
+
+def _focus(text):
+    return _numbers(text, (2, 3), "U,V in the image or X,Y,Z in space")
+
+
+def _radii(text):
+    near, far = _numbers(text, (2,), "NEAR,FAR")
+    if not 0 <= near <= far:
+        raise argparse.ArgumentTypeError(f"'{text}' is not NEAR,FAR, neither below 0 and FAR the larger")
+    return near, far
 
 
 def _pixels(text):

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "atlas/piece_samples.h"
+
 namespace fovea {
 namespace {
 
@@ -57,6 +59,12 @@ Strand::Strand(const ClippedPaths& clipped, Index piece) {
     }
     ends_at_begin = clipped.ends[parts_[0].piece] & path_start;
     ends_at_end = clipped.ends[parts_[count_ - 1].piece] & path_end;
+}
+
+float Strand::value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const {
+    if (cyclic && at > end) at -= length();
+    const Part& part = parts_[count_ > 1 && at > seam_ ? 1 : 0];
+    return PieceSamples(clipped, part.piece).value(values, at - part.shift, otherwise);
 }
 
 void Strand::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const {

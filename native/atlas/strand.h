@@ -38,6 +38,9 @@ class Strand {
     };
     In<Part> parts() const { return {parts_, std::size_t(count_)}; }
 
+    /// What per-atlas-sample `values` say at a place of the strand (PieceSamples::value).
+    float value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const;
+
     /// The visible parts of the strand, ascending, apart from each other. Of a cyclic strand, one that goes on across
     /// the seam ends beyond `end`.
     void visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const;

@@ -19,6 +19,8 @@ struct View {
     double far_clip = 1000.0;
     /// Image pixels per reference pixel (height of the full frame / 1080).
     double reference_scale = 1.0;
+    /// The camera's full frame, of which a render border or a viewport shows a part: left, lower, width, height [px].
+    dvec4 frame{0.0};
 };
 
 /// Pixel position of a view-space point; meaningless where `clip_w` <= 0.

@@ -1,4 +1,6 @@
 // Filters of runs along their paths.
+#include <pybind11/stl.h>
+
 #include "atlas/filters.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
@@ -37,14 +39,20 @@ both sides. spur_px: (P,) float32 per path of Paths.)");
 of Paths, 0 or more; 0 leaves a path as it is. Comes before overshoot.)");
     m.def(
         "overshoot",
-        [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& amount_px) {
+        [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& amount_px,
+           const std::optional<Arg<float>>& other_px, const std::optional<Arg<float>>& mix) {
             const In<float> amounts = borrow<float>(amount_px, "amount_px");
+            const In<float> others = borrow<float>(other_px, "other_px"), mixes = borrow<float>(mix, "mix");
+            const bool mixed = other_px.has_value();
             py::gil_scoped_release release;
-            return std::make_shared<Runs>(overshoot(clipped, runs, amounts));
+            return std::make_shared<Runs>(mixed ? overshoot(clipped, runs, amounts, others, mixes)
+                                                : overshoot(clipped, runs, amounts));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("amount_px"),
+        py::arg("clipped"), py::arg("runs"), py::arg("amount_px"), py::arg("other_px") = py::none(),
+        py::arg("mix") = py::none(),
         R"(Visible runs longer at both ends by amount_px, beyond the ends of their paths, too, or shorter where it is
-less than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is.)");
+less than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is. other_px (P,) and
+mix (samples,) in [0, 1]: amounts out of focus, and how far each sample is on the way to them.)");
 }
 
 }  // namespace fovea::bindings

@@ -48,12 +48,19 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
 }
 
 View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int width, int height, bool orthographic,
-               double near_clip, double far_clip, double reference_scale) {
+               double near_clip, double far_clip, double reference_scale,
+               const std::optional<std::array<double, 4>>& frame) {
     check(width > 0 && height > 0, "view: the image has no pixels");
     check(near_clip > 0.0 || orthographic, "view: the near clip distance must be positive");
     check(far_clip > near_clip, "view: the far clip distance must lie beyond the near one");
     return {matrix(world_to_view, "world_to_view"), matrix(view_to_clip, "view_to_clip"), width, height, orthographic,
-            near_clip, far_clip, reference_scale};
+            near_clip, far_clip, reference_scale,
+            frame ? dvec4((*frame)[0], (*frame)[1], (*frame)[2], (*frame)[3]) : dvec4(0.0, 0.0, width, height)};
+}
+
+py::array view_matrix(const View& view) {
+    const dmat4 rows = glm::transpose(view.world_to_view);
+    return py::array_t<double>(std::vector<py::ssize_t>{4, 4}, &rows[0][0]);
 }
 
 py::array image(Array<float>&& values, const View& view) {
@@ -64,7 +71,12 @@ py::array image(Array<float>&& values, const View& view) {
 void bind_scene(py::module_& m) {
     py::class_<View>(m, "View", "A camera and its image; see addon/stages.py.")
         .def(py::init(&make_view), py::arg("world_to_view"), py::arg("view_to_clip"), py::arg("width"), py::arg("height"),
-             py::arg("orthographic"), py::arg("near_clip"), py::arg("far_clip"), py::arg("reference_scale") = 1.0)
+             py::arg("orthographic"), py::arg("near_clip"), py::arg("far_clip"), py::arg("reference_scale") = 1.0,
+             py::arg("frame") = py::none())
+        .def_property_readonly("world_to_view", [](const View& view) { return view_matrix(view); }, "(4, 4) float64")
+        .def_property_readonly("frame", [](const View& view) {
+            return py::make_tuple(view.frame.x, view.frame.y, view.frame.z, view.frame.w);
+        })
         .def_readonly("width", &View::width)
         .def_readonly("height", &View::height)
         .def_readonly("orthographic", &View::orthographic)

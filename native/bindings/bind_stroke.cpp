@@ -1,6 +1,9 @@
 // Pens, strokes and their reference picture.
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <map>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "stroke/compose.h"
@@ -17,7 +20,8 @@ using Image = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
              float texture_length_px, const std::string& cap, float taper_px,
-             std::optional<Index> texture, float strength_width) {
+             std::optional<Index> texture, float strength_width, std::optional<Index> away,
+             float wobble_px, float wobble_length_px, Index seed, float pressure) {
     check(cap == "round" || cap == "butt", "pen: cap must be 'round' or 'butt', not '" + cap + "'");
     check(width_px > 0.0f, "pen: the width must be positive");
     check(texture_length_px > 0.0f, "pen: the length of the texture must be positive");
@@ -31,6 +35,13 @@ Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
     pen.taper_px = taper_px;
     pen.texture = texture.value_or(none);
     pen.strength_width = strength_width;
+    pen.away = away.value_or(none);
+    check(wobble_px >= 0.0f && wobble_length_px > 0.0f, "pen: wobble must not be negative, its length positive");
+    check(pressure >= 0.0f && pressure <= 1.0f, "pen: pressure must be between 0 and 1");
+    pen.wobble_px = wobble_px;
+    pen.wobble_length_px = wobble_length_px;
+    pen.seed = seed;
+    pen.pressure = pressure;
     return pen;
 }
 
@@ -52,11 +63,13 @@ Array<T> copy(const Arg<T>& array, const char* name) {
 
 Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width,
                      const Arg<float>& opacity, const Arg<Index>& pen,
-                     const Arg<glm::uvec3>& triangles, Index count) {
+                     const Arg<glm::uvec3>& triangles, Index count, const std::optional<Arg<vec2>>& mix) {
+    const In<vec2> mixes = borrow<vec2>(mix, "mix");
     return {copy<vec2>(px, "px"),
             copy<vec4>(arc, "arc"),
             copy<float>(half_width, "half_width"),
             copy<float>(opacity, "opacity"),
+            mix ? Array<vec2>(mixes.begin(), mixes.end()) : Array<vec2>(std::size_t(px.shape(0)), vec2(0.0f)),
             copy<Index>(pen, "pen"),
             {},
             copy<glm::uvec3>(triangles, "triangles"),
@@ -88,6 +101,23 @@ py::array compose_image(const Image& lines, const std::array<float, 3>& paper,
     return to_numpy(std::move(out)).reshape({lines.shape(0), lines.shape(1), py::ssize_t(4)});
 }
 
+/// The transfer functions of an Emphasis by their names.
+Emphasis with_transfers(const std::map<std::string, Transfer>& transfers) {
+    Emphasis emphasis;
+    const std::pair<const char*, Transfer*> known[] = {{"color", &emphasis.color},
+                                                       {"texture", &emphasis.texture},
+                                                       {"width", &emphasis.width},
+                                                       {"opacity", &emphasis.opacity},
+                                                       {"distance_width", &emphasis.distance_width},
+                                                       {"distance_opacity", &emphasis.distance_opacity}};
+    for (const auto& [name, transfer] : transfers) {
+        const auto place = std::ranges::find(known, name, [](const auto& entry) { return std::string(entry.first); });
+        check(place != std::end(known), "transfers: there is no '" + name + "'");
+        *place->second = transfer;
+    }
+    return emphasis;
+}
+
 void bind_pens(py::module_& m) {
     const Pen pen;
     py::class_<Pen>(m, "Pen", "How a stroke looks; lengths in pixels of the image.")
@@ -96,8 +126,11 @@ void bind_pens(py::module_& m) {
              py::arg("opacity") = pen.opacity, py::arg("width_px") = pen.width_px,
              py::arg("texture_length_px") = pen.texture_length_px, py::arg("cap") = "round",
              py::arg("taper_px") = pen.taper_px, py::arg("texture") = py::none(),
-             py::arg("strength_width") = pen.strength_width,
-             "color scene-linear; texture: index into the frame's textures, None: solid.");
+             py::arg("strength_width") = pen.strength_width, py::arg("away") = py::none(),
+             py::arg("wobble_px") = pen.wobble_px, py::arg("wobble_length_px") = pen.wobble_length_px,
+             py::arg("seed") = pen.seed, py::arg("pressure") = pen.pressure,
+             R"(color scene-linear; texture: index into the frame's textures, None: solid; away: index of the pen that
+this one becomes out of focus.)");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
         .def(py::init(&make_texture), py::arg("ink"),
              "(rows, columns) float32 in [0, 1]; first row: left side of the way.");
@@ -121,12 +154,15 @@ void bind_strokes(py::module_& m) {
     py::class_<Strokes, std::shared_ptr<Strokes>>(
         m, "Strokes", "Visible runs shaped into V vertices and T triangles; see addon/stages.py.")
         .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"),
-             py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0)
+             py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0,
+             py::arg("mix") = py::none())
         .def_property_readonly("px", array(&Strokes::px), "(V, 2) float32")
         .def_property_readonly("arc", array(&Strokes::arc),
                                "(V, 4) float32: u, v, u of the run's start and end")
         .def_property_readonly("half_width", array(&Strokes::half_width), "(V,) float32")
         .def_property_readonly("opacity", array(&Strokes::opacity), "(V,) float32")
+        .def_property_readonly("mix", array(&Strokes::mix),
+                               "(V, 2) float32: how far colour and ink are those of the pen out of focus")
         .def_property_readonly("pen", array(&Strokes::pen),
                                "(V,) uint32 index into the frame's pens")
         .def_property_readonly("piece", array(&Strokes::piece),
@@ -158,18 +194,29 @@ set, least and most surfaces that hide the run, pen; the first that holds it.)")
         "tessellate",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<Index>& pen_of_run,
            const std::optional<Arg<float>>& strength, const std::vector<Pen>& pens,
-           const std::optional<Arg<float>>& visibility) {
+           const std::optional<Arg<float>>& visibility, const std::optional<Arg<float>>& focus,
+           const std::optional<Arg<float>>& distance, const std::optional<Arg<float>>& shown,
+           const std::map<std::string, Transfer>& transfers, const std::optional<Arg<std::uint64_t>>& ids) {
             const auto pen = borrow<Index>(pen_of_run, "pen_of_run");
             const auto per_point = borrow<float>(strength, "strength");
             const auto per_sample = borrow<float>(visibility, "visibility");
+            Emphasis emphasis = with_transfers(transfers);
+            emphasis.focus = borrow<float>(focus, "focus");
+            emphasis.distance = borrow<float>(distance, "distance");
+            emphasis.shown = borrow<float>(shown, "shown");
+            const auto per_path = borrow<std::uint64_t>(ids, "ids");
             py::gil_scoped_release release;
-            return std::make_shared<Strokes>(tessellate(clipped, runs, pen, per_point, pens, per_sample));
+            return std::make_shared<Strokes>(
+                tessellate(clipped, runs, pen, per_point, pens, per_sample, emphasis, per_path));
         },
         py::arg("clipped"), py::arg("runs"), py::arg("pen_of_run"), py::arg("strength"), py::arg("pens"),
-        py::arg("visibility") = py::none(),
+        py::arg("visibility") = py::none(), py::arg("focus") = py::none(), py::arg("distance") = py::none(),
+        py::arg("shown") = py::none(), py::arg("transfers") = py::dict(),
+        py::arg("ids") = py::none(),
         R"(Strokes of runs, hidden ones below visible ones. pen_of_run (R,) uint32, 0xffffffff: not drawn; strength (N,)
 float32 per point of Paths, or None; visibility (samples,) float32: runs fade where samples at their ends are seen in
-part; None: their ends are sharp.)");
+part; None: their ends are sharp. focus, distance, shown (samples,) float32: see native/stroke/emphasis.h; transfers: {its
+name there: Transfer}; ids (P,) uint64 per path of Paths: what wobble is made from.)");
     m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"),
           py::arg("width"), py::arg("height"),
           "(height, width, 4) float32, premultiplied, bottom row first.");

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_native, m) {
     bind_field(m);
     bind_line(m);
     bind_stages(m);
+    bind_focus(m);
     bind_sampled(m);
     bind_filters(m);
     bind_compaction(m);

@@ -21,8 +21,10 @@ constexpr double tip_width =
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
-    return {glm::mix(a.px, b.px, t), glm::mix(a.arc, b.arc, t), 0.0f,
-            glm::mix(a.opacity, b.opacity, float(t))};
+    const float s = float(t);
+    return {glm::mix(a.px, b.px, t), glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),
+            glm::mix(a.opacity, b.opacity, s),
+            glm::mix(a.mix, b.mix, s), glm::mix(a.shown, b.shown, s)};
 }
 
 CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
@@ -82,16 +84,17 @@ void even_out(CentreLine& line) {
     }
 }
 
-/// Width of the pen where a line has this strength.
-float width_of(const Pen& pen, float strength) {
-    return pen.width_px * glm::mix(1.0f, strength, pen.strength_width);
+/// Width of the pens where a line is as strong, and as far out of focus, as here; `opacity` is the strength still.
+float width_of(const PenPair& pens, const CentrePoint& p) {
+    const float width = glm::mix(pens.in_focus.width_px, pens.out_of_focus.width_px, p.mix.z);
+    return width * glm::mix(1.0f, p.opacity, pens.in_focus.strength_width);
 }
 
 /// Points where strength thins the pen to one pixel: thinner ones are drawn in another way.
-void insert_where_thin(CentreLine& line, const Pen& pen) {
+void insert_where_thin(CentreLine& line, const PenPair& pens) {
     std::vector<double> arcs;
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const float a = width_of(pen, line[i - 1].opacity) - 1.0f, b = width_of(pen, line[i].opacity) - 1.0f;
+        const float a = width_of(pens, line[i - 1]) - 1.0f, b = width_of(pens, line[i]) - 1.0f;
         if (a * b < 0.0f) arcs.push_back(glm::mix(line[i - 1].arc, line[i].arc, double(a / (a - b))));
     }
     if (!arcs.empty()) insert_points(line, arcs);
@@ -177,9 +180,10 @@ void simplify(CentreLine& line) {
     line.resize(kept);
 }
 
-void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered) {
+void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
     if (line.size() < 2) return;
-    insert_where_thin(line, pen);
+    const Pen &pen = pens.in_focus, &away = pens.out_of_focus;
+    insert_where_thin(line, pens);
     const double start = line.front().arc, end = line.back().arc;
     const bool any = tapered.start || tapered.end;
     const double taper = any ? std::min<double>(pen.taper_px, (end - start) / 2.0) : 0.0;
@@ -199,10 +203,10 @@ void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered) {
     };
     for (CentrePoint& p : line) {
         const double x = std::min(along(tapered.start, p.arc - start), along(tapered.end, end - p.arc));
-        const float width = width_of(pen, p.opacity) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
+        const float width = width_of(pens, p) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
         const float faded = glm::mix(p.opacity, 1.0f, pen.strength_width);
         p.half_width = std::max(width, 1.0f) / 2.0f;
-        p.opacity = faded * std::min(width, 1.0f);
+        p.opacity = faded * std::min(width, 1.0f) * glm::mix(pen.opacity, away.opacity, p.mix.w) * p.shown;
     }
 }
 

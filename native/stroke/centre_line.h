@@ -15,6 +15,10 @@ struct CentrePoint {
     float half_width = 0.0f;
     /// Strength, until `shape` has made it what strength and thin pens leave of the pen's opacity.
     float opacity = 1.0f;
+    /// How far color, texture, width and opacity are on the way to the pen out of focus, each in [0,1].
+    vec4 mix{0.0f};
+    /// What elision leaves of the opacity.
+    float shown = 1.0f;
 };
 
 using CentreLine = std::vector<CentrePoint>;
@@ -40,11 +44,16 @@ struct TaperedEnds {
     bool start, end;
 };
 
-/// Sets width and opacity: the pen's width times 1 + (strength - 1) strength_width, the opacity
-/// 1 + (strength - 1) (1 - strength_width). The width thins to a fifth over pen.taper_px at ends that taper. A line too
+/// The pens in and out of focus; the caps, tapers and hand of the first hold for both.
+struct PenPair {
+    const Pen &in_focus, &out_of_focus;
+};
+
+/// Sets width and opacity between those of the two pens: the width times 1 + (strength - 1) strength_width, the opacity
+/// times 1 + (strength - 1) (1 - strength_width) and what is shown. The width thins to a fifth over pen.taper_px at ends that taper. A line too
 /// short for that thins in proportion less. Points are added where the width bends. Less than a pixel is drawn as a
 /// pixel of that much less opacity.
-void shape(CentreLine& line, const Pen& pen, TaperedEnds tapered);
+void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered);
 
 /// Adds a point beyond either end, as far as the cap reaches.
 void extend(CentreLine& line, Cap cap);

@@ -2,57 +2,26 @@
 
 #include <algorithm>
 
-#include "base/check.h"
+#include "atlas/piece_samples.h"
 
 namespace fovea {
 namespace {
 
-/// The samples of a piece, which follow each other in the atlas.
-class Samples {
+/// How much of each sample of a piece a run shows.
+class Samples : public PieceSamples {
    public:
     Samples(const ClippedPaths& clipped, In<float> visibility, Index piece, bool hidden)
-        : clipped_(clipped), visibility_(visibility), hidden_(hidden) {
-        first_point_ = clipped.pieces.begin(piece);
-        last_point_ = clipped.pieces.end(piece) - 1;
-        begin_ = clipped.sample_start[first_point_];
-        end_ = begin_;
-        for (Index i = first_point_; i < last_point_; ++i) end_ += clipped.sample_count[i];
-    }
-
-    /// Samples are numbered from 0.
-    std::ptrdiff_t count() const { return end_ - begin_; }
+        : PieceSamples(clipped, piece), visibility_(visibility), hidden_(hidden) {}
 
     float share(std::ptrdiff_t sample) const {
-        const float read = visibility_[begin_ + sample];
+        const float read = visibility_[in_atlas(sample)];
         const float seen = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // also what is not a number
         return hidden_ ? 1.0f - seen : seen;
     }
 
-    double arc(std::ptrdiff_t sample) const {
-        const Index wanted = begin_ + Index(sample);
-        const auto starts = clipped_.sample_start.begin();
-        // The last segment that starts at or before the sample; those without samples start with the next.
-        const auto after = std::upper_bound(starts + first_point_, starts + last_point_, wanted);
-        const Index i = Index(after - starts) - 1;
-        const double step = (clipped_.arc_px[i + 1] - clipped_.arc_px[i]) / clipped_.sample_count[i];
-        return clipped_.arc_px[i] + (wanted - clipped_.sample_start[i] + 0.5) * step;
-    }
-
-    /// The first sample beyond an arc length.
-    std::ptrdiff_t after(double arc_px) const {
-        std::ptrdiff_t low = 0, high = count();
-        while (low < high) {
-            const std::ptrdiff_t middle = (low + high) / 2;
-            (arc(middle) > arc_px ? high : low) = arc(middle) > arc_px ? middle : middle + 1;
-        }
-        return low;
-    }
-
    private:
-    const ClippedPaths& clipped_;
     In<float> visibility_;
     bool hidden_;
-    Index first_point_, last_point_, begin_, end_;
 };
 
 /// The samples at which a fade bends, first .. last; none where a run ends sharply.

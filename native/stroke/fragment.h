@@ -45,8 +45,7 @@ inline float ink(const PenTexture& texture, float u, float v, float half_width,
     return a + (b - a) * fy;
 }
 
-/// Ink over what is there; both premultiplied. alpha = coverage * ink * vertex opacity * pen
-/// opacity.
+/// Ink over what is there; both premultiplied. alpha = coverage * ink * vertex opacity.
 inline vec4 over(vec4 below, vec3 color, float alpha) {
     return vec4(color * alpha, alpha) + below * (1.0f - alpha);
 }

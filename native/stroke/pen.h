@@ -24,8 +24,15 @@ struct Pen {
     float taper_px = 0.0f;
     /// Share of a line's strength that thins it; the rest fades it. 0: weak lines are pale, 1: weak lines are thin.
     float strength_width = 0.0f;
+    /// How far the pen strays from its line, in waves of what length, and the number of that hand.
+    float wobble_px = 0.0f, wobble_length_px = 60.0f;
+    Index seed = 0;
+    /// Share of the width that is left out at the ends of a stroke.
+    float pressure = 0.0f;
     /// Index into the frame's textures; `none`: solid.
     Index texture = none;
+    /// Index of the pen that this one becomes out of focus; `none`: it stays as it is.
+    Index away = none;
 };
 
 }  // namespace fovea

@@ -13,10 +13,13 @@ namespace fovea {
 
 namespace {
 
-/// u, v, half width and opacity over a triangle; exact at the corners as drawn.
+/// What the vertices say, over a triangle; exact at the corners as drawn.
+template <int N>
 class Values {
+    using dvec = glm::vec<N, double>;
+
 public:
-    Values(const FixedTriangle& shape, const dvec4& a, const dvec4& b, const dvec4& c)
+    Values(const FixedTriangle& shape, const dvec& a, const dvec& b, const dvec& c)
         : origin_(shape.corner(0)), at_origin_(a) {
         const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
         const double area = e.x * f.y - e.y * f.x;
@@ -25,14 +28,14 @@ public:
     }
 
     /// At the centre of pixel (x, y).
-    vec4 at(int x, int y) const {
-        return vec4(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) +
+    glm::vec<N, float> at(int x, int y) const {
+        return glm::vec<N, float>(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) +
                     slope_x_ * (x + 0.5 - origin_.x));
     }
 
 private:
     dvec2 origin_;
-    dvec4 at_origin_, slope_x_, slope_y_;
+    dvec at_origin_, slope_x_, slope_y_;
 };
 
 /// Edges of a depth buffer's core lie between pixels, or beyond all of them.
@@ -48,6 +51,8 @@ class Painter {
         for (const Pen& pen : pens) {
             check(pen.texture == none || pen.texture < textures.size(),
                   "pen: there is no texture " + std::to_string(pen.texture));
+            check(pen.away == none || pen.away < pens.size(),
+                  "pen: there is no pen " + std::to_string(pen.away) + " out of focus");
             inks_.push_back(pen.texture == none ? PenTexture{}
                                                 : fit_texture(textures[pen.texture],
                                                               pen.texture_length_px, pen.width_px));
@@ -73,10 +78,11 @@ class Painter {
     void triangle(glm::uvec3 c, const PixelBox& tile) const {
         const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);
         const PixelBox box = intersect(shape.box(), tile);
-        const Values values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
+        const Values<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
+        const Values<2> mixes(shape, dvec2(strokes_.mix[c[0]]), dvec2(strokes_.mix[c[1]]), dvec2(strokes_.mix[c[2]]));
         const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w;
         const Pen& pen = pens_[strokes_.pen[c[0]]];
-        const PenTexture& texture = inks_[strokes_.pen[c[0]]];
+        const Index away = pen.away;
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
             shape.span(y, x0, x1);
@@ -84,12 +90,23 @@ class Painter {
                 const vec4 f = values.at(x, y);
                 float alpha = coverage(f[0], f[1], start, end, f[2], pen.cap);
                 if (alpha <= 0.0f) continue;
-                if (pen.texture != none)
-                    alpha *= ink(texture, f[0], f[1], f[2], pen.texture_length_px);
+                vec3 color = pen.color;
+                if (away == none) {
+                    alpha *= ink_of(strokes_.pen[c[0]], f);
+                } else {
+                    const vec2 mix = mixes.at(x, y);
+                    color = glm::mix(color, pens_[away].color, mix.x);
+                    alpha *= glm::mix(ink_of(strokes_.pen[c[0]], f), ink_of(away, f), mix.y);
+                }
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
-                row(y)[x] = over(row(y)[x], pen.color, alpha * f[3] * pen.opacity);
+                row(y)[x] = over(row(y)[x], color, alpha * f[3]);
             }
         }
+    }
+
+    float ink_of(Index pen, const vec4& f) const {
+        if (pens_[pen].texture == none) return 1.0f;
+        return ink(inks_[pen], f[0], f[1], f[2], pens_[pen].texture_length_px);
     }
 
     dvec4 corner(Index i) const {
@@ -113,8 +130,8 @@ void check_pieces(const Strokes& strokes, const SpineTest& spine) {
 void check_input(const Strokes& strokes, In<Pen> pens) {
     const std::size_t count = strokes.px.size();
     check(strokes.arc.size() == count && strokes.half_width.size() == count &&
-              strokes.opacity.size() == count && strokes.pen.size() == count,
-          "strokes: px, arc, half_width, opacity and pen must have the same length");
+              strokes.opacity.size() == count && strokes.mix.size() == count && strokes.pen.size() == count,
+          "strokes: px, arc, half_width, opacity, mix and pen must have the same length");
     Index corner = 0, pen = 0;
     for (const glm::uvec3 t : strokes.triangles) corner = std::max({corner, t.x, t.y, t.z});
     for (const Index p : strokes.pen) pen = std::max(pen, p);

@@ -19,9 +19,11 @@ struct Strokes {
     /// Per vertex: half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and
     /// fainter.
     Array<float> half_width;
-    /// Per vertex: strength and thinness included, the pen's own opacity not.
+    /// Per vertex: of strength, thinness and the pens.
     Array<float> opacity;
-    /// Per vertex: index of the pen, the same all over a stroke.
+    /// Per vertex: how far color and ink are those of the pen out of focus, each in [0,1].
+    Array<vec2> mix;
+    /// Per vertex: index of the pen (in focus), the same all over a stroke.
     Array<Index> pen;
     /// Per vertex: piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty otherwise.
     Array<Index> piece;

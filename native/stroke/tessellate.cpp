@@ -8,7 +8,9 @@
 #include "base/parallel.h"
 #include "path/paths.h"
 #include "stroke/centre_line.h"
+#include "stroke/emphasis.h"
 #include "stroke/fade.h"
+#include "stroke/hand.h"
 #include "stroke/strip.h"
 
 namespace fovea {
@@ -31,6 +33,8 @@ void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of
           "runs: there is no piece " + std::to_string(piece));
     for (const Index p : pen_of_run) pen = std::max(pen, p + 1);  // none + 1 == 0
     check(pen <= pens.size(), "pen_of_run: there is no pen " + std::to_string(pen - 1));
+    for (const Pen& p : pens)
+        check(p.away == none || p.away < pens.size(), "pen: there is no pen " + std::to_string(p.away) + " out of focus");
     if (strength.empty()) return;
     std::size_t source = 0;
     for (std::size_t i = 0; i < clipped.source.size(); ++i)
@@ -68,6 +72,7 @@ Strokes join(std::vector<Strokes>& blocks) {
     all.arc.resize(vertices.back());
     all.half_width.resize(vertices.back());
     all.opacity.resize(vertices.back());
+    all.mix.resize(vertices.back());
     all.pen.resize(vertices.back());
     all.piece.resize(vertices.back());
     all.triangles.resize(triangles.back());
@@ -81,6 +86,7 @@ Strokes join(std::vector<Strokes>& blocks) {
             std::ranges::copy(block.arc, all.arc.begin() + v);
             std::ranges::copy(block.half_width, all.half_width.begin() + v);
             std::ranges::copy(block.opacity, all.opacity.begin() + v);
+            std::ranges::copy(block.mix, all.mix.begin() + v);
             std::ranges::copy(block.pen, all.pen.begin() + v);
             std::ranges::copy(block.piece, all.piece.begin() + v);
             std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
@@ -93,14 +99,18 @@ Strokes join(std::vector<Strokes>& blocks) {
 }  // namespace
 
 Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
-                   In<Pen> pens, In<float> visibility) {
+                   In<Pen> pens, In<float> visibility, const Emphasis& emphasis,
+                   In<std::uint64_t> ids) {
     check_input(clipped, runs, pen_of_run, strength, pens);
+    check_emphasis(clipped, emphasis);
+    check(ids.empty() || clipped.path.empty() || clipped.path.back() < ids.size(), "ids: one per path expected");
     check(visibility.empty() || visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
     const Array<Index> order = drawing_order(runs, pen_of_run);
     std::vector<Strokes> blocks((order.size() + block_size - 1) / block_size);
     parallel_blocks(order.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
         CentreLine line;
         Fade fade;
+        EmphasisAlong along;
         for (std::size_t k = begin; k < end; ++k) {
             const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
             if (clipped.pieces.size(piece) < 2) continue;
@@ -117,8 +127,15 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
             if (!closed) lengthen(line, before, after);
             simplify(line);
             insert_bends(line, fade);
+            find_emphasis(clipped, emphasis, piece, start, stop, along);
+            emphasize(line, along);
+            const Index path = clipped.path[piece];
+            const std::uint64_t id = ids.empty() ? path : ids[path];
+            wobble(line, pens[pen].wobble_px, pens[pen].wobble_length_px, id + pens[pen].seed);
             const int free = clipped.free_ends[piece];
-            shape(line, pens[pen], {(free & free_start) && from_first, (free & free_end) && to_last});
+            const PenPair pair{pens[pen], pens[pens[pen].away == none ? pen : pens[pen].away]};
+            shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
+            press(line, pens[pen].pressure);
             fade_ends(line, fade);
             if (line.size() < 2) continue;
             const float ends[] = {closed ? -endless : float(line.front().arc), closed ? endless : float(line.back().arc)};

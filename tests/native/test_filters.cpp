@@ -218,3 +218,30 @@ TEST(Filters, RefuseWhatDoesNotFit) {
     EXPECT_THROW(halo(clipped, runs_of({{7, 0, 1}}), std::vector<float>{1}), std::invalid_argument);
     EXPECT_EQ(overshoot({}, {}, std::vector<float>{}).size() + halo({}, {}, std::vector<float>{}).size(), 0u);
 }
+
+TEST(Overshoot, MixesItsAmountAtEitherEnd) {
+    const ClippedPaths clipped = straight();
+    std::vector<float> mix(clipped.samples);
+    for (std::size_t s = 0; s < mix.size(); ++s) mix[s] = (s + 0.5f) / mix.size();  // 0 at -100, 1 at 100
+    const Runs runs = runs_of({{0, -50, 50}});
+    const Runs longer = overshoot(clipped, runs, everywhere(clipped, 4), everywhere(clipped, 20), mix);
+    ASSERT_EQ(longer.size(), 1u);
+    EXPECT_NEAR(longer.start_px[0], -50 - 8, 1e-3);
+    EXPECT_NEAR(longer.end_px[0], 50 + 16, 1e-3);
+    const Runs whole_line = overshoot(clipped, whole(clipped), everywhere(clipped, 4), everywhere(clipped, 20), mix);
+    EXPECT_NEAR(whole_line.start_px[0], -104, 0.2);
+    EXPECT_NEAR(whole_line.end_px[0], 120, 0.2);
+    expect_same(overshoot(clipped, runs, everywhere(clipped, 0), everywhere(clipped, 0), mix), runs);
+}
+
+TEST(Overshoot, MixesAcrossTheSeamOfAClosedLine) {
+    const ClippedPaths clipped = Wires({ring(200, 200, 80)}).project(camera());
+    const double half = clipped.arc_px[clipped.pieces.end(0) - 1];
+    const std::vector<float> all(clipped.samples, 0.5f);
+    // Visible across the seam.
+    const Runs runs = runs_of({{0, -half, -half + 30}, {0, half - 30, half}});
+    const Runs longer = overshoot(clipped, runs, everywhere(clipped, 0), everywhere(clipped, 10), all);
+    ASSERT_EQ(longer.size(), 2u);
+    EXPECT_NEAR(longer.end_px[0], -half + 35, 1e-6);
+    EXPECT_NEAR(longer.start_px[1], half - 35, 1e-6);
+}

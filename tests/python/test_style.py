@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from addon import style
+from addon import focus, style
 
 DEFINITIONS = [
     {"name": "contour", "parameters": []},
@@ -60,6 +60,41 @@ def test_pens_of_hidden_lines_survive_in_the_order_of_their_ranges():
     assert json.loads(style.dump(read))["line_sets"][0]["hidden"][2]["from"] == 4
 
 
+def test_pens_out_of_focus_are_as_those_in_focus_but_for_what_is_given():
+    pen = {"width": 3, "texture": "pencil", "taper": 4}
+    data = minimal(pen=pen, pen_away={"width": 1.5, "opacity": 0.4}, overshoot=2, overshoot_away=9)
+    data["line_sets"][0]["hidden"] = [{"pen": {"width": 1}, "pen_away": {"width": 0.5}}]
+    read = style.parse(json.dumps(data))
+    line_set = read.line_sets[0]
+    assert line_set.pen_away == style.Pen(width=1.5, opacity=0.4, texture="pencil", taper=4.0)
+    assert (line_set.overshoot_away, line_set.hidden[0].pen_away.width) == (9.0, 0.5)
+    assert [pen.width for pen in read.pens()] == [3, 1, 1.5, 0.5]
+    assert read.away() == {0: 2, 1: 3}
+    assert style.parse(style.dump(read)) == read
+
+
+def test_what_has_no_pen_out_of_focus_has_none():
+    plain = style.parse(json.dumps(minimal()))
+    assert plain.line_sets[0].pen_away is None
+    assert (plain.away(), plain.has_away()) == ({}, False)
+
+
+def test_focus_and_its_effects_survive():
+    fade = {"start": 0.8, "end": 0.2, "strength": 0.5, "curve": [[0, 0], [0.5, 0.9], [1, 1]]}
+    data = minimal() | {
+        "focus": {"model": "scene", "points": [{"at": [1, 2, -3], "near": 2, "far": 7}, {"at": [0.5, 0.5]}]},
+        "effects": {"fade": fade, "lines": "uniform", "uniform": 0.25},
+        "distance": {"near": 2, "far": 30, "width": {"strength": 1}},
+    }
+    read = style.parse(json.dumps(data))
+    assert read.focus.points[0] == focus.Point((1.0, 2.0, -3.0), 2.0, 7.0)
+    assert read.focus.points[1].at == (0.5, 0.5, 0.0)
+    assert read.effects.fade == focus.Transfer(0.8, 0.2, 0.5, ((0.0, 0.0), (0.5, 0.9), (1.0, 1.0)))
+    assert read.effects.blur == focus.OFF and read.effects.width == focus.Transfer()
+    assert read.distance.width.strength == 1.0
+    assert style.parse(style.dump(read)) == read
+
+
 def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
     plain = style.parse(json.dumps(minimal())).line_sets[0]
     assert (plain.hidden, plain.overshoot, plain.halo) == ((), 0.0, 0.0)
@@ -98,6 +133,20 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
         (minimal(pen={"color": [0, 0]}), "3 numbers"),
         (minimal(pen={"texture": "no_such_texture"}), "no_such_texture"),
         (minimal(halo=101), "line_sets[0].halo is 101"),
+        (minimal(pen_away={"widht": 1}), "widht"),
+        (minimal(pen_away={"texture": "../secret"}), "pen_away.texture"),
+        (minimal(overshoot_away=-1), "line_sets[0].overshoot_away is -1"),
+        (minimal() | {"focus": {"model": "nowhere"}}, "focus.model is 'nowhere'"),
+        (minimal() | {"focus": {"points": [{"at": [1]}]}}, "focus.points[0].at must be a list of 2 or 3 numbers"),
+        (minimal() | {"focus": {"points": [{"at": [1, float("inf")]}]}}, "focus.points[0].at is inf"),
+        (minimal() | {"focus": {"points": [{"near": 3, "far": 2}]}}, "focus.points[0].far is less than near"),
+        (minimal() | {"focus": {"points": [{}] * 17}}, "focus.points must be a list of at most 16 points"),
+        (minimal() | {"effects": {"fade": {"strength": 2}}}, "effects.fade.strength is 2"),
+        (minimal() | {"effects": {"fade": 3}}, "effects.fade must be a JSON object"),
+        (minimal() | {"effects": {"fade": {"curve": [[0.5, 0], [0.5, 1]]}}}, "effects.fade.curve: points must ascend"),
+        (minimal() | {"effects": {"fade": {"curve": [[0, 0, 0]]}}}, "effects.fade.curve[0] must be a list of 2 numbers"),
+        (minimal() | {"effects": {"lines": ["uniform"]}}, "effects.lines is ['uniform']"),
+        (minimal() | {"distance": {"near": 5, "far": 5}}, "distance.far must be more than near"),
         (minimal(overshoot=-1), "line_sets[0].overshoot is -1"),
         (minimal(hidden={}), "line_sets[0].hidden must be a list"),
         (minimal(hidden=[{"form": 1}]), "form"),

@@ -1,0 +1,40 @@
+// Focus: how far every place of the picture is from where the viewer shall look.
+#pragma once
+
+#include "base/view.h"
+#include "project/clipped_paths.h"
+
+namespace fovea {
+
+/// A place to look at: in focus up to `near` from it, out of focus from `far` on.
+struct FocusPoint {
+    /// In the image: pixels in x and y. In the scene: view space.
+    vec3 at{0.0f};
+    /// Pixels, or units of the scene.
+    float near = 0.0f, far = 1.0f;
+};
+
+enum class FocusSpace : std::uint8_t { image, scene };
+
+/// Focus f in [0,1] by distance from points (Cole 2009, 5.3.1): 0 in focus, 1 out of it. Several points: the nearest in
+/// its own radii counts; or what each leaves in focus adds up. Without points all is in focus.
+struct Focus {
+    FocusSpace space = FocusSpace::image;
+    std::vector<FocusPoint> points;
+    bool sum = false;
+
+    /// Of a place in pixels of the image and in view space, whichever `space` asks for. What is no place is out of focus.
+    float operator()(vec2 px, vec3 position_view) const;
+};
+
+/// f of each atlas sample.
+Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus);
+
+/// f of each pixel of the view, first row at the bottom. `distance`: along the view, of what the pixel shows; infinite
+/// where it shows nothing, which is out of focus where focus lies in the scene.
+Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& focus);
+
+/// How far each atlas sample is from the camera, in [0,1] between the distances near and far along the view.
+Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float far);
+
+}  // namespace fovea

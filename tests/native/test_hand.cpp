@@ -1,0 +1,72 @@
+// Wobble and pressure: how far, where not, and that they stay where they are.
+#include <gtest/gtest.h>
+
+#include "stroke/hand.h"
+
+namespace fovea {
+namespace {
+
+CentreLine straight(double from, double to) {
+    return {{{from, 10.0}, from, 2.0f}, {{to, 10.0}, to, 2.0f}};
+}
+
+TEST(Wobble, StraysAsFarAsToldAndNoFarther) {
+    CentreLine line = straight(-300, 300);
+    wobble(line, 5.0, 40.0, 7);
+    double most = 0.0;
+    for (const CentrePoint& p : line) most = std::max(most, std::abs(p.px.y - 10.0));
+    EXPECT_LE(most, 5.0);
+    EXPECT_GT(most, 1.5);
+}
+
+TEST(Wobble, EndsStay) {
+    CentreLine line = straight(-30, 170);
+    wobble(line, 5.0, 40.0, 3);
+    EXPECT_EQ(line.front().px, dvec2(-30, 10));
+    EXPECT_EQ(line.back().px, dvec2(170, 10));
+}
+
+TEST(Wobble, BelongsToThePathAndNotToWhatIsSeenOfIt) {
+    CentreLine whole = straight(-400, 400), part = straight(-100, 250);
+    wobble(whole, 4.0, 30.0, 11);
+    wobble(part, 4.0, 30.0, 11);
+    int same = 0;
+    for (const CentrePoint& p : part)
+        for (const CentrePoint& q : whole)
+            if (std::abs(p.arc - q.arc) < 1e-9 && p.arc > -60 && p.arc < 210) {
+                EXPECT_NEAR(p.px.y, q.px.y, 1e-6);
+                ++same;
+            }
+    EXPECT_GT(same, 40);
+}
+
+TEST(Wobble, OtherSeedsAreOtherHands) {
+    CentreLine a = straight(-200, 200), b = a, still = a;
+    wobble(a, 4.0, 30.0, 1);
+    wobble(b, 4.0, 30.0, 2);
+    wobble(still, 0.0, 30.0, 1);
+    ASSERT_EQ(a.size(), b.size());
+    double apart = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) apart = std::max(apart, glm::distance(a[i].px, b[i].px));
+    EXPECT_GT(apart, 1.0);
+    EXPECT_EQ(still.size(), 2u);
+}
+
+TEST(Pressure, ThinsEndsAndLeavesTheMiddle) {
+    CentreLine line = straight(-100, 100);
+    press(line, 1.0f);
+    for (const CentrePoint& p : line) {
+        const float width = 2.0f * p.half_width * p.opacity;  // thinner than a pixel is fainter
+        EXPECT_LE(width, 4.0f);
+        if (std::abs(p.arc) < 1.0) {
+            EXPECT_NEAR(width, 4.0f, 1e-3f);
+        }
+    }
+    EXPECT_NEAR(line.front().opacity, 0.0f, 1e-6f);
+    CentreLine even = straight(-100, 100);
+    press(even, 0.0f);
+    EXPECT_EQ(even.size(), 2u);
+}
+
+}  // namespace
+}  // namespace fovea
