@@ -7,7 +7,7 @@ from the_addon import part
 
 pytestmark = pytest.mark.gpu
 
-Textures = part("textures").Textures
+Textures, stages = part("textures").Textures, part("stages")
 
 
 class NoTextures:
@@ -68,13 +68,13 @@ def test_caps_and_textures(cap, textured):
 
 
 def test_later_strokes_lie_over_earlier_ones():
-    pens = [core.Pen(color=(1, 0, 0)), core.Pen(color=(0, 0, 1), opacity=0.5)]
+    pens = [core.Pen(color=(1, 0, 0)), core.Pen(color=(0, 0, 1))]
     a, b = straight(0), straight(1, (10, 80), (150, 20))
     both = core.Strokes(
         np.r_[a.px, b.px],
         np.r_[a.arc, b.arc],
         np.r_[a.half_width, b.half_width],
-        np.r_[a.opacity, b.opacity],
+        np.r_[a.opacity, 0.5 * b.opacity],
         np.r_[a.pen, b.pen],
         np.r_[a.triangles, b.triangles + 4],
         2,
@@ -104,6 +104,29 @@ def test_strokes_that_thin_and_fade_with_strength():
         pictures.append(drawn)
     assert all(picture[..., 3].max() > 0.5 for picture in pictures)
     assert np.abs(pictures[0] - pictures[2]).max() > 0.3
+
+
+def test_strokes_on_their_way_out_of_focus():
+    """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
+    chosen, view = style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),)), view_of(320, 200)
+    frame = frame_of(room(), view, line_style=chosen)
+    ink = np.random.default_rng(2).uniform(0.2, 1, (5, 40)).astype(np.float32)
+
+    class OneTexture:
+        native = [core.PenTexture(ink)]
+
+    pens = [
+        core.Pen(color=(1, 0, 0), width_px=5, away=1),
+        core.Pen(color=(0, 0, 1), width_px=2, opacity=0.5, texture=0, texture_length_px=31),
+    ]
+    focus = core.Focus(False, [(100, 100, 0, 20, 150)])
+    felt = stages.Emphasis(focus=core.focus_of_samples(frame.clipped, focus))
+    strokes = cpu.shape(frame, cpu.exact(frame, core.Cancel()), chosen, pens, None, felt)
+    assert np.ptp(strokes.mix) > 0.9 and np.ptp(strokes.half_width) > 1
+    drawn = on_gpu(strokes, pens, OneTexture, view)
+    off = np.abs(drawn - core.raster(strokes, pens, OneTexture.native, 320, 200)).max(axis=2)
+    assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
+    assert drawn[..., 0].max() > 0.9 and drawn[..., 2].max() > 0.3
 
 
 def test_no_strokes():

@@ -42,14 +42,16 @@ PARTS = {
     "__init__": "blender",
     "stages": "",
     "native": "_native",
-    "style": "style stages",
+    "focus": "style",
+    "style": "focus style stages",
     "catalogue": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
     "backend/gpu": "backend/cpu backend/gpu native stages",
     "visibility": "backend/cpu",
-    "pipeline": "backend/cpu stages style textures visibility",
-    "blender": "blender backend pipeline textures style catalogue stages native",
+    "emphasis": "backend/cpu stages",
+    "pipeline": "backend/cpu emphasis stages style textures visibility",
+    "blender": "blender backend focus pipeline textures style catalogue stages native",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
