@@ -14,6 +14,11 @@ RANGES = {
     "least_length": (0, 10000),
     "overshoot": (0, 200),
     "halo": (0, 100),
+    "desaturation": (0, 1),
+    "scale": (0.1, 20),
+    "tooth": (0, 1),
+    "granulation": (0, 1),
+    "tint": (0, 1),
 }
 
 

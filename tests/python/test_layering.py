@@ -10,7 +10,7 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 # A native folder includes itself and those before it.
-NATIVE = "base mesh field scene image line path project focus atlas elision stroke bindings".split()
+NATIVE = "base mesh field scene image line path project focus atlas elision stroke color bindings".split()
 
 # Header -> where it may be included.
 LIBRARIES = {
@@ -42,18 +42,20 @@ PARTS = {
     "__init__": "blender",
     "stages": "",
     "native": "_native",
-    "style": "style stages",
+    "style": "style stages color",
+    "color": "style",
+    "papers": "backend/cpu",
     "catalogue": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
     "backend/gpu": "backend/cpu backend/gpu native stages",
     "visibility": "backend/cpu",
-    "pipeline": "backend/cpu stages style textures visibility",
-    "blender": "blender backend pipeline textures style catalogue stages native",
+    "pipeline": "backend/cpu stages style textures visibility papers",
+    "blender": "blender backend pipeline textures style catalogue stages native color",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
-LOADERS = r"addon/(backend/(cpu|gpu\w*)|catalogue|blender/(scene|session))\.py"
+LOADERS = r"addon/(backend/(cpu|gpu\w*)|catalogue|blender/(scene|session))|session))\.py"
 
 
 def violations(root):
