@@ -49,23 +49,24 @@ class Sheet:
             x, y = at[0] + np.cumsum(np.cos(turned)) / 2, at[1] + np.cumsum(np.sin(turned)) / 2
             ends = 1 - (2 * np.abs(steps) / length) ** 4
             np.maximum.at(height, (np.floor(y).astype(int) % SIZE, np.floor(x).astype(int) % SIZE), ends)
-        blurred = np.fft.irfft2(np.fft.rfft2(height) * np.exp(-2 * (np.pi * width) ** 2 * (self.fx**2 + self.fy**2)), s=height.shape)
+        soft = np.exp(-2 * (np.pi * width) ** 2 * (self.fx**2 + self.fy**2))
+        blurred = np.fft.irfft2(np.fft.rfft2(height) * soft, s=height.shape)
         return (blurred - blurred.mean()) / blurred.std()
 
 
 def cold_press():
     """Watercolour paper: soft irregular bumps of the felt, and a fine tooth on them."""
     s = Sheet(11)
-    felt = 0.9 * s.bumps(13) + 0.6 * s.bumps(8)
+    felt = 0.9 * s.bumps(9) + 0.6 * s.bumps(5.5)
     # Hollows are rounder than what lies between them.
-    return np.tanh(0.9 * felt) + 0.16 * s.bumps(3.2) + 0.12 * s.clouds(60)
+    return np.tanh(0.9 * felt) + 0.3 * s.bumps(3) + 0.12 * s.clouds(60)
 
 
 def rough():
     """Handmade: deep, uneven hollows."""
     s = Sheet(12)
-    felt = s.bumps(24) + 0.75 * s.bumps(15) + 0.35 * s.bumps(8)
-    return np.tanh(0.8 * felt) + 0.18 * s.bumps(3.6) + 0.2 * s.clouds(80)
+    felt = s.bumps(15) + 0.75 * s.bumps(9) + 0.45 * s.bumps(5)
+    return np.tanh(0.8 * felt) + 0.35 * s.bumps(3) + 0.15 * s.clouds(80)
 
 
 def laid():
@@ -92,7 +93,8 @@ def canvas():
 def kraft():
     """Wrapping paper: fibres that lie every way."""
     s = Sheet(15)
-    return s.fibres(900, 42, 0.9, 0.02) + 0.6 * s.fibres(500, 20, 0.7, 0.04) + 0.5 * s.bumps(5) + 0.4 * s.clouds(24)
+    threads = s.fibres(1400, 26, 0.8, 0.03) + 0.6 * s.fibres(900, 12, 0.7, 0.05)
+    return 0.6 * threads + 0.7 * s.bumps(4) + 0.5 * s.bumps(8) + 0.3 * s.clouds(24)
 
 
 def bristol():
