@@ -1,7 +1,7 @@
 """What a material's nodes say about its base colour, where that can be told without running them."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from . import materials
 
@@ -30,6 +30,7 @@ class Source:
     place: tuple = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)  # two rows that map the UVs to the image
     attribute: str | None = None
     unlit: bool = False
+    viewport: tuple = (0.8, 0.8, 0.8)  # stands for what is not there: an image or an attribute
     followed: bool = True  # False: nodes that cannot be told beforehand; the viewport colour stands for them
 
 
@@ -37,13 +38,13 @@ def source(material):
     """The Source of a material; an empty slot shows the mesh's active colours, if it has any."""
     if material is None:
         return Source(attribute=ACTIVE)
-    viewport = Source(tuple(material.diffuse_color)[:3])
+    viewport = tuple(material.diffuse_color)[:3]
     shader = _colored(materials.surface_shader(material))
     if shader is None:
         # No surface at all looks as in the viewport; a shader without a colour is one that is not followed.
-        return Source(viewport.color, followed=materials.surface_shader(material) is None)
+        return Source(viewport, viewport=viewport, followed=materials.surface_shader(material) is None)
     found = _of_socket(shader.inputs[COLOR_INPUTS[shader.type]], shader.type == "EMISSION")
-    return found or Source(viewport.color, followed=False)
+    return replace(found or Source(viewport, followed=False), viewport=viewport)
 
 
 def _colored(shader):

@@ -6,6 +6,7 @@ import numpy as np
 
 from .. import color
 from . import color_nodes, materials
+from .color_corners import Corners
 from .color_images import ImageCache
 
 
@@ -14,6 +15,7 @@ class ColorCache:
 
     def __init__(self, core):
         self.images = ImageCache(core)
+        self.refined = {}  # attributes of refined surfaces, see color_corners.py
 
 
 class Gathering:
@@ -25,12 +27,18 @@ class Gathering:
         self.surfaces, self.lights = [], []
         self.unfollowed = set()  # materials whose nodes were not followed
 
-    def add_surface(self, obj, mesh, surface, repaired):
-        """The colours of an evaluated mesh whose native surface is given. Where that has been refined or repaired its
-        corners are no longer the mesh's, and nothing is read of them."""
-        sources = [self._source(material) for material in materials.of(obj, mesh)]
-        corners = _Corners(mesh, not repaired and not isinstance(surface, self._core.RefinedSurface))
-        slots = [self._slot(source, corners) for source in sources]
+    def add_surface(self, obj, mesh, surface, cage, repaired):
+        """The colours of an evaluated mesh whose native surface is given; `cage()`: a context with what a refined one
+        was made from. Of a repaired one only the materials count: its corners are no longer the mesh's."""
+        found = materials.of(obj, mesh)
+        if repaired or not len(mesh.loops):
+            sources = [self._source(material) for material in found]
+            slots = [self._core.ColorSlot(s.viewport if s.image or s.attribute else s.color) for s in sources]
+            self.surfaces.append(self._core.SurfaceColor(slots))
+            return
+        refined = isinstance(surface, self._core.RefinedSurface)
+        corners = Corners(self._core, obj, mesh, surface, cage if refined else None, self._cache.refined)
+        slots = [self._slot(material, corners) for material in found]
         normals = corners.normals()
         self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))
 
@@ -67,80 +75,17 @@ class Gathering:
                 self.unfollowed.add(name)
         return self._sources[name]
 
-    def _slot(self, source, corners):
-        """The native slot; an image, a UV map or an attribute that is missing leaves the colour."""
+    def _slot(self, material, corners):
+        """The native slot; where an image, a UV map or an attribute is missing the viewport colour stands for it."""
+        source = self._source(material)
         texture = source.image and self._cache.images.texture(source.image)
         uv = corners.uv(source.uv, source.place) if texture else None
-        return self._core.ColorSlot(
-            source.color, texture if uv is not None else None, uv, corners.attribute(source.attribute), source.unlit
-        )
-
-
-class _Corners:
-    """Attributes of a mesh at its corners, read when first asked for. `fits`: the native
-    surface has the same ones."""
-
-    def __init__(self, mesh, fits):
-        self._mesh, self._fits = mesh, fits
-        self._known = {}
-        self.uvs, self.attributes = [], []
-
-    def normals(self):
-        if not self._fits or not len(self._mesh.loops):
-            return None
-        return self._read(self._mesh.corner_normals, "vector", 3)
-
-    def uv(self, name, place):
-        """Which of `uvs` holds a UV map, mapped; None where there is none."""
-        mesh = self._mesh
-        if name == color_nodes.ACTIVE:
-            name = next((layer.name for layer in mesh.uv_layers if layer.active_render), None)
-        found = mesh.attributes.get(name) if name else None
-        if not self._fits or found is None or (found.data_type, found.domain) != ("FLOAT2", "CORNER"):
-            return None
-        return self._index(self.uvs, (name, place), lambda: _mapped(self._read(found.data, "vector", 2), place))
-
-    def attribute(self, name):
-        """Which of `attributes` holds a colour attribute; None where there is none."""
-        mesh = self._mesh
-        if name == color_nodes.ACTIVE:
-            index = mesh.color_attributes.render_color_index
-            name = mesh.color_attributes[index].name if 0 <= index < len(mesh.color_attributes) else None
-        found = mesh.attributes.get(name) if name else None
-        if not self._fits or found is None or found.domain not in {"POINT", "CORNER"}:
-            return None
-        if found.data_type not in {"FLOAT_COLOR", "BYTE_COLOR"}:
-            return None
-        return self._index(self.attributes, name, lambda: self._colors(found))
-
-    def _colors(self, attribute):
-        """(C, 3) scene-linear colours."""
-        colors = self._read(attribute.data, "color", 4)[:, :3]
-        if attribute.domain == "POINT":
-            vertices = np.empty(len(self._mesh.loops), np.int32)
-            self._mesh.attributes[".corner_vert"].data.foreach_get("value", vertices)
-            colors = colors[vertices]
-        return np.ascontiguousarray(colors)
-
-    def _index(self, arrays, name, read):
-        key = (id(arrays), name)
-        if key not in self._known:
-            self._known[key] = len(arrays)
-            arrays.append(read())
-        return self._known[key]
-
-    @staticmethod
-    def _read(data, what, columns):
-        values = np.empty((len(data), columns), np.float32)
-        data.foreach_get(what, values.ravel())
-        return values
-
-
-def _mapped(uvs, place):
-    if place == color_nodes.Source.place:
-        return uvs
-    rows = np.array(place, np.float32).reshape(2, 3)
-    return uvs @ rows[:, :2].T + rows[:, 2]
+        attribute = None if source.attribute is None else corners.attribute(source.attribute)
+        if (source.image and uv is None) or (material and source.attribute is not None and attribute is None):
+            self.unfollowed.add(material.name_full)
+            return self._core.ColorSlot(source.viewport, unlit=source.unlit)
+        own = (1.0, 1.0, 1.0) if attribute is not None else source.color
+        return self._core.ColorSlot(own, texture, uv, attribute, source.unlit)
 
 
 def _world(scene):

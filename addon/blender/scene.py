@@ -81,7 +81,8 @@ class _Gathering:
                 surface = self.surface(obj, mesh, slots, plan, mend)
                 surface.set_field_options(*curvature)
                 if self.colors:
-                    self.colors.add_surface(obj, mesh, surface, repaired=mend is not None)
+                    cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+                    self.colors.add_surface(obj, mesh, surface, cage, repaired=mend is not None)
                 self.surfaces.append(surface)
                 self.slots.append(slots)
             self.index_of[met] = self.index_of[shared]

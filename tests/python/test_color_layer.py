@@ -127,7 +127,7 @@ def test_edges_cover_their_share(turn):
 
 
 def test_colours_meet_without_a_gap_and_do_not_bleed():
-    ground, block = box((-9, -9, -2), (9, 9, -1)).surface(), box().surface()
+    ground, block = box((-60, -60, -2), (60, 60, -1)).surface(), box().surface()
     red, blue = (1, 0, 0), (0, 0, 1)
     found = layer([ground, block], [plain(red), plain(blue)], seen=view((4, -3, 5), (0, 0, 0), size=SIZE))
     assert (found[..., 3] == 1).all() and np.allclose(found[..., 0] + found[..., 2], 1, atol=1e-6)
