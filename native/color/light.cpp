@@ -15,7 +15,8 @@ constexpr float least_ambient = 0.2f, most_ambient = 0.6f;
 /// Half the width of the step between two bands, as a share of full light.
 constexpr float soft_step = 0.012f;
 
-float luminance(const vec3& color) { return glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f)); }
+/// By the strongest channel: a white surface in coloured light keeps its hue up to full light.
+float brightness(const vec3& color) { return std::max({color.x, color.y, color.z}); }
 
 float smooth_step(float low, float high, float x) {
     const float t = std::clamp((x - low) / std::max(high - low, 1e-6f), 0.0f, 1.0f);
@@ -41,19 +42,21 @@ vec3 arriving(const Light& light, const dvec3& point, vec3& to_light) {
 
 bool usable(const Light& light) {
     const float total = light.color.x + light.color.y + light.color.z;
-    return std::isfinite(total) && luminance(light.color) > 0.0f && std::isfinite(glm::length(light.position)) &&
+    return std::isfinite(total) && brightness(light.color) > 0.0f && std::isfinite(glm::length(light.position)) &&
            glm::length(light.direction) > 0.0;
 }
 
-/// The median over the placements of what arrives at their middle from all lights.
+/// The median over the placements of what arrives at their middle from all lights, spots and areas turned to them: most
+/// light but a part of a floor.
 float typical(const std::vector<Light>& lights, const Scene& scene, const View& view) {
     std::vector<float> found;
     for (const Placement& placement : scene.placements) {
         const Sphere sphere = bounding_sphere(placement, view);
         float squares = 0.0f;
-        for (const Light& light : lights) {
+        for (Light light : lights) {
+            if (light.kind != Light::sun) light.kind = Light::point;
             vec3 to_light;
-            const float arrives = luminance(arriving(light, sphere.center, to_light));
+            const float arrives = brightness(arriving(light, sphere.center, to_light));
             squares += arrives * arrives;
         }
         if (std::isfinite(squares)) found.push_back(std::sqrt(squares));
@@ -83,7 +86,7 @@ Lighting::Lighting(In<Light> lights, const vec3& world, const Scene& scene, cons
         return;
     }
     for (Light& light : lights_) light.color /= full;
-    const float sky = luminance(world), from_sky = glm::pi<float>() * std::max(sky, 0.0f);
+    const float sky = brightness(world), from_sky = glm::pi<float>() * std::max(sky, 0.0f);
     const float share = from_sky / (from_sky + full);
     ambient_share_ = share >= least_ambient ? std::min(share, most_ambient) : least_ambient;
     if (sky > 0.0f && std::isfinite(sky)) ambient_ = glm::mix(vec3(1.0f), world / sky, 0.5f);
@@ -110,7 +113,7 @@ float Lighting::banded(float share) const {
 vec3 Lighting::at(const dvec3& point, const vec3& normal, const vec3& to_eye) const {
     if (shading_ == Shading::flat) return vec3(1.0f);
     const vec3 direct = irradiance(point, normal, to_eye);
-    const float full = luminance(direct), share = std::min(full, 1.0f);
+    const float full = brightness(direct), share = std::min(full, 1.0f);
     vec3 tint(0.0f);
     if (full > 0.0f) tint = direct / full * (shading_ == Shading::toon ? banded(share) : share);
     return ambient_share_ * ambient_ + (1.0f - ambient_share_) * tint;

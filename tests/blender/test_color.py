@@ -127,6 +127,7 @@ def test_an_image_lies_on_the_active_map(scene, tmp_path, kind):
 def test_bytes_are_decoded_as_their_colour_space_says(scene, tmp_path):
     made, shader, tree = material()
     pixels = image("Grey", np.full((4, 4, 4), 0.5))
+    pixels.pack()  # Blender makes generated ones anew for another colour space
     textured(pixels, tree, shader)
     painted(made)
     assert np.allclose(layer_of(scene, tmp_path), 0.2140, atol=0.003)
@@ -247,7 +248,7 @@ def test_paper_settles_pigment(scene, tmp_path, monkeypatch):
     colored(monkeypatch, {"texture": "cold_press", "granulation": 0.6}, shading="flat")
     picture = drawn(scene, tmp_path / "grain.png")
     assert picture[..., 0].std() > 0.02
-    colored(monkeypatch, {"texture": "cold_press"}, shading="flat")
+    colored(monkeypatch, {"texture": "cold_press", "granulation": 0.0}, shading="flat")
     assert drawn(scene, tmp_path / "even.png")[..., 0].std() < 1e-3
 
 
