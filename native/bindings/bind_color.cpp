@@ -67,8 +67,12 @@ Light make_light(const std::string& kind, const std::array<double, 3>& position,
     static constexpr const char* names[] = {"sun", "point", "spot", "area"};
     const auto named = std::find(std::begin(names), std::end(names), kind);
     check(named != std::end(names), "light: there is no kind '" + kind + "'; there are: sun, point, spot, area");
-    return {Light::Kind(named - std::begin(names)), {position[0], position[1], position[2]},
-            {direction[0], direction[1], direction[2]}, vector(color), cos_outer, cos_inner};
+    return {Light::Kind(named - std::begin(names)),
+            {position[0], position[1], position[2]},
+            {direction[0], direction[1], direction[2]},
+            vector(color),
+            cos_outer,
+            cos_inner};
 }
 
 Shading shading_of(const std::string& name) {
@@ -107,19 +111,29 @@ py::array changed(const Image& image, const Image& amount, const Effect& effect)
 }
 
 void bind_effects(py::module_& m) {
-    m.def("desaturate", [](const Image& image, const Image& amount) {
-        return changed(image, amount, [](auto pixels, auto amounts) { desaturate(pixels, amounts); });
-    }, py::arg("image"), py::arg("amount"), "(H, W, 4) moved towards grey by (H, W) amounts; see native/color/effects.h.");
-    m.def("fade", [](const Image& image, const Image& amount, const std::optional<Color>& color) {
-        const auto target = vector(color);
-        return changed(image, amount, [&](auto pixels, auto amounts) { fade(pixels, amounts, target); });
-    }, py::arg("image"), py::arg("amount"), py::arg("color") = py::none(),
-       "(H, W, 4) moved towards a colour, or None: towards nothing, by (H, W) amounts.");
-    m.def("blur", [](const Image& image, const Image& radius_px) {
-        const int width = image.ndim() == 3 ? int(image.shape(1)) : 0;
-        return changed(image, radius_px, [&](auto pixels, auto radii) { blur(pixels, width, radii); });
-    }, py::arg("image"), py::arg("radius_px"),
-       "(H, W, 4) blurred as by discs of (H, W) radii; where the radius is 0 it neither takes nor gives.");
+    m.def(
+        "desaturate",
+        [](const Image& image, const Image& amount) {
+            return changed(image, amount, [](auto pixels, auto amounts) { desaturate(pixels, amounts); });
+        },
+        py::arg("image"), py::arg("amount"),
+        "(H, W, 4) moved towards grey by (H, W) amounts; see native/color/effects.h.");
+    m.def(
+        "fade",
+        [](const Image& image, const Image& amount, const std::optional<Color>& color) {
+            const auto target = vector(color);
+            return changed(image, amount, [&](auto pixels, auto amounts) { fade(pixels, amounts, target); });
+        },
+        py::arg("image"), py::arg("amount"), py::arg("color") = py::none(),
+        "(H, W, 4) moved towards a colour, or None: towards nothing, by (H, W) amounts.");
+    m.def(
+        "blur",
+        [](const Image& image, const Image& radius_px) {
+            const int width = image.ndim() == 3 ? int(image.shape(1)) : 0;
+            return changed(image, radius_px, [&](auto pixels, auto radii) { blur(pixels, width, radii); });
+        },
+        py::arg("image"), py::arg("radius_px"),
+        "(H, W, 4) blurred as by discs of (H, W) radii; where the radius is 0 it neither takes nor gives.");
 }
 
 void bind_paper(py::module_& m) {
@@ -167,18 +181,24 @@ void bind_color(py::module_& m) {
     py::class_<ColorTexture, std::shared_ptr<ColorTexture>>(m, "ColorTexture", "An image of base colours.")
         .def(py::init(&make_texture), py::arg("pixels"), py::arg("encoded"),
              "(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear.")
-        .def("at", [](const ColorTexture& texture, float u, float v, float footprint) {
-            const vec3 color = texture.at({u, v}, footprint);
-            return std::array{color.x, color.y, color.z};
-        }, py::arg("u"), py::arg("v"), py::arg("footprint") = 0.0f, "Scene-linear colour at a place of the unit square.");
+        .def(
+            "at",
+            [](const ColorTexture& texture, float u, float v, float footprint) {
+                const vec3 color = texture.at({u, v}, footprint);
+                return std::array{color.x, color.y, color.z};
+            },
+            py::arg("u"), py::arg("v"), py::arg("footprint") = 0.0f,
+            "Scene-linear colour at a place of the unit square.");
     py::class_<ColorSlot>(m, "ColorSlot", "What a material says about colour.")
-        .def(py::init([](const Color& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
-                         std::optional<Index> attribute, bool unlit) {
-                 return ColorSlot{vector(color), std::move(texture), uv.value_or(none), attribute.value_or(none), unlit};
-             }),
-             py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
-             py::arg("attribute") = py::none(), py::arg("unlit") = false);
-    py::class_<SurfaceColor, std::shared_ptr<SurfaceColor>>(m, "SurfaceColor", "Colours of a surface; see native/color/source.h.")
+        .def(
+            py::init([](const Color& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
+                        std::optional<Index> attribute, bool unlit) {
+                return ColorSlot{vector(color), std::move(texture), uv.value_or(none), attribute.value_or(none), unlit};
+            }),
+            py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
+            py::arg("attribute") = py::none(), py::arg("unlit") = false);
+    py::class_<SurfaceColor, std::shared_ptr<SurfaceColor>>(m, "SurfaceColor",
+                                                            "Colours of a surface; see native/color/source.h.")
         .def(py::init(&make_surface_color), py::arg("slots"), py::arg("normals") = py::none(),
              py::arg("uvs") = std::vector<Arg<vec2>>(), py::arg("attributes") = std::vector<Arg<vec3>>(),
              "normals (C, 3), each of uvs (C, 2), each of attributes (C, 3): float32 per corner of the mesh.");
@@ -194,8 +214,8 @@ void bind_color(py::module_& m) {
         },
         py::arg("tracer"), py::arg("colors"), py::arg("lights"), py::arg("world"), py::arg("shading"),
         py::arg("bands") = 3, py::arg("cancel") = py::none(),
-        R"((H, W, 4) float32 premultiplied: what each pixel sees. colors: a SurfaceColor or None per placement; shading: flat,
-smooth or toon.)");
+        R"((H, W, 4) float32 premultiplied: what each pixel sees. colors: a SurfaceColor or None per placement; shading:
+flat, smooth or toon.)");
     bind_effects(m);
     bind_paper(m);
 }

@@ -195,7 +195,7 @@ for a cage without a limit surface.)")
             py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.")
         .def(
             "mix_corners",
-            [](const RefinedSurface& surface, const py::array_t<float, py::array::c_style | py::array::forcecast>& values,
+            [](const RefinedSurface& surface, const Arg<float>& values, const Arg<int>& polygon_offsets) {| py::array::forcecast>& values,
                const Arg<int>& polygon_offsets) {
                 check(values.ndim() == 2, surface.name() + ": values of shape (C, columns) expected");
                 const In<float> all(values.data(), std::size_t(values.size()));

@@ -15,9 +15,10 @@ void desaturate(std::span<vec4> image, In<float> amount);
 /// Moves colours towards one colour; without one, the layer itself fades and shows what lies under it.
 void fade(std::span<vec4> image, In<float> amount, const std::optional<vec3>& color);
 
-/// Blurs each pixel as wide as a disc of its own radius would: colours diffuse where both neighbours are out of focus, so that what is in focus bleeds nowhere and nothing bleeds into it, however near; the
-/// sum of the colours stays the same, and the cost does not depend on the radius. Pixels that are not finite stay, and
-/// keep to themselves. Kass, Lefohn & Owens, "Interactive Depth of Field Using Simulated Diffusion on a GPU", Pixar 2006.
+/// Blurs each pixel as wide as a disc of its own radius would: colours diffuse where both neighbours are out of focus,
+/// so that what is in focus bleeds nowhere and nothing bleeds into it, however near; the sum of the colours stays the
+/// same, and the cost does not depend on the radius. Pixels that are not finite stay, and keep to themselves. Kass,
+/// Lefohn & Owens, "Interactive Depth of Field Using Simulated Diffusion on a GPU", Pixar 2006.
 void blur(std::span<vec4> image, int width, In<float> radius_px);
 
 }  // namespace fovea

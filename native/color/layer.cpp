@@ -32,7 +32,8 @@ class Items {
         for (const Occluder& occluder : occluders(scene, view, 0.0)) placement_.push_back(occluder.placement);
         const DepthBuffer depth = draw_depth(view, meshes, {.scale = 1, .margin = 0.0}, &cancel);
         items_.resize(depth.texels.size());
-        parallel_for(items_.size(), [&](std::size_t i) { items_[i] = depth.texels[i].facet; }, 65536);
+        parallel_for(
+            items_.size(), [&](std::size_t i) { items_[i] = depth.texels[i].facet; }, 65536);
     }
 
     Index at(int x, int y) const { return items_[std::size_t(y) * width_ + x]; }
@@ -56,7 +57,11 @@ dvec2 place_in_pixel(int i) {
 class Layer {
    public:
     Layer(const Tracer& tracer, const ColorShader& shader, const Cancel& cancel)
-        : tracer_(tracer), view_(tracer.view()), shader_(shader), cancel_(cancel), items_(tracer.scene(), view_, cancel) {}
+        : tracer_(tracer),
+          view_(tracer.view()),
+          shader_(shader),
+          cancel_(cancel),
+          items_(tracer.scene(), view_, cancel) {}
 
     Array<vec4> draw() const {
         Array<vec4> coarse(std::size_t(view_.width) * view_.height), fine(coarse.size());
@@ -107,8 +112,8 @@ class Layer {
         const Index own = items_.at(x, y);
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u)
-                if (items_.at(u, v) != own && differ(coarse[std::size_t(y) * view_.width + x],
-                                                     coarse[std::size_t(v) * view_.width + u]))
+                if (items_.at(u, v) != own &&
+                    differ(coarse[std::size_t(y) * view_.width + x], coarse[std::size_t(v) * view_.width + u]))
                     return true;
         return false;
     }

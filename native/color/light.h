@@ -11,11 +11,11 @@ struct View;
 struct Light {
     enum Kind : std::uint8_t { sun, point, spot, area };
     Kind kind = sun;
-    dvec3 position{0.0};           ///< world
-    dvec3 direction{0, 0, -1};     ///< world: where it shines; points shine everywhere
-    vec3 color{1.0f};              ///< of a sun the irradiance, W/m2; of others the intensity along their axis, W/sr
-    float cos_outer = -1.0f;       ///< of the angle to a spot's axis where its light ends
-    float cos_inner = -1.0f;       ///< and where it begins to fade
+    dvec3 position{0.0};        ///< world
+    dvec3 direction{0, 0, -1};  ///< world: where it shines; points shine everywhere
+    vec3 color{1.0f};           ///< of a sun the irradiance, W/m2; of others the intensity along their axis, W/sr
+    float cos_outer = -1.0f;    ///< of the angle to a spot's axis where its light ends
+    float cos_inner = -1.0f;    ///< and where it begins to fade
 };
 
 enum class Shading : std::uint8_t {

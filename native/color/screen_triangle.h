@@ -20,7 +20,7 @@ inline dmat3 pixel_to_ray(const View& view) {
 /// Barycentric shares that are linear over the image but for a common factor (Olano & Greer, "Triangle Scan Conversion
 /// using 2D Homogeneous Coordinates", Graphics Hardware 1997): no clipping, and corners behind the eye do no harm.
 struct ScreenTriangle {
-    dmat3 shares{0.0};    ///< (x, y, 1) to unnormalized shares; not finite for a triangle seen edge on
+    dmat3 shares{0.0};     ///< (x, y, 1) to unnormalized shares; not finite for a triangle seen edge on
     dvec3 distances{0.0};  ///< of the corners along -z
     bool orthographic = false;
 

@@ -19,10 +19,10 @@ struct ColorSlot {
 
 /// What a surface brings along beside its geometry; corners are the mesh's own.
 struct SurfaceColor {
-    std::vector<ColorSlot> slots;              ///< by Surface::polygon_material; others look as the default slot
-    Array<vec3> normals;                       ///< per corner, object space; empty: those of field/corner_normals.h
-    std::vector<Array<vec2>> uvs;              ///< each per corner
-    std::vector<Array<vec3>> attributes;       ///< each per corner, scene-linear
+    std::vector<ColorSlot> slots;         ///< by Surface::polygon_material; others look as the default slot
+    Array<vec3> normals;                  ///< per corner, object space; empty: those of field/corner_normals.h
+    std::vector<Array<vec2>> uvs;         ///< each per corner
+    std::vector<Array<vec3>> attributes;  ///< each per corner, scene-linear
 };
 
 /// Of a scene: by placement; null: default slots.

@@ -58,7 +58,8 @@ def test_blur_is_diffusion(image, amount, radius):
 
 def test_nothing_is_changed_where_the_amount_is_nothing(image, amount):
     none = np.zeros_like(amount)
-    for result in (core.desaturate(image, none), core.fade(image, none), core.fade(image, none, (1, 0, 0)), core.blur(image, none)):
+    faded = core.fade(image, none), core.fade(image, none, (1, 0, 0))
+    for result in (core.desaturate(image, none), *faded, core.blur(image, none)):
         assert result.tobytes() == image.tobytes()
     some = np.where(amount > 0.5, amount, 0).astype(np.float32)
     for result in (core.desaturate(image, some), core.fade(image, some), core.blur(image, 9 * some)):

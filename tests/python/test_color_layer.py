@@ -84,7 +84,8 @@ def test_size_does_not_matter_either():
     far = core.Light("point", (300, -300, 400), (0, 0, -1), (1, 1, 1))
     one = layer([sphere(32).surface()], [plain((1, 1, 1))], "smooth", [lamp])
     seen = view((400, -300, 200), (0, 0, 0), size=SIZE, far=1e5)
-    large = layer([sphere(32).surface()], [plain((1, 1, 1))], "smooth", [far], seen=seen, matrices=[np.diag([100, 100, 100, 1])])
+    matrices = [np.diag([100, 100, 100, 1])]
+    large = layer([sphere(32).surface()], [plain((1, 1, 1))], "smooth", [far], seen=seen, matrices=matrices)
     assert np.abs(one - large).max() < 0.02
 
 
@@ -151,7 +152,8 @@ def test_a_texture_lies_where_its_uvs_say():
     ramp[..., 1] = np.linspace(0, 1, 80)[:, None]
     found = square(slots=[core.ColorSlot((1, 1, 1), core.ColorTexture(ramp, False), 0)], uvs=[uvs])
     assert np.abs(found[2:-2, 2:-2, :3] - ramp[2:-2, 2:-2]).max() < 0.03
-    encoded = square(slots=[core.ColorSlot((1, 1, 1), core.ColorTexture(np.full((4, 4, 3), 0.5, np.float32), True), 0)], uvs=[uvs])
+    grey = core.ColorTexture(np.full((4, 4, 3), 0.5, np.float32), True)
+    encoded = square(slots=[core.ColorSlot((1, 1, 1), grey, 0)], uvs=[uvs])
     assert np.allclose(encoded[..., :3], 0.2140, atol=0.002)
 
 

@@ -33,7 +33,8 @@ def paper(request):
 
 
 def drawn(paper, lines=(0, 0, 0, 0), layer=None, **options):
-    return core.on_paper(even(lines), None if layer is None else even(layer), None, camera(), paper, (0.9, 0.8, 0.6), **options)
+    layer = None if layer is None else even(layer)
+    return core.on_paper(even(lines), layer, None, camera(), paper, (0.9, 0.8, 0.6), **options)
 
 
 def test_there_are_papers():
