@@ -195,8 +195,7 @@ for a cage without a limit surface.)")
             py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.")
         .def(
             "mix_corners",
-            [](const RefinedSurface& surface, const Arg<float>& values, const Arg<int>& polygon_offsets) {| py::array::forcecast>& values,
-               const Arg<int>& polygon_offsets) {
+            [](const RefinedSurface& surface, const Arg<float>& values, const Arg<int>& polygon_offsets) {
                 check(values.ndim() == 2, surface.name() + ": values of shape (C, columns) expected");
                 const In<float> all(values.data(), std::size_t(values.size()));
                 const In<int> offsets = borrow<int>(polygon_offsets, "polygon_offsets");
