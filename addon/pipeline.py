@@ -4,7 +4,7 @@ import time
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from . import emphasis
+from . import emphasis, papers
 from .backend import cpu
 from .stages import Image
 from .textures import Textures
@@ -58,8 +58,9 @@ class _Clock:
         self.done += share
 
 
-def draw(scene, view, style, backend, options, *, progress, cancel):
-    """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend."""
+def draw(scene, view, style, backend, options, *, colors=None, progress, cancel):
+    """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend. `colors`: the color.Sources
+    of the scene, where the style has a colour layer."""
     clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
@@ -85,8 +86,12 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         strokes = cpu.shape(frame, runs, style, pens, samples, felt)
     with clock.stage("strokes", 0.1):
         lines = method.draw(frame, backend, strokes, pens, textures)
-    with clock.stage("paper", 0.1):
-        combined = cpu.on_paper(lines, style.paper, tracer, cancel)
+    layer = None
+    if colors is not None and style.color.shading != "plain":
+        with clock.stage("color", 0.05):
+            layer = cpu.color_layer(tracer, colors, style.color, cancel)
+    with clock.stage("paper", 0.05):
+        combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), tracer, cancel)
         depth = cpu.depth_image(tracer, cancel) if options.with_depth else None
     statistics = {
         "stages": clock.stages,
@@ -95,4 +100,4 @@ def draw(scene, view, style, backend, options, *, progress, cancel):
         "backend": backend.name,
         "visibility": method.told(frame),
     }
-    return Image(combined, lines, depth, statistics)
+    return Image(combined, lines, depth, layer, statistics)

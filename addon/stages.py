@@ -123,4 +123,5 @@ class Image:
     combined: np.ndarray  # (H, W, 4) float32
     lines: np.ndarray | None = None  # (H, W, 4) float32, strokes alone
     depth: np.ndarray | None = None  # (H, W) float32, distance from the camera
+    color: np.ndarray | None = None  # (H, W, 4) float32, the colour layer alone
     statistics: dict = field(default_factory=dict)

@@ -8,6 +8,8 @@ import json
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 
+from . import color
+from .color import Color
 from .focus import Distance, Effects, Focus, parse_distance, parse_effects, parse_focus
 from .stages import Pen
 from .style_values import RANGES, StyleError, check_keys, check_range, finite, record
@@ -15,6 +17,7 @@ from .style_values import RANGES, StyleError, check_keys, check_range, finite, r
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
 TEXTURES = Path(__file__).parent / "textures"
+PAPERS = Path(__file__).parent / "papers"
 DEFAULT = "ink"
 
 CAPS = ("round", "butt")
@@ -26,6 +29,11 @@ UNCOUNTED = 255  # more surfaces than are ever counted
 class Paper:
     color: tuple = (1.0, 1.0, 1.0)  # scene-linear
     transparent: bool = False
+    texture: str = "none"  # a file of addon/papers, without .png; none: smooth
+    scale: float = 1.0  # reference pixels that a texel of the texture covers
+    tooth: float = 0.0  # how far thin ink stays on the heights of the paper
+    granulation: float = 0.0  # how much more pigment of the colour layer its valleys take
+    tint: float = 0.0  # how much its relief shades the whole picture
 
 
 @dataclass(frozen=True)
@@ -61,6 +69,7 @@ class Style:
     focus: Focus = Focus()
     effects: Effects = Effects()
     distance: Distance = Distance()
+    color: Color = Color()
 
     def pen_pairs(self):
         """(pen in focus, pen out of focus or None): those of visible parts by line set, then those of hidden parts."""
@@ -103,6 +112,11 @@ def textures():
     return sorted({"solid"} | {path.stem for path in TEXTURES.glob("*.png")}, key=lambda name: (name != "solid", name))
 
 
+def papers():
+    """The papers that ship; `none` is smooth."""
+    return ["none", *sorted(path.stem for path in PAPERS.glob("*.png"))]
+
+
 def load(name, definitions=None):
     """The style of that name; `definitions` as in `parse`."""
     if name not in names():
@@ -116,18 +130,19 @@ def parse(text, definitions=None):
         data = json.loads(text)
     except json.JSONDecodeError as error:
         raise StyleError(f"the style is not JSON: {error}") from error
-    check_keys(data, {"schema", "paper", "focus", "effects", "distance", "line_sets"}, "the style")
+    check_keys(data, {"schema", "paper", "color", "focus", "effects", "distance", "line_sets"}, "the style")
     if data.get("schema") != SCHEMA:
         raise StyleError(f"the style has schema {data.get('schema')!r}, this version of Fovea reads {SCHEMA}")
     sets = data.get("line_sets", [])
     if not isinstance(sets, list) or not sets:
         raise StyleError("line_sets must be a list of at least one line set")
     return Style(
-        paper=record(Paper, data.get("paper", {}), "paper"),
+        paper=_paper(data.get("paper", {}), "paper"),
         line_sets=tuple(_line_set(entry, f"line_sets[{i}]", definitions) for i, entry in enumerate(sets)),
         focus=parse_focus(data.get("focus", {}), "focus"),
         effects=parse_effects(data.get("effects", {}), "effects"),
         distance=parse_distance(data.get("distance", {}), "distance"),
+        color=color.parse(data.get("color", {}), "color"),
     )
 
 
@@ -174,6 +189,13 @@ def _pen_away(data, pen, where):
         return None
     check_keys(given, {f.name for f in fields(Pen)}, f"{where}.pen_away")
     return _pen(_plain(pen) | given, f"{where}.pen_away")
+
+
+def _paper(data, where):
+    paper = record(Paper, data, where)
+    if paper.texture not in papers():
+        raise StyleError(f"{where}.texture is '{paper.texture}'; there are: {', '.join(papers())}")
+    return paper
 
 
 def _pen(data, where):

@@ -23,6 +23,11 @@ RANGES = {
     "far": (0, 1e9),
     "uniform": (0, 1),
     "blur_radius": (0, 200),
+    "desaturation": (0, 1),
+    "scale": (0.1, 20),
+    "tooth": (0, 1),
+    "granulation": (0, 1),
+    "tint": (0, 1),
 }
 
 

@@ -177,11 +177,60 @@ def depth_image(tracer, cancel):
     return native.load().depth_image(tracer, cancel)
 
 
-def on_paper(lines, paper, tracer, cancel):
-    """Strokes over the paper, holdouts cut out: (H, W, 4), premultiplied."""
+def color_layer(tracer, sources, chosen, cancel):
+    """(H, W, 4) premultiplied: the surfaces that each pixel sees, in the colours of a color.Sources, as a color.Color
+    wants them."""
+    layer = native.load().color_layer(
+        tracer, sources.surfaces, sources.lights, sources.world, chosen.shading, chosen.bands, cancel
+    )
+    return color_effects(layer, desaturate=chosen.desaturation) if chosen.desaturation else layer
+
+
+def color_effects(layer, desaturate=None, fade=None, blur_px=None, background=None):
+    """The colour layer desaturated, then faded towards a background (None: until the paper shows), then blurred.
+    Amounts are numbers or (H, W) float32: of the first two in [0, 1], of the last the radius in pixels of the image."""
     core = native.load()
+
+    def everywhere(amount):
+        return np.broadcast_to(np.asarray(amount, np.float32), layer.shape[:2])
+
+    if desaturate is not None:
+        layer = core.desaturate(layer, everywhere(desaturate))
+    if fade is not None:
+        layer = core.fade(layer, everywhere(fade), background)
+    if blur_px is not None:
+        layer = core.blur(layer, everywhere(blur_px))
+    return layer
+
+
+def read_paper(path):
+    """A paper's native heights from a PNG file."""
+    return native.load().read_paper(str(path))
+
+
+def on_paper(lines, layer, style, texture, tracer, cancel):
+    """Strokes over the colour layer (None: there is none) over the paper, holdouts cut out: (H, W, 4), premultiplied.
+    `texture`: the paper's heights; None: it is smooth."""
+    core, paper = native.load(), style.paper
     holdout = core.holdout_image(tracer, cancel)
-    return core.compose(lines, paper.color, paper.transparent, holdout if holdout.size else None)
+    holdout = holdout if holdout.size else None
+    if layer is None and texture is None:
+        return core.compose(lines, paper.color, paper.transparent, holdout)
+    return core.on_paper(
+        lines,
+        layer,
+        holdout,
+        tracer.view,
+        texture,
+        color=paper.color,
+        transparent=paper.transparent,
+        background=style.color.background if layer is not None else None,
+        layer_opacity=style.color.opacity,
+        texel_px=paper.scale * tracer.view.reference_scale,
+        tooth=paper.tooth,
+        granulation=paper.granulation,
+        tint=paper.tint,
+    )
 
 
 class Backend:

@@ -17,9 +17,13 @@ class Slot:
 
 def slots(obj, mesh, known):
     """The slots of an evaluated object's mesh, object-linked ones included. `known`: dict reused for one frame."""
+    return tuple(_slot(material, known) for material in of(obj, mesh))
+
+
+def of(obj, mesh):
+    """The materials in the slots of an evaluated object's mesh, at least one slot; None for an empty one."""
     linked = {i: slot.material for i, slot in enumerate(obj.material_slots) if slot.link == "OBJECT"}
-    materials = [linked.get(i, material) for i, material in enumerate(mesh.materials)] or [linked.get(0)]
-    return tuple(_slot(material, known) for material in materials)
+    return [linked.get(i, material) for i, material in enumerate(mesh.materials)] or [linked.get(0)]
 
 
 def _slot(material, known):
@@ -27,7 +31,7 @@ def _slot(material, known):
         return Slot("")
     name = material.name_full
     if name not in known:
-        shader = _surface_shader(material)
+        shader = surface_shader(material)
         choice = material.fovea.occlusion
         hides = choice == "ALWAYS" or (choice == "AUTOMATIC" and not _is_see_through(material, shader))
         holdout = shader is not None and shader.bl_idname == "ShaderNodeHoldout"
@@ -35,16 +39,16 @@ def _slot(material, known):
     return known[name]
 
 
-def _surface_shader(material):
+def surface_shader(material):
     """The shader node at the material's surface output, or None."""
     # From Blender 5 on every material uses nodes, and the switch is going away.
     if material.node_tree is None or not getattr(material, "use_nodes", True):
         return None
     output = material.node_tree.get_output_node("ALL")
-    return _source(output.inputs["Surface"]) if output else None
+    return source(output.inputs["Surface"]) if output else None
 
 
-def _source(socket):
+def source(socket):
     """The node that feeds a socket, reroutes skipped, or None."""
     while socket.links:
         node = socket.links[0].from_node
@@ -64,6 +68,6 @@ def _is_see_through(material, shader):
         alpha, transmission = shader.inputs["Alpha"], shader.inputs["Transmission Weight"]
         return bool(alpha.links) or alpha.default_value < 1.0 or transmission.default_value > 0.5
     if shader.type in {"MIX_SHADER", "ADD_SHADER"}:
-        parts = (_source(socket) for socket in shader.inputs if socket.type == "SHADER")
+        parts = (source(socket) for socket in shader.inputs if socket.type == "SHADER")
         return any(part is not None and _is_see_through(material, part) for part in parts)
     return False

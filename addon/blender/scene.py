@@ -29,7 +29,8 @@ class Snapshot:
 class _Gathering:
     """Placements as they are met; one surface per evaluated mesh, choice of materials and settings."""
 
-    def __init__(self, cache, depsgraph, viewport, with_marks):
+    def __init__(self, cache, depsgraph, viewport, with_marks, colors):
+        self.colors = colors
         self.cache, self.with_marks = cache, with_marks
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
@@ -79,6 +80,9 @@ class _Gathering:
                 self.index_of[shared] = len(self.surfaces)
                 surface = self.surface(obj, mesh, slots, plan, mend)
                 surface.set_field_options(*curvature)
+                if self.colors:
+                    cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+                    self.colors.add_surface(obj, mesh, surface, cage, repaired=mend is not None)
                 self.surfaces.append(surface)
                 self.slots.append(slots)
             self.index_of[met] = self.index_of[shared]
@@ -125,16 +129,19 @@ class _Gathering:
         )
 
 
-def gather(depsgraph, cache, *, with_marks=True, viewport=None):
-    """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render.
+def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None):
+    """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `colors`: a
+    color_sources.Gathering to fill on the way, or None.
 
     Curves, text, surfaces and metaballs come as the meshes Blender makes of them. Objects and collections that are
     hidden are not among the depsgraph's instances.
     """
-    gathering = _Gathering(cache, depsgraph, viewport, with_marks)
+    gathering = _Gathering(cache, depsgraph, viewport, with_marks, colors)
     cache.begin()
     for step, instance in enumerate(depsgraph.object_instances):
         obj = instance.object
+        if colors and obj.type == "LIGHT" and instance.show_self:
+            colors.add_light(instance)
         # What Blender converts to a mesh appears twice, as itself and as the mesh.
         if not isinstance(obj.data, bpy.types.Mesh):
             continue

@@ -16,11 +16,12 @@ from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
 from ..backend import gpu_viewport
-from . import camera, methods, properties, scene, subdivision, surfaces
+from . import camera, color_sources, methods, properties, scene, subdivision, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
 _caches = {}  # depsgraph mode -> SurfaceCache
+_color_caches = {}  # depsgraph mode -> ColorCache
 _statistics = {}
 
 REMARKS = {  # what a surface's report counts
@@ -42,8 +43,18 @@ def last_statistics():
 def register_passes(engine, scene_, layer):
     engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
     engine.register_pass(scene_, layer, "Lines", 4, "RGBA", "COLOR")
+    if has_color(scene_):
+        engine.register_pass(scene_, layer, "Colour", 4, "RGBA", "COLOR")
     if layer.use_pass_z:
         engine.register_pass(scene_, layer, "Depth", 1, "Z", "VALUE")
+
+
+def has_color(scene_):
+    """Whether a scene's style has a colour layer, which is a pass of its own."""
+    try:
+        return properties.style_of(scene_).color.shading != "plain"
+    except (native.Unavailable, style.StyleError):  # drawing will say what is wrong
+        return False
 
 
 def render(engine, depsgraph):
@@ -51,7 +62,7 @@ def render(engine, depsgraph):
     with _reported(lambda message: engine.report({"ERROR"}, message)):
         image = _draw(engine, depsgraph, camera.of_render(engine, depsgraph))
         if image is not None:
-            passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
+            passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth, "Colour": image.color}
             del image
             _hand_over(engine, depsgraph.view_layer, passes)
 
@@ -94,13 +105,17 @@ def _draw(engine, depsgraph, view, viewport=None):
     start = time.perf_counter()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
-    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport)
+    colors = _colors(core, chosen, depsgraph.mode)
+    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, colors=colors)
     if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
+    sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
     ingest = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
+    if colors and (remark := colors.remark()):
+        engine.report({"INFO"}, remark)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     options = pipeline.Options(
@@ -110,12 +125,27 @@ def _draw(engine, depsgraph, view, viewport=None):
     with _watched(engine, cancel):
         try:
             image = pipeline.draw(
-                placed, seen, chosen, chosen_backend, options, progress=partial(_progress, engine), cancel=cancel
+                placed,
+                seen,
+                chosen,
+                chosen_backend,
+                options,
+                colors=sources,
+                progress=partial(_progress, engine),
+                cancel=cancel,
             )
         except core.Cancelled:
             return None
     _note_statistics(ingest, snapshot, image)
     return image
+
+
+def _colors(core, chosen, mode):
+    """What gathers the colours of a scene for a Style; None where it has no colour layer."""
+    if chosen.color.shading == "plain":
+        return None
+    cache = _color_caches.setdefault(mode, color_sources.ColorCache(core))
+    return color_sources.Gathering(core, cache)
 
 
 @contextmanager
@@ -176,6 +206,8 @@ def _hand_over(engine, layer, passes):
     """Gives the passes {name: (H, W) or (H, W, 4)} of one view layer to Blender. Empties the dict as it goes: Blender
     holds each pass twice until it has merged them."""
     engine.add_pass("Lines", 4, "RGBA", layer=layer.name)
+    if passes["Colour"] is not None:
+        engine.add_pass("Colour", 4, "RGBA", layer=layer.name)
     if layer.use_pass_z:
         engine.add_pass("Depth", 1, "Z", layer=layer.name)
     height, width = passes["Combined"].shape[:2]
@@ -192,6 +224,7 @@ def _hand_over(engine, layer, passes):
 def _forget(*_arguments):
     """Another file: nothing that is kept belongs to it."""
     _caches.clear()
+    _color_caches.clear()
     _statistics.clear()
 
 

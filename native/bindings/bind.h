@@ -15,5 +15,6 @@ void bind_filters(pybind11::module_& m);
 void bind_focus(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
 void bind_spine(pybind11::module_& m);
+void bind_color(pybind11::module_& m);
 
 }  // namespace fovea::bindings

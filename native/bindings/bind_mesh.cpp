@@ -192,7 +192,24 @@ for a cage without a limit surface.)")
                 py::gil_scoped_release release;
                 surface.move_cage(moved);
             },
-            py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.");
+            py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.")
+        .def(
+            "mix_corners",
+            [](const RefinedSurface& surface, const Arg<float>& values, const Arg<int>& polygon_offsets) {
+                check(values.ndim() == 2, surface.name() + ": values of shape (C, columns) expected");
+                const In<float> all(values.data(), std::size_t(values.size()));
+                const In<int> offsets = borrow<int>(polygon_offsets, "polygon_offsets");
+                const auto columns = values.shape(1);
+                Array<float> mixed;
+                {
+                    py::gil_scoped_release release;
+                    mixed = surface.mix_corners(all, int(columns), offsets);
+                }
+                const auto corners = py::ssize_t(mixed.size()) / columns;
+                return to_numpy(std::move(mixed)).reshape({corners, columns});
+            },
+            py::arg("values"), py::arg("polygon_offsets"),
+            "(C, k) float32 at the corners of the cage, mixed to those of the refined mesh.");
 
     m.def("repaired", &repaired_arrays, py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
           py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),

@@ -14,4 +14,5 @@ PYBIND11_MODULE(_native, m) {
     bind_compaction(m);
     bind_stroke(m);
     bind_spine(m);
+    bind_color(m);
 }

@@ -38,6 +38,11 @@ class RefinedSurface : public Surface {
     /// Moves the cage's vertices; topology and creases stay.
     void move_cage(In<vec3> positions);
 
+    /// Values at the corners of the cage's polygons, `columns` numbers each, mixed bilinearly over its faces: the same
+    /// at the corners of the refined mesh. `polygon_offsets`: the cage's, as it was built from. Throws
+    /// std::invalid_argument, naming the object, where the sizes are not the cage's.
+    Array<float> mix_corners(In<float> values, int columns, In<int> polygon_offsets) const;
+
    private:
     struct Limit;
     static std::unique_ptr<Limit> limit_of(const std::string& name, const MeshArrays& mesh,

@@ -107,6 +107,13 @@ class Surface {
     Index triangle_at(Index place) const { return place - static_cast<Index>(edges.size()); }
     Index place_count() const { return static_cast<Index>(edges.size() + triangles.size()); }
 
+    /// Vertices at a polygon's corners in the mesh's order, and which of the mesh's corners is the first of them.
+    In<Index> polygon_vertices(Index polygon) const {
+        return {corner_verts_.data() + polygons_.begin(polygon), polygons_.size(polygon)};
+    }
+    Index first_corner(Index polygon) const { return polygons_.begin(polygon); }
+    Index corner_count() const { return static_cast<Index>(corner_verts_.size()); }
+
     Index polygon_count() const { return polygons_.count(); }
     Index facet_count() const { return static_cast<Index>(facet_plane.size()); }
 

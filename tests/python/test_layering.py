@@ -10,7 +10,7 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 # A native folder includes itself and those before it.
-NATIVE = "base mesh field scene image line path project focus atlas elision stroke bindings".split()
+NATIVE = "base mesh field scene image line path project focus atlas elision stroke color bindings".split()
 
 # Header -> where it may be included.
 LIBRARIES = {
@@ -43,15 +43,17 @@ PARTS = {
     "stages": "",
     "native": "_native",
     "focus": "style",
-    "style": "focus style stages",
+    "style": "color focus style stages",
+    "color": "style",
+    "papers": "backend/cpu",
     "catalogue": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
     "backend/gpu": "backend/cpu backend/gpu native stages",
     "visibility": "backend/cpu",
     "emphasis": "backend/cpu stages",
-    "pipeline": "backend/cpu emphasis stages style textures visibility",
-    "blender": "blender backend focus pipeline textures style catalogue stages native",
+    "pipeline": "backend/cpu emphasis papers stages style textures visibility",
+    "blender": "blender backend catalogue color focus native pipeline stages style textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.

@@ -1,0 +1,124 @@
+"""Papers: what ships, and that ink and pigment on them keep their density in the mean."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from native_core import core
+from test_textures import read_png
+
+PROJECT = Path(__file__).parents[2]
+FOLDER = PROJECT / "addon" / "papers"
+SCRIPT = PROJECT / "blender_scripts" / "make_papers.py"
+NAMES = sorted(path.stem for path in FOLDER.glob("*.png"))
+SIDE = 384
+
+
+def camera(width=SIDE, height=SIDE):
+    """Its axis meets the picture's lower left corner, so that a paper's texels lie on pixels."""
+    clip = np.diag([2 / width, 2 / height, 1, 1]).astype(float)
+    clip[:2, 3] = -1
+    return core.View(np.eye(4), clip, width, height, True, 0.1, 100)
+
+
+def even(color, side=SIDE):
+    return np.broadcast_to(np.array(color, np.float32), (side, side, 4)).copy()
+
+
+@pytest.fixture(params=NAMES)
+def paper(request):
+    return core.read_paper(str(FOLDER / f"{request.param}.png"))
+
+
+def drawn(paper, lines=(0, 0, 0, 0), layer=None, **options):
+    layer = None if layer is None else even(layer)
+    return core.on_paper(even(lines), layer, None, camera(), paper, (0.9, 0.8, 0.6), **options)
+
+
+def test_there_are_papers():
+    assert {"cold_press", "rough", "laid", "canvas", "kraft"} <= set(NAMES)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_paper_repeats_without_a_seam(name):
+    heights = read_png(FOLDER / f"{name}.png")
+    assert heights.shape == (SIDE, SIDE) and heights.max() - heights.min() > 150
+    for sheet in (heights, heights.T):
+        steps = np.abs(np.diff(sheet, axis=1)).mean(axis=0)
+        assert np.abs(sheet[:, 0] - sheet[:, -1]).mean() <= 1.25 * np.quantile(steps, 0.95)
+
+
+def test_tooth_keeps_the_mean(paper):
+    for opacity in (0.05, 0.3, 0.5, 0.8, 0.97):
+        picture = drawn(paper, (0, 0, 0, opacity), tooth=1.0)
+        assert (picture[..., 0] / 0.9).mean() == pytest.approx(1 - opacity, abs=0.02)
+        assert np.ptp(picture[..., 0]) > 0.1
+    for opacity in (0.0, 1.0):
+        assert np.ptp(drawn(paper, (0, 0, 0, opacity), tooth=1.0)[..., 0]) == 0
+
+
+def test_ink_stays_on_the_heights():
+    ramp = np.linspace(0, 1, SIDE * SIDE, dtype=np.float32).reshape(SIDE, SIDE)
+    picture = drawn(core.PaperTexture(ramp), (0, 0, 0, 0.5), tooth=1.0)[..., 0]
+    assert picture[0].min() > 0.89 and picture[-1].max() < 0.01
+    assert drawn(core.PaperTexture(ramp), layer=(0.2, 0.2, 0.2, 1), granulation=0.5)[0, 0, 0] < 0.2
+
+
+def test_pigment_keeps_its_density_in_the_mean(paper):
+    picture = drawn(paper, layer=(0.3, 0.4, 0.2, 1), granulation=0.6)
+    density = -np.log(picture[..., :3] / np.array([0.9, 0.8, 0.6]))
+    assert np.allclose(density.mean((0, 1)), -np.log(np.array([0.3 / 0.9, 0.4 / 0.8, 0.2 / 0.6])), rtol=0.02)
+    assert np.ptp(density[..., 0]) > 0.3
+
+
+def test_tint_keeps_the_mean(paper):
+    picture = drawn(paper, tint=0.2)
+    assert picture[..., 0].mean() == pytest.approx(0.9, rel=0.01) and np.ptp(picture[..., 0]) > 0.2
+    assert (picture[..., 3] == 1).all()
+
+
+def test_without_amounts_a_paper_is_its_colour(paper):
+    lines, layer = (0.1, 0.2, 0.1, 0.5), (0.1, 0.3, 0.2, 0.6)
+    expected = np.array([0.9, 0.8, 0.6, 1.0])
+    for over in (layer, lines):
+        expected = np.array(over) + expected * (1 - over[3])
+    assert np.allclose(drawn(paper, lines, layer), expected, atol=1e-6)
+
+
+def test_opacity_background_and_no_paper():
+    picture = drawn(None, layer=(0.4, 0, 0, 0.5), layer_opacity=0.5, background=(0, 1, 0))
+    assert np.allclose(picture[0, 0], (0.2, 0.75, 0, 1), atol=1e-6)
+    clear = drawn(None, (0.1, 0.1, 0.1, 0.5), (0.4, 0, 0, 0.5), transparent=True)
+    assert np.allclose(clear[0, 0], (0.3, 0.1, 0.1, 0.75), atol=1e-6)
+
+
+def test_holdouts_cut_the_paper():
+    cut = np.ones((SIDE, SIDE), np.float32)
+    picture = core.on_paper(even((0, 0, 0, 0)), None, cut, camera(), None, (1, 1, 1))
+    assert (picture == 0).all()
+
+
+def test_a_crop_shows_the_same_paper(paper):
+    whole = drawn(paper, tint=0.5)
+    clip = np.diag([2 / 100, 2 / 80, 1, 1]).astype(float)
+    clip[0, 3], clip[1, 3] = -1 - 2 * 40 / 100, -1 - 2 * 60 / 80
+    seen = core.View(np.eye(4), clip, 100, 80, True, 0.1, 100)
+    empty = np.zeros((80, 100, 4), np.float32)
+    part = core.on_paper(empty, None, None, seen, paper, (0.9, 0.8, 0.6), tint=0.5)
+    assert np.allclose(part, whole[60:140, 40:140], atol=1e-4)
+
+
+@pytest.mark.skipif(not SCRIPT.exists(), reason="only in the checkout")
+def test_the_script_makes_them(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "path", [str(SCRIPT.parent), *sys.path])
+    spec = importlib.util.spec_from_file_location("make_papers", SCRIPT)
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    script.main(tmp_path)
+    assert sorted(path.stem for path in tmp_path.glob("*.png")) == NAMES
+    for name in NAMES:
+        difference = np.abs(read_png(tmp_path / f"{name}.png") - read_png(FOLDER / f"{name}.png"))
+        # A step between two levels where the machine rounds otherwise.
+        assert difference.max() <= 6 and (difference > 0).mean() < 1e-3, f"{name}: run blender_scripts/make_papers.py"
