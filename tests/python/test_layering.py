@@ -10,7 +10,7 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 # A native folder includes itself and those before it.
-NATIVE = "base mesh field scene image line path project focus atlas elision stroke bindings".split()
+NATIVE = "base mesh field scene image line path project focus atlas elision stroke color bindings".split()
 
 # Header -> where it may be included.
 LIBRARIES = {
