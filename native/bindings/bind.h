@@ -12,6 +12,7 @@ void bind_stages(pybind11::module_& m);
 void bind_sampled(pybind11::module_& m);
 void bind_compaction(pybind11::module_& m);
 void bind_filters(pybind11::module_& m);
+void bind_elision(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
 void bind_spine(pybind11::module_& m);
 

@@ -1,0 +1,24 @@
+// The elision test: how much of a line's own band is left to it where more important lines go along.
+#pragma once
+
+#include "elision/own_band.h"
+#include "elision/priority_buffer.h"
+
+namespace fovea {
+
+/// Columns of the window across the line, a pixel apart: w = 5.
+inline constexpr int window_columns = 5;
+/// Places in each column, which reaches over the whole band, however wide; at most half a pixel apart, or so many.
+inline constexpr int most_window_rows = 16;
+
+/// Per atlas sample: pixels of the line's own band in the window (y), and how many of these are lost (x); pixels that the
+/// edge of the band, or an end of the run, passes through count in part. (0, 0) where no run is, and outside of the
+/// picture. A pixel is lost, in part where its owner covers it in part, if a line of higher rank has it that goes along:
+/// wholly at up to 30 degrees between the two, not at all from 60 on, so that lines meet and cross. So x / y is exactly
+/// 0 for a line alone, and half where half of its band lies under another.
+///
+/// Cole 2009, section 5.2.2, counts pixels of a square window against those expected; here the window lies along the line,
+/// and its places ask the pixels that they are in, so that it does not matter how the line lies in the grid.
+Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Cancel* cancel = nullptr);
+
+}  // namespace fovea
