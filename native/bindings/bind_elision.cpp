@@ -1,4 +1,6 @@
 // Priorities, ranks and line elision: the cpu reference, and what the gpu backend's passes read.
+#include <pybind11/stl.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "elision/elide.h"
@@ -92,6 +94,8 @@ Paths or per path, None: the term is left out.)");
 
 void bind_elision(py::module_& m) {
     bind_priority(m);
+    m.attr("ELISION_COLUMNS") = window_columns;
+    m.attr("ELISION_ROWS") = most_window_rows;
     const ElisionOptions options;
     const auto own = [](auto member) {
         return [member](py::object self) { return view_numpy(self.cast<const Elision&>().own.*member, self); };

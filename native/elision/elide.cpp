@@ -11,12 +11,15 @@ float smoothstep(float low, float high, float x) {
     return t * t * (3.0f - 2.0f * t);
 }
 
+/// How much a run is a mere tick, shorter than its band is wide.
+float shortness(const vec4& band) { return 1.0f - smoothstep(band.x, 3.0f * band.x, band.z + band.w); }
+
 /// The part of a pixel that another line takes away. `own`: share of it that the line's band covers; `away`: across the
-/// line, towards the pixel.
-float lost(const PriorityTexel& other, float rank, float own, vec2 away) {
+/// line, towards the pixel; `least`: how much of it at any angle.
+float lost(const PriorityTexel& other, float rank, float own, vec2 away, float least) {
     if (float(other.rank) <= rank) return 0.0f;
     const float cosine = (away.x * float(other.away_x) + away.y * float(other.away_y)) / 32767.0f;
-    const float along = smoothstep(0.25f, 0.75f, cosine * cosine);  // 60 and 30 degrees
+    const float along = std::max(least, smoothstep(0.25f, 0.75f, cosine * cosine));  // 60 and 30 degrees
     const float covered = float(other.coverage) / 255.0f;
     // Between the two lines both cover it from opposite sides, else from the same.
     return along * (cosine < 0.0f ? std::max(0.0f, own + covered - 1.0f) : std::min(own, covered));
@@ -26,7 +29,8 @@ float lost(const PriorityTexel& other, float rank, float own, vec2 away) {
 class Window {
    public:
     Window(const PriorityBuffer& buffer, const vec4& place, const vec4& band)
-        : buffer_(buffer), px_(place), along_(place.z, place.w), left_(-place.w, place.z), band_(band) {}
+        : buffer_(buffer), px_(place), along_(place.z, place.w), left_(-place.w, place.z), band_(band),
+          shortness_(shortness(band)) {}
 
     vec2 sum() const {
         const float width = 2.0f * band_.x + 1.0f;
@@ -53,13 +57,15 @@ class Window {
         if (own * inside <= 0.0f) return vec2(0.0f);
         const vec2 away = v < 0.0f ? -left_ : left_;
         const PriorityBuffer::Pixel& here = buffer_.pixels[std::size_t(y) * buffer_.width + x];
-        const float taken = std::max(lost(here.layers[0], band_.y, own, away), lost(here.layers[1], band_.y, own, away));
+        const float taken = std::max(lost(here.layers[0], band_.y, own, away, shortness_),
+                                     lost(here.layers[1], band_.y, own, away, shortness_));
         return inside * vec2(taken, own);
     }
 
     const PriorityBuffer& buffer_;
     vec2 px_, along_, left_;
     vec4 band_;
+    float shortness_;
 };
 
 }  // namespace

@@ -14,7 +14,8 @@ inline constexpr int most_window_rows = 16;
 /// Per atlas sample: pixels of the line's own band in the window (y), and how many of these are lost (x); pixels that the
 /// edge of the band, or an end of the run, passes through count in part. (0, 0) where no run is, and outside of the
 /// picture. A pixel is lost, in part where its owner covers it in part, if a line of higher rank has it that goes along:
-/// wholly at up to 30 degrees between the two, not at all from 60 on, so that lines meet and cross. So x / y is exactly
+/// wholly at up to 30 degrees between the two, not at all from 60 on, so that lines meet and cross. Ticks, runs shorter
+/// than half their band's width, are lost to lines at any angle; runs three times as long no more than others. So x / y is exactly
 /// 0 for a line alone, and half where half of its band lies under another.
 ///
 /// Cole 2009, section 5.2.2, counts pixels of a square window against those expected; here the window lies along the line,

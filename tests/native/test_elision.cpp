@@ -241,3 +241,16 @@ TEST(Elision, TheBufferHoldsTheHighestAndTheNextThatCrossesIt) {
     EXPECT_LT(buffer.pixels[78 * 200 + 80].layers[0].away_y, -32000);
     EXPECT_GT(buffer.pixels[82 * 200 + 80].layers[0].away_y, 32000);
 }
+
+TEST(Elision, TicksGoAtAnyAngleUnlessNothingIsNear) {
+    Sheet sheet;
+    sheet.half_width = 6.0f;
+    sheet.line({{20.0f, 80.0f}, {180.0f, 80.0f}});
+    for (const float length : {4.0f, 12.0f, 30.0f}) sheet.line({{50.0f + length, 80.0f}, {50.0f + length, 80.0f + length}});
+    sheet.line({{100.0f, 120.0f}, {100.0f, 124.0f}});
+    const Array<float> scores = sheet.scores();
+    EXPECT_LT(mean(sheet.of(1, scores)), 0.05);
+    EXPECT_LT(mean(sheet.of(2, scores)), mean(sheet.of(3, scores)));
+    EXPECT_EQ(mean(sheet.of(3, scores)), 1.0);
+    EXPECT_EQ(mean(sheet.of(4, scores)), 1.0);
+}

@@ -1,0 +1,97 @@
+"""Line elision on the GPU (native/elision): the bands of lines by rank, and what each sample finds of its own."""
+
+import math
+
+import gpu
+import numpy as np
+
+from .. import native
+from .gpu_program import vertex_buffer
+from .gpu_texture import ROW_WIDTH, Target, upload_row
+
+_BEYOND = 1e30  # px; farther than any sample
+
+
+def border_of(elision):
+    """Pixels that the widest band of a native Elision reaches beyond its line's middle, window and all."""
+    return math.ceil(elision.band[:, 0].max(initial=0.0)) + native.load().ELISION_COLUMNS
+
+
+class ElisionPass:
+    """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that lie in them."""
+
+    def __init__(self, programs, elision, batch_samples):
+        self._programs, self._border = programs, border_of(elision)
+        owners = elision.owner
+        self._most_rank = float(owners[:, 2].max(initial=0.0))
+        self._bands = None
+        if len(elision.triangles):
+            attributes = {"px": elision.px, "across": elision.across, "owner": owners}
+            indices = gpu.types.GPUIndexBuf(type="TRIS", seq=elision.triangles)
+            self._bands = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), elem=indices)
+        rows = max(1, batch_samples // ROW_WIDTH) * ROW_WIDTH
+        place, band = elision.place, elision.band
+        self._batches = [_Batch(place[i : i + rows], band[i : i + rows]) for i in range(0, len(place), rows)]
+
+    def look(self, box, view, clock):
+        """Fills in the samples of a box (left, lower, right, upper) of a View's picture; a box at the picture's edge has
+        those beyond it, too."""
+        if self._bands is None:
+            return
+        whole = (0, 0, view.width, view.height)
+        drawn = [max(e - self._border, w) for e, w in zip(box[:2], whole[:2], strict=True)]
+        drawn += [min(e + self._border, w) for e, w in zip(box[2:], whole[2:], strict=True)]
+        layers = self._draw(drawn)
+        clock.mark("priority buffer", layers[1])
+        decided = [_BEYOND * (1 if w else -1) if e == w else e for e, w in zip(box, whole, strict=True)]
+        for batch in self._batches:
+            with batch.target.bind():
+                self._programs.cover(
+                    "elision",
+                    {**batch.samplers, "layer0": layers[0].color, "layer1": layers[1].color},
+                    tile=decided,
+                    buffer_origin=drawn[:2],
+                    sample_total=batch.count,
+                    columns=native.load().ELISION_COLUMNS,
+                    most_rows=native.load().ELISION_ROWS,
+                )
+        clock.mark("samples", self._batches[-1].target)
+
+    def _draw(self, box):
+        """Targets of the two layers of a box."""
+        left, lower, right, upper = box
+        size = (right - left, upper - lower)
+        layers = []
+        for number in range(2):
+            target = Target(*size, "RGBA32F", depth=True)
+            # Where no layer is in front, anything but the target itself may stand for it.
+            front = layers[0].color if layers else self._batches[0].samplers["places"]
+            with target.bind() as framebuffer:
+                framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0), depth=0.0)
+                gpu.state.depth_test_set("GREATER")
+                gpu.state.depth_mask_set(True)
+                program = self._programs.bind(
+                    "priority",
+                    {"layer0": front},
+                    buffer_origin=(left, lower),
+                    buffer_size=size,
+                    most_rank=self._most_rank,
+                    layers_in_front=number,
+                )
+                self._bands.draw(program)
+            layers.append(target)
+        return layers
+
+    def read(self):
+        """(samples, 2) float32: pixels of each sample's band that others take, pixels that it has."""
+        parts = [batch.target.read(2).reshape(-1, 2)[: batch.count] for batch in self._batches]
+        return np.concatenate(parts) if parts else np.zeros((0, 2), np.float32)
+
+
+class _Batch:
+    def __init__(self, place, band):
+        self.count = len(place)
+        self.samplers = {"places": upload_row(place), "bands": upload_row(band)}
+        self.target = Target(ROW_WIDTH, -(-self.count // ROW_WIDTH), "RG32F")
+        with self.target.bind() as framebuffer:
+            framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))
