@@ -13,8 +13,9 @@ _BEYOND = 1e30  # px; farther than any sample
 
 
 def border_of(elision):
-    """Pixels that the widest band of a native Elision reaches beyond its line's middle, window and all."""
-    return math.ceil(elision.band[:, 0].max(initial=0.0)) + native.load().ELISION_COLUMNS
+    """Pixels around a sample of a native Elision in which it looks for anything."""
+    core = native.load()
+    return math.ceil(elision.band[:, 0].max(initial=0.0) * core.ELISION_END_REACH + core.ELISION_LENGTH_PX)
 
 
 class ElisionPass:
@@ -30,8 +31,9 @@ class ElisionPass:
             indices = gpu.types.GPUIndexBuf(type="TRIS", seq=elision.triangles)
             self._bands = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), elem=indices)
         rows = max(1, batch_samples // ROW_WIDTH) * ROW_WIDTH
-        place, band = elision.place, elision.band
-        self._batches = [_Batch(place[i : i + rows], band[i : i + rows]) for i in range(0, len(place), rows)]
+        tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends}
+        starts = range(0, len(elision.place), rows)
+        self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
 
     def look(self, box, view, clock):
         """Fills in the samples of a box (left, lower, right, upper) of a View's picture; a box at the picture's edge has
@@ -54,6 +56,8 @@ class ElisionPass:
                     sample_total=batch.count,
                     columns=native.load().ELISION_COLUMNS,
                     most_rows=native.load().ELISION_ROWS,
+                    window_length=native.load().ELISION_LENGTH_PX,
+                    end_reach=native.load().ELISION_END_REACH,
                 )
         clock.mark("samples", self._batches[-1].target)
 
@@ -89,9 +93,9 @@ class ElisionPass:
 
 
 class _Batch:
-    def __init__(self, place, band):
-        self.count = len(place)
-        self.samplers = {"places": upload_row(place), "bands": upload_row(band)}
+    def __init__(self, tables):
+        self.count = len(tables["places"])
+        self.samplers = {name: upload_row(table) for name, table in tables.items()}
         self.target = Target(ROW_WIDTH, -(-self.count // ROW_WIDTH), "RG32F")
         with self.target.bind() as framebuffer:
             framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))

@@ -95,6 +95,8 @@ Paths or per path, None: the term is left out.)");
 void bind_elision(py::module_& m) {
     bind_priority(m);
     m.attr("ELISION_COLUMNS") = window_columns;
+    m.attr("ELISION_LENGTH_PX") = window_length_px;
+    m.attr("ELISION_END_REACH") = end_reach;
     m.attr("ELISION_ROWS") = most_window_rows;
     const ElisionOptions options;
     const auto own = [](auto member) {
@@ -110,6 +112,7 @@ void bind_elision(py::module_& m) {
         .def_property_readonly("place", own(&OwnBands::place), "(samples, 4) float32: pixel position, direction")
         .def_property_readonly("band", own(&OwnBands::band),
                                "(samples, 4) float32: half width, rank (0: no run is there), pixels to the run's ends")
+        .def_property_readonly("ends", own(&OwnBands::ends), "(samples, 4) float32: where the run starts, and where it ends")
         .def_property_readonly("px", bands(&Bands::px), "(V, 2) float32")
         .def_property_readonly("across", bands(&Bands::across), "(V, 2) float32: pixels across, half width")
         .def_property_readonly("owner", bands(&Bands::owner), "(V, 3) float32: unit vector across, rank")

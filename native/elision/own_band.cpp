@@ -32,6 +32,16 @@ Cover cover(const Runs& runs, Index first, Index last, double from, double to) {
     return found;
 }
 
+/// Pixel position on a piece, its end beyond it.
+vec2 place_at(const ClippedPaths& clipped, Index piece, double arc) {
+    const Index first = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
+    const double* arcs = clipped.arc_px.data();
+    const Index i = Index(std::upper_bound(arcs + first, arcs + last, arc) - arcs);
+    if (i == first) return clipped.px[first];
+    const double share = (arc - arcs[i - 1]) / std::max(arcs[i] - arcs[i - 1], 1e-9);
+    return glm::mix(clipped.px[i - 1], clipped.px[i], float(std::clamp(share, 0.0, 1.0)));
+}
+
 }  // namespace
 
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px) {
@@ -41,7 +51,13 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
     OwnBands own;
     own.place.resize(clipped.samples);
     own.band.resize(clipped.samples);
+    own.ends.resize(clipped.samples);
     own.run.resize(clipped.samples);
+    Array<vec4> ends(runs.size());
+    parallel_for(runs.size(), [&](std::size_t r) {
+        const Index q = runs.piece[r];
+        ends[r] = {place_at(clipped, q, runs.start_px[r]), place_at(clipped, q, runs.end_px[r])};
+    });
     parallel_blocks(clipped.path.size(), 256, [&](auto, std::size_t first, std::size_t last) {
         for (Index q = Index(first); q < last; ++q) {
             Index r = rows.begin(q);
@@ -61,7 +77,9 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
                     own.place[s] = {start + way * ((float(j) + 0.5f) / float(count)), along};
                     own.run[s] = here.run;
                     own.band[s] = {std::max(least_half_width_px, wanted * float(here.share)), 0.0f, 0.0f, 0.0f};
+                    own.ends[s] = vec4(0.0f);
                     if (here.run == none) continue;
+                    own.ends[s] = ends[here.run];
                     own.band[s].y = float(ranks[here.run]);
                     own.band[s].z = float(middle - runs.start_px[here.run]);
                     own.band[s].w = float(runs.end_px[here.run] - middle);

@@ -15,6 +15,8 @@ struct OwnBands {
     /// x: half the band's width [px], at least least_half_width_px; y: rank of the run that the sample belongs to, 0
     /// where it belongs to none; z, w: pixels back to the run's start, and ahead to its end.
     Array<vec4> band;
+    /// Where its run starts (x, y) and ends (z, w) [px]; 0 where it belongs to none.
+    Array<vec4> ends;
     /// The run that covers most of the sample; `none` where none does.
     Array<Index> run;
 };

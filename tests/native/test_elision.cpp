@@ -71,7 +71,7 @@ TEST(Elision, TwoLinesAreBothWholeOnlyWhereTheyAreAsFarApartAsTheyWant) {
 TEST(Elision, OnTopOfAnotherNothingIsLeft) {
     for (int k = 0; k < 32; ++k) {
         const Sheet sheet = two_lines(k * pi / 32.0, 0.0, 4.0f);
-        for (const float score : sheet.of(1, sheet.scores())) EXPECT_LT(score, 0.02f) << k;
+        for (const float score : sheet.of(1, sheet.scores())) EXPECT_LT(score, 0.03f) << k;
     }
 }
 
@@ -133,7 +133,7 @@ TEST(Elision, HiddenRunsGoBelowVisibleOnes) {
 }
 
 TEST(Elision, APixelOfMovementChangesLittle) {
-    // A line of half the band's width h that moves by d loses at most d / 2h, and what quantization adds.
+    // Of 8 px bands each pixel of movement takes an eighth, .19 of opacity; more where lines begin or end to meet.
     std::mt19937 random(3);
     std::uniform_real_distribution<float> x(20.0f, 180.0f), y(20.0f, 140.0f), turn(0.0f, 3.1f);
     std::vector<std::vector<vec2>> lines;
@@ -153,7 +153,7 @@ TEST(Elision, APixelOfMovementChangesLittle) {
             most = std::max(most, std::abs(a[s] - b[s]));
             sum += std::abs(a[s] - b[s]);
         }
-        EXPECT_LT(most, 0.05f + 0.45f * d) << d;
+        EXPECT_LT(most, 0.05f + 0.65f * d) << d;
         EXPECT_LT(sum / double(a.size()), 0.005 + 0.04 * d) << d;
     }
 }
@@ -240,6 +240,20 @@ TEST(Elision, TheBufferHoldsTheHighestAndTheNextThatCrossesIt) {
     // Of two pixels below the horizontal line one looks down, the other, above it, up.
     EXPECT_LT(buffer.pixels[78 * 200 + 80].layers[0].away_y, -32000);
     EXPECT_GT(buffer.pixels[82 * 200 + 80].layers[0].away_y, 32000);
+}
+
+TEST(Elision, LinesThatMeetStayClosedDownToAcuteCorners) {
+    for (int k = 0; k < 32; ++k)
+        for (const double between : {26.0, 40.0, 90.0}) {
+            const double angle = k * pi / 16.0;
+            const vec2 corner(100.0f + 0.1f * float(k), 80.0f), aside = Sheet::through(corner, angle, 10.0).back();
+            Sheet sheet;
+            sheet.line(Sheet::through(corner, angle + between * pi / 180.0, 120.0));
+            sheet.line({corner, Sheet::through(corner, angle, 130.0).back()});
+            sheet.line({aside, Sheet::through(corner, angle, 130.0).back()});
+            const Array<float> scores = sheet.scores();
+            for (const float score : sheet.of(1, scores)) ASSERT_GT(score, 0.96f) << k << " " << between;
+        }
 }
 
 TEST(Elision, TicksGoAtAnyAngleUnlessNothingIsNear) {
