@@ -10,7 +10,7 @@ namespace fovea {
 inline constexpr float window_length_px = 5.0f;
 inline constexpr int window_columns = 3;
 /// Places in each column, at most half a pixel apart, or so many.
-inline constexpr int most_window_rows = 12;
+inline constexpr int most_window_rows = 8;
 /// So many times half the band's width from a run's end a line no longer meets another there.
 inline constexpr float end_reach = 8.0f;
 
