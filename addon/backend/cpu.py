@@ -85,7 +85,7 @@ def _by_path(frame, style, name, scale):
 
 
 def priorities(frame, weights=None, object=None, painted=None):
-    """(P,) float32 in [0, 1]: how important each path is. `weights`: numbers by the name of the term, those of the native
+    """(P,) float32 in [0, 1]: how important each path is. `weights`: numbers by the name of the term, as in the native
     PriorityWeights; `object`: per placement; `painted`: per point of Paths or per path."""
     core = native.load()
     weights = core.PriorityWeights(**(weights or {}))

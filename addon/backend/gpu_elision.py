@@ -19,7 +19,7 @@ def border_of(elision):
 
 
 class ElisionPass:
-    """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that lie in them."""
+    """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that they hold."""
 
     def __init__(self, programs, elision, batch_samples):
         self._programs, self._border = programs, border_of(elision)
@@ -36,8 +36,8 @@ class ElisionPass:
         self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
 
     def look(self, box, view, clock):
-        """Fills in the samples of a box (left, lower, right, upper) of a View's picture; a box at the picture's edge has
-        those beyond it, too."""
+        """Fills in the samples of a box (left, lower, right, upper) of a View's picture; a box at the picture's edge
+        has those beyond it, too."""
         if self._bands is None:
             return
         whole = (0, 0, view.width, view.height)

@@ -43,7 +43,8 @@ py::array opacities_of(const Elision& elision, const ClippedPaths& clipped, cons
     Array<float> opacities;
     {
         py::gil_scoped_release release;
-        opacities = elision_opacities(clipped, elision.own, elision_scores(elision.own, sums), {fade_from, cut, stub_px});
+        opacities =
+            elision_opacities(clipped, elision.own, elision_scores(elision.own, sums), {fade_from, cut, stub_px});
     }
     return to_numpy(std::move(opacities));
 }
@@ -78,8 +79,8 @@ void bind_priority(py::module_& m) {
         },
         py::arg("paths"), py::arg("scene"), py::arg("view"), py::arg("weights") = weights,
         py::arg("object") = py::none(), py::arg("painted") = py::none(),
-        R"((P,) float32 in [0, 1], the same for a scene of any size. object: per placement, None: .5; painted: per point of
-Paths or per path, None: the term is left out.)");
+        R"((P,) float32 in [0, 1], the same for a scene of any size. object: per placement, None: .5; painted: per point
+of Paths or per path, None: the term is left out.)");
     m.def(
         "rank_runs",
         [](const ClippedPaths& clipped, const Runs& runs, const Arg<float>& priority, const Arg<std::uint64_t>& ids) {
@@ -112,7 +113,8 @@ void bind_elision(py::module_& m) {
         .def_property_readonly("place", own(&OwnBands::place), "(samples, 4) float32: pixel position, direction")
         .def_property_readonly("band", own(&OwnBands::band),
                                "(samples, 4) float32: half width, rank (0: no run is there), pixels to the run's ends")
-        .def_property_readonly("ends", own(&OwnBands::ends), "(samples, 4) float32: where the run starts, and where it ends")
+        .def_property_readonly("ends", own(&OwnBands::ends),
+                               "(samples, 4) float32: where the run starts, and where it ends")
         .def_property_readonly("px", bands(&Bands::px), "(V, 2) float32")
         .def_property_readonly("across", bands(&Bands::across), "(V, 2) float32: pixels across, half width")
         .def_property_readonly("owner", bands(&Bands::owner), "(V, 3) float32: unit vector across, rank")
@@ -120,7 +122,8 @@ void bind_elision(py::module_& m) {
         .def("crowding", &crowding_of, py::arg("width"), py::arg("height"), py::arg("cancel") = py::none(),
              "(samples, 2) float32: pixels of each sample's band that others take, pixels that it has.")
         .def("opacities", &opacities_of, py::arg("clipped"), py::arg("crowding"),
-             py::arg("fade_from") = options.fade_from, py::arg("cut") = options.cut, py::arg("stub_px") = options.stub_px,
+             py::arg("fade_from") = options.fade_from, py::arg("cut") = options.cut,
+             py::arg("stub_px") = options.stub_px,
              "(samples,) float32 in [0, 1], 1 for lines that stay; see native/elision/opacity.h.");
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t runs_per_block = 64;
 constexpr double width_error_px = 0.05;
-constexpr Index most_ranks = (Index(1) << 24) - 1;
+constexpr Index most_ranks = (Index(1) << 23) - 1;
 
 /// Half width at an arc length.
 struct Knot {
@@ -166,14 +166,17 @@ Bands join(const std::vector<Bands>& parts) {
     all.across.resize(corners.back());
     all.owner.resize(corners.back());
     all.triangles.resize(triangles.back());
-    parallel_for(parts.size(), [&](std::size_t b) {
-        const std::size_t base = corners[b];
-        std::ranges::copy(parts[b].px, all.px.begin() + base);
-        std::ranges::copy(parts[b].across, all.across.begin() + base);
-        std::ranges::copy(parts[b].owner, all.owner.begin() + base);
-        std::ranges::transform(parts[b].triangles, all.triangles.begin() + triangles[b],
-                               [&](const glm::uvec3& t) { return t + glm::uvec3(Index(base)); });
-    }, 1);
+    parallel_for(
+        parts.size(),
+        [&](std::size_t b) {
+            const std::size_t base = corners[b];
+            std::ranges::copy(parts[b].px, all.px.begin() + base);
+            std::ranges::copy(parts[b].across, all.across.begin() + base);
+            std::ranges::copy(parts[b].owner, all.owner.begin() + base);
+            std::ranges::transform(parts[b].triangles, all.triangles.begin() + triangles[b],
+                                   [&](const glm::uvec3& t) { return t + glm::uvec3(Index(base)); });
+        },
+        1);
     return all;
 }
 
@@ -182,7 +185,8 @@ Bands join(const std::vector<Bands>& parts) {
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own) {
     check_runs(clipped, runs);
     check(ranks.size() == runs.size() && own.run.size() == clipped.samples, "elision: ranks or samples of other runs");
-    check(ranks.empty() || std::ranges::max(ranks) <= most_ranks, "elision: too many paths; 16 million can be told apart");
+    check(ranks.empty() || std::ranges::max(ranks) <= most_ranks,
+          "elision: too many paths; 8 million can be told apart");
     std::vector<std::size_t> order(runs.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });

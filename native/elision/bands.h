@@ -18,7 +18,7 @@ struct Bands {
 };
 
 /// Bands of all runs that samples belong to; on a bend the gap on its outer side is filled. The width is linear between
-/// samples, to 1/20 px. Throws std::invalid_argument for more than 2^24 - 1 ranks. Cole 2009, section 5.2.2.
+/// samples, to 1/20 px. Throws std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own);
 
 }  // namespace fovea

@@ -12,14 +12,19 @@ float smoothstep(float low, float high, float x) {
 }
 
 /// How much of a pixel that a line goes along a line takes away, by the cosine squared of the angle between the two.
-float along(float cosine_squared) { return smoothstep(0.25f, 0.75f, cosine_squared); }            // 60 to 30 degrees
+float along(float cosine_squared) { return smoothstep(0.25f, 0.75f, cosine_squared); }             // 60 to 30 degrees
 float along_at_end(float cosine_squared) { return smoothstep(0.8214f, 0.9698f, cosine_squared); }  // 25 to 10 degrees
 
 /// The window of one sample.
 class Window {
    public:
     Window(const PriorityBuffer& buffer, const vec4& place, const vec4& band, const vec4& ends)
-        : buffer_(buffer), px_(place), along_(place.z, place.w), left_(-place.w, place.z), band_(band), ends_(ends),
+        : buffer_(buffer),
+          px_(place),
+          along_(place.z, place.w),
+          left_(-place.w, place.z),
+          band_(band),
+          ends_(ends),
           rank_(std::uint32_t(band.y)) {}
 
     vec2 sum() {
@@ -31,29 +36,38 @@ class Window {
             const vec2 column = px_ + along_ * ((shift - 0.5f) * window_length_px);
             for (int k = 0; k < rows; ++k) {
                 const vec2 at = column + left_ * (((float(k) + shift) / float(rows) - 0.5f) * width);
-                sum += pixel(int(std::floor(at.x)), int(std::floor(at.y)));
+                sum += pixel(at);
             }
         }
         return sum;
     }
 
    private:
-    const PriorityBuffer::Pixel* find(int x, int y) const {
-        if (x < 0 || y < 0 || x >= buffer_.width || y >= buffer_.height) return nullptr;
-        return &buffer_.pixels[std::size_t(y) * buffer_.width + x];
+    static constexpr std::size_t nowhere = ~std::size_t(0);
+
+    /// Number of the pixel at a place; `nowhere` outside of the picture.
+    std::size_t find(vec2 at) const {
+        if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < float(buffer_.width) && at.y < float(buffer_.height)))
+            return nowhere;
+        return std::size_t(int(at.y)) * buffer_.width + std::size_t(int(at.x));
     }
 
-    /// (lost, own) share of a pixel.
-    vec2 pixel(int x, int y) {
-        const PriorityBuffer::Pixel* here = find(x, y);
-        if (!here) return vec2(0.0f);
-        const vec2 from = vec2(float(x) + 0.5f, float(y) + 0.5f) - px_;
+    /// (lost, own) share of the pixel at a place.
+    vec2 pixel(vec2 at) {
+        const std::size_t here = find(at);
+        if (here == nowhere) return vec2(0.0f);
+        const vec2 from = vec2(float(int(at.x)) + 0.5f, float(int(at.y)) + 0.5f) - px_;
         const float u = glm::dot(from, along_), v = glm::dot(from, left_);
         const float inside = std::clamp(u + band_.z + 0.5f, 0.0f, 1.0f) * std::clamp(band_.w - u + 0.5f, 0.0f, 1.0f);
         const float own = std::clamp(band_.x + 0.5f - std::abs(v), 0.0f, 1.0f);
         float taken = 0.0f;
-        for (const PriorityTexel& other : here->layers)
-            if (other.rank > rank_) taken = std::max(taken, lost(other, own, v < 0.0f ? -left_ : left_));
+        const PriorityTexel& first = buffer_.first[here];
+        if (first.rank > rank_) {
+            const vec2 away = v < 0.0f ? -left_ : left_;
+            taken = lost(first, own, away);
+            if (first.crossed && buffer_.second[here].rank > rank_)
+                taken = std::max(taken, lost(buffer_.second[here], own, away));
+        }
         return inside * vec2(taken, own);
     }
 
@@ -73,8 +87,7 @@ class Window {
     float meets(std::uint32_t rank) {
         if (!knows_ends_) find_ends();
         float most = 0.0f;
-        for (const End& end : at_ends_)
-            if (end.rank == rank) most = std::max(most, end.share);
+        for (const End& end : at_ends_) most = std::max(most, end.share * float(end.rank == rank));
         return most;
     }
 
@@ -82,9 +95,13 @@ class Window {
         knows_ends_ = true;
         for (int end = 0; end < 2; ++end) {
             const float near = 1.0f - smoothstep(0.5f * end_reach * band_.x, end_reach * band_.x, band_[2 + end]);
-            const PriorityBuffer::Pixel* there = find(int(std::floor(ends_[2 * end])), int(std::floor(ends_[2 * end + 1])));
-            for (int layer = 0; there && layer < 2; ++layer)
-                at_ends_[2 * end + layer] = {there->layers[layer].rank, near * float(there->layers[layer].coverage) / 255.0f};
+            const std::size_t there = find({ends_[2 * end], ends_[2 * end + 1]});
+            if (there == nowhere) continue;
+            const auto meet = [&](const PriorityTexel& band) {
+                return End{band.rank, near * float(band.coverage) / 255.0f};
+            };
+            at_ends_[2 * end] = meet(buffer_.first[there]);
+            if (buffer_.first[there].crossed) at_ends_[2 * end + 1] = meet(buffer_.second[there]);
         }
     }
 

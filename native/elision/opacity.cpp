@@ -18,9 +18,12 @@ void for_runs(In<Index> run, const Body& body) {
     for (std::size_t s = 0; s < run.size(); ++s)
         if (s == 0 || run[s] != run[s - 1]) starts.push_back(s);
     starts.push_back(run.size());
-    parallel_for(starts.size() - 1, [&](std::size_t k) {
-        if (run[starts[k]] != none) body(starts[k], starts[k + 1]);
-    }, 64);
+    parallel_for(
+        starts.size() - 1,
+        [&](std::size_t k) {
+            if (run[starts[k]] != none) body(starts[k], starts[k + 1]);
+        },
+        64);
 }
 
 /// Least (or with `most`, greatest) of values[i] .. values[i + length - 1] for every i at which these are all there.
@@ -81,7 +84,8 @@ Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own,
                                const ElisionOptions& options) {
     check(scores.size() == own.run.size() && scores.size() == clipped.samples,
           "elision: one score per atlas sample expected");
-    check(options.fade_from >= 0.0f && options.fade_from < 1.0f, "elision: fade_from must be 0 or more, and less than 1");
+    check(options.fade_from >= 0.0f && options.fade_from < 1.0f,
+          "elision: fade_from must be 0 or more, and less than 1");
     check(options.stub_px >= 0.0, "elision: stub_px must be 0 or more");
     Array<float> opacities(scores.size());
     std::ranges::fill(opacities, 1.0f);

@@ -73,7 +73,8 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
                     while (r < rows.end(q) && runs.end_px[r] <= from) ++r;
                     const Cover here = cover(runs, r, rows.end(q), from, from + step);
                     const Index s = clipped.sample_start[i] + j;
-                    const float wanted = half_width_px[s] > 0.0f ? std::min(half_width_px[s], most_half_width_px) : 0.0f;
+                    const float wanted =
+                        half_width_px[s] > 0.0f ? std::min(half_width_px[s], most_half_width_px) : 0.0f;
                     own.place[s] = {start + way * ((float(j) + 0.5f) / float(count)), along};
                     own.run[s] = here.run;
                     own.band[s] = {std::max(least_half_width_px, wanted * float(here.share)), 0.0f, 0.0f, 0.0f};

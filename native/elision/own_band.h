@@ -21,8 +21,9 @@ struct OwnBands {
     Array<Index> run;
 };
 
-/// `ranks`: per run (elision/rank.h). `half_width_px`: per atlas sample, half the width that a line wants there where it
-/// is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below 0, is 0.
+/// `ranks`: per run (elision/rank.h). `half_width_px`: per atlas sample, half the width that a line wants there where
+/// it is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below 0, is
+/// 0.
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px);
 
 }  // namespace fovea

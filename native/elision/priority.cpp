@@ -19,9 +19,13 @@ struct NamedValue {
     double value;
 };
 constexpr NamedValue kind_values[] = {
-    {"silhouette", 1.0},  {"smooth_silhouette", 1.0}, {"contour", 0.85},  {"smooth_contour", 0.85}, {"edge_mark", 0.8},
-    {"border", 0.7},      {"crease", 0.6},            {"material_boundary", 0.5}, {"intersection", 0.5},
-    {"suggestive_contour", 0.4}, {"apparent_ridge", 0.4}, {"topographic", 0.1}, {"isophote", 0.1},
+    {"silhouette", 1.0},     {"smooth_silhouette", 1.0},
+    {"contour", 0.85},       {"smooth_contour", 0.85},
+    {"edge_mark", 0.8},      {"border", 0.7},
+    {"crease", 0.6},         {"material_boundary", 0.5},
+    {"intersection", 0.5},   {"suggestive_contour", 0.4},
+    {"apparent_ridge", 0.4}, {"topographic", 0.1},
+    {"isophote", 0.1},
 };
 
 /// Value of each definition.
@@ -62,7 +66,12 @@ class Terms {
    public:
     Terms(const Paths& paths, const Scene& scene, const View& view, const PriorityWeights& weights, In<float> object,
           In<float> painted)
-        : paths_(paths), scene_(scene), view_(view), weights_(weights), object_(object), painted_(painted),
+        : paths_(paths),
+          scene_(scene),
+          view_(view),
+          weights_(weights),
+          object_(object),
+          painted_(painted),
           radius_(std::max(scene_radius(scene), std::numeric_limits<double>::min())),
           painted_weight_(painted.empty() ? 0.0 : weights.painted),
           sum_(weights.length + weights.kind + weights.strength + weights.depth + weights.object + painted_weight_) {}
@@ -155,12 +164,14 @@ double scene_radius(const Scene& scene) {
 Array<float> path_priorities(const Paths& paths, const Scene& scene, const View& view, const PriorityWeights& weights,
                              In<float> object, In<float> painted) {
     check_weights(weights, !painted.empty());
-    check(object.empty() || object.size() == scene.placements.size(), "priority: one object value per placement expected");
+    check(object.empty() || object.size() == scene.placements.size(),
+          "priority: one object value per placement expected");
     check(painted.empty() || painted.size() == paths.points_obj.size() || painted.size() == paths.count(),
           "priority: one painted value per point or per path expected");
     const Terms terms(paths, scene, view, weights, object, painted);
     Array<float> priorities(paths.count());
-    parallel_for(paths.count(), [&](std::size_t p) { priorities[p] = terms.of_path(Index(p)); }, 256);
+    parallel_for(
+        paths.count(), [&](std::size_t p) { priorities[p] = terms.of_path(Index(p)); }, 256);
     return priorities;
 }
 

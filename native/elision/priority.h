@@ -1,5 +1,5 @@
-// How important a line is. Where lines crowd, the more important one stays (Cole 2009, section 5.2.2: there the length of
-// the line in space; Grabli et al. 2004 and Wilson & Ma 2004 ask for what else an illustrator weighs).
+// How important a line is. Where lines crowd, the more important one stays (Cole 2009, section 5.2.2: there the length
+// of the line in space; Grabli et al. 2004 and Wilson & Ma 2004 ask for what else an illustrator weighs).
 #pragma once
 
 #include "base/view.h"

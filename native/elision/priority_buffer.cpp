@@ -36,12 +36,14 @@ float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
 }
 
 /// Bands come by falling rank, so that whoever is first stays.
-void put(PriorityBuffer::Pixel& pixel, const PriorityTexel& texel) {
-    PriorityTexel &first = pixel.layers[0], &second = pixel.layers[1];
-    if (first.rank == 0)
+void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) {
+    PriorityTexel& first = buffer.first[pixel];
+    if (first.rank == 0) {
         first = texel;
-    else if (second.rank == 0 && first.rank != texel.rank && cosine_of_double(first, texel) < 0.0f)
-        second = texel;
+    } else if (!first.crossed && first.rank != texel.rank && cosine_of_double(first, texel) < 0.0f) {
+        first.crossed = 1;
+        buffer.second[pixel] = texel;
+    }
 }
 
 void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBuffer& buffer) {
@@ -52,7 +54,7 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
     const Across across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
     const vec3 owner = bands.owner[c[0]];
     const auto x = std::int16_t(std::lround(owner.x * 32767.0f)), y = std::int16_t(std::lround(owner.y * 32767.0f));
-    PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0};
+    PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0};
     for (int row = box.y0; row < box.y1; ++row) {
         int begin = box.x0, end = box.x1;
         shape.span(row, begin, end);
@@ -63,7 +65,7 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
             if (texel.coverage == 0) continue;
             texel.away_x = place.x < 0.0f ? std::int16_t(-x) : x;
             texel.away_y = place.x < 0.0f ? std::int16_t(-y) : y;
-            put(buffer.pixels[std::size_t(row) * buffer.width + column], texel);
+            put(buffer, std::size_t(row) * buffer.width + column, texel);
         }
     }
 }
@@ -72,20 +74,24 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
 
 PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel) {
     check(width > 0 && height > 0, "priority buffer: the picture needs a positive width and height");
-    PriorityBuffer buffer{width, height, {}};
-    buffer.pixels.resize(std::size_t(width) * height);
+    PriorityBuffer buffer{width, height, {}, {}};
+    buffer.first.resize(std::size_t(width) * height);
+    buffer.second.resize(buffer.first.size());
     const Tiles tiles = sort_into_tiles(bands.px, bands.triangles, width, height);
     const PixelBox picture{0, 0, width, height};
     constexpr int size = Tiles::size;
-    parallel_for(std::size_t(tiles.across) * tiles.up, [&](std::size_t tile) {
-        if (cancel) cancel->poll();
-        const int x = int(tile % tiles.across) * size, y = int(tile / tiles.across) * size;
-        const PixelBox box = intersect({x, y, x + size, y + size}, picture);
-        for (int row = box.y0; row < box.y1; ++row)
-            std::fill_n(&buffer.pixels[std::size_t(row) * width + box.x0], box.x1 - box.x0, PriorityBuffer::Pixel{});
-        for (std::size_t k = tiles.offsets[tile]; k < tiles.offsets[tile + 1]; ++k)
-            draw_triangle(bands, tiles.triangle[k], box, buffer);
-    }, 1);
+    parallel_for(
+        std::size_t(tiles.across) * tiles.up,
+        [&](std::size_t tile) {
+            if (cancel) cancel->poll();
+            const int x = int(tile % tiles.across) * size, y = int(tile / tiles.across) * size;
+            const PixelBox box = intersect({x, y, x + size, y + size}, picture);
+            for (int row = box.y0; row < box.y1; ++row)
+                std::fill_n(&buffer.first[std::size_t(row) * width + box.x0], box.x1 - box.x0, PriorityTexel{});
+            for (std::size_t k = tiles.offsets[tile]; k < tiles.offsets[tile + 1]; ++k)
+                draw_triangle(bands, tiles.triangle[k], box, buffer);
+        },
+        1);
     return buffer;
 }
 

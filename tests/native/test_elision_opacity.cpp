@@ -32,7 +32,8 @@ TEST(ElisionOpacity, FallsInALineFromAWholeBandToTheShareWhereLinesFade) {
     for (const float from : {0.0f, 0.35f, 0.6f})
         for (const float score : {0.0f, 0.2f, 0.35f, 0.5f, 0.8f, 1.0f}) {
             const float wanted = std::clamp((score - from) / (1.0f - from), 0.0f, 1.0f);
-            for (const float opacity : row.opacities(filled(40, score), {.fade_from = from})) EXPECT_FLOAT_EQ(opacity, wanted);
+            for (const float opacity : row.opacities(filled(40, score), {.fade_from = from}))
+                EXPECT_FLOAT_EQ(opacity, wanted);
         }
 }
 

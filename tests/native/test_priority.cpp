@@ -21,7 +21,8 @@ const PriorityWeights only_object{.length = 0, .kind = 0, .strength = 0, .depth 
 /// Three lines, longer and longer, farther and farther away.
 wires::Wires lines(double scale = 1.0) {
     std::vector<std::vector<dvec3>> all;
-    for (const double k : {1.0, 2.0, 4.0}) all.push_back({dvec3(-k, 0.1 * k, -5.0 * k) * scale, dvec3(k, 0, -5.0 * k) * scale});
+    for (const double k : {1.0, 2.0, 4.0})
+        all.push_back({dvec3(-k, 0.1 * k, -5.0 * k) * scale, dvec3(k, 0, -5.0 * k) * scale});
     return wires::Wires(all);
 }
 
@@ -59,7 +60,8 @@ TEST(Priority, TheSameForASceneOfAnySize) {
 
 TEST(Priority, EveryTermLiesBetweenNothingAndAll) {
     const wires::Wires endless({{{0, 0, -1}, {1e30, 0, -1}}, {{0, 0, -1}, {1e-30, 0, -1}}, {{0, 0, 1e9}, {0, 1, 1e9}}});
-    for (const PriorityWeights& weights : {only_length, only_kind, only_strength, only_depth, only_object, PriorityWeights()})
+    for (const PriorityWeights& weights :
+         {only_length, only_kind, only_strength, only_depth, only_object, PriorityWeights()})
         for (const float value : priorities(endless, weights)) {
             EXPECT_GE(value, 0.0f);
             EXPECT_LE(value, 1.0f);
