@@ -1,4 +1,4 @@
-// The elision test for the atlas sample at this fragment: crowding() of native/elision/elide.cpp.
+// The elision test for the sample at this fragment: crowding() of native/elision/elide.cpp.
 struct Own {
   vec4 place;       // pixel position, direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
@@ -60,9 +60,6 @@ void main()
   vec4 place = fetch_row(places, index), band = fetch_row(bands, index), end = fetch_row(ends, index);
   if (any(lessThan(place.xy, tile.xy)) || any(greaterThanEqual(place.xy, tile.zw))) {
     discard;
-  }
-  if (band.y == 0.0) {
-    return;
   }
   float shortness = 1.0 - smoothstep(band.x, 3.0 * band.x, band.z + band.w);
   vec4 start_bands = bands_at(end.xy), end_bands = bands_at(end.zw);

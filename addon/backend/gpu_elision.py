@@ -87,7 +87,7 @@ class ElisionPass:
         return layers
 
     def read(self):
-        """(samples, 2) float32: pixels of each sample's band that others take, pixels that it has."""
+        """(D, 2) float32: pixels of each sample's band that others take, pixels that it has."""
         parts = [batch.target.read(2).reshape(-1, 2)[: batch.count] for batch in self._batches]
         return np.concatenate(parts) if parts else np.zeros((0, 2), np.float32)
 

@@ -107,20 +107,19 @@ void bind_elision(py::module_& m) {
         return [member](py::object self) { return view_numpy(self.cast<const Elision&>().bands.*member, self); };
     };
     py::class_<Elision, std::shared_ptr<Elision>>(
-        m, "Elision", "Bands of runs, of V corners, and what each atlas sample looks for; see native/elision.")
+        m, "Elision", "Bands of runs, of V corners, and the D atlas samples that runs cover; see native/elision.")
         .def(py::init(&prepare), py::arg("clipped"), py::arg("runs"), py::arg("ranks"), py::arg("half_width_px"),
              "ranks (R,) uint32 of rank_runs; half_width_px (samples,) float32, half the distance to others.")
-        .def_property_readonly("place", own(&OwnBands::place), "(samples, 4) float32: pixel position, direction")
+        .def_property_readonly("place", own(&OwnBands::place), "(D, 4) float32: pixel position, direction")
         .def_property_readonly("band", own(&OwnBands::band),
-                               "(samples, 4) float32: half width, rank (0: no run is there), pixels to the run's ends")
-        .def_property_readonly("ends", own(&OwnBands::ends),
-                               "(samples, 4) float32: where the run starts, and where it ends")
+                               "(D, 4) float32: half width, rank, pixels to the run's ends")
+        .def_property_readonly("ends", own(&OwnBands::ends), "(D, 4) float32: where the run starts, and where it ends")
         .def_property_readonly("px", bands(&Bands::px), "(V, 2) float32")
         .def_property_readonly("across", bands(&Bands::across), "(V, 2) float32: pixels across, half width")
         .def_property_readonly("owner", bands(&Bands::owner), "(V, 3) float32: unit vector across, rank")
         .def_property_readonly("triangles", bands(&Bands::triangles), "(T, 3) uint32, the highest rank first")
         .def("crowding", &crowding_of, py::arg("width"), py::arg("height"), py::arg("cancel") = py::none(),
-             "(samples, 2) float32: pixels of each sample's band that others take, pixels that it has.")
+             "(D, 2) float32: pixels of each sample's band that others take, pixels that it has.")
         .def("opacities", &opacities_of, py::arg("clipped"), py::arg("crowding"),
              py::arg("fade_from") = options.fade_from, py::arg("cut") = options.cut,
              py::arg("stub_px") = options.stub_px,

@@ -59,7 +59,7 @@ class Band {
         const double* arcs = clipped_.arc_px.data();
         const double* at = std::upper_bound(arcs + first, arcs + last, start_);
         begin_ = std::max(first, Index(at - arcs) - (at > arcs + first ? 1 : 0));
-        find_knots(Index(run), last);
+        find_knots(Index(run));
         if (knots_.empty()) return;
         knot_ = 0;
         has_before_ = false;
@@ -67,17 +67,11 @@ class Band {
     }
 
    private:
-    void find_knots(Index run, Index last) {
+    void find_knots(Index run) {
         knots_.clear();
-        for (Index i = begin_; i < last && clipped_.arc_px[i] < end_; ++i) {
-            const Index count = clipped_.sample_count[i];
-            for (Index j = 0; j < count; ++j) {
-                const Index s = clipped_.sample_start[i] + j;
-                if (own_.run[s] != run) continue;
-                const double share = (j + 0.5) / count;
-                const double arc = glm::mix(clipped_.arc_px[i], clipped_.arc_px[i + 1], share);
-                if (knots_.empty() || arc > knots_.back().arc) knots_.push_back({arc, own_.band[s].x});
-            }
+        for (Index s = own_.runs.begin(run); s < own_.runs.end(run); ++s) {
+            const double arc = start_ + own_.band[s].z;
+            if (knots_.empty() || arc > knots_.back().arc) knots_.push_back({arc, own_.band[s].x});
         }
         simplify(knots_);
     }
@@ -184,7 +178,7 @@ Bands join(const std::vector<Bands>& parts) {
 
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own) {
     check_runs(clipped, runs);
-    check(ranks.size() == runs.size() && own.run.size() == clipped.samples, "elision: ranks or samples of other runs");
+    check(ranks.size() == runs.size() && own.runs.count() == runs.size(), "elision: ranks or samples of other runs");
     check(ranks.empty() || std::ranges::max(ranks) <= most_ranks,
           "elision: too many paths; 8 million can be told apart");
     std::vector<std::size_t> order(runs.size());

@@ -124,10 +124,8 @@ Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Ca
     Array<vec2> result(own.band.size());
     parallel_blocks(own.band.size(), 4096, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
-        for (std::size_t s = begin; s < end; ++s) {
-            const bool drawn = own.band[s].y > 0.0f;
-            result[s] = drawn ? Window(buffer, own.place[s], own.band[s], own.ends[s]).sum() : vec2(0.0f);
-        }
+        for (std::size_t s = begin; s < end; ++s)
+            result[s] = Window(buffer, own.place[s], own.band[s], own.ends[s]).sum();
     });
     return result;
 }

@@ -14,9 +14,9 @@ inline constexpr int most_window_rows = 8;
 /// So many times half the band's width from a run's end a line no longer meets another there.
 inline constexpr float end_reach = 8.0f;
 
-/// Per atlas sample: pixels of the line's own band in the window (y), and how many of these are lost (x); pixels that
-/// the edge of the band, or an end of the run, passes through count in part. (0, 0) where no run is, and outside of the
-/// picture. So x / y is exactly 0 for a line alone, and half where half of its band lies under another.
+/// Per sample of a run: pixels of the line's own band in the window (y), and how many of these are lost (x); pixels
+/// that the edge of the band, or an end of the run, passes through count in part. (0, 0) outside of the picture. So x /
+/// y is exactly 0 for a line alone, and half where half of its band lies under another.
 ///
 /// A pixel is lost, in part where its owner covers it in part, if a line of higher rank has it that goes along: wholly
 /// at up to 30 degrees between the two, not at all from 60 on, so that lines cross. Lines that meet diverge: to the one

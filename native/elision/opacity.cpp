@@ -11,17 +11,13 @@ namespace {
 
 constexpr std::size_t taps_aside = 4;
 
-/// body(begin, end) for the stretch of samples of every run.
+/// body(begin, end) for the samples of every run.
 template <typename Body>
-void for_runs(In<Index> run, const Body& body) {
-    Array<std::size_t> starts;
-    for (std::size_t s = 0; s < run.size(); ++s)
-        if (s == 0 || run[s] != run[s - 1]) starts.push_back(s);
-    starts.push_back(run.size());
+void for_runs(const Rows& runs, const Body& body) {
     parallel_for(
-        starts.size() - 1,
-        [&](std::size_t k) {
-            if (run[starts[k]] != none) body(starts[k], starts[k + 1]);
+        runs.count(),
+        [&](std::size_t r) {
+            if (runs.size(Index(r)) > 0) body(runs.begin(Index(r)), runs.end(Index(r)));
         },
         64);
 }
@@ -66,15 +62,14 @@ double spacing(const OwnBands& own, std::size_t begin, std::size_t end) {
 }  // namespace
 
 Array<float> elision_scores(const OwnBands& own, In<vec2> crowding) {
-    check(crowding.size() == own.run.size(), "elision: one pair per atlas sample expected");
+    check(crowding.size() == own.sample.size(), "elision: one pair per sample of a run expected");
     Array<float> scores(crowding.size());
-    std::ranges::fill(scores, 1.0f);
-    for_runs(own.run, [&](std::size_t begin, std::size_t end) {
+    for_runs(own.runs, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
             vec2 sum(0.0f);
             const std::size_t first = s - std::min(taps_aside, s - begin);
             for (std::size_t t = first; t < std::min(end, s + taps_aside + 1); ++t) sum += crowding[t];
-            if (sum.y > 0.0f) scores[s] = std::clamp(1.0f - sum.x / sum.y, 0.0f, 1.0f);
+            scores[s] = sum.y > 0.0f ? std::clamp(1.0f - sum.x / sum.y, 0.0f, 1.0f) : 1.0f;
         }
     });
     return scores;
@@ -82,21 +77,21 @@ Array<float> elision_scores(const OwnBands& own, In<vec2> crowding) {
 
 Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own, In<float> scores,
                                const ElisionOptions& options) {
-    check(scores.size() == own.run.size() && scores.size() == clipped.samples,
-          "elision: one score per atlas sample expected");
-    check(options.fade_from >= 0.0f && options.fade_from < 1.0f,
-          "elision: fade_from must be 0 or more, and less than 1");
+    check(scores.size() == own.sample.size(), "elision: one score per sample of a run expected");
+    check(own.sample.empty() || own.sample.back() < clipped.samples, "elision: samples of other paths");
+    check(options.fade_from >= 0.0f && options.fade_from < 1.0f, "elision: fade_from must be in [0, 1)");
     check(options.stub_px >= 0.0, "elision: stub_px must be 0 or more");
-    Array<float> opacities(scores.size());
-    std::ranges::fill(opacities, 1.0f);
-    for_runs(own.run, [&](std::size_t begin, std::size_t end) {
+    Array<float> opacities(clipped.samples), left(scores.size());
+    parallel_blocks(opacities.size(), 1 << 16, [&](auto, std::size_t begin, std::size_t end) {
+        std::fill_n(opacities.begin() + begin, end - begin, 1.0f);
+    });
+    for_runs(own.runs, [&](std::size_t begin, std::size_t end) {
         static thread_local Opening open;
         for (std::size_t s = begin; s < end; ++s)
-            opacities[s] = std::clamp((scores[s] - options.fade_from) / (1.0f - options.fade_from), 0.0f, 1.0f);
+            left[s] = std::clamp((scores[s] - options.fade_from) / (1.0f - options.fade_from), 0.0f, 1.0f);
         const double step = spacing(own, begin, end);
-        if (step > 0.0) open(&opacities[begin], end - begin, std::size_t(std::lround(options.stub_px / step)));
-        for (std::size_t s = begin; s < end; ++s)
-            if (opacities[s] < options.cut) opacities[s] = 0.0f;
+        if (step > 0.0) open(&left[begin], end - begin, std::size_t(std::lround(options.stub_px / step)));
+        for (std::size_t s = begin; s < end; ++s) opacities[own.sample[s]] = left[s] < options.cut ? 0.0f : left[s];
     });
     return opacities;
 }

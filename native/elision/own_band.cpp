@@ -8,6 +8,7 @@
 namespace fovea {
 namespace {
 
+constexpr std::size_t pieces_per_block = 256;
 constexpr float most_half_width_px = 4096.0f;
 
 /// Runs of one piece over a stretch of it.
@@ -42,52 +43,99 @@ vec2 place_at(const ClippedPaths& clipped, Index piece, double arc) {
     return glm::mix(clipped.px[i - 1], clipped.px[i], float(std::clamp(share, 0.0, 1.0)));
 }
 
+/// Samples of some pieces.
+class Samples {
+   public:
+    Samples(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px, OwnBands& own)
+        : clipped_(clipped), runs_(runs), ranks_(ranks), half_width_px_(half_width_px), own_(own) {}
+
+    /// `counts`: samples of each run.
+    void add(Index piece, Index run, Index last_run, Array<Index>& counts) {
+        counted_ = none;
+        for (Index i = clipped_.pieces.begin(piece); i + 1 < clipped_.pieces.end(piece); ++i) {
+            const Index count = clipped_.sample_count[i];
+            const double begin = clipped_.arc_px[i],
+                         step = (clipped_.arc_px[i + 1] - begin) / std::max(count, Index(1));
+            while (run < last_run && runs_.end_px[run] <= begin) ++run;
+            if (run == last_run) return;
+            if (runs_.start_px[run] >= clipped_.arc_px[i + 1]) continue;
+            for (Index j = 0; j < count; ++j) {
+                const double from = begin + j * step;
+                while (run < last_run && runs_.end_px[run] <= from) ++run;
+                const Cover here = cover(runs_, run, last_run, from, from + step);
+                if (here.run == none) continue;
+                ++counts[here.run];
+                if (here.run != counted_) find_ends(piece, here.run);
+                add_sample(i, j, from + 0.5 * step, here);
+            }
+        }
+    }
+
+   private:
+    void find_ends(Index piece, Index run) {
+        counted_ = run;
+        ends_ = {place_at(clipped_, piece, runs_.start_px[run]), place_at(clipped_, piece, runs_.end_px[run])};
+    }
+
+    void add_sample(Index i, Index j, double middle, const Cover& here) {
+        const vec2 start = clipped_.px[i], way = clipped_.px[i + 1] - start;
+        const float length = glm::length(way);
+        const vec2 along = length > 0.0f ? way / length : vec2(1.0f, 0.0f);
+        const Index s = clipped_.sample_start[i] + j;
+        const float wanted = half_width_px_[s] > 0.0f ? std::min(half_width_px_[s], most_half_width_px) : 0.0f;
+        own_.sample.push_back(s);
+        own_.place.push_back({start + way * ((float(j) + 0.5f) / float(clipped_.sample_count[i])), along});
+        own_.band.push_back({std::max(least_half_width_px, wanted * float(here.share)), float(ranks_[here.run]),
+                             float(middle - runs_.start_px[here.run]), float(runs_.end_px[here.run] - middle)});
+        own_.ends.push_back(ends_);
+    }
+
+    const ClippedPaths& clipped_;
+    const Runs& runs_;
+    In<Index> ranks_;
+    In<float> half_width_px_;
+    OwnBands& own_;
+    Index counted_ = none;
+    vec4 ends_{0.0f};
+};
+
+template <typename T>
+void copy_to(const Array<T>& part, std::size_t base, Array<T>& all) {
+    std::ranges::copy(part, all.begin() + base);
+}
+
 }  // namespace
 
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px) {
     check(half_width_px.size() == clipped.samples, "elision: one half width per atlas sample expected");
     check(ranks.size() == runs.size(), "elision: one rank per run expected");
     const Rows rows = runs_of_pieces(clipped, runs);
+    Array<Index> counts(runs.size(), 0);
+    std::vector<OwnBands> parts((clipped.path.size() + pieces_per_block - 1) / pieces_per_block);
+    parallel_blocks(clipped.path.size(), pieces_per_block, [&](auto block, std::size_t first, std::size_t last) {
+        Samples samples(clipped, runs, ranks, half_width_px, parts[block]);
+        for (Index q = Index(first); q < last; ++q)
+            if (rows.size(q) > 0) samples.add(q, rows.begin(q), rows.end(q), counts);
+    });
+    counts_to_offsets(counts);
     OwnBands own;
-    own.place.resize(clipped.samples);
-    own.band.resize(clipped.samples);
-    own.ends.resize(clipped.samples);
-    own.run.resize(clipped.samples);
-    Array<vec4> ends(runs.size());
-    parallel_for(runs.size(), [&](std::size_t r) {
-        const Index q = runs.piece[r];
-        ends[r] = {place_at(clipped, q, runs.start_px[r]), place_at(clipped, q, runs.end_px[r])};
-    });
-    parallel_blocks(clipped.path.size(), 256, [&](auto, std::size_t first, std::size_t last) {
-        for (Index q = Index(first); q < last; ++q) {
-            Index r = rows.begin(q);
-            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-                const Index count = clipped.sample_count[i];
-                if (count == 0) continue;
-                const vec2 start = clipped.px[i], way = clipped.px[i + 1] - start;
-                const float length = glm::length(way);
-                const vec2 along = length > 0.0f ? way / length : vec2(1.0f, 0.0f);
-                const double step = (clipped.arc_px[i + 1] - clipped.arc_px[i]) / count;
-                for (Index j = 0; j < count; ++j) {
-                    const double from = clipped.arc_px[i] + j * step, middle = from + 0.5 * step;
-                    while (r < rows.end(q) && runs.end_px[r] <= from) ++r;
-                    const Cover here = cover(runs, r, rows.end(q), from, from + step);
-                    const Index s = clipped.sample_start[i] + j;
-                    const float wanted =
-                        half_width_px[s] > 0.0f ? std::min(half_width_px[s], most_half_width_px) : 0.0f;
-                    own.place[s] = {start + way * ((float(j) + 0.5f) / float(count)), along};
-                    own.run[s] = here.run;
-                    own.band[s] = {std::max(least_half_width_px, wanted * float(here.share)), 0.0f, 0.0f, 0.0f};
-                    own.ends[s] = vec4(0.0f);
-                    if (here.run == none) continue;
-                    own.ends[s] = ends[here.run];
-                    own.band[s].y = float(ranks[here.run]);
-                    own.band[s].z = float(middle - runs.start_px[here.run]);
-                    own.band[s].w = float(runs.end_px[here.run] - middle);
-                }
-            }
-        }
-    });
+    own.sample.resize(counts.back());
+    own.place.resize(counts.back());
+    own.band.resize(counts.back());
+    own.ends.resize(counts.back());
+    own.runs.offsets = std::move(counts);
+    std::vector<std::size_t> bases;
+    for (const OwnBands& part : parts) bases.push_back(part.sample.size());
+    counts_to_offsets(bases);
+    parallel_for(
+        parts.size(),
+        [&](std::size_t b) {
+            copy_to(parts[b].sample, bases[b], own.sample);
+            copy_to(parts[b].place, bases[b], own.place);
+            copy_to(parts[b].band, bases[b], own.band);
+            copy_to(parts[b].ends, bases[b], own.ends);
+        },
+        1);
     return own;
 }
 

@@ -8,17 +8,21 @@ namespace fovea {
 /// Bands are at least a pixel wide, so that no line slips between pixels.
 inline constexpr float least_half_width_px = 0.5f;
 
-/// One entry per atlas sample; what the elision test reads, on either backend.
+/// The atlas samples that runs cover, in the order of the atlas, and so of the runs; what the elision test reads, on
+/// either backend. A sample belongs to the run that covers most of it.
 struct OwnBands {
+    /// Samples of each run: entries runs.begin(r) .. runs.end(r) of the arrays; a run shorter than a sample may have
+    /// none.
+    Rows runs;
+    /// Number of the sample in the atlas.
+    Array<Index> sample;
     /// Pixel position (x, y) and direction (z, w; unit length).
     Array<vec4> place;
-    /// x: half the band's width [px], at least least_half_width_px; y: rank of the run that the sample belongs to, 0
-    /// where it belongs to none; z, w: pixels back to the run's start, and ahead to its end.
+    /// x: half the band's width [px], at least least_half_width_px; y: rank of the run; z, w: pixels back to the run's
+    /// start, and ahead to its end.
     Array<vec4> band;
-    /// Where its run starts (x, y) and ends (z, w) [px]; 0 where it belongs to none.
+    /// Where the run starts (x, y) and ends (z, w) [px].
     Array<vec4> ends;
-    /// The run that covers most of the sample; `none` where none does.
-    Array<Index> run;
 };
 
 /// `ranks`: per run (elision/rank.h). `half_width_px`: per atlas sample, half the width that a line wants there where

@@ -1,6 +1,7 @@
 // Lines drawn by hand, and what elision leaves of them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "elision/elide.h"
@@ -54,11 +55,18 @@ struct Sheet {
     PriorityBuffer buffer(const OwnBands& own) const {
         return draw_priorities(draw_bands(clipped, runs, ranks(), own), width, height);
     }
-    Array<float> scores(const OwnBands& own) const { return elision_scores(own, crowding(own, buffer(own))); }
+    /// Per atlas sample; 1 where no run is.
+    Array<float> scores(const OwnBands& own) const {
+        const Array<float> found = elision_scores(own, crowding(own, buffer(own)));
+        Array<float> all(clipped.samples);
+        std::ranges::fill(all, 1.0f);
+        for (std::size_t s = 0; s < found.size(); ++s) all[own.sample[s]] = found[s];
+        return all;
+    }
     Array<float> scores() const { return scores(own()); }
     Array<float> opacities(const ElisionOptions& options = {}) const {
         const OwnBands bands = own();
-        return elision_opacities(clipped, bands, scores(bands), options);
+        return elision_opacities(clipped, bands, elision_scores(bands, crowding(bands, buffer(bands))), options);
     }
 
     /// Samples of a piece; `aside`: so many pixels from its ends.

@@ -283,7 +283,7 @@ TEST(Elision, NoTwoWholeLinesGoAlongNearerThanTheyWant) {
     std::uniform_real_distribution<float> x(0.0f, 800.0f), y(0.0f, 600.0f), turn(0.0f, 3.14f), length(30.0f, 300.0f);
     for (int k = 0; k < 400; ++k) sheet.line(Sheet::through({x(random), y(random)}, turn(random), length(random)));
     const OwnBands own = sheet.own();
-    const Array<float> scores = sheet.scores(own);
+    const Array<float> scores = elision_scores(own, crowding(own, sheet.buffer(own)));
     std::vector<std::size_t> whole;
     for (std::size_t s = 0; s < scores.size(); ++s) {
         const vec4 place = own.place[s], band = own.band[s];
@@ -297,7 +297,7 @@ TEST(Elision, NoTwoWholeLinesGoAlongNearerThanTheyWant) {
             const vec2 along(own.place[s].z, own.place[s].w), way = vec2(own.place[t]) - vec2(own.place[s]);
             const float angle = glm::dot(along, vec2(own.place[t].z, own.place[t].w));
             const float aside = std::abs(along.x * way.y - along.y * way.x);
-            return own.run[s] != own.run[t] && angle * angle > 0.75f && std::abs(glm::dot(along, way)) < 1.0f &&
+            return own.band[s].y != own.band[t].y && angle * angle > 0.75f && std::abs(glm::dot(along, way)) < 1.0f &&
                    aside < 7.0f;
         });
     EXPECT_LT(crowded, int(whole.size() / 100)) << whole.size();
