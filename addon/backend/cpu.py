@@ -133,6 +133,19 @@ def transfer(data):
     return native.load().Transfer(data.start, data.end, data.strength, list(data.curve))
 
 
+def priorities(frame, weights=None, object=None, painted=None):
+    """(P,) float32 in [0, 1]: how important each path is. `weights`: numbers by the name of the term, as in the native
+    PriorityWeights; `object`: per placement; `painted`: per point of Paths or per path."""
+    core = native.load()
+    weights = core.PriorityWeights(**(weights or {}))
+    return core.path_priorities(frame.paths, frame.scene, frame.view, weights, object, painted)
+
+
+def ranks(frame, runs, priority):
+    """(R,) uint32: the order in which Runs go before each other, given the priority of each path."""
+    return native.load().rank_runs(frame.clipped, runs, priority, frame.paths.ids)
+
+
 def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
     """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other;
     Emphasis leads to the pens out of focus."""
@@ -256,6 +269,13 @@ class Backend:
         core = native.load()
         layouts = self.layouts(frame, overlap_px)
         return sum(look(core.draw_depth(frame.scene, frame.view, layout)) for layout in layouts)
+
+    def elide(self, frame, runs, ranks, half_width_px, cancel=None, **options):
+        """(samples,) float32 in [0, 1]: what elision leaves of the opacity of Runs, given their `ranks` and half the
+        distance in pixels that they want to keep from others at each sample; options of native Elision.opacities."""
+        elision = native.load().Elision(frame.clipped, runs, ranks, half_width_px)
+        crowding = elision.crowding(frame.view.width, frame.view.height, cancel)
+        return elision.opacities(frame.clipped, crowding, **options)
 
     def draw(self, strokes, pens, textures, view):
         return native.load().raster(strokes, pens, textures.native, view.width, view.height)

@@ -7,6 +7,7 @@ from .. import native
 from .cpu import depth_layouts, strokes_reach
 from .gpu_atlas import Atlas
 from .gpu_clock import Clock
+from .gpu_elision import ElisionPass, border_of
 from .gpu_items import ItemPass, item_of_point
 from .gpu_program import Programs, vertex_buffer
 from .gpu_strokes import Picture, StrokePass, box_of, boxes
@@ -104,6 +105,24 @@ class Backend:
                 buffer = vertex_buffer({"position": positions, "facet": facets})
                 kept[version] = gpu.types.GPUBatch(type="TRIS", buf=buffer)
         self._surfaces = kept
+
+    def elide(self, frame, runs, ranks, half_width_px, cancel=None, **options):
+        """(samples,) float32 in [0, 1]: what elision leaves of the opacity of Runs; as the cpu backend's."""
+        self.clock.start()
+        elision = native.load().Elision(frame.clipped, runs, ranks, half_width_px)
+        self.clock.mark("bands")
+        passes = ElisionPass(self._programs, elision, self.batch_samples)
+        for box in boxes(frame.view.width, frame.view.height, self._elision_side(elision)):
+            if cancel is not None and cancel.requested:
+                raise native.load().Cancelled("cancelled")
+            passes.look(box, frame.view, self.clock)
+        crowding = passes.read()
+        self.clock.mark("read")
+        return elision.opacities(frame.clipped, crowding, **options)
+
+    def _elision_side(self, elision):
+        """Pixels of a tile's side that are left when its border is taken off, on both sides."""
+        return max(min(size_limit(), self.most_side) - 2 * border_of(elision), 64)
 
     def draw(self, strokes, pens, textures, view):
         """(height, width, 4) float32: strokes alone, premultiplied, bottom row first."""

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "stroke/fragment.h"
 #include "stroke/ink.h"
-#include "stroke/tiles.h"
+#include "image/tiles.h"
 
 namespace fovea {
 

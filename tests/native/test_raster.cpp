@@ -7,7 +7,7 @@
 #include "stroke/compose.h"
 #include "stroke/fragment.h"
 #include "stroke/ink.h"
-#include "stroke/triangle.h"
+#include "image/triangle.h"
 #include "stroke_fixture.h"
 
 namespace fovea {

@@ -1,7 +1,7 @@
 // Which triangles touch which tile of the picture.
 #pragma once
 
-#include "stroke/triangle.h"
+#include "image/triangle.h"
 
 namespace fovea {
 

@@ -1,4 +1,4 @@
-#include "stroke/tiles.h"
+#include "image/tiles.h"
 
 #include "base/parallel.h"
 

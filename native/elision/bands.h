@@ -1,0 +1,24 @@
+// The bands that lines want for themselves, as triangles: what both backends draw into the priority buffer.
+#pragma once
+
+#include "elision/own_band.h"
+
+namespace fovea {
+
+/// V corners and T triangles, run after run, the highest rank first. Bands are drawn half a pixel wider than they are,
+/// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its centre, v and h affine over the
+/// triangle. They end straight where their run ends.
+struct Bands {
+    Array<vec2> px;
+    /// v: pixels across, positive to the left of the way, h: half the band's width.
+    Array<vec2> across;
+    /// x, y: unit vector to the left of the way, z: rank. The same for the corners of a triangle.
+    Array<vec3> owner;
+    Array<glm::uvec3> triangles;
+};
+
+/// Bands of all runs that samples belong to; on a bend the gap on its outer side is filled. The width is linear between
+/// samples, to 1/20 px. Throws std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
+Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own);
+
+}  // namespace fovea

@@ -1,0 +1,98 @@
+#include "elision/priority_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "image/tiles.h"
+
+namespace fovea {
+namespace {
+
+/// v and h over a triangle, as drawn.
+class Across {
+   public:
+    Across(const FixedTriangle& shape, const dvec2& a, const dvec2& b, const dvec2& c)
+        : origin_(shape.corner(0)), at_origin_(a) {
+        const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
+        const double area = e.x * f.y - e.y * f.x;
+        slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
+        slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
+    }
+
+    /// At the centre of pixel (x, y).
+    vec2 at(int x, int y) const {
+        return vec2(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) + slope_x_ * (x + 0.5 - origin_.x));
+    }
+
+   private:
+    dvec2 origin_, at_origin_, slope_x_, slope_y_;
+};
+
+/// Cosine of twice the angle between two lines, given what is across them.
+float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
+    const float c = (float(a.away_x) * float(b.away_x) + float(a.away_y) * float(b.away_y)) / (32767.0f * 32767.0f);
+    return 2.0f * c * c - 1.0f;
+}
+
+/// Bands come by falling rank, so that whoever is first stays.
+void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) {
+    PriorityTexel& first = buffer.first[pixel];
+    if (first.rank == 0) {
+        first = texel;
+    } else if (!first.crossed && first.rank != texel.rank && cosine_of_double(first, texel) < 0.0f) {
+        first.crossed = 1;
+        buffer.second[pixel] = texel;
+    }
+}
+
+void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBuffer& buffer) {
+    const glm::uvec3 c = bands.triangles[t];
+    const FixedTriangle shape(bands.px[c[0]], bands.px[c[1]], bands.px[c[2]]);
+    const PixelBox box = intersect(shape.box(), tile);
+    if (shape.empty() || box.empty()) return;
+    const Across across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
+    const vec3 owner = bands.owner[c[0]];
+    const auto x = std::int16_t(std::lround(owner.x * 32767.0f)), y = std::int16_t(std::lround(owner.y * 32767.0f));
+    PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0};
+    for (int row = box.y0; row < box.y1; ++row) {
+        int begin = box.x0, end = box.x1;
+        shape.span(row, begin, end);
+        for (int column = begin; column < end; ++column) {
+            const vec2 place = across.at(column, row);
+            const float coverage = std::min(1.0f, place.y + 0.5f - std::abs(place.x));
+            texel.coverage = std::uint8_t(std::max(0.0f, coverage) * 255.0f + 0.5f);
+            if (texel.coverage == 0) continue;
+            texel.away_x = place.x < 0.0f ? std::int16_t(-x) : x;
+            texel.away_y = place.x < 0.0f ? std::int16_t(-y) : y;
+            put(buffer, std::size_t(row) * buffer.width + column, texel);
+        }
+    }
+}
+
+}  // namespace
+
+PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel) {
+    check(width > 0 && height > 0, "priority buffer: the picture needs a positive width and height");
+    PriorityBuffer buffer{width, height, {}, {}};
+    buffer.first.resize(std::size_t(width) * height);
+    buffer.second.resize(buffer.first.size());
+    const Tiles tiles = sort_into_tiles(bands.px, bands.triangles, width, height);
+    const PixelBox picture{0, 0, width, height};
+    constexpr int size = Tiles::size;
+    parallel_for(
+        std::size_t(tiles.across) * tiles.up,
+        [&](std::size_t tile) {
+            if (cancel) cancel->poll();
+            const int x = int(tile % tiles.across) * size, y = int(tile / tiles.across) * size;
+            const PixelBox box = intersect({x, y, x + size, y + size}, picture);
+            for (int row = box.y0; row < box.y1; ++row)
+                std::fill_n(&buffer.first[std::size_t(row) * width + box.x0], box.x1 - box.x0, PriorityTexel{});
+            for (std::size_t k = tiles.offsets[tile]; k < tiles.offsets[tile + 1]; ++k)
+                draw_triangle(bands, tiles.triangle[k], box, buffer);
+        },
+        1);
+    return buffer;
+}
+
+}  // namespace fovea

@@ -1,0 +1,30 @@
+// The priority buffer: an image of lines by rank, each as wide as the distance it wants to keep from others.
+#pragma once
+
+#include "base/parallel.h"
+#include "elision/bands.h"
+
+namespace fovea {
+
+/// What a band holds of a pixel.
+struct PriorityTexel {
+    std::uint32_t rank : 23;     ///< 0: nobody's; tells the line (elision/rank.h)
+    std::uint32_t crossed : 1;   ///< 1 where there is another band in the layer behind
+    std::uint32_t coverage : 8;  ///< share of the pixel that the band covers, of 255
+    /// Unit vector across the line, away from its middle towards the pixel's centre, of 32767.
+    std::int16_t away_x, away_y;
+};
+
+/// Two layers, so that a line that merely crosses does not hide one that goes along: `first` is the band of highest
+/// rank at a pixel, `second` the highest of those that go at more than 45 degrees to it, and undefined where `first` is
+/// not crossed. Bottom row first, width x height. Cole 2009, section 5.2.2, has one layer.
+struct PriorityBuffer {
+    int width = 0, height = 0;
+    Array<PriorityTexel> first, second;
+};
+
+/// Draws bands by the pixel's centre; what lies outside of the picture is left out. Where bands of one rank share a
+/// pixel, the first drawn has it. Parallel over tiles; the same for any number of threads. May throw Cancelled.
+PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel = nullptr);
+
+}  // namespace fovea

@@ -1,0 +1,8 @@
+// Bands of lines (native/elision/bands.h); what ranks higher is nearer.
+void main()
+{
+  float depth = owner.z / (most_rank + 1.0);
+  gl_Position = vec4((px - buffer_origin) / buffer_size * 2.0 - 1.0, depth * 2.0 - 1.0, 1.0);
+  place = across;
+  line_owner = owner;
+}

@@ -1,0 +1,89 @@
+"""Line elision: the gpu's samples are the cpu's, and lines that crowd give way to more important ones."""
+
+import numpy as np
+import pytest
+from native_frames import box, core, cpu, frame_of, moved, room, scene_of, view_of
+from the_addon import part
+
+
+def seen(orthographic=False, size=(480, 300)):
+    """A Frame, its visible Runs and their ranks."""
+    frame = frame_of(room(), view_of(*size, orthographic))
+    runs = cpu.exact(frame, core.Cancel())
+    return frame, runs, cpu.ranks(frame, runs, cpu.priorities(frame))
+
+
+def widths(frame, half_width):
+    """One width everywhere, or one that grows from left to right."""
+    if half_width is not None:
+        return np.full(frame.clipped.samples, half_width, np.float32)
+    return np.linspace(0.5, 12, frame.clipped.samples, dtype=np.float32)
+
+
+@pytest.mark.gpu
+@pytest.mark.parametrize("orthographic", [False, True])
+@pytest.mark.parametrize("half_width", [0.5, 3.0, 20.0, None])
+def test_gpu_and_cpu_leave_the_same(orthographic, half_width):
+    frame, runs, ranks = seen(orthographic)
+    half = widths(frame, half_width)
+    on_gpu, on_cpu = (b.elide(frame, runs, ranks, half) for b in (part("backend.gpu").Backend(), cpu.Backend()))
+    assert on_gpu.dtype == np.float32 and on_gpu.shape == (frame.clipped.samples,)
+    assert np.mean(np.abs(on_gpu - on_cpu) <= 0.02) > 0.995
+    assert on_cpu.min() >= 0 and on_cpu.max() == 1
+    if half_width != 0.5:
+        assert np.mean(on_cpu < 0.9) > 0.05
+
+
+@pytest.mark.gpu
+@pytest.mark.parametrize("batch_samples", [1 << 22, 4096])
+def test_the_same_in_tiles_and_batches(batch_samples):
+    frame, runs, ranks = seen()
+    half, backend = widths(frame, 3.0), part("backend.gpu").Backend()
+    whole = backend.elide(frame, runs, ranks, half)
+    backend.most_side, backend.batch_samples = 200, batch_samples
+    assert np.mean(np.abs(backend.elide(frame, runs, ranks, half) - whole) <= 0.001) > 0.999
+
+
+@pytest.mark.gpu
+def test_hidden_runs_give_way_on_both():
+    frame, visible, _ = seen()
+    runs = core.with_hidden(frame.clipped, visible, frame.paths)
+    ranks, half = cpu.ranks(frame, runs, cpu.priorities(frame)), widths(frame, 4.0)
+    hidden = runs.invisibility > 0
+    assert ranks[hidden].max() < ranks[~hidden].min()
+    on_gpu, on_cpu = (b.elide(frame, runs, ranks, half) for b in (part("backend.gpu").Backend(), cpu.Backend()))
+    assert np.mean(np.abs(on_gpu - on_cpu) <= 0.02) > 0.995
+
+
+@pytest.mark.gpu
+@pytest.mark.parametrize("backend", [cpu.Backend, lambda: part("backend.gpu").Backend()])
+def test_nothing_to_elide(backend):
+    frame = frame_of(scene_of([(box(), moved((0, 0, 900)))]), view_of())
+    runs = cpu.exact(frame, core.Cancel())
+    ranks = cpu.ranks(frame, runs, cpu.priorities(frame))
+    assert backend().elide(frame, runs, ranks, widths(frame, 3.0)).shape == (0,)
+
+
+def test_wider_bands_leave_less_and_cut_leaves_nothing_faint():
+    frame, runs, ranks = seen()
+    left = [cpu.Backend().elide(frame, runs, ranks, widths(frame, w)).mean() for w in (0.0, 2.0, 5.0, 12.0)]
+    assert left == sorted(left, reverse=True) and left[0] > 0.95 and left[-1] < 0.9
+    cut = cpu.Backend().elide(frame, runs, ranks, widths(frame, 5.0), cut=0.5)
+    assert np.all((cut == 0) | (cut >= 0.5)) and 0 < np.mean(cut == 0) < 1
+
+
+def test_what_the_caller_says_of_objects_counts():
+    frame, _, _ = seen()
+    objects = np.zeros(41, np.float32)
+    objects[7] = 1
+    priority = cpu.priorities(frame, {"object": 5}, objects)
+    placement = np.asarray(frame.paths.placement)
+    assert priority[placement == 7].min() > priority[placement != 7].max()
+
+
+def test_a_cancelled_call_stops():
+    frame, runs, ranks = seen()
+    cancel = core.Cancel()
+    cancel.cancel()
+    with pytest.raises(core.Cancelled):
+        cpu.Backend().elide(frame, runs, ranks, widths(frame, 3.0), cancel)
