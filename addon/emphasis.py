@@ -1,4 +1,6 @@
-"""What focus and distance make of a frame: numbers per sample and per pixel, from a style's data."""
+"""What focus, distance and elision make of a frame: numbers per sample and per pixel, from a style's data."""
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -7,17 +9,45 @@ from .stages import Emphasis
 
 
 def of_lines(frame, style):
-    """Emphasis of the samples, before elision."""
+    """Emphasis of the samples along the lines, before elision."""
     return Emphasis(_focus_of_lines(frame, style), _distance_of_lines(frame, style))
 
 
-def of_pixels(frame, style, distance):
-    """(H, W) float32 focus; `distance` (H, W) of what each pixel shows, along the view. None: all is in focus."""
+def thinned(felt, frame, runs, style, backend, cancel):
+    """An Emphasis with what elision leaves of Runs."""
+    if not style.elision.enabled:
+        return felt
+    priority = cpu.priorities(frame, style.elision.weights(), frame.importance)
+    half_width = 0.5 * frame.view.reference_scale * _spacing(frame, style, felt)
+    ranks, elision = cpu.ranks(frame, runs, priority), style.elision
+    shown = backend.elide(frame, runs, ranks, half_width, cancel, fade_from=elision.fade_from, cut=elision.cut)
+    return replace(felt, shown=shown)
+
+
+def of_pixels(frame, style, cancel):
+    """(H, W) float32 focus of what each pixel shows, or None where all is in focus."""
+    view = frame.view
     if style.effects.colors == "uniform":
-        return np.full((frame.view.height, frame.view.width), style.effects.uniform, np.float32)
+        return np.full((view.height, view.width), style.effects.uniform, np.float32)
     if not style.focus.active():
         return None
-    return cpu.focus_of_pixels(frame.view, distance, cpu.focus_of(style.focus, frame.view))
+    in_scene = style.focus.model == "scene"
+    distance = cpu.depth_image(frame.tracer, cancel) if in_scene else np.zeros((view.height, view.width), np.float32)
+    return cpu.focus_of_pixels(view, distance, cpu.focus_of(style.focus, view))
+
+
+def on_color(layer, focus, frame, style):
+    """A colour layer with what answers to the focus of each pixel."""
+    if focus is None:
+        return layer
+    effects, radius = style.effects, style.effects.blur_radius * frame.view.reference_scale
+    return cpu.color_effects(
+        layer,
+        desaturate=_amounts(effects.desaturation, focus),
+        fade=_amounts(effects.fade, focus),
+        blur_px=_amounts(effects.blur, focus, radius),
+        background=style.color.background,
+    )
 
 
 def mix(transfer, values):
@@ -25,9 +55,9 @@ def mix(transfer, values):
     return 0.0 if values is None or transfer.strength == 0.0 else cpu.transfer(transfer)(values)
 
 
-def both(a, b):
-    """What two causes make of one effect, each a mix in [0, 1]."""
-    return 1 - (1 - a) * (1 - b)
+def _amounts(transfer, focus, most=1.0):
+    """(H, W) amounts of a colour effect, or None where there are none."""
+    return None if transfer.strength == 0.0 else most * mix(transfer, focus.ravel()).reshape(focus.shape)
 
 
 def _focus_of_lines(frame, style):
@@ -46,3 +76,13 @@ def _distance_of_lines(frame, style):
     if strongest == 0.0 or not style.has_away():
         return None
     return cpu.distance_of_samples(frame.clipped, distance.near, distance.far)
+
+
+def _spacing(frame, style, felt):
+    """(samples,) reference pixels that lines want to keep from each other: the inverse of the density."""
+    set_of_sample = frame.paths.line_set[cpu.path_of_samples(frame.clipped)]
+    near = np.array([s.pen.spacing for s in style.line_sets], np.float32)[set_of_sample]
+    away = np.array([(s.pen_away or s.pen).spacing for s in style.line_sets], np.float32)[set_of_sample]
+    by_focus = mix(style.effects.density, felt.focus)
+    by_distance = mix(style.distance.density, felt.distance)
+    return (near + (away - near) * (1 - (1 - by_focus) * (1 - by_distance))).astype(np.float32)

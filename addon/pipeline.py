@@ -41,6 +41,7 @@ class Frame:
     depth_scale: int
     probes: int
     layers: int = 3
+    importance: object = None  # (n,) float32 in [0, 1] per placement, what the artist thinks of it; None: all the same
 
 
 class _Clock:
@@ -58,9 +59,9 @@ class _Clock:
         self.done += share
 
 
-def draw(scene, view, style, backend, options, *, colors=None, progress, cancel):
+def draw(scene, view, style, backend, options, *, colors=None, importance=None, progress, cancel):
     """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend. `colors`: the color.Sources
-    of the scene, where the style has a colour layer."""
+    of the scene, where the style has a colour layer. `importance`: (n,) float32 priority of each placement."""
     clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
@@ -68,7 +69,8 @@ def draw(scene, view, style, backend, options, *, colors=None, progress, cancel)
         paths = cpu.extract(tracer, style, cancel)
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
-    frame = Frame(scene, view, tracer, paths, clipped, options.depth_scale, options.probes, options.layers)
+    quality = options.depth_scale, options.probes, options.layers
+    frame = Frame(scene, view, tracer, paths, clipped, *quality, importance)
     with clock.stage("visibility", 0.25):
         visible, samples = method.runs(frame, backend, cancel)
     with clock.stage("runs", 0.05):
@@ -78,8 +80,9 @@ def draw(scene, view, style, backend, options, *, colors=None, progress, cancel)
         small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
         parts = cpu.parts(frame, tidied, levels, *small, cancel)
         felt = emphasis.of_lines(frame, style)
-        mix = emphasis.mix(style.effects.overshoot, felt.focus)
-        runs = cpu.at_ends(frame, parts, style, scale, mix)
+        runs = cpu.at_ends(frame, parts, style, scale, emphasis.mix(style.effects.overshoot, felt.focus))
+    with clock.stage("elision", 0.05):
+        felt = emphasis.thinned(felt, frame, parts, style, backend, cancel)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
@@ -90,6 +93,9 @@ def draw(scene, view, style, backend, options, *, colors=None, progress, cancel)
     if colors is not None and style.color.shading != "plain":
         with clock.stage("color", 0.05):
             layer = cpu.color_layer(tracer, colors, style.color, cancel)
+        with clock.stage("focus", 0.05):
+            focus = emphasis.of_pixels(frame, style, cancel)
+            layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
         combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), tracer, cancel)
         depth = cpu.depth_image(tracer, cancel) if options.with_depth else None

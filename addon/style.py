@@ -8,8 +8,9 @@ import json
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 
-from . import color
+from . import color, elision
 from .color import Color
+from .elision import Elision
 from .focus import Distance, Effects, Focus, parse_distance, parse_effects, parse_focus
 from .stages import Pen
 from .style_values import RANGES, StyleError, check_keys, check_range, finite, record
@@ -18,7 +19,7 @@ SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
 TEXTURES = Path(__file__).parent / "textures"
 PAPERS = Path(__file__).parent / "papers"
-DEFAULT = "ink"
+DEFAULT = "pen_and_ink"
 
 CAPS = ("round", "butt")
 MOST_SURFACES = 100  # that a range of invisibility can name
@@ -70,6 +71,7 @@ class Style:
     effects: Effects = Effects()
     distance: Distance = Distance()
     color: Color = Color()
+    elision: Elision = Elision()
 
     def pen_pairs(self):
         """(pen in focus, pen out of focus or None): those of visible parts by line set, then those of hidden parts."""
@@ -130,7 +132,7 @@ def parse(text, definitions=None):
         data = json.loads(text)
     except json.JSONDecodeError as error:
         raise StyleError(f"the style is not JSON: {error}") from error
-    check_keys(data, {"schema", "paper", "color", "focus", "effects", "distance", "line_sets"}, "the style")
+    check_keys(data, {"schema", "paper", "color", "elision", "focus", "effects", "distance", "line_sets"}, "the style")
     if data.get("schema") != SCHEMA:
         raise StyleError(f"the style has schema {data.get('schema')!r}, this version of Fovea reads {SCHEMA}")
     sets = data.get("line_sets", [])
@@ -143,6 +145,7 @@ def parse(text, definitions=None):
         effects=parse_effects(data.get("effects", {}), "effects"),
         distance=parse_distance(data.get("distance", {}), "distance"),
         color=color.parse(data.get("color", {}), "color"),
+        elision=elision.parse(data.get("elision", {}), "elision"),
     )
 
 

@@ -88,6 +88,8 @@ def set_drawing(scene, options):
     set_parameters(fovea, options.param)
     set_hidden(fovea, options)
     set_focus(scene, options)
+    if options.elision is not None:
+        fovea.elision = options.elision
 
 
 def choose_style(fovea, name):

@@ -113,6 +113,11 @@ def _radii(point, view, in_scene):
     return point.near * unit, point.far * unit
 
 
+def path_of_samples(clipped):
+    """(samples,) path of Paths that each atlas sample lies on."""
+    return np.repeat(np.repeat(clipped.path, np.diff(clipped.offsets)), clipped.sample_count)
+
+
 def focus_of_samples(clipped, focus):
     """(samples,) float32 in [0, 1]."""
     return native.load().focus_of_samples(clipped, focus)

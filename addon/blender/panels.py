@@ -3,7 +3,7 @@
 import bpy
 
 from .. import catalogue, native
-from . import focus_settings, pens, session
+from . import focus_settings, layer_settings, pens, session
 
 ENGINE = "FOVEA"
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
@@ -45,11 +45,8 @@ class RENDER_PT_fovea(_Panel, bpy.types.Panel):
         _draw_hidden(layout, settings)
         _draw_focus(layout, settings)
         _draw_effects(layout, settings)
-        header, body = layout.panel("fovea_paper")
-        header.label(text="Paper")
-        if body:
-            body.prop(settings, "paper_color")
-            body.prop(context.scene.render, "film_transparent", text="Transparent")
+        _draw_elision(layout, settings)
+        _draw_paper(layout, context)
         header, body = layout.panel("fovea_method", default_closed=True)
         header.label(text="Method")
         if body:
@@ -126,6 +123,37 @@ def _draw_hidden(layout, settings):
         _draw_pen_settings(body, settings, pens.HIDDEN)
 
 
+def _draw_elision(layout, settings):
+    header, body = layout.panel("fovea_elision", default_closed=True)
+    header.prop(settings, "elision")
+    if body:
+        body.active = settings.elision
+        for name in ("fade_from", "cut", *layer_settings.WEIGHTS):
+            body.prop(settings, f"elision_{name}")
+
+
+def _draw_paper(layout, context):
+    settings = context.scene.fovea
+    header, body = layout.panel("fovea_paper")
+    header.label(text="Colour and Paper")
+    if not body:
+        return
+    body.prop(settings, "color_shading")
+    if settings.color_shading == "TOON":
+        body.prop(settings, "color_bands")
+    if settings.color_shading != "PLAIN":
+        body.prop(settings, "color_opacity")
+        body.prop(settings, "color_desaturation")
+        body.prop(settings, "color_on_paper")
+        if not settings.color_on_paper:
+            body.prop(settings, "color_background")
+    body.prop(settings, "paper_color")
+    body.prop(context.scene.render, "film_transparent", text="Transparent")
+    body.prop(settings, "paper_texture")
+    for name in ("scale", "tooth", "granulation", "tint"):
+        body.prop(settings, f"paper_{name}")
+
+
 def _draw_focus(layout, settings):
     header, body = layout.panel("fovea_focus")
     header.label(text="Focus")
@@ -181,6 +209,7 @@ class OBJECT_PT_fovea(_Panel, bpy.types.Panel):
         layout = self.columns()
         layout.prop(context.object.fovea, "usage", text="Usage")
         layout.prop(context.object, "is_holdout")
+        layout.prop(context.object.fovea, "priority")
         settings = context.object.fovea
         _draw_curvature(layout, context.object)
         _draw_shape(layout, settings)

@@ -11,7 +11,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from .. import catalogue, native, style
-from . import focus_settings, gpu_context, methods, pens
+from . import focus_settings, gpu_context, layer_settings, methods, pens
 from .property_kinds import color, file_names
 from .property_kinds import redraw as _redraw
 
@@ -57,9 +57,9 @@ def style_of(scene):
     pen, away = pens.pen_of(settings, pens.VISIBLE), focus_settings.line_set_parts(settings)
     last = replace(old, kinds=kinds, corner_angle=angle, pen=pen, **at_hidden, **away)
     transparent = base.paper.transparent or scene.render.film_transparent
-    paper = replace(base.paper, color=tuple(settings.paper_color), transparent=transparent)
-    sets = tuple(s for s in before if s.kinds) + (last,)
-    return replace(base, paper=paper, line_sets=sets, **focus_settings.style_parts(settings, base))
+    parts = layer_settings.style_parts(settings, base) | focus_settings.style_parts(settings, base)
+    parts["paper"] = replace(parts["paper"], color=tuple(settings.paper_color), transparent=transparent)
+    return replace(base, line_sets=tuple(s for s in before if s.kinds) + (last,), **parts)
 
 
 def apply_style(settings, name):
@@ -76,6 +76,7 @@ def apply_style(settings, name):
     pens.set_pen(settings, pens.VISIBLE, last.pen)
     pens.set_hidden(settings, last)
     focus_settings.apply(settings, chosen)
+    layer_settings.apply(settings, chosen)
 
 
 def set_parameters(settings, name, values):
@@ -174,13 +175,21 @@ def _scene_group():
         "paper_color": color("Paper", chosen.paper.color, "Colour of the paper"),
     }
     drawn = {**pens.pen_properties(pens.VISIBLE, last.pen, "the strokes"), **pens.hidden_properties(last)}
-    drawn |= focus_settings.annotations(chosen)
+    drawn |= focus_settings.annotations(chosen) | layer_settings.annotations(chosen)
     return _group("FoveaSceneSettings", {**annotations, **drawn, **_line_properties(chosen)})
 
 
 def _object_group():
     annotations = {
         "usage": EnumProperty(name="Line Drawing", items=USAGES, update=_redraw),
+        "priority": FloatProperty(
+            name="Priority",
+            description="Of lines that crowd each other, those of objects with more priority stay",
+            default=0.5,
+            min=0.0,
+            max=1.0,
+            update=_redraw,
+        ),
         "curvature_estimator": EnumProperty(name="Curvature", items=ESTIMATORS, update=_redraw),
         "curvature_rings": IntProperty(
             name="Rings",

@@ -24,6 +24,7 @@ class Snapshot:
     persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
     usage: np.ndarray  # (n,) uint8, bits as above
     objects: list  # n object names
+    importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
 
 
 class _Gathering:
@@ -35,7 +36,8 @@ class _Gathering:
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
-        self.rows = []  # (step of the walk, surface, hash of names, usage, object name) per placement
+        self.known_priority = {}
+        self.rows = []  # (step of the walk, surface, hash of names, usage, object name, priority) per placement
 
     def usage(self, instance):
         """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
@@ -106,7 +108,13 @@ class _Gathering:
         if usage & OCCLUDE and all(slot.holdout for slot in self.slots[index]):
             usage = OCCLUDE | HOLDOUT
         parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
-        self.rows.append((step, index, self.name_hash(obj.name_full, parent), usage, obj.name))
+        self.rows.append((step, index, self.name_hash(obj.name_full, parent), usage, obj.name, self.priority(obj)))
+
+    def priority(self, obj):
+        """An object's priority, asked of what it is a copy of (see `_usage`)."""
+        if obj.name_full not in self.known_priority:
+            self.known_priority[obj.name_full] = obj.original.evaluated_get(self.depsgraph).fovea.priority
+        return self.known_priority[obj.name_full]
 
     def name_hash(self, *names):
         if names not in self.known_names:
@@ -116,7 +124,7 @@ class _Gathering:
 
     def snapshot(self, matrices, persistent):
         """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
-        steps, surface, names, usage, objects = zip(*self.rows) if self.rows else ((), (), (), (), ())
+        steps, surface, names, usage, objects, importance = zip(*self.rows) if self.rows else ((),) * 6
         chosen = np.array(steps, np.intp)
         return Snapshot(
             self.surfaces,
@@ -126,6 +134,7 @@ class _Gathering:
             _mixed(np.array(names, np.uint64), persistent[chosen]),
             np.array(usage, np.uint8),
             list(objects),
+            np.array(importance, np.float32),
         )
 
 

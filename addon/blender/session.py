@@ -131,6 +131,7 @@ def _draw(engine, depsgraph, view, viewport=None):
                 chosen_backend,
                 options,
                 colors=sources,
+                importance=snapshot.importance,
                 progress=partial(_progress, engine),
                 cancel=cancel,
             )

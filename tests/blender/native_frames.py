@@ -96,7 +96,7 @@ def view_of(width=320, height=200, orthographic=False, eye=(5, -6, 2.5), near=0.
 
 def frame_of(scene, view, depth_scale=2, probes=1, sample_step=1.0, line_style=None):
     """A Frame ready for a backend's `visibility`."""
-    never, line_style = core.Cancel(), line_style or style.load("ink")
+    never, line_style = core.Cancel(), line_style or style.load("pen_and_ink")
     tracer = cpu.trace(scene, view)
     paths = cpu.extract(tracer, line_style, never)
     clipped = cpu.project(paths, tracer, line_style, sample_step, 1.0, never)

@@ -14,7 +14,7 @@ def strokes_of(frame, method, backend, chosen):
     return cpu.shape(frame, METHODS[method].runs(frame, backend, None)[0], chosen, pens), pens, textures
 
 
-def picture(frame, method, backend, name="ink"):
+def picture(frame, method, backend, name="pen_and_ink"):
     return METHODS[method].draw(frame, backend, *strokes_of(frame, method, backend, style.load(name)))
 
 

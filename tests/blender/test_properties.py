@@ -85,7 +85,7 @@ def test_choosing_a_style_says_what_becomes_of_hidden_lines(settings):
 
 
 def test_a_hidden_pen_reaches_every_line_set_that_has_no_other(settings):
-    settings.style = "ink"
+    settings.style = "pen_and_ink"
     settings.hidden, settings.hidden_from, settings.hidden_to, settings.hidden_pen_width = True, 2, 5, 7
     settings.halo, settings.overshoot = 3, 4
     drawn = properties.style_of(bpy.context.scene)

@@ -60,7 +60,7 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
         (["--margin", "50"], "leaves no picture"),
         (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
         (["--sheet", "--frames", "1-2"], "a sheet has no --frames"),
-        (["--sheet", "--style", "ink"], "a sheet has no --style"),
+        (["--sheet", "--style", "pen_and_ink"], "a sheet has no --style"),
         (["--sheet", "--hidden"], "a sheet has no --hidden"),
         (["--hidden-by", "0"], "not FIRST-LAST"),
         (["--hidden-by", "3-2"], "not FIRST-LAST"),
