@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t runs_per_block = 64;
 constexpr double width_error_px = 0.05;
+constexpr double pulled_back = 0.25;  // of half the width
 constexpr Index most_ranks = (Index(1) << 23) - 1;
 
 /// Half width at an arc length.
@@ -61,6 +62,7 @@ class Band {
         begin_ = std::max(first, Index(at - arcs) - (at > arcs + first ? 1 : 0));
         find_knots(Index(run));
         if (knots_.empty()) return;
+        pull_back();
         knot_ = 0;
         has_before_ = false;
         for (Index i = begin_; i < last && clipped_.arc_px[i] < end_; ++i) add_segment(i, out);
@@ -74,6 +76,13 @@ class Band {
             if (knots_.empty() || arc > knots_.back().arc) knots_.push_back({arc, own_.band[s].x});
         }
         simplify(knots_);
+    }
+
+    /// Where one line ends and another goes on, neither reaches over the other, though they be a little askew.
+    void pull_back() {
+        const double most = (end_ - start_) * 0.25;
+        start_ += std::min(most, pulled_back * knots_.front().half);
+        end_ -= std::min(most, pulled_back * knots_.back().half);
     }
 
     /// Half width; arc lengths ascend from call to call.

@@ -7,7 +7,8 @@ namespace fovea {
 
 /// V corners and T triangles, run after run, the highest rank first. Bands are drawn half a pixel wider than they are,
 /// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its centre, v and h affine over the
-/// triangle. They end straight where their run ends.
+/// triangle. They end straight, an eighth of
+/// their width before their run does.
 struct Bands {
     Array<vec2> px;
     /// v: pixels across, positive to the left of the way, h: half the band's width.

@@ -12,7 +12,7 @@
 namespace fovea {
 namespace {
 
-constexpr double edges = 0.6, smooth_surface_lines = 0.3;
+constexpr double edges = 0.5, smooth_surface_lines = 0.25;
 
 struct NamedValue {
     std::string_view definition;
@@ -20,11 +20,11 @@ struct NamedValue {
 };
 constexpr NamedValue kind_values[] = {
     {"silhouette", 1.0},     {"smooth_silhouette", 1.0},
-    {"contour", 0.85},       {"smooth_contour", 0.85},
-    {"edge_mark", 0.8},      {"border", 0.7},
-    {"crease", 0.6},         {"material_boundary", 0.5},
-    {"intersection", 0.5},   {"suggestive_contour", 0.4},
-    {"apparent_ridge", 0.4}, {"topographic", 0.1},
+    {"contour", 0.7},        {"smooth_contour", 0.7},
+    {"edge_mark", 0.65},     {"border", 0.6},
+    {"crease", 0.5},         {"material_boundary", 0.4},
+    {"intersection", 0.4},   {"suggestive_contour", 0.3},
+    {"apparent_ridge", 0.3}, {"topographic", 0.1},
     {"isophote", 0.1},
 };
 

@@ -14,7 +14,7 @@ struct PriorityWeights {
     /// l / (l + radius / 10) of a path of length l in space: long lines are walls and outlines, short ones details.
     double length = 1.0;
     /// kind_priority, the mean along the path: outlines before creases before lines on smooth surfaces.
-    double kind = 0.5;
+    double kind = 1.0;
     /// Mean strength along the path.
     double strength = 0.25;
     /// radius / (radius + d) at mean distance d from the eye along the view: what is near comes before what is far.

@@ -47,7 +47,8 @@ TEST(Elision, HalfUnderAnotherIsHalfLeft) {
             const Sheet sheet = two_lines(k * pi / 32.0, half_width, half_width,
                                           {100.0f + float(k) * 0.131f, 80.0f + float(k) * 0.077f});
             const Array<float> scores = sheet.scores();
-            for (const float score : sheet.of(1, scores, 12.0)) ASSERT_NEAR(score, 0.5, 0.1) << half_width << " " << k;
+            for (const float score : sheet.of(1, scores, 12.0 + 0.25 * half_width))
+                ASSERT_NEAR(score, 0.5, 0.1) << half_width << " " << k;
             for (const float score : sheet.of(0, scores)) ASSERT_EQ(score, 1.0f);
         }
 }
@@ -72,7 +73,9 @@ TEST(Elision, TwoLinesAreBothWholeOnlyWhereTheyAreAsFarApartAsTheyWant) {
 TEST(Elision, OnTopOfAnotherNothingIsLeft) {
     for (int k = 0; k < 32; ++k) {
         const Sheet sheet = two_lines(k * pi / 32.0, 0.0, 4.0f);
-        for (const float score : sheet.of(1, sheet.scores())) EXPECT_LT(score, 0.03f) << k;
+        const Array<float> scores = sheet.scores();
+        for (const float score : sheet.of(1, scores)) EXPECT_LT(score, 0.15f) << k;
+        for (const float score : sheet.of(1, scores, 12.0)) EXPECT_LT(score, 0.02f) << k;
     }
 }
 
@@ -114,14 +117,15 @@ TEST(Elision, TheMoreTheyTurnApartTheLessLinesCrowd) {
 }
 
 TEST(Elision, OneLineAfterTheOtherDoNotCrowd) {
-    for (int k = 0; k < 16; ++k) {
-        const double angle = k * pi / 8.0 + 0.03;
-        const std::vector<vec2> ends = Sheet::through({100.0f, 80.0f}, angle, 120.0);
-        Sheet sheet;
-        sheet.line({{100.0f, 80.0f}, ends[0]});
-        sheet.line({{100.0f, 80.0f}, ends[1]});
-        for (const float score : sheet.of(1, sheet.scores())) EXPECT_GT(score, 0.96f) << k;
-    }
+    for (int k = 0; k < 16; ++k)
+        for (const double bend : {0.0, 0.1, 0.2}) {
+            const double angle = k * pi / 8.0 + 0.03;
+            const vec2 corner(100.0f, 80.0f);
+            Sheet sheet;
+            sheet.line({corner, Sheet::through(corner, angle + pi + bend, 120.0).back()});
+            sheet.line({corner, Sheet::through(corner, angle, 120.0).back()});
+            for (const float score : sheet.of(1, sheet.scores())) EXPECT_GT(score, 0.97f) << k << " " << bend;
+        }
 }
 
 TEST(Elision, HiddenRunsGoBelowVisibleOnes) {
@@ -154,7 +158,7 @@ TEST(Elision, APixelOfMovementChangesLittle) {
             most = std::max(most, std::abs(a[s] - b[s]));
             sum += std::abs(a[s] - b[s]);
         }
-        EXPECT_LT(most, 0.05f + 0.65f * d) << d;
+        EXPECT_LT(most, 0.1f + 0.6f * d) << d;
         EXPECT_LT(sum / double(a.size()), 0.005 + 0.04 * d) << d;
     }
 }
