@@ -207,18 +207,11 @@ def color_layer(tracer, sources, chosen, cancel):
 def color_effects(layer, desaturate=None, fade=None, blur_px=None, background=None):
     """The colour layer desaturated, then faded towards a background (None: until the paper shows), then blurred.
     Amounts are numbers or (H, W) float32: of the first two in [0, 1], of the last the radius in pixels of the image."""
-    core = native.load()
 
     def everywhere(amount):
-        return np.broadcast_to(np.asarray(amount, np.float32), layer.shape[:2])
+        return None if amount is None else np.broadcast_to(np.asarray(amount, np.float32), layer.shape[:2])
 
-    if desaturate is not None:
-        layer = core.desaturate(layer, everywhere(desaturate))
-    if fade is not None:
-        layer = core.fade(layer, everywhere(fade), background)
-    if blur_px is not None:
-        layer = core.blur(layer, everywhere(blur_px))
-    return layer
+    return native.load().color_effects(layer, everywhere(desaturate), everywhere(fade), background, everywhere(blur_px))
 
 
 def read_paper(path):

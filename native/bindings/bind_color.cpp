@@ -94,46 +94,35 @@ py::array draw_layer(const Tracer& tracer, const SceneColor& colors, const std::
     return as_image(std::move(layer), tracer.view().height, tracer.view().width);
 }
 
-/// effect(pixels of a copy, amounts).
-template <typename Effect>
-py::array changed(const Image& image, const Image& amount, const Effect& effect) {
+/// The effects whose amounts are given, in the order of the arguments, on a copy.
+py::array effects(const Image& image, const std::optional<Image>& desaturation, const std::optional<Image>& fading,
+                  const std::optional<Color>& background, const std::optional<Image>& blur_px) {
     const In<vec4> before = pixels(image, "image");
-    const In<float> amounts = values(amount, "amount");
+    const auto amounts = [](const std::optional<Image>& amount, const char* name) {
+        return amount ? std::optional<In<float>>(values(*amount, name)) : std::nullopt;
+    };
+    const auto grey = amounts(desaturation, "desaturate"), pale = amounts(fading, "fade"),
+               soft = amounts(blur_px, "blur_px");
+    const auto width = int(image.shape(1));
     Array<vec4> after(before.size());
     {
         py::gil_scoped_release release;
         parallel_blocks(before.size(), 1 << 16, [&](std::size_t, std::size_t begin, std::size_t end) {
             std::copy(before.begin() + begin, before.begin() + end, after.begin() + begin);
         });
-        effect(std::span<vec4>(after), amounts);
+        if (grey) desaturate(after, *grey);
+        if (pale) fade(after, *pale, vector(background));
+        if (soft) blur(after, width, *soft);
     }
-    return as_image(std::move(after), image.shape(0), image.shape(1));
+    return as_image(std::move(after), image.shape(0), width);
 }
 
 void bind_effects(py::module_& m) {
     m.def(
-        "desaturate",
-        [](const Image& image, const Image& amount) {
-            return changed(image, amount, [](auto pixels, auto amounts) { desaturate(pixels, amounts); });
-        },
-        py::arg("image"), py::arg("amount"),
-        "(H, W, 4) moved towards grey by (H, W) amounts; see native/color/effects.h.");
-    m.def(
-        "fade",
-        [](const Image& image, const Image& amount, const std::optional<Color>& color) {
-            const auto target = vector(color);
-            return changed(image, amount, [&](auto pixels, auto amounts) { fade(pixels, amounts, target); });
-        },
-        py::arg("image"), py::arg("amount"), py::arg("color") = py::none(),
-        "(H, W, 4) moved towards a colour, or None: towards nothing, by (H, W) amounts.");
-    m.def(
-        "blur",
-        [](const Image& image, const Image& radius_px) {
-            const int width = image.ndim() == 3 ? int(image.shape(1)) : 0;
-            return changed(image, radius_px, [&](auto pixels, auto radii) { blur(pixels, width, radii); });
-        },
-        py::arg("image"), py::arg("radius_px"),
-        "(H, W, 4) blurred as by discs of (H, W) radii; where the radius is 0 it neither takes nor gives.");
+        "color_effects", &effects, py::arg("image"), py::arg("desaturate") = py::none(), py::arg("fade") = py::none(),
+        py::arg("background") = py::none(), py::arg("blur_px") = py::none(),
+        R"((H, W, 4) moved towards grey by (H, W) amounts, then towards a background (None: towards nothing), then blurred as
+by discs of (H, W) radii; where an amount is 0 that effect changes nothing. See native/color/effects.h.)");
 }
 
 void bind_paper(py::module_& m) {

@@ -4,13 +4,15 @@
 #include <array>
 #include <numeric>
 
-#include "atlas/depth.h"
+#include "atlas/depth_tiles.h"
 #include "color/shader.h"
 
 namespace fovea {
 namespace {
 
 constexpr int fine_samples = 16;
+/// Pixels along a side of what is looked at at once: its texels take 120 MB.
+constexpr int most_side = 2048;
 /// Colours, as seen, that differ by more are worth the fine samples.
 constexpr float fine_color = 1.0f / 96.0f;
 
@@ -30,10 +32,9 @@ class Items {
             total += static_cast<Index>(mesh.triangles.size());
         }
         for (const Occluder& occluder : occluders(scene, view, 0.0)) placement_.push_back(occluder.placement);
-        const DepthBuffer depth = draw_depth(view, meshes, {.scale = 1, .margin = 0.0}, &cancel);
-        items_.resize(depth.texels.size());
-        parallel_for(
-            items_.size(), [&](std::size_t i) { items_[i] = depth.texels[i].facet; }, 65536);
+        items_.resize(std::size_t(view.width) * view.height);
+        for (const DepthBuffer& tile : depth_tiles(view, {.scale = 1, .margin = 0.0}, most_side, 0))
+            take(draw_depth_into(tile, view, meshes, &cancel), view.height);
     }
 
     Index at(int x, int y) const { return items_[std::size_t(y) * width_ + x]; }
@@ -43,6 +44,17 @@ class Items {
     }
 
    private:
+    void take(const DepthBuffer& tile, int height) {
+        parallel_for(
+            height,
+            [&](std::size_t y) {
+                for (int x = 0; x < width_; ++x)
+                    if (tile.decides(vec2(float(x) + 0.5f, float(y) + 0.5f)))
+                        items_[y * width_ + x] = tile.at(x + tile.border_x, int(y) + tile.border_y).facet;
+            },
+            16);
+    }
+
     int width_;
     Array<Index> items_, first_, placement_;
 };

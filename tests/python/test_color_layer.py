@@ -208,3 +208,12 @@ def test_it_can_be_stopped():
     cancel.cancel()
     with pytest.raises(core.Cancelled):
         core.color_layer(tracer, [None], [], (0, 0, 0), "smooth", 3, cancel)
+
+
+def test_a_picture_larger_than_a_tile_has_no_seam():
+    size = (4200, 24)
+    seen, surface = view((4, -3, 2), (0, 0, 0), size=size), box((-9, -9, -2), (9, 9, 0)).surface()
+    found = layer([surface], [plain((1, 1, 1))], seen=seen)
+    hit = core.depth_image(core.Tracer(scene([surface]), seen)) < 1e9
+    assert 0.2 < hit.mean() and np.mean((found[..., 3] > 0.5) == hit) > 0.995
+    assert np.abs(np.diff(found[..., 3], axis=1))[:, 2040:2056].max() == 0
