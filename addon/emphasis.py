@@ -7,6 +7,8 @@ import numpy as np
 from .backend import cpu
 from .stages import Emphasis
 
+_STUB = 12.0  # reference pixels; what elision leaves of a line in shorter pieces goes, too
+
 
 def of_lines(frame, style):
     """Emphasis of the samples along the lines, before elision."""
@@ -17,11 +19,11 @@ def thinned(felt, frame, runs, style, backend, cancel):
     """An Emphasis with what elision leaves of Runs."""
     if not style.elision.enabled:
         return felt
-    priority = cpu.priorities(frame, style.elision.weights(), frame.importance)
-    half_width = 0.5 * frame.view.reference_scale * _spacing(frame, style, felt)
-    ranks, elision = cpu.ranks(frame, runs, priority), style.elision
-    shown = backend.elide(frame, runs, ranks, half_width, cancel, fade_from=elision.fade_from, cut=elision.cut)
-    return replace(felt, shown=shown)
+    elision, scale = style.elision, frame.view.reference_scale
+    ranks = cpu.ranks(frame, runs, cpu.priorities(frame, elision.weights(), frame.importance))
+    options = {"fade_from": elision.fade_from, "cut": elision.cut, "stub_px": _STUB * scale}
+    half_width = 0.5 * scale * _spacing(frame, style, felt)
+    return replace(felt, shown=backend.elide(frame, runs, ranks, half_width, cancel, **options))
 
 
 def of_pixels(frame, style, cancel):

@@ -13,11 +13,12 @@ FIELDS = ("color", "opacity", "width", "texture", "length_scale", "cap", "taper"
 
 
 def at_hidden(settings, line_set):
-    """{field of LineSet: value} of what the panel says of hidden parts. Beyond its first range, the style's line set
-    keeps its hidden pens."""
+    """{field of LineSet: value} of what the panel says of hidden parts. Beyond its first range, and out
+    of focus, the style's line set keeps its hidden pens."""
     hidden = ()
     if settings.hidden:
-        first = style.Hidden(pen_of(settings, HIDDEN), settings.hidden_from, settings.hidden_to or None)
+        away = line_set.hidden[0].pen_away if line_set.hidden else None
+        first = style.Hidden(pen_of(settings, HIDDEN), settings.hidden_from, settings.hidden_to or None, away)
         hidden = (first, *line_set.hidden[1:])
     return {"hidden": hidden, "overshoot": settings.overshoot, "halo": settings.halo}
 

@@ -19,7 +19,7 @@ def box_scene():
     render.dither_intensity = 0.0
     scene.view_settings.view_transform = "Standard"
     scene.fovea.style = "technical"
-    scene.fovea.backend, scene.fovea.pen_width = "CPU", 30.0
+    scene.fovea.backend, scene.fovea.pen_width, scene.fovea.elision = "CPU", 30.0, False
     return scene
 
 

@@ -64,6 +64,6 @@ def test_what_lies_behind_is_drawn_nowhere():
 
 def test_without_occluders_it_is_every_line_in_full():
     frame = frame_of(scene_of([(box(), moved((0, 0, 0)))], usage=[part("native").load().DRAW]), view_of(), 2, 9)
-    strokes, pens, textures = strokes_of(frame, "spine", cpu.Backend(), style.load("ink"))
+    strokes, pens, textures = strokes_of(frame, "spine", cpu.Backend(), style.load("pen_and_ink"))
     seen = cpu.Backend().draw_seen(frame, strokes, pens, textures)
     np.testing.assert_array_equal(seen, cpu.Backend().draw(strokes, pens, textures, frame.view))

@@ -54,7 +54,7 @@ PARTS = {
     "visibility": "backend/cpu",
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
-    "blender": "blender backend catalogue color focus native pipeline stages style textures",
+    "blender": "blender backend catalogue color elision focus native pipeline stages style textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
