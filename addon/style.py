@@ -73,6 +73,10 @@ class Style:
     color: Color = Color()
     elision: Elision = Elision()
 
+    def has_color(self):
+        """Whether there is a colour layer."""
+        return self.color.shading != "plain" and self.effects.colors != "none"
+
     def pen_pairs(self):
         """(pen in focus, pen out of focus or None): those of visible parts by line set, then those of hidden parts."""
         visible = [(s.pen, s.pen_away) for s in self.line_sets]

@@ -16,8 +16,9 @@ def trace(scene, view):
 
 
 def extract(tracer, style, cancel):
-    """Paths of everything the style's line sets find."""
-    sets = [(line_set.kinds, line_set.corner_angle) for line_set in style.line_sets]
+    """Paths of everything the style's line sets find; none where it draws no lines."""
+    drawn = style.effects.lines != "none"
+    sets = [(line_set.kinds if drawn else {}, line_set.corner_angle) for line_set in style.line_sets]
     return native.load().extract_paths(tracer, sets, cancel)
 
 

@@ -52,7 +52,7 @@ def register_passes(engine, scene_, layer):
 def has_color(scene_):
     """Whether a scene's style has a colour layer, which is a pass of its own."""
     try:
-        return properties.style_of(scene_).color.shading != "plain"
+        return properties.style_of(scene_).has_color()
     except (native.Unavailable, style.StyleError):  # drawing will say what is wrong
         return False
 
@@ -143,7 +143,7 @@ def _draw(engine, depsgraph, view, viewport=None):
 
 def _colors(core, chosen, mode):
     """What gathers the colours of a scene for a Style; None where it has no colour layer."""
-    if chosen.color.shading == "plain":
+    if not chosen.has_color():
         return None
     cache = _color_caches.setdefault(mode, color_sources.ColorCache(core))
     return color_sources.Gathering(core, cache)
