@@ -10,6 +10,7 @@ from .variants import SHEETS
 
 FOLDER = PROJECT / "blender_scripts" / "figures"
 CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
+STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
 SIZE = ["--size", "1280x720"]
 FIGURES = {  # name: the words of `fovea draw`
     f"atlas-{probes}x{scale}": [
@@ -29,7 +30,7 @@ FIGURES = {  # name: the words of `fovea draw`
 
 def figures(target, words):
     parser = argparse.ArgumentParser("fovea figures")
-    known = (*FIGURES, *SHEETS)
+    known = (*FIGURES, *SHEETS, THUMBNAILS)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
     parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder")
     options = parser.parse_args(words)
@@ -38,6 +39,9 @@ def figures(target, words):
         parser.error(f"there is no figure {', '.join(unknown)}; there are: {', '.join(known)}")
     options.output.mkdir(parents=True, exist_ok=True)
     for name in options.names or known:
+        if name == THUMBNAILS:
+            draw_sheet(target, "styles", STYLES, "--tile", "256x144")
+            continue
         if name in SHEETS:
             draw_sheet(target, name, options.output.absolute() / f"{name}.jpg")
             continue
@@ -46,8 +50,8 @@ def figures(target, words):
     return 0
 
 
-def draw_sheet(target, name, picture):
+def draw_sheet(target, name, picture, *words):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "variants.py"
-    actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture)])
+    actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture), *words])
     print(picture)

@@ -28,6 +28,13 @@ def test_a_tile_is_drawn_by_words_that_draw_understands(sheet, label, words):
     assert options.focus or options.elision is not None
 
 
+@pytest.mark.parametrize("name", variants.STYLES)
+def test_a_style_has_a_thumbnail(name):
+    content = (figures.STYLES / f"{name}.jpg").read_bytes()
+    assert name in style.names()
+    assert content.startswith(b"\xff\xd8\xff") and len(content) < 30_000
+
+
 def test_readme_shows_every_figure_and_no_other():
     shown = [word.split(")")[0] for word in README.read_text().split("](blender_scripts/figures/")[1:]]
     assert shown == [f"{name}.png" for name in figures.FIGURES] + [f"{name}.jpg" for name in variants.SHEETS]
