@@ -83,7 +83,9 @@ def rows(scene, drawn, distance):
     told = [(f"nearer than d = {distance:g} px", distance), ("nearer than d by half a pixel", distance - 0.5)]
     told += [("nearer than d / 2", distance / 2)]
     shares = [(f"fully drawn samples {words}, share", float((nearest < d).sum() / max(full, 1)), "0") for words, d in told]
+    ends = float((places.to_end_px[places.shown > FULL] <= distance).mean()) if full else 0.0
     counted = [("samples drawn", len(places.shown)), ("samples fully drawn", full)]
+    counted += [("fully drawn samples within d of an end, not looked at, share", ends)]
     faint = float((places.shown < 0.02).mean()) if len(places.shown) else 0.0
     return [
         {"figure": figure, "scene": scene, "value": value, "wanted": wanted}

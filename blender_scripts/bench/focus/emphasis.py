@@ -3,7 +3,8 @@
 from dataclasses import replace
 
 import numpy as np
-from bl_ext.user_default.fovea import emphasis, focus, native
+from bl_ext.user_default.fovea import focus
+from bl_ext.user_default.fovea.backend import cpu
 
 from . import reproject
 from .world import named_style
@@ -92,6 +93,11 @@ class Stage:
         """Drawn, looking there."""
         return self.world.draw(replace(self.base, focus=focus.Focus(self.model, (self.point(place),))))
 
+    def focus_of_pixels(self, drawn):
+        """(H, W) f of the lines there: of the nearest surface around, as lines lie on its border."""
+        view = drawn.frame.view
+        return cpu.focus_of_pixels(view, self.points.distance, cpu.focus_of(drawn.style.focus, view))
+
     def busiest(self, count):
         """The places with most lines, all in focus."""
         ink = self.sharp.image.lines[..., 3]
@@ -110,9 +116,6 @@ class Stage:
         return max(self.places, key=out)
 
 
-def focus_of_pixels(drawn):
-    """(H, W) f."""
-    return emphasis.of_pixels(drawn.frame, drawn.style, native.load().Cancel())
 
 
 def fall_off(f, ink, sharp):
@@ -151,5 +154,5 @@ def compare(stage, places, colorful):
         for what, value in mine.items():
             ratios.setdefault(what, []).append(float(value / max(theirs[what], 1e-9)))
         ink, sharp = here.image.lines[..., 3], stage.sharp.image.lines[..., 3]
-        jumps.append(largest_jump(fall_off(focus_of_pixels(here), ink, sharp)))
+        jumps.append(largest_jump(fall_off(stage.focus_of_pixels(here), ink, sharp)))
     return {what: min(values) for what, values in ratios.items()}, max(jumps)

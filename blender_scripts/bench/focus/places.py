@@ -9,7 +9,7 @@ from ..quality import Samples
 
 @dataclass(frozen=True)
 class Places:
-    """n samples in the order of the atlas, so along each run from its start."""
+    """n samples inside the picture, in the order of the atlas, so along each run from its start."""
 
     index: np.ndarray  # (n,) in the atlas
     segment: np.ndarray  # (n,) of ClippedPaths
@@ -24,8 +24,8 @@ class Places:
     shown: np.ndarray  # (n,)
 
 
-def places_of(clipped, runs, shown):
-    """Places in visible Runs; shown: (samples,) of the whole atlas."""
+def places_of(clipped, runs, shown, view):
+    """Places in visible Runs; shown: (samples,) of the whole atlas. Outside of the picture elision says nothing."""
     samples = Samples(clipped)
     visible = np.flatnonzero(np.asarray(runs.invisibility) == 0)
     piece, first, last = (np.asarray(part)[visible] for part in (runs.piece, runs.start_px, runs.end_px))
@@ -37,6 +37,8 @@ def places_of(clipped, runs, shown):
     run = np.searchsorted(start, at, side="right") - 1
     inside = run >= 0
     inside[inside] = (piece[run[inside]] == samples.piece[inside]) & (samples.arc_px[inside] <= last[run[inside]])
+    px = clipped.px[samples.segment] + samples.t[:, None] * (clipped.px[samples.segment + 1] - clipped.px[samples.segment])
+    inside &= (px >= 0).all(axis=1) & (px < (view.width, view.height)).all(axis=1)
     index, segment, t, along = (part[inside] for part in (samples.index, samples.segment, samples.t, samples.arc_px))
     run = run[inside]
     way = (clipped.px[segment + 1] - clipped.px[segment]).astype(np.float64)
@@ -45,7 +47,7 @@ def places_of(clipped, runs, shown):
         index=index,
         segment=segment,
         t=t,
-        px=clipped.px[segment] + t[:, None] * way,
+        px=px[inside],
         direction=way / np.maximum(length, 1e-9)[:, None],
         length_px=length / clipped.sample_count[segment],
         arc_px=along,

@@ -48,14 +48,26 @@ class Over:
     known: np.ndarray  # (H, W) whether the place was seen there
 
     def difference(self, now, before):
-        """Mean absolute difference of two (H, W) pictures over the places that both show."""
+        """(mean absolute, root mean square) difference of two (H, W) pictures over the places that both show."""
         column, row = self.at[self.known].T
         i = np.clip(row.astype(np.int64), 0, max(before.shape[0] - 2, 0))
         j = np.clip(column.astype(np.int64), 0, max(before.shape[1] - 2, 0))
         v, u = row - i, column - j
         lower = before[i, j] * (1 - u) + before[i, j + 1] * u
         upper = before[i + 1, j] * (1 - u) + before[i + 1, j + 1] * u
-        return float(np.abs(now[self.known] - (lower * (1 - v) + upper * v)).mean()) if self.known.any() else 0.0
+        change = np.abs(now[self.known] - (lower * (1 - v) + upper * v))
+        change = change[np.isfinite(change)]  # where both have a value
+        return (float(change.mean()), float(np.sqrt((change**2).mean()))) if len(change) else (0.0, 0.0)
+
+
+def mean_around(values, reach):
+    """(H, W) mean over the square of so many pixels to each side; outside there is 0."""
+    for axis in (0, 1):
+        edge = [(reach + 1, reach) if k == axis else (0, 0) for k in (0, 1)]
+        sums = np.cumsum(np.pad(values.astype(np.float64), edge), axis=axis)
+        low = np.arange(values.shape[axis])
+        values = (np.take(sums, low + 2 * reach + 1, axis=axis) - np.take(sums, low, axis=axis)) / (2 * reach + 1)
+    return values
 
 
 def nearest_around(distance):

@@ -42,7 +42,8 @@ def coherence_rows(asked):
     pivot = middle(bpy.context.scene)
 
     def work(place):
-        watch, style = coherence.Watch(), world.evenly_spaced(asked["distance"])
+        watch = coherence.Watch(asked["distance"] * place.view.reference_scale)
+        style = world.evenly_spaced(asked["distance"])
         for view in orbit(place.view, pivot, asked["frames"], STEP):
             watch.see(place.draw(style, view))
         return coherence.rows(asked["scene"], watch)

@@ -32,7 +32,7 @@ class Drawn:
         return np.ones(self.frame.clipped.samples, np.float32) if self.felt.shown is None else self.felt.shown
 
     def places(self):
-        return places_of(self.frame.clipped, self.runs, self.shown)
+        return places_of(self.frame.clipped, self.runs, self.shown, self.view)
 
     def ink(self, shown):
         """(H, W) coverage by strokes of which elision leaves so much."""
