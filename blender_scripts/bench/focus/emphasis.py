@@ -11,7 +11,8 @@ from .world import named_style
 
 STYLES = ("pen_and_ink", "watercolor")
 COLORFUL = ("watercolor",)
-NEAR, FAR = 0.1, 0.6  # in the image: heights; in the scene: distances of the camera; as `fovea draw --focus` has them
+NEAR, FAR = 0.1, 0.6  # heights of the image, as `fovea draw --focus` has them
+FAR_IN_SCENE = 0.35  # distances of the camera: where one looks elsewhere in a room, the place itself is out of focus
 GRID = (6, 4)  # of places that can be looked at
 RINGS = 10  # of f between in focus and out of it
 LEAST_INK = 0.002  # a ring with less of it, all in focus, tells nothing
@@ -87,7 +88,7 @@ class Stage:
         place = self.world_points[self._pixel(at)]
         eye = np.linalg.inv(self.world.view.world_to_view)[:3, 3]
         distance = float(np.linalg.norm(place - eye))
-        return focus.Point(tuple(place.tolist()), NEAR * distance, FAR * distance)
+        return focus.Point(tuple(place.tolist()), NEAR * distance, FAR_IN_SCENE * distance)
 
     def at(self, place):
         """Drawn, looking there."""
