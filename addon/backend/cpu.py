@@ -165,13 +165,15 @@ def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
 
 def pens_of(style, textures, scale):
     """The native pens of a style, in its order, in pixels of the image (`scale` of them are a reference pixel)."""
-    core, away = native.load(), style.away()
+    core, away, pens = native.load(), style.away(), style.pens()
+    widths = [style.width_px(pen, scale) for pen in pens]
     return [
         core.Pen(
             color=pen.color,
             opacity=pen.opacity,
-            width_px=pen.width * scale,
-            texture_length_px=textures.length(pen) * scale,
+            width_px=width,
+            texture_length_px=textures.length(pen) * width,
+            texture_anchor=pen.texture_anchor,
             cap=pen.cap,
             taper_px=pen.taper * scale,
             texture=textures.index(pen),
@@ -182,7 +184,7 @@ def pens_of(style, textures, scale):
             seed=int(pen.seed),
             pressure=pen.pressure,
         )
-        for i, pen in enumerate(style.pens())
+        for i, (pen, width) in enumerate(zip(pens, widths))
     ]
 
 

@@ -23,6 +23,7 @@ _log = logging.getLogger(__package__)
 _caches = {}  # depsgraph mode -> SurfaceCache
 _color_caches = {}  # depsgraph mode -> ColorCache
 _statistics = {}
+_remarked = set()  # what has been said of styles
 
 REMARKS = {  # what a surface's report counts
     "non_finite_vertices": "vertices have no position and were left out",
@@ -114,6 +115,7 @@ def _draw(engine, depsgraph, view, viewport=None):
     ingest = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
+    _report_unknown(engine, chosen)
     if colors and (remark := colors.remark()):
         engine.report({"INFO"}, remark)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
@@ -184,6 +186,14 @@ def _report_skipped(engine, built, remarks=()):
             engine.report({"INFO"}, f"'{surface.name}': {'; '.join(found)}")
 
 
+def _report_unknown(engine, chosen):
+    """Says once what a style has that nothing here reads."""
+    remark = style.remark(chosen, properties.definitions())
+    if remark and remark not in _remarked:
+        _remarked.add(remark)
+        engine.report({"INFO"}, remark)
+
+
 def _note_statistics(ingest, snapshot, image):
     """Keeps what `last_statistics` tells."""
     stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
@@ -227,6 +237,7 @@ def _forget(*_arguments):
     _caches.clear()
     _color_caches.clear()
     _statistics.clear()
+    _remarked.clear()
 
 
 def register():
