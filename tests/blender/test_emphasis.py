@@ -12,7 +12,7 @@ import scenes
 from bench.focus import emphasis, world
 from command.target import SHARED
 
-SIZE = (640, 360)
+SIZE = (1280, 720)  # smaller, the grain of watercolor paper is all of its edges
 
 
 @pytest.mark.parametrize("model", ["image", "scene"])
