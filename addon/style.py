@@ -12,10 +12,8 @@ from pathlib import Path
 from . import color, elision, style_json
 from .focus import parse_distance, parse_effects, parse_focus
 from .stages import Pen
-from .style_parts import UNCOUNTED, Hidden, LineSet, Paper, Style
+from .style_parts import Hidden, LineSet, Paper, Style
 from .style_values import RANGES, StyleError, check_keys, check_range, finite, one_of, record
-
-__all__ = ["UNCOUNTED", "Hidden", "LineSet", "Paper", "Pen", "Style", "StyleError"]  # of other modules, and part of this
 
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"

@@ -1,4 +1,4 @@
-"""Style files that mean harm, or make none of sense: one sentence that names the place, soon, and nothing else happens."""
+"""Style files that mean harm, or make no sense: one sentence that names the place, soon, and nothing else happens."""
 
 import copy
 import json
@@ -16,10 +16,12 @@ DEFINITIONS = [
 ]
 FULL = {name: json.loads(style.dump(style.load(name))) for name in style.names()}
 NASTY = [
-    *(None, True, False, 0, -1, 1e300, 10**299, -(10**299), 0.5, "", "x", "../../etc/passwd", "/etc/passwd", "..\\x", "a/b"),
-    *("a\0b", "\ud800", "x" * 100000, "C:\\x", "solid.png", "..", ".", [], [[]], [1, 2, 3, 4], [None] * 3, [[0, 0]] * 33),
+    *(None, True, False, 0, -1, 1e300, 10**299, -(10**299), 0.5, "", "x", "../../etc/passwd", "/etc/passwd", "..\\x"),
+    *("a/b", "a\0b", "\ud800", "x" * 100000, "C:\\x", "solid.png", "..", ".", [], [[]], [1, 2, 3, 4], [None] * 3),
+    [[0, 0]] * 33,
     *({}, {"x": {}}, {"from": 1}, [{}], float("nan"), float("inf"), -float("inf"), [1e400] * 3, {"schema": 1}),
 ]
+NEW_KEYS = ["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"]
 PATHS = ["../secret", "/etc/passwd", "a/b", "..", ".", "a\\b", "ink.png", "C:\\ink", "a\0b", "~", "$HOME", "%2e%2e", ""]
 
 
@@ -111,15 +113,16 @@ def test_random_changes_are_read_or_refused_and_nothing_else():
             elif action < 0.8:
                 del place[path[-1]]
             elif isinstance(place, dict):
-                place[rng.choice(["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"])] = copy.deepcopy(rng.choice(NASTY))
+                place[rng.choice(NEW_KEYS)] = copy.deepcopy(rng.choice(NASTY))
+        definitions = rng.choice([None, DEFINITIONS])
         try:
-            read = style.parse(json.dumps(data), rng.choice([None, DEFINITIONS]))
+            read = style.parse(json.dumps(data), definitions)
         except style.StyleError as error:
             checked(error)
             outcomes["refused"] += 1
         else:
             written = style.dump(read)
-            again = style.parse(written)
+            again = style.parse(written, definitions)
             assert again == read and style.dump(again) == written
             outcomes["read"] += 1
     assert min(outcomes.values()) > 300, outcomes
@@ -131,7 +134,7 @@ def test_random_changes_are_read_or_refused_and_nothing_else():
 def test_no_text_leads_out_of_its_folder(name):
     data = FULL[name]
     texts = [path for path in places(data) if isinstance(at(data, path), str) and path[-1] != "name"]
-    assert {path[-1] for path in texts} >= {"texture", "cap", "width_unit", "texture_anchor", "shading", "model", "lines"}
+    assert {path[-1] for path in texts} >= {"texture", "cap", "width_unit", "texture_anchor", "shading", "model"}
     for path in texts:
         for wrong in PATHS:
             assert refusal(json.dumps(with_value(data, path, wrong))).startswith(shown(path))
@@ -151,13 +154,16 @@ def test_nesting_is_named_where_it_begins():
     assert refusal(json.dumps(data)).startswith("line_sets[0].pen.more[0][0]")
 
 
-@pytest.mark.parametrize("number", ["1e400", "-1e400", "NaN", "Infinity", "-Infinity", "1" + "0" * 5000, "-1" + "0" * 5000, "1" + "0" * 299])
+@pytest.mark.parametrize(
+    "number",
+    ["1e400", "-1e400", "NaN", "Infinity", "-Infinity", "1" + "0" * 5000, "-1" + "0" * 5000, "1" + "0" * 299],
+)
 @pytest.mark.parametrize("place", ['"width": {}', '"unknown": {}', '"unknown": [{{"x": {}}}]', '"color": [0, 0, {}]'])
 def test_numbers_beyond_all_bounds(number, place):
     text = f'{{"schema": 1, "line_sets": [{{"pen": {{{place.format(number)}}}}}]}}'
     if len(number) == 300 and "unknown" in place:
         assert json.loads(style.dump(style.parse(text)))["line_sets"][0]["pen"]["unknown"], "a number like another"
-    elif not (len(number) == 300 and "color" in place):
+    else:
         assert refusal(text).startswith("line_sets[0].pen.")
 
 
@@ -165,7 +171,7 @@ def test_numbers_beyond_all_bounds(number, place):
     "text, sentence",
     [
         ('{"schema": 1, "schema": 1, "line_sets": [{}]}', "the style gives 'schema' twice"),
-        ('{"schema": 1, "line_sets": [{"pen": {"width": 1, "cap": "butt", "width": 2}}]}', "line_sets[0].pen gives 'width' twice"),
+        ('{"schema": 1, "line_sets": [{"pen": {"width": 1, "width": 2}}]}', "line_sets[0].pen gives 'width' twice"),
         ('{"schema": 1, "line_sets": [{}], "new": {"a": 1, "a": 1}}', "new gives 'a' twice"),
         ('{"schema": 1, "line_sets": [{"name": "\\ud800"}]}', "line_sets[0].name is text that is not Unicode"),
         ('{"schema": 1, "line_sets": [{"\\udc00": 1}]}', "line_sets[0] has a key that is not Unicode"),
