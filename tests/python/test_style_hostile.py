@@ -21,6 +21,7 @@ NASTY = [
     [[0, 0]] * 33,
     *({}, {"x": {}}, {"from": 1}, [{}], float("nan"), float("inf"), -float("inf"), [1e400] * 3, {"schema": 1}),
 ]
+SOON = 5.0  # seconds, on a machine that has much else to do
 NEW_KEYS = ["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"]
 PATHS = ["../secret", "/etc/passwd", "a/b", "..", ".", "a\\b", "ink.png", "C:\\ink", "a\0b", "~", "$HOME", "%2e%2e", ""]
 
@@ -30,7 +31,7 @@ def refusal(text, definitions=DEFINITIONS):
     start = time.perf_counter()
     with pytest.raises(style.StyleError) as error:
         style.parse(text, definitions)
-    assert time.perf_counter() - start < 2
+    assert time.perf_counter() - start < SOON
     return checked(error.value)
 
 
@@ -194,7 +195,7 @@ def test_many_keys_that_are_not_known_are_not_slow():
     read = style.parse(json.dumps(data))
     assert len(read.unknown) == 50000 and len(style.remark(read)) < 1000
     assert style.parse(style.dump(read)) == read if len(style.dump(read)) < LARGEST else True
-    assert time.perf_counter() - start < 3
+    assert time.perf_counter() - start < SOON
     twice = '{"schema": 1, ' + ",".join(f'"key_{i}": 0' for i in range(50000)) + ', "key_7": 1}'
     assert "gives 'key_7' twice" in refusal(twice)
 
@@ -210,7 +211,7 @@ def test_files(tmp_path):
         start = time.perf_counter()
         with pytest.raises(style.StyleError) as error:
             style.read(tmp_path / "a.json")
-        assert time.perf_counter() - start < 2
+        assert time.perf_counter() - start < SOON
         return checked(error.value)
 
     good = style.dump(style.load(style.DEFAULT)).encode()
