@@ -7,15 +7,14 @@ written again; `remark` says what it is, so that a misspelt key does not go unno
 import json
 from dataclasses import fields, is_dataclass, replace
 from difflib import get_close_matches
+from functools import lru_cache
 from pathlib import Path
 
 from . import color, elision, style_json
 from .focus import parse_distance, parse_effects, parse_focus
 from .stages import Pen
-from .style_parts import UNCOUNTED, Hidden, LineSet, Paper, Style
+from .style_parts import Hidden, LineSet, Paper, Style
 from .style_values import RANGES, StyleError, check_keys, check_range, finite, one_of, record
-
-__all__ = ["UNCOUNTED", "Hidden", "LineSet", "Paper", "Pen", "Style", "StyleError"]  # of other modules, and part of this
 
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
@@ -38,14 +37,17 @@ def names():
     return sorted((path.stem for path in FOLDER.glob("*.json")), key=lambda name: (name != DEFAULT, name))
 
 
+@lru_cache(maxsize=1)
 def textures():
     """The pen textures that ship; `solid` needs no file."""
-    return sorted({"solid"} | {path.stem for path in TEXTURES.glob("*.png")}, key=lambda name: (name != "solid", name))
+    found = {"solid"} | {path.stem for path in TEXTURES.glob("*.png")}
+    return tuple(sorted(found, key=lambda name: (name != "solid", name)))
 
 
+@lru_cache(maxsize=1)
 def papers():
     """The papers that ship; `none` is smooth."""
-    return ["none", *sorted(path.stem for path in PAPERS.glob("*.png"))]
+    return ("none", *sorted(path.stem for path in PAPERS.glob("*.png")))
 
 
 def load(name, definitions=None):

@@ -96,8 +96,8 @@ class Style:
 
     def width_px(self, pen, scale):
         """Width of a pen in pixels of the image, `scale` of which are a reference pixel."""
-        page_px = REFERENCE_HEIGHT * scale
-        return pen.width * {"reference": scale, "pixels": 1.0, "millimetres": page_px / self.paper.height_mm}[pen.width_unit]
+        millimetre = REFERENCE_HEIGHT * scale / self.paper.height_mm
+        return pen.width * {"reference": scale, "pixels": 1.0, "millimetres": millimetre}[pen.width_unit]
 
     @property
     def unknown(self):

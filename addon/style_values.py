@@ -33,6 +33,7 @@ RANGES = {
 }
 
 
+MOST_LIGHT = 1000  # of a colour, scene-linear
 MOST_WORDS = 500  # characters of what is told about a style: files may hold anything
 
 
@@ -73,7 +74,7 @@ def _value(value, default, key, where):
     if isinstance(default, tuple):
         if not isinstance(value, (list, tuple)) or len(value) != len(default):
             raise StyleError(f"{where} must be a list of {len(default)} numbers")
-        return tuple(check_range(v, (0, math.inf), where) for v in value)
+        return tuple(check_range(v, (0, MOST_LIGHT), where) for v in value)
     return check_range(value, RANGES[key], where)
 
 

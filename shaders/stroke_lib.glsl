@@ -14,8 +14,8 @@ float stroke_coverage(float u, float v, float start, float end, float half_width
   return side * max(along, 0.0);
 }
 
-// Ink, bilinear: repeated along the stroke (`along`: in repetitions), held at the sides. `ink`: row after row from entry
-// `first` on, then the mean of each row.
+// Ink, bilinear: repeated along the stroke (`along`: in repetitions), held at the sides. `ink`: row after row from
+// entry `first` on, then the mean of each row.
 float stroke_ink(int first, ivec2 size, float along, float v, float half_width_px)
 {
   float x = (along - floor(along)) * float(size.x) - 0.5;

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 from addon import focus, style
+from addon.style_parts import UNCOUNTED
 
 DEFINITIONS = [
     {"name": "contour", "parameters": []},
@@ -106,7 +107,7 @@ def test_pens_and_their_ranges():
     sets = (style.LineSet(pen=style.Pen(width=1.0), hidden=tuple(ranges)), style.LineSet(pen=style.Pen(width=2.0)))
     both = style.Style(line_sets=sets)
     assert [pen.width for pen in both.pens()] == [1, 2, 3, 4]
-    assert both.pen_ranges() == [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 2, 2), (0, 5, style.UNCOUNTED, 3)]
+    assert both.pen_ranges() == [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 2, 2), (0, 5, UNCOUNTED, 3)]
 
 
 @pytest.mark.parametrize(
@@ -159,7 +160,7 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
         ({"line_sets": [{}]}, "schema is None, not the number of a schema"),
         ({"schema": True, "line_sets": [{}]}, "schema is True"),
         ({"schema": 1.0, "line_sets": [{}]}, "schema is 1.0"),
-        (minimal(pen={"width_unit": "inches"}), "pen.width_unit is 'inches'; it can be: reference, pixels, millimetres"),
+        (minimal(pen={"width_unit": "inches"}), "width_unit is 'inches'; it can be: reference, pixels, millimetres"),
         (minimal(pen={"width_unit": 2}), "pen.width_unit must be text"),
         (minimal(pen={"texture_anchor": "world"}), "pen.texture_anchor is 'world'; it can be: screen, path"),
         (minimal() | {"paper": {"height_mm": 0}}, "paper.height_mm is 0, outside 10 to 10000"),
@@ -175,8 +176,12 @@ WITH_UNKNOWN = minimal(
     kinds={"creese": {"angle": 3}, "crease": {"angel": 3}},
     pen={"colour": [0, 0, 0], "width": 3},
     pen_away={"widht": [1, {"a": None}]},
-    hidden=[{"from": 4, "form": 4}, {"from": 1, "pen": {"capp": "x"}}],
-) | {"papper": {"color": "../../etc"}, "focus": {"points": [{"at": [0, 1]}, {"where": 1}]}, "effects": {"fade": {"begin": 1}}}
+    hidden=[{"from": 4, "form": 4}, {"from": 1, "to": 2, "pen": {"capp": "x"}}],
+) | {
+    "papper": {"color": "../../etc"},
+    "focus": {"points": [{"at": [0, 1]}, {"where": 1}]},
+    "effects": {"fade": {"begin": 1}},
+}
 NAMES = {
     "papper": "paper",
     "line_sets[0].kindes": "kinds",
@@ -200,7 +205,8 @@ def test_what_is_not_known_is_kept_in_its_place():
     assert line_set["kindes"] == {} and line_set["kinds"] == {"crease": {"angel": 3}, "creese": {"angle": 3}}
     assert (line_set["pen"]["colour"], line_set["pen"]["width"]) == ([0, 0, 0], 3.0)
     assert line_set["pen_away"]["widht"] == [1, {"a": None}]
-    assert [(h["from"], h.get("form"), h["pen"].get("capp")) for h in line_set["hidden"]] == [(1, None, "x"), (4, 4, None)]
+    hidden = [(h["from"], h.get("form"), h["pen"].get("capp")) for h in line_set["hidden"]]
+    assert hidden == [(1, None, "x"), (4, 4, None)]
     again = style.parse(written, DEFINITIONS)
     assert again == read and style.dump(again) == written
     assert read.line_sets[0].kinds == {"crease": {}}, "writing changes nothing"

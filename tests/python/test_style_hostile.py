@@ -1,4 +1,4 @@
-"""Style files that mean harm, or make none of sense: one sentence that names the place, soon, and nothing else happens."""
+"""Style files that mean harm, or make no sense: one sentence that names the place, soon, and nothing else happens."""
 
 import copy
 import json
@@ -16,10 +16,13 @@ DEFINITIONS = [
 ]
 FULL = {name: json.loads(style.dump(style.load(name))) for name in style.names()}
 NASTY = [
-    *(None, True, False, 0, -1, 1e300, 10**299, -(10**299), 0.5, "", "x", "../../etc/passwd", "/etc/passwd", "..\\x", "a/b"),
-    *("a\0b", "\ud800", "x" * 100000, "C:\\x", "solid.png", "..", ".", [], [[]], [1, 2, 3, 4], [None] * 3, [[0, 0]] * 33),
+    *(None, True, False, 0, -1, 1e300, 10**299, -(10**299), 0.5, "", "x", "../../etc/passwd", "/etc/passwd", "..\\x"),
+    *("a/b", "a\0b", "\ud800", "x" * 100000, "C:\\x", "solid.png", "..", ".", [], [[]], [1, 2, 3, 4], [None] * 3),
+    [[0, 0]] * 33,
     *({}, {"x": {}}, {"from": 1}, [{}], float("nan"), float("inf"), -float("inf"), [1e400] * 3, {"schema": 1}),
 ]
+SOON = 5.0  # seconds, on a machine that has much else to do
+NEW_KEYS = ["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"]
 PATHS = ["../secret", "/etc/passwd", "a/b", "..", ".", "a\\b", "ink.png", "C:\\ink", "a\0b", "~", "$HOME", "%2e%2e", ""]
 
 
@@ -28,7 +31,7 @@ def refusal(text, definitions=DEFINITIONS):
     start = time.perf_counter()
     with pytest.raises(style.StyleError) as error:
         style.parse(text, definitions)
-    assert time.perf_counter() - start < 2
+    assert time.perf_counter() - start < SOON
     return checked(error.value)
 
 
@@ -111,15 +114,16 @@ def test_random_changes_are_read_or_refused_and_nothing_else():
             elif action < 0.8:
                 del place[path[-1]]
             elif isinstance(place, dict):
-                place[rng.choice(["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"])] = copy.deepcopy(rng.choice(NASTY))
+                place[rng.choice(NEW_KEYS)] = copy.deepcopy(rng.choice(NASTY))
+        definitions = rng.choice([None, DEFINITIONS])
         try:
-            read = style.parse(json.dumps(data), rng.choice([None, DEFINITIONS]))
+            read = style.parse(json.dumps(data), definitions)
         except style.StyleError as error:
             checked(error)
             outcomes["refused"] += 1
         else:
             written = style.dump(read)
-            again = style.parse(written)
+            again = style.parse(written, definitions)
             assert again == read and style.dump(again) == written
             outcomes["read"] += 1
     assert min(outcomes.values()) > 300, outcomes
@@ -131,7 +135,7 @@ def test_random_changes_are_read_or_refused_and_nothing_else():
 def test_no_text_leads_out_of_its_folder(name):
     data = FULL[name]
     texts = [path for path in places(data) if isinstance(at(data, path), str) and path[-1] != "name"]
-    assert {path[-1] for path in texts} >= {"texture", "cap", "width_unit", "texture_anchor", "shading", "model", "lines"}
+    assert {path[-1] for path in texts} >= {"texture", "cap", "width_unit", "texture_anchor", "shading", "model"}
     for path in texts:
         for wrong in PATHS:
             assert refusal(json.dumps(with_value(data, path, wrong))).startswith(shown(path))
@@ -151,13 +155,16 @@ def test_nesting_is_named_where_it_begins():
     assert refusal(json.dumps(data)).startswith("line_sets[0].pen.more[0][0]")
 
 
-@pytest.mark.parametrize("number", ["1e400", "-1e400", "NaN", "Infinity", "-Infinity", "1" + "0" * 5000, "-1" + "0" * 5000, "1" + "0" * 299])
+@pytest.mark.parametrize(
+    "number",
+    ["1e400", "-1e400", "NaN", "Infinity", "-Infinity", "1" + "0" * 5000, "-1" + "0" * 5000, "1" + "0" * 299],
+)
 @pytest.mark.parametrize("place", ['"width": {}', '"unknown": {}', '"unknown": [{{"x": {}}}]', '"color": [0, 0, {}]'])
 def test_numbers_beyond_all_bounds(number, place):
     text = f'{{"schema": 1, "line_sets": [{{"pen": {{{place.format(number)}}}}}]}}'
     if len(number) == 300 and "unknown" in place:
         assert json.loads(style.dump(style.parse(text)))["line_sets"][0]["pen"]["unknown"], "a number like another"
-    elif not (len(number) == 300 and "color" in place):
+    else:
         assert refusal(text).startswith("line_sets[0].pen.")
 
 
@@ -165,7 +172,7 @@ def test_numbers_beyond_all_bounds(number, place):
     "text, sentence",
     [
         ('{"schema": 1, "schema": 1, "line_sets": [{}]}', "the style gives 'schema' twice"),
-        ('{"schema": 1, "line_sets": [{"pen": {"width": 1, "cap": "butt", "width": 2}}]}', "line_sets[0].pen gives 'width' twice"),
+        ('{"schema": 1, "line_sets": [{"pen": {"width": 1, "width": 2}}]}', "line_sets[0].pen gives 'width' twice"),
         ('{"schema": 1, "line_sets": [{}], "new": {"a": 1, "a": 1}}', "new gives 'a' twice"),
         ('{"schema": 1, "line_sets": [{"name": "\\ud800"}]}', "line_sets[0].name is text that is not Unicode"),
         ('{"schema": 1, "line_sets": [{"\\udc00": 1}]}', "line_sets[0] has a key that is not Unicode"),
@@ -188,7 +195,7 @@ def test_many_keys_that_are_not_known_are_not_slow():
     read = style.parse(json.dumps(data))
     assert len(read.unknown) == 50000 and len(style.remark(read)) < 1000
     assert style.parse(style.dump(read)) == read if len(style.dump(read)) < LARGEST else True
-    assert time.perf_counter() - start < 3
+    assert time.perf_counter() - start < SOON
     twice = '{"schema": 1, ' + ",".join(f'"key_{i}": 0' for i in range(50000)) + ', "key_7": 1}'
     assert "gives 'key_7' twice" in refusal(twice)
 
@@ -204,7 +211,7 @@ def test_files(tmp_path):
         start = time.perf_counter()
         with pytest.raises(style.StyleError) as error:
             style.read(tmp_path / "a.json")
-        assert time.perf_counter() - start < 2
+        assert time.perf_counter() - start < SOON
         return checked(error.value)
 
     good = style.dump(style.load(style.DEFAULT)).encode()
