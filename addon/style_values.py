@@ -29,6 +29,7 @@ RANGES = {
     "granulation": (0, 1),
     "tint": (0, 1),
 }
+MOST_ATTRIBUTE = 63  # letters in the name of an attribute
 
 
 class StyleError(ValueError):
@@ -61,6 +62,13 @@ def finite(value, where):
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise StyleError(f"{where} is {value!r}, not a finite number")
     return float(value)
+
+
+def check_text(value, where, most=MOST_ATTRIBUTE):
+    """A name of something in a scene; never that of a file."""
+    if not isinstance(value, str) or len(value) > most or not value.isprintable():
+        raise StyleError(f"{where} must be text of at most {most} letters")
+    return value
 
 
 def check_range(value, limits, where):
