@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass
 
-from .style_values import StyleError, check_keys, check_range
+from .style_values import StyleError, check_keys, check_range, check_text
 
-TERMS = ("length", "kind", "strength", "depth", "object")
+TERMS = ("length", "kind", "strength", "depth", "object", "painted")
+ATTRIBUTES = ("priority_attribute", "density_attribute")
 MOST_WEIGHT = 10
 
 
@@ -19,11 +20,15 @@ class Elision:
     kind: float = 0.5  # what it is: outlines before creases before lines on smooth surfaces,
     strength: float = 0.25
     depth: float = 0.25  # near before far,
-    object: float = 1.0  # and what its object's own priority says
+    object: float = 1.0  # what its object's own priority says,
+    painted: float = 1.0  # and what is painted
+    priority_attribute: str = ""  # there; none: that does not count
+    density_attribute: str = ""  # painted: 0 for lines a quarter as dense as their pens say, .5 as they say, 1 four times
 
     def weights(self):
         """{name of the native term: what it counts}."""
-        return {term: getattr(self, term) for term in TERMS}
+        weights = {term: getattr(self, term) for term in TERMS}
+        return weights if self.priority_attribute else weights | {"painted": 0.0}
 
 
 def parse(data, where):
@@ -33,7 +38,8 @@ def parse(data, where):
         raise StyleError(f"{where}.enabled must be true or false")
     shares = {key: check_range(data[key], (0, 0.99), f"{where}.{key}") for key in ("fade_from", "cut") if key in data}
     weights = {key: check_range(data[key], (0, MOST_WEIGHT), f"{where}.{key}") for key in TERMS if key in data}
-    elision = Elision(enabled, **shares, **weights)
+    names = {key: check_text(data[key], f"{where}.{key}") for key in ATTRIBUTES if key in data}
+    elision = Elision(enabled, **shares, **weights, **names)
     if not any(elision.weights().values()):
         raise StyleError(f"{where}: some of {', '.join(TERMS)} must count")
     return elision

@@ -4,10 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from .backend import cpu
+from .backend import cpu, cpu_focus
 from .stages import Emphasis
 
 _STUB = 12.0  # reference pixels; what elision leaves of a line in shorter pieces goes, too
+_MOST_DENSITY = 4.0  # where a density map is white
 
 
 def of_lines(frame, style):
@@ -20,29 +21,37 @@ def thinned(felt, frame, runs, style, backend, cancel):
     if not style.elision.enabled:
         return felt
     elision, scale = style.elision, frame.view.reference_scale
-    ranks = cpu.ranks(frame, runs, cpu.priorities(frame, elision.weights(), frame.importance))
+    painted = cpu_focus.values_on_paths(frame, elision.priority_attribute) if elision.priority_attribute else None
+    ranks = cpu.ranks(frame, runs, cpu.priorities(frame, elision.weights(), frame.notes.importance, painted))
     options = {"fade_from": elision.fade_from, "cut": elision.cut, "stub_px": _STUB * scale}
-    half_width = 0.5 * scale * _spacing(frame, style, felt)
+    half_width = (0.5 * scale * _spacing(frame, style, felt) / _wanted(frame, elision)).astype(np.float32)
     return replace(felt, shown=backend.elide(frame, runs, ranks, half_width, cancel, **options))
 
 
 def of_pixels(frame, style, cancel):
     """(H, W) float32 focus of what each pixel shows, or None where all is in focus."""
-    view = frame.view
-    if style.effects.colors == "uniform":
-        return np.full((view.height, view.width), style.effects.uniform, np.float32)
-    if not style.focus.active():
+    focus, view = style.focus, frame.view
+    if not focus.active():
         return None
-    in_scene = style.focus.model == "scene"
-    distance = cpu.depth_image(frame.tracer, cancel) if in_scene else np.zeros((view.height, view.width), np.float32)
-    return cpu.focus_of_pixels(view, distance, cpu.focus_of(style.focus, view))
+    if focus.model == "painted":
+        return 1 - cpu_focus.painted_image(frame, focus.attribute, cancel)
+    flat = focus.model == "image"
+    distance = np.zeros((view.height, view.width), np.float32) if flat else cpu.depth_image(frame.tracer, cancel)
+    return cpu_focus.focus_of_pixels(view, distance, cpu_focus.focus_of(focus, frame))
+
+
+def colors_answer(layer, style):
+    """Whether a colour layer (None: there is none) needs the focus of each pixel."""
+    return layer is not None and style.effects.colors == "emphasized" and style.focus.active()
 
 
 def on_color(layer, focus, frame, style):
     """A colour layer with what answers to the focus of each pixel."""
+    effects, radius = style.effects, style.effects.blur_radius * frame.view.reference_scale
+    if effects.colors == "uniform":
+        focus = np.full(layer.shape[:2], effects.uniform, np.float32)
     if focus is None:
         return layer
-    effects, radius = style.effects, style.effects.blur_radius * frame.view.reference_scale
     return cpu.color_effects(
         layer,
         desaturate=_amounts(effects.desaturation, focus),
@@ -69,7 +78,14 @@ def _focus_of_lines(frame, style):
         return np.full(frame.clipped.samples, style.effects.uniform, np.float32)
     if not style.focus.active():
         return None
-    return cpu.focus_of_samples(frame.clipped, cpu.focus_of(style.focus, frame.view))
+    if style.focus.model == "painted":
+        return 1 - _painted(frame, style.focus.attribute)
+    return cpu_focus.focus_of_samples(frame.clipped, cpu_focus.focus_of(style.focus, frame))
+
+
+def _painted(frame, attribute):
+    """(samples,) what is painted along the lines."""
+    return cpu_focus.values_of_samples(frame.clipped, cpu_focus.values_on_paths(frame, attribute))
 
 
 def _distance_of_lines(frame, style):
@@ -77,7 +93,18 @@ def _distance_of_lines(frame, style):
     strongest = max(distance.width.strength, distance.opacity.strength, distance.density.strength)
     if strongest == 0.0 or not style.has_away():
         return None
-    return cpu.distance_of_samples(frame.clipped, distance.near, distance.far)
+    return cpu_focus.distance_of_samples(frame.clipped, distance.near, distance.far)
+
+
+def _wanted(frame, elision):
+    """How many times as dense as their pens say lines may be: by sample, from 1/4 where a density map is black to 4
+    where it is white; or 1."""
+    density = 1.0
+    if elision.density_attribute:
+        density = density * _MOST_DENSITY ** (2 * _painted(frame, elision.density_attribute) - 1)
+    if frame.notes.density_map is not None:
+        density = density * _MOST_DENSITY ** (2 * cpu_focus.map_of_samples(frame, frame.notes.density_map) - 1)
+    return density
 
 
 def _spacing(frame, style, felt):

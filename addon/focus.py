@@ -6,13 +6,14 @@ from each pen to the one that is given for lines out of focus, colour effects fr
 
 from dataclasses import dataclass
 
-from .style_values import RANGES, StyleError, check_keys, check_range, record
+from .style_values import RANGES, StyleError, check_keys, check_range, check_text, record
 
-MODELS = ("none", "image", "scene")
+MODELS = ("none", "image", "scene", "object", "painted")
 COMBINATIONS = ("nearest", "sum")
 MODES = ("emphasized", "uniform", "none")
 MOST_POINTS = 16
 MOST_CURVE_POINTS = 32
+MOST_NAME = 255  # letters in the name of an object
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,7 @@ class Point:
     at: tuple = (0.5, 0.5, 0.0)
     near: float = 0.1  # in focus up to here; in the image in heights of the frame, in the scene in its units
     far: float = 0.5  # out of focus from here on
+    object: str = ""  # in the model `object`: whose surface is the place; `at` where it has none
 
 
 @dataclass(frozen=True)
@@ -76,21 +78,28 @@ class Focus:
     model: str = "none"
     points: tuple = (Point(),)
     combine: str = "nearest"  # or sum
+    attribute: str = ""  # in the model `painted`: of meshes; 1 is in focus, 0 out of it, and .5 where there is none
 
     def active(self):
+        if self.model == "painted":
+            return bool(self.attribute)
         return self.model != "none" and bool(self.points)
 
 
 def parse_focus(data, where):
-    check_keys(data, {"model", "points", "combine"}, where)
+    check_keys(data, {"model", "points", "combine", "attribute"}, where)
     points = data.get("points", [{}])
     if not isinstance(points, list) or len(points) > MOST_POINTS:
         raise StyleError(f"{where}.points must be a list of at most {MOST_POINTS} points")
-    return Focus(
+    found = Focus(
         _one_of(data.get("model", "none"), MODELS, f"{where}.model"),
         tuple(_point(point, f"{where}.points[{i}]") for i, point in enumerate(points)),
         _one_of(data.get("combine", "nearest"), COMBINATIONS, f"{where}.combine"),
+        check_text(data.get("attribute", ""), f"{where}.attribute"),
     )
+    if found.model == "painted" and not found.attribute:
+        raise StyleError(f"{where}.attribute must name what is painted")
+    return found
 
 
 def parse_effects(data, where):
@@ -128,15 +137,16 @@ def _with_transfers(cls, data, where, choices):
 
 
 def _point(data, where):
-    check_keys(data, {"at", "near", "far"}, where)
+    check_keys(data, {"at", "near", "far", "object"}, where)
     at = data.get("at", Point.at)
     if not isinstance(at, (list, tuple)) or len(at) not in (2, 3):
         raise StyleError(f"{where}.at must be a list of 2 or 3 numbers")
     at = tuple(check_range(v, (-1e9, 1e9), f"{where}.at") for v in at)
-    point = record(Point, {key: value for key, value in data.items() if key != "at"}, where)
+    point = record(Point, {key: value for key, value in data.items() if key in ("near", "far")}, where)
     if point.far < point.near:
         raise StyleError(f"{where}.far is less than near")
-    return Point(at + (0.0,) * (3 - len(at)), point.near, point.far)
+    name = check_text(data.get("object", ""), f"{where}.object", MOST_NAME)
+    return Point(at + (0.0,) * (3 - len(at)), point.near, point.far, name)
 
 
 def _curve(data, where):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from . import emphasis, papers
 from .backend import cpu
-from .stages import Image
+from .stages import Image, Notes
 from .textures import Textures
 from .visibility import METHODS
 
@@ -27,6 +27,7 @@ class Options:
     beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
     least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     with_depth: bool = False  # also make the depth pass
+    with_focus: bool = False  # and that of focus, where the style has one
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ class Frame:
     depth_scale: int
     probes: int
     layers: int = 3
-    importance: object = None  # (n,) float32 in [0, 1] per placement, what the artist thinks of it; None: all the same
+    notes: Notes = Notes()  # what the artist says of the placements
 
 
 class _Clock:
@@ -59,9 +60,9 @@ class _Clock:
         self.done += share
 
 
-def draw(scene, view, style, backend, options, *, colors=None, importance=None, progress, cancel):
+def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), progress, cancel):
     """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend. `colors`: the color.Sources
-    of the scene, where the style has a colour layer. `importance`: (n,) float32 priority of each placement."""
+    of the scene, where the style has a colour layer. `notes`: what the artist says of its placements."""
     clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
@@ -70,7 +71,7 @@ def draw(scene, view, style, backend, options, *, colors=None, importance=None, 
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     quality = options.depth_scale, options.probes, options.layers
-    frame = Frame(scene, view, tracer, paths, clipped, *quality, importance)
+    frame = Frame(scene, view, tracer, paths, clipped, *quality, notes)
     with clock.stage("visibility", 0.25):
         visible, samples = method.runs(frame, backend, cancel)
     with clock.stage("runs", 0.05):
@@ -89,12 +90,14 @@ def draw(scene, view, style, backend, options, *, colors=None, importance=None, 
         strokes = cpu.shape(frame, runs, style, pens, samples, felt)
     with clock.stage("strokes", 0.1):
         lines = method.draw(frame, backend, strokes, pens, textures)
-    layer = None
+    layer = focus = None
     if colors is not None and style.has_color():
         with clock.stage("color", 0.05):
             layer = cpu.color_layer(tracer, colors, style.color, cancel)
-        with clock.stage("focus", 0.05):
+    with clock.stage("focus", 0.05):
+        if options.with_focus or emphasis.colors_answer(layer, style):
             focus = emphasis.of_pixels(frame, style, cancel)
+        if layer is not None:
             layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
         combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), tracer, cancel)
@@ -106,4 +109,4 @@ def draw(scene, view, style, backend, options, *, colors=None, importance=None, 
         "backend": backend.name,
         "visibility": method.told(frame),
     }
-    return Image(combined, lines, depth, layer, statistics)
+    return Image(combined, lines, depth, layer, focus, statistics)

@@ -123,6 +123,16 @@ class Emphasis:
 
 
 @dataclass(frozen=True)
+class Notes:
+    """What an artist has said of a scene's n placements, beside what they look like."""
+
+    importance: np.ndarray | None = None  # (n,) float32 in [0, 1]; None: all the same
+    painted: dict = field(default_factory=dict)  # {attribute: n arrays (C,) float32 at the mesh's corners, or None}
+    objects: tuple = ()  # n tuples of names: of the object, and of what made an instance of it
+    density_map: object = None  # native ColorTexture over the camera's frame; None: there is none
+
+
+@dataclass(frozen=True)
 class Image:
     """Scene-linear, premultiplied RGBA passes, bottom row first, as Blender stores them."""
 
@@ -130,4 +140,5 @@ class Image:
     lines: np.ndarray | None = None  # (H, W, 4) float32, strokes alone
     depth: np.ndarray | None = None  # (H, W) float32, distance from the camera
     color: np.ndarray | None = None  # (H, W, 4) float32, the colour layer alone
+    focus: np.ndarray | None = None  # (H, W) float32 in [0, 1], 0: in focus
     statistics: dict = field(default_factory=dict)

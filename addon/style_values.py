@@ -31,6 +31,7 @@ RANGES = {
     "tint": (0, 1),
     "height_mm": (10, 10000),
 }
+MOST_ATTRIBUTE = 63  # letters in the name of an attribute
 
 
 MOST_LIGHT = 1000  # of a colour, scene-linear
@@ -87,6 +88,13 @@ def finite(value, where):
 def one_of(value, known, where):
     if value not in known:
         raise StyleError(f"{where} is {value!r}; it can be: {', '.join(known)}")
+    return value
+
+
+def check_text(value, where, most=MOST_ATTRIBUTE):
+    """A name of something in a scene; never that of a file."""
+    if not isinstance(value, str) or len(value) > most or not value.isprintable():
+        raise StyleError(f"{where} must be text of at most {most} letters")
     return value
 
 

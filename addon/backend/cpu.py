@@ -91,47 +91,9 @@ def _by_path(frame, by_set, scale):
     return np.array([pixels * scale for pixels in by_set], np.float32)[frame.paths.line_set]
 
 
-def focus_of(focus, view):
-    """The native Focus of a style's Focus, as a native View sees it."""
-    in_scene = focus.model == "scene"
-    place = _in_view if in_scene else _in_image
-    points = [(*place(point, view), *_radii(point, view, in_scene)) for point in focus.points]
-    return native.load().Focus(in_scene, points if focus.active() else [], focus.combine == "sum")
-
-
-def _in_view(point, view):
-    x, y, z, _ = view.world_to_view @ (*point.at, 1.0)
-    return x, y, z
-
-
-def _in_image(point, view):
-    left, lower, width, height = view.frame
-    return left + point.at[0] * width, lower + (1 - point.at[1]) * height, 0.0
-
-
-def _radii(point, view, in_scene):
-    unit = 1.0 if in_scene else view.frame[3]
-    return point.near * unit, point.far * unit
-
-
 def path_of_samples(clipped):
     """(samples,) path of Paths that each atlas sample lies on."""
     return np.repeat(np.repeat(clipped.path, np.diff(clipped.offsets)), clipped.sample_count)
-
-
-def focus_of_samples(clipped, focus):
-    """(samples,) float32 in [0, 1]."""
-    return native.load().focus_of_samples(clipped, focus)
-
-
-def focus_of_pixels(view, distance, focus):
-    """(H, W) float32 in [0, 1]; distance (H, W) as of `depth_image`."""
-    return native.load().focus_of_pixels(view, distance, focus)
-
-
-def distance_of_samples(clipped, near, far):
-    """(samples,) float32 in [0, 1]."""
-    return native.load().distance_of_samples(clipped, near, far)
 
 
 def transfer(data):

@@ -6,6 +6,8 @@ import numpy as np
 
 from . import color_nodes
 
+COLORS = {"FLOAT_COLOR", "BYTE_COLOR"}
+
 
 class Corners:
     """Read when first asked for; `uvs` and `attributes` hold what was. `cage`: of a refined surface a context with the
@@ -41,6 +43,13 @@ class Corners:
             return None
         return self._index(self.attributes, name, lambda: self._refined(name, _colors))
 
+    def values(self, name):
+        """(C,) float32 of an attribute of numbers, or the mean of a colour's channels; None where there is none."""
+        found = self._mesh.attributes.get(name)
+        if found is None or found.data_type not in COLORS | {"FLOAT"} or found.domain not in {"POINT", "CORNER"}:
+            return None
+        return self._refined(name, _values)[:, 0]
+
     def _index(self, arrays, name, read):
         if (id(arrays), name) not in self._index_of:
             self._index_of[id(arrays), name] = len(arrays)
@@ -68,13 +77,24 @@ def _uvs(mesh, name):
 
 def _colors(mesh, name):
     """(C, 3) scene-linear colours."""
+    return np.ascontiguousarray(_at_corners(mesh, mesh.attributes[name], "color", 4)[:, :3])
+
+
+def _values(mesh, name):
+    """(C, 1) numbers, or means of scene-linear colours."""
     attribute = mesh.attributes[name]
-    colors = _read(attribute.data, "color", 4)[:, :3]
-    if attribute.domain == "POINT":
-        vertices = np.empty(len(mesh.loops), np.int32)
-        mesh.attributes[".corner_vert"].data.foreach_get("value", vertices)
-        colors = colors[vertices]
-    return np.ascontiguousarray(colors)
+    if attribute.data_type in COLORS:
+        return _at_corners(mesh, attribute, "color", 4)[:, :3].mean(axis=1, keepdims=True)
+    return _at_corners(mesh, attribute, "value", 1)
+
+
+def _at_corners(mesh, attribute, what, columns):
+    values = _read(attribute.data, what, columns)
+    if attribute.domain != "POINT":
+        return values
+    vertices = np.empty(len(mesh.loops), np.int32)
+    mesh.attributes[".corner_vert"].data.foreach_get("value", vertices)
+    return values[vertices]
 
 
 def _offsets(mesh):

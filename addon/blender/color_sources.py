@@ -16,6 +16,7 @@ class ColorCache:
     def __init__(self, core):
         self.images = ImageCache(core)
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
+        self.painted = {}  # the same of those that are painted, see notes.py
 
 
 class Gathering:

@@ -7,7 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 
 from .. import focus
 from . import pens
-from .property_kinds import number, redraw
+from .property_kinds import attribute_name, number, redraw
 
 LINE_EFFECTS = {
     "color": "Colour of lines",
@@ -29,6 +29,8 @@ MODELS = [
     ("NONE", "None", "All is in focus"),
     ("IMAGE", "Place in the Image", "Focus falls off from a place in the image"),
     ("SCENE", "Place in the Scene", "Focus falls off from an object's origin, or a point, in space"),
+    ("OBJECT", "Object", "Focus falls off from an object's surface, and from those of its instances"),
+    ("PAINTED", "Painted", "An attribute of the meshes says what is in focus: white is, black is not"),
 ]
 COMBINATIONS = [
     ("NEAREST", "Nearest", "Of several places the nearest counts"),
@@ -58,7 +60,7 @@ def style_parts(settings, base):
     distance = {name: _transfer(settings, f"distance_{name}", old) for name, old in _transfers(base.distance)}
     near, far = settings.distance_near, max(settings.distance_far, settings.distance_near + 1e-6)
     return {
-        "focus": focus.Focus(settings.focus_model.lower(), _points(settings), settings.focus_combine.lower()),
+        "focus": _focus(settings),
         "effects": replace(base.effects, **effects),
         "distance": replace(base.distance, near=near, far=far, **distance),
     }
@@ -91,6 +93,8 @@ def apply(settings, chosen):
 def set_focus(settings, wanted):
     """Sets where to look to what a Focus says."""
     settings.focus_model, settings.focus_combine = wanted.model.upper(), wanted.combine.upper()
+    if wanted.model == "painted":
+        settings.focus_attribute = wanted.attribute
     settings.focus_points.clear()
     for i, point in enumerate(wanted.points):
         place = settings if i == 0 else settings.focus_points.add()
@@ -113,6 +117,9 @@ def annotations(chosen):
     found = {
         "focus_model": EnumProperty(name="Focus", items=MODELS, update=redraw),
         "focus_combine": EnumProperty(name="Combine", items=COMBINATIONS, update=redraw),
+        "focus_attribute": attribute_name(
+            "Attribute", "Of meshes: white (1) is in focus, black (0) out of it; half way where meshes have none", "focus"
+        ),
         **_point_annotations(),
         "focus_points": bpy.props.CollectionProperty(
             type=FoveaFocusPoint, name="More Places", description="Further places to look at"
@@ -151,18 +158,27 @@ def annotations(chosen):
     return found
 
 
+def _focus(settings):
+    model = settings.focus_model
+    attribute = settings.focus_attribute if model == "PAINTED" else ""
+    return focus.Focus(model.lower(), _points(settings), settings.focus_combine.lower(), attribute)
+
+
 def _points(settings):
     return tuple(_point(place, settings.focus_model) for place in (settings, *settings.focus_points))
 
 
 def _point(place, model):
+    name = ""
     if model == "IMAGE":
         at, near, far = (*place.focus_place, 0.0), place.focus_near, place.focus_far
     else:
         source = place.focus_object
         at = source.matrix_world.translation if source else place.focus_location
         at, near, far = tuple(at), place.focus_near_distance, place.focus_far_distance
-    return focus.Point(tuple(float(v) for v in at), near, max(near, far))
+        if source and model == "OBJECT":
+            name = source.name_full
+    return focus.Point(tuple(float(v) for v in at), near, max(near, far), name)
 
 
 def _set_point(place, point, model):
@@ -170,7 +186,8 @@ def _set_point(place, point, model):
         place.focus_place = point.at[:2]
         place.focus_near, place.focus_far = point.near, point.far
     else:
-        place.focus_object, place.focus_location = None, point.at
+        named = (obj for obj in bpy.data.objects if point.object and obj.name_full == point.object)
+        place.focus_object, place.focus_location = next(named, None), point.at
         place.focus_near_distance, place.focus_far_distance = point.near, point.far
 
 
@@ -192,7 +209,7 @@ def _point_annotations():
         "focus_object": PointerProperty(
             type=bpy.types.Object,
             name="Object",
-            description="Its origin is the place to look at",
+            description="Its origin, or its surface, is what to look at",
             update=redraw,
         ),
         "focus_location": FloatVectorProperty(

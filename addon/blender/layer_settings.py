@@ -2,11 +2,12 @@
 
 from dataclasses import replace
 
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from .. import color, elision, style
 from .property_kinds import color as color_property
-from .property_kinds import file_names, number, redraw
+from .property_kinds import attribute_name, file_names, number, redraw
 
 SHADINGS = [
     ("PLAIN", "Paper", "No colours: the paper alone lies under the lines"),
@@ -29,6 +30,14 @@ WEIGHTS = {
     "strength": "how strong it is",
     "depth": "how near it is",
     "object": "the priority of its object",
+    "painted": "what is painted on its mesh",
+}
+ATTRIBUTES = {
+    "priority_attribute": ("Painted Priority", "Attribute of meshes: lines where it is white stay, half way where there is none"),
+    "density_attribute": (
+        "Painted Density",
+        "Attribute of meshes: lines are four times as dense where it is white, a quarter as dense where it is black",
+    ),
 }
 
 
@@ -85,6 +94,15 @@ def annotations(chosen):
             update=redraw,
         ),
     }
+    found["elision_density_image"] = PointerProperty(
+        type=bpy.types.Image,
+        name="Density Map",
+        description="Image over the camera's frame: lines are four times as dense where it is white, a quarter as dense "
+        "where it is black",
+        update=redraw,
+    )
+    for name, (label, told) in ATTRIBUTES.items():
+        found[f"elision_{name}"] = attribute_name(label, told, getattr(chosen.elision, name))
     for name, (part, field, label, told) in NUMBERS.items():
         found[name] = number(label, field, getattr(getattr(chosen, part), field), told)
     for term, told in WEIGHTS.items():
@@ -105,12 +123,14 @@ def style_parts(settings, base):
     background = None if settings.color_on_paper else tuple(settings.color_background)
     shading, bands = settings.color_shading.lower(), settings.color_bands
     weights = {term: getattr(settings, f"elision_{term}") for term in WEIGHTS}
-    if not any(weights.values()):
-        weights["length"] = 1.0
+    names = {name: getattr(settings, f"elision_{name}") for name in ATTRIBUTES}
+    thinning = elision.Elision(settings.elision, settings.elision_fade_from, settings.elision_cut, **weights, **names)
+    if not any(thinning.weights().values()):
+        thinning = replace(thinning, length=1.0)
     return {
         "color": replace(base.color, shading=shading, bands=bands, background=background, **_numbers(settings, "color")),
         "paper": replace(base.paper, texture=settings.paper_texture, **_numbers(settings, "paper")),
-        "elision": elision.Elision(settings.elision, settings.elision_fade_from, settings.elision_cut, **weights),
+        "elision": thinning,
     }
 
 
@@ -125,8 +145,8 @@ def apply(settings, chosen):
         setattr(settings, name, getattr(getattr(chosen, part), field))
     settings.elision = chosen.elision.enabled
     settings.elision_fade_from, settings.elision_cut = chosen.elision.fade_from, chosen.elision.cut
-    for term in WEIGHTS:
-        setattr(settings, f"elision_{term}", getattr(chosen.elision, term))
+    for name in (*WEIGHTS, *ATTRIBUTES):
+        setattr(settings, f"elision_{name}", getattr(chosen.elision, name))
 
 
 def _numbers(settings, wanted):

@@ -130,6 +130,9 @@ def _draw_elision(layout, settings):
         body.active = settings.elision
         for name in ("fade_from", "cut", *layer_settings.WEIGHTS):
             body.prop(settings, f"elision_{name}")
+        for name in layer_settings.ATTRIBUTES:
+            body.prop(settings, f"elision_{name}")
+        body.template_ID(settings, "elision_density_image", open="image.open", text="Density Map")
 
 
 def _draw_paper(layout, context):
@@ -161,6 +164,9 @@ def _draw_focus(layout, settings):
         return
     body.prop(settings, "focus_model")
     if settings.focus_model == "NONE":
+        return
+    if settings.focus_model == "PAINTED":
+        body.prop(settings, "focus_attribute")
         return
     for place in (settings, *settings.focus_points):
         if settings.focus_model == "IMAGE":

@@ -2,9 +2,9 @@
 
 import zlib
 
-from bpy.props import FloatProperty, FloatVectorProperty
+from bpy.props import FloatProperty, FloatVectorProperty, StringProperty
 
-from ..style_values import RANGES
+from ..style_values import MOST_ATTRIBUTE, RANGES
 
 
 def redraw(settings, _context):
@@ -20,6 +20,10 @@ def file_names(stems):
 def number(name, field, default, description):
     low, high = RANGES[field]
     return FloatProperty(name=name, default=default, min=low, max=high, description=description, update=redraw)
+
+
+def attribute_name(name, description, default=""):
+    return StringProperty(name=name, description=description, default=default, maxlen=MOST_ATTRIBUTE, update=redraw)
 
 
 def color(name, default, description):

@@ -24,20 +24,21 @@ class Snapshot:
     persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
     usage: np.ndarray  # (n,) uint8, bits as above
     objects: list  # n object names
+    owners: list  # n tuples of full names: the object's, and that of what made an instance of it
     importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
 
 
 class _Gathering:
     """Placements as they are met; one surface per evaluated mesh, choice of materials and settings."""
 
-    def __init__(self, cache, depsgraph, viewport, with_marks, colors):
-        self.colors = colors
+    def __init__(self, cache, depsgraph, viewport, with_marks, beside):
+        self.beside = beside
         self.cache, self.with_marks = cache, with_marks
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
         self.known_priority = {}
-        self.rows = []  # (step of the walk, surface, hash of names, usage, object name, priority) per placement
+        self.rows = []  # (step of the walk, surface, hash of names, usage, object, owners, priority) per placement
 
     def usage(self, instance):
         """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
@@ -82,9 +83,9 @@ class _Gathering:
                 self.index_of[shared] = len(self.surfaces)
                 surface = self.surface(obj, mesh, slots, plan, mend)
                 surface.set_field_options(*curvature)
-                if self.colors:
-                    cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
-                    self.colors.add_surface(obj, mesh, surface, cage, repaired=mend is not None)
+                cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+                for gathering in self.beside:
+                    gathering.add_surface(obj, mesh, surface, cage, repaired=mend is not None)
                 self.surfaces.append(surface)
                 self.slots.append(slots)
             self.index_of[met] = self.index_of[shared]
@@ -108,7 +109,8 @@ class _Gathering:
         if usage & OCCLUDE and all(slot.holdout for slot in self.slots[index]):
             usage = OCCLUDE | HOLDOUT
         parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
-        self.rows.append((step, index, self.name_hash(obj.name_full, parent), usage, obj.name, self.priority(obj)))
+        names, owners = (obj.name_full, parent), (obj.name_full, parent) if parent else (obj.name_full,)
+        self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, self.priority(obj)))
 
     def priority(self, obj):
         """An object's priority, asked of what it is a copy of (see `_usage`)."""
@@ -124,7 +126,7 @@ class _Gathering:
 
     def snapshot(self, matrices, persistent):
         """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
-        steps, surface, names, usage, objects, importance = zip(*self.rows) if self.rows else ((),) * 6
+        steps, surface, names, usage, objects, owners, importance = zip(*self.rows) if self.rows else ((),) * 7
         chosen = np.array(steps, np.intp)
         return Snapshot(
             self.surfaces,
@@ -134,18 +136,19 @@ class _Gathering:
             _mixed(np.array(names, np.uint64), persistent[chosen]),
             np.array(usage, np.uint8),
             list(objects),
+            list(owners),
             np.array(importance, np.float32),
         )
 
 
-def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None):
+def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, notes=None):
     """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `colors`: a
-    color_sources.Gathering to fill on the way, or None.
+    color_sources.Gathering to fill on the way, or None; `notes`: the same of notes.
 
     Curves, text, surfaces and metaballs come as the meshes Blender makes of them. Objects and collections that are
     hidden are not among the depsgraph's instances.
     """
-    gathering = _Gathering(cache, depsgraph, viewport, with_marks, colors)
+    gathering = _Gathering(cache, depsgraph, viewport, with_marks, [beside for beside in (colors, notes) if beside])
     cache.begin()
     for step, instance in enumerate(depsgraph.object_instances):
         obj = instance.object

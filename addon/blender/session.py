@@ -16,7 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
 from ..backend import gpu_viewport
-from . import camera, color_sources, methods, properties, scene, subdivision, surfaces
+from . import camera, color_sources, methods, notes, properties, scene, subdivision, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -44,18 +44,21 @@ def last_statistics():
 def register_passes(engine, scene_, layer):
     engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
     engine.register_pass(scene_, layer, "Lines", 4, "RGBA", "COLOR")
-    if has_color(scene_):
+    chosen = _style_of(scene_)
+    if chosen and chosen.has_color():
         engine.register_pass(scene_, layer, "Colour", 4, "RGBA", "COLOR")
+    if chosen and chosen.focus.active():
+        engine.register_pass(scene_, layer, "Focus", 1, "X", "VALUE")
     if layer.use_pass_z:
         engine.register_pass(scene_, layer, "Depth", 1, "Z", "VALUE")
 
 
-def has_color(scene_):
-    """Whether a scene's style has a colour layer, which is a pass of its own."""
+def _style_of(scene_):
+    """A scene's Style; None where there is none: drawing will say what is wrong."""
     try:
-        return properties.style_of(scene_).has_color()
-    except (native.Unavailable, style.StyleError):  # drawing will say what is wrong
-        return False
+        return properties.style_of(scene_)
+    except (native.Unavailable, style.StyleError):
+        return None
 
 
 def render(engine, depsgraph):
@@ -63,7 +66,8 @@ def render(engine, depsgraph):
     with _reported(lambda message: engine.report({"ERROR"}, message)):
         image = _draw(engine, depsgraph, camera.of_render(engine, depsgraph))
         if image is not None:
-            passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth, "Colour": image.color}
+            passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
+            passes |= {"Colour": image.color, "Focus": image.focus}
             del image
             _hand_over(engine, depsgraph.view_layer, passes)
 
@@ -106,8 +110,11 @@ def _draw(engine, depsgraph, view, viewport=None):
     start = time.perf_counter()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
-    colors = _colors(core, chosen, depsgraph.mode)
-    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, colors=colors)
+    colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
+    colors = color_sources.Gathering(core, colors_cache) if chosen.has_color() else None
+    noted = notes.Gathering(core, colors_cache, chosen)
+    beside = {"colors": colors, "notes": noted}
+    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
     if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
@@ -120,9 +127,8 @@ def _draw(engine, depsgraph, view, viewport=None):
         engine.report({"INFO"}, remark)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
-    options = pipeline.Options(
-        visibility=visibility, with_depth=with_depth, **methods.quality(depsgraph.scene.fovea)
-    )
+    asked = {"with_depth": with_depth, "with_focus": viewport is None}
+    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(depsgraph.scene.fovea))
     cancel = core.Cancel()
     with _watched(engine, cancel):
         try:
@@ -133,7 +139,7 @@ def _draw(engine, depsgraph, view, viewport=None):
                 chosen_backend,
                 options,
                 colors=sources,
-                importance=snapshot.importance,
+                notes=noted.notes(depsgraph.scene, snapshot),
                 progress=partial(_progress, engine),
                 cancel=cancel,
             )
@@ -141,14 +147,6 @@ def _draw(engine, depsgraph, view, viewport=None):
             return None
     _note_statistics(ingest, snapshot, image)
     return image
-
-
-def _colors(core, chosen, mode):
-    """What gathers the colours of a scene for a Style; None where it has no colour layer."""
-    if not chosen.has_color():
-        return None
-    cache = _color_caches.setdefault(mode, color_sources.ColorCache(core))
-    return color_sources.Gathering(core, cache)
 
 
 @contextmanager
@@ -219,6 +217,8 @@ def _hand_over(engine, layer, passes):
     engine.add_pass("Lines", 4, "RGBA", layer=layer.name)
     if passes["Colour"] is not None:
         engine.add_pass("Colour", 4, "RGBA", layer=layer.name)
+    if passes["Focus"] is not None:
+        engine.add_pass("Focus", 1, "X", layer=layer.name)
     if layer.use_pass_z:
         engine.add_pass("Depth", 1, "Z", layer=layer.name)
     height, width = passes["Combined"].shape[:2]

@@ -5,8 +5,11 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/painted.h"
 #include "color/effects.h"
 #include "color/layer.h"
+#include "color/map.h"
+#include "color/painted_image.h"
 #include "color/paper.h"
 #include "stroke/texture_file.h"
 
@@ -205,6 +208,32 @@ void bind_color(py::module_& m) {
         py::arg("bands") = 3, py::arg("cancel") = py::none(),
         R"((H, W, 4) float32 premultiplied: what each pixel sees. colors: a SurfaceColor or None per placement; shading:
 flat, smooth or toon.)");
+    m.def(
+        "painted_image",
+        [](const Tracer& tracer, const PaintedArrays& painted, const Cancel* cancel) {
+            const Painted in = borrow_painted(painted);
+            const Cancel never;
+            Array<float> values;
+            {
+                py::gil_scoped_release release;
+                values = painted_image(tracer, in, cancel ? *cancel : never);
+            }
+            return to_numpy(std::move(values)).reshape({tracer.view().height, tracer.view().width});
+        },
+        py::arg("tracer"), py::arg("painted"), py::arg("cancel") = py::none(),
+        "(H, W) float32 in [0, 1]: what is painted where each pixel looks, 0 where nothing is; as for values_on_paths.");
+    m.def(
+        "map_of_samples",
+        [](const ClippedPaths& clipped, const View& view, const ColorTexture& image) {
+            Array<float> values;
+            {
+                py::gil_scoped_release release;
+                values = map_of_samples(clipped, view, image);
+            }
+            return to_numpy(std::move(values));
+        },
+        py::arg("clipped"), py::arg("view"), py::arg("image"),
+        "(samples,) float32 in [0, 1]: luminance of an image laid over the camera's frame.");
     bind_effects(m);
     bind_paper(m);
 }

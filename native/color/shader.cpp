@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "mesh/corners.h"
 
 namespace fovea {
 namespace {
@@ -59,12 +60,8 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
     seen.placement = placement;
     seen.triangle = triangle;
     const Index polygon = surface.facet_polygon[surface.triangle_facet[triangle]];
-    const In<Index> vertices = surface.polygon_vertices(polygon);
-    for (int k = 0; k < 3; ++k) {
-        const auto at = std::find(vertices.begin(), vertices.end(), t[k]) - vertices.begin();
-        seen.vertex[k] = t[k];
-        seen.corner[k] = surface.first_corner(polygon) + static_cast<Index>(at);
-    }
+    seen.vertex = {t[0], t[1], t[2]};
+    seen.corner = triangle_corners(surface, triangle);
     const SurfaceColor* own = colors_[placement].get();
     const auto slot = static_cast<std::size_t>(surface.polygon_material[polygon]);
     seen.slot = own && slot < own->slots.size() ? &own->slots[slot] : &default_slot;

@@ -16,6 +16,8 @@ class ColorTexture {
 
     /// Scene-linear colour at a place of the unit square; `footprint`: how much of the square one pixel sees.
     vec3 at(const vec2& uv, float footprint) const;
+    int width() const { return levels_[0].width; }
+    int height() const { return levels_[0].height; }
 
    private:
     using Texel = glm::u8vec4;

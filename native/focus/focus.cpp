@@ -5,11 +5,12 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "focus/each_sample.h"
 
 namespace fovea {
 namespace {
 
-constexpr std::size_t rows_per_block = 8, points_per_block = 4096;
+constexpr std::size_t rows_per_block = 8;
 
 /// 0 up to `near`, 1 from `far` on; equal: a step there. What is no number is far.
 float between(float distance, float near, float far) {
@@ -17,33 +18,15 @@ float between(float distance, float near, float far) {
     return distance < far ? (distance - near) / (far - near) : 1.0f;
 }
 
-/// Calls out(sample, px, view-space position) for every atlas sample.
-template <typename Out>
-void each_sample(const ClippedPaths& clipped, const Out& out) {
-    parallel_blocks(clipped.px.size(), points_per_block, [&](std::size_t, std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Index count = clipped.sample_count[i];
-            if (count == 0) continue;
-            const vec3 a = clipped.position_view[i], b = clipped.position_view[i + 1];
-            const bool flat = clipped.orthographic;
-            const float wa = flat ? 1.0f : -a.z, wb = flat ? 1.0f : -b.z;
-            for (Index j = 0; j < count; ++j) {
-                const float s = (float(j) + 0.5f) / float(count), t = s * wa / (wb + s * (wa - wb));
-                out(clipped.sample_start[i] + j, glm::mix(clipped.px[i], clipped.px[i + 1], s), glm::mix(a, b, t));
-            }
-        }
-    });
-}
-
 }  // namespace
 
 float Focus::operator()(vec2 px, vec3 position_view) const {
     if (points.empty()) return 0.0f;
-    const vec3 here = space == FocusSpace::image ? vec3(px, 0.0f) : position_view;
+    const bool in_image = space == FocusSpace::image;
     float least = 1.0f, in_focus = 0.0f;
     for (const FocusPoint& point : points) {
-        const vec3 at = space == FocusSpace::image ? vec3(vec2(point.at), 0.0f) : point.at;
-        const float f = between(glm::distance(here, at), point.near, point.far);
+        const float away = in_image ? glm::distance(px, vec2(point.at)) : point.distance(position_view);
+        const float f = between(away, point.near, point.far);
         least = std::min(least, f);
         in_focus += 1.0f - f;
     }
@@ -52,9 +35,26 @@ float Focus::operator()(vec2 px, vec3 position_view) const {
 
 Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus) {
     Array<float> f(clipped.samples, 0.0f);
-    if (!focus.points.empty())
-        each_sample(clipped, [&](Index sample, vec2 px, vec3 position) { f[sample] = focus(px, position); });
+    if (focus.points.empty()) return f;
+    each_sample(clipped, [&](const SamplePlace& at) {
+        f[at.sample] = focus(px_at(clipped, at), position_at(clipped, at));
+    });
     return f;
+}
+
+Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values) {
+    const auto at_point = [&](Index i) {
+        const Index source = clipped.source[i];
+        const float t = clipped.source_t[i];
+        return t > 0.0f ? glm::mix(values[source], values[source + 1], t) : values[source];
+    };
+    const auto last = std::ranges::max_element(clipped.source);
+    check(last == clipped.source.end() || *last < values.size(), "values: one per point of the paths expected");
+    Array<float> found(clipped.samples, 0.0f);
+    each_sample(clipped, [&](const SamplePlace& at) {
+        found[at.sample] = glm::mix(at_point(at.point), at_point(at.point + 1), at.in_space);
+    });
+    return found;
 }
 
 Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& focus) {
@@ -78,7 +78,9 @@ Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& 
 
 Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float far) {
     Array<float> d(clipped.samples, 0.0f);
-    each_sample(clipped, [&](Index sample, vec2, vec3 position) { d[sample] = between(-position.z, near, far); });
+    each_sample(clipped, [&](const SamplePlace& at) {
+        d[at.sample] = between(-position_at(clipped, at).z, near, far);
+    });
     return d;
 }
 

@@ -1,8 +1,11 @@
 // Focus: how far every place of the picture is from where the viewer shall look.
 #pragma once
 
+#include <memory>
+
 #include "base/view.h"
 #include "project/clipped_paths.h"
+#include "scene/distance.h"
 
 namespace fovea {
 
@@ -12,11 +15,18 @@ struct FocusPoint {
     vec3 at{0.0f};
     /// Pixels, or units of the scene.
     float near = 0.0f, far = 1.0f;
+    /// In the scene: surfaces to be near to, instead of `at`.
+    std::shared_ptr<const SurfaceDistance> surface = nullptr;
+
+    /// Infinite beyond `far` of surfaces.
+    float distance(vec3 place) const {
+        return surface ? (*surface)(place, far) : glm::distance(place, at);
+    }
 };
 
 enum class FocusSpace : std::uint8_t { image, scene };
 
-/// Focus f in [0,1] by distance from points (Cole 2009, 5.3.1): 0 in focus, 1 out of it. Several points: the nearest in
+/// Focus f in [0,1] by distance from points or surfaces (Cole 2009, 5.3.1): 0 in focus, 1 out of it. Several points: the nearest in
 /// its own radii counts; or what each leaves in focus adds up. Without points all is in focus.
 struct Focus {
     FocusSpace space = FocusSpace::image;
@@ -33,6 +43,9 @@ Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus);
 /// f of each pixel of the view, first row at the bottom. `distance`: along the view, of what the pixel shows; infinite
 /// where it shows nothing, which is out of focus where focus lies in the scene.
 Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& focus);
+
+/// Values at the points of paths (see path/painted.h), at each atlas sample.
+Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values);
 
 /// How far each atlas sample is from the camera, in [0,1] between the distances near and far along the view.
 Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float far);

@@ -58,7 +58,7 @@ PARTS = {
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
-LOADERS = r"addon/(backend/(cpu|gpu\w*)|catalogue|blender/(scene|session))\.py"
+LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|blender/(scene|session))\.py"
 
 
 def violations(root):

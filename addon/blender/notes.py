@@ -1,0 +1,37 @@
+"""What the artist has said of a scene's placements: priorities, what is painted on meshes, and a map of density."""
+
+from ..stages import Notes
+from .color_corners import Corners
+
+
+class Gathering:
+    """What is painted, as a scene is walked over: for each attribute that a style names one entry per native surface,
+    in the scene's order."""
+
+    def __init__(self, core, cache, style):
+        self._core, self._cache = core, cache
+        self._painted = {name: [] for name in attributes(style)}
+
+    def add_surface(self, obj, mesh, surface, cage, repaired):
+        """As color_sources.Gathering has it. A repaired mesh's corners are no longer those that were painted."""
+        corners = None
+        if not repaired and len(mesh.loops):
+            refined = isinstance(surface, self._core.RefinedSurface)
+            corners = Corners(self._core, obj, mesh, surface, cage if refined else None, self._cache.painted)
+        for name, found in self._painted.items():
+            found.append(corners and corners.values(name))
+
+    def notes(self, scene, snapshot):
+        """The Notes on a scene whose placements are those of a Snapshot."""
+        surfaces, image = snapshot.surface_of_placement, scene.fovea.elision_density_image
+        painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
+        density = image and self._cache.images.texture(image)
+        return Notes(snapshot.importance, painted, tuple(snapshot.owners), density)
+
+
+def attributes(style):
+    """Names of the attributes that a Style asks for."""
+    wanted = {style.focus.attribute} if style.focus.model == "painted" else set()
+    if style.elision.enabled:
+        wanted |= {style.elision.priority_attribute, style.elision.density_attribute}
+    return sorted(wanted - {""})
