@@ -99,14 +99,14 @@ def test_a_place_is_found_again_from_another_side():
         one, two = (place.draw(world.evenly_spaced(1.0), view) for view in turned)
         seen = [reproject.Seen(each.view, each.image.depth) for each in (one, two)]
         over = seen[1].brought_over(seen[0])
-        shade = [np.where(each.image.depth < 1e9, np.sin(40 * s.points()).sum(axis=2), 0) for each, s in zip((one, two), seen)]
+        shade = [np.where(s.distance < reproject.NOTHING, np.sin(40 * s.points()).sum(axis=2), 0) for s in seen]
         still = np.abs(shade[1] - shade[0])[over.known].mean()
         changed = coherence.changes(coherence.on_paths(one), coherence.on_paths(two), 2.0)[0]
-        return over.known.mean(), over.difference(shade[1], shade[0])[0], still, len(changed), one.places()
+        return over.known.mean(), over.difference(shade[1], shade[0])[0], still, len(changed) / len(one.places().shown)
 
-    known, moved, still, followed, places = world.measure(work, SIZE)
+    known, moved, still, followed = world.measure(work, SIZE)
     assert known > 0.3 and moved < 0.35 * still
-    assert followed > 0.7 * len(places.shown)
+    assert followed > 0.7
 
 
 def test_fall_off_is_measured_ring_by_ring():
@@ -118,7 +118,7 @@ def test_fall_off_is_measured_ring_by_ring():
 
 
 def test_bench_rows_are_told_as_a_table():
-    rows = [{"figure": PER_SAMPLE, "scene": name, "value": value, "wanted": None} for name, value in (("a", 1.0), ("b", 1.5))]
+    rows = [{"figure": PER_SAMPLE, "scene": str(value), "value": value, "wanted": None} for value in (1.0, 1.5)]
     assert bench.linearity(rows)[0]["value"] == 1.5 and bench.linearity(rows[:1]) == []
     assert len(bench.table(rows).splitlines()) == 3
 

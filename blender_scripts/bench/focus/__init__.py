@@ -28,7 +28,7 @@ def parse(words):
     add("--scenes", type=peers.scene_list, metavar="A,B", help="instead of those of each part")
     add("--size", type=_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
     add("--distance", type=float, default=10.0, metavar="PX", help="that lines keep, of 1080 pixels (10)")
-    add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames instead of {FRAMES}, one place to look at, not three")
+    add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames, not {FRAMES}; one place to look at, not three")
     add("--timeout", type=float, default=3600, metavar="S", help="seconds a part of a scene may take (3600)")
     add("--json", action="store_true", help="print JSON instead of a table")
     return parser.parse_args(words)
@@ -82,7 +82,8 @@ def linearity(rows):
     if len(per_sample) < 2:
         return []
     ratio = round(max(per_sample) / min(per_sample), 3)
-    return [{"figure": "elision, time per sample, dearest scene over cheapest", "scene": "all", "value": ratio, "wanted": None}]
+    figure = "elision, time per sample, dearest scene over cheapest"
+    return [{"figure": figure, "scene": "all", "value": ratio, "wanted": None}]
 
 
 PER_SAMPLE = "elision, microseconds per sample drawn"
@@ -90,9 +91,7 @@ PER_SAMPLE = "elision, microseconds per sample drawn"
 
 def table(rows):
     columns = ("figure", "scene", "value", "wanted")
-    cells = [columns] + [
-        (row["figure"], row["scene"], f"{row['value']:.4g}", row["wanted"] or "-") for row in rows
-    ]
+    cells = [columns] + [(row["figure"], row["scene"], f"{row['value']:.4g}", row["wanted"] or "-") for row in rows]
     widths = [max(len(line[k]) for line in cells) for k in range(4)]
     return "\n".join(
         "  ".join(cell.rjust(w) if k == 2 else cell.ljust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip()

@@ -4,19 +4,20 @@ Static lines: places on them, matched by the path's id and arc length in space, 
 changes there is elision alone. Visibility explains it where, within NEAR times the distance that lines keep, another
 static line appears or goes: farther than that distance from any end of a run, or a run as a whole.
 
-Lines of the view have no such places: their ink is compared with that of the frame before, brought over by depth, and so
-is the share of it that elision takes, both also with elision switched to a hard cut."""
+Lines of the view have no such places: their ink is compared with that of the frame before, brought over by depth, and
+so is the share of it that elision takes, both also with elision switched to a hard cut."""
 
 from dataclasses import dataclass
 
 import numpy as np
+from bl_ext.user_default.fovea.backend import cpu
 
 from . import reproject
 
 LABEL = {"soft": "soft", "hard": "hard cut", "none": "no elision"}
 LEAST_INK = 0.02  # mean around a pixel, for a share of it to tell anything
 HARD = 0.5  # opacity at which elision switches where it cuts
-NEAR = 2.0
+NEAR = 2.0  # distances that lines keep, within which one that appears or goes has its say
 SAME_PLACE = 0.1  # of the way between two samples, by which a matched place may be elsewhere in space
 
 
@@ -117,7 +118,7 @@ def match(before, after):
 
 def of_view(drawn):
     """{elision: (H, W) ink of the lines that change with the view}: soft, hard, and none."""
-    path = np.repeat(np.repeat(drawn.frame.clipped.path, np.diff(drawn.frame.clipped.offsets)), drawn.frame.clipped.sample_count)
+    path = cpu.path_of_samples(drawn.frame.clipped)
     turning = (np.asarray(drawn.frame.paths.of_view)[path] != 0).astype(np.float32)
     shown = drawn.shown
     return {
@@ -169,10 +170,11 @@ def rows(scene, watch):
         ]
     told += [("static lines: places found again, share", np.mean(watch.matched), None)]
     for what, values in (("ink", watch.differences), ("share of ink taken", watch.taken)):
-        mean, square = ({name: np.mean([pair[k] for pair in found]) for name, found in values.items()} for k in (0, 1))
-        told += [(f"lines of the view: {what}, mean difference, {LABEL[name]}", value, None) for name, value in mean.items()]
+        mean, square = ({name: np.mean([pair[k] for pair in v]) for name, v in values.items()} for k in (0, 1))
+        told += [(f"lines of the view: {what}, mean difference, {LABEL[name]}", mean[name], None) for name in mean]
         ratio = mean["soft"] / mean["hard"] if mean["hard"] else 1.0
         told += [(f"lines of the view: {what}, soft / hard", ratio, "<= .5")]
-        ratio = square["soft"] / square["hard"] if square["hard"] else 1.0  # a fade is as much change as a cut, in steps
+        # A fade sums up to as much change as a cut, in smaller steps: these show in squares.
+        ratio = square["soft"] / square["hard"] if square["hard"] else 1.0
         told += [(f"lines of the view: {what}, root mean square, soft / hard", ratio, None)]
     return [{"figure": f, "scene": scene, "value": float(value), "wanted": wanted} for f, value, wanted in told]

@@ -1,8 +1,9 @@
 """Lines that are nearer to each other than they want to be.
 
 A place is crowded where another fully drawn line runs alongside, within ANGLE of its direction, nearer than a distance.
-Alongside: beside the place, at most half a sample farther along it. Another line: of another path. Left out is what lies
-within that distance of an end of either of the two runs, or, along the line, of a place where the two lines cross."""
+Alongside: beside the place, at most a sample's length farther along. Another line: of another path. Left out is what
+lies within that distance of an end of either of the two runs, or, along the line, of a place where the two lines cross.
+"""
 
 import math
 
@@ -14,8 +15,8 @@ CROSSES = 0.1  # pixels that a line changes by, from one side of the other to it
 
 
 def nearest_alongside(places, distance):
-    """(n,) pixels from each of the Places, if it is fully drawn, to the nearest other such line alongside that is nearer
-    than `distance`; inf where there is none."""
+    """(n,) pixels from each of the Places, if it is fully drawn, to the nearest other such line alongside that is
+    nearer than `distance`; inf where there is none."""
     one, other, gap = _pairs(places.px, distance)
     apart = places.path[one] != places.path[other]
     one, other, gap = one[apart], other[apart], gap[apart]
@@ -80,9 +81,10 @@ def rows(scene, drawn, distance):
     distance *= drawn.view.reference_scale
     nearest = nearest_alongside(places, distance)
     full = int((places.shown > FULL).sum())
-    told = [(f"nearer than d = {distance:g} px", distance), ("nearer than d by half a pixel", distance - 0.5)]
-    told += [("nearer than d / 2", distance / 2)]
-    shares = [(f"fully drawn samples {words}, share", float((nearest < d).sum() / max(full, 1)), "0") for words, d in told]
+    limits = {f"nearer than d = {distance:g} px": distance, "nearer than d by half a pixel": distance - 0.5}
+    limits |= {"nearer than d / 2": distance / 2}
+    told = {words: float((nearest < limit).sum() / max(full, 1)) for words, limit in limits.items()}
+    shares = [(f"fully drawn samples {words}, share", share, "0") for words, share in told.items()]
     ends = float((places.to_end_px[places.shown > FULL] <= distance).mean()) if full else 0.0
     counted = [("samples drawn", len(places.shown)), ("samples fully drawn", full)]
     counted += [("fully drawn samples within d of an end, not looked at, share", ends)]

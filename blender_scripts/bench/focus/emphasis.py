@@ -73,7 +73,8 @@ class Stage:
         self.points = reproject.Seen(world.view, self.sharp.image.depth)
         self.world_points = self.points.points()
         columns, rows = ((np.arange(n) + 0.5) / n for n in GRID)
-        self.places = [(u, v) for v in rows for u in columns if model == "image" or self._distance((u, v)) < reproject.NOTHING]
+        grid = [(float(u), float(v)) for v in rows for u in columns]
+        self.places = [at for at in grid if model == "image" or self._distance(at) < reproject.NOTHING]
 
     def _pixel(self, at):
         return int((1 - at[1]) * self.world.view.height), int(at[0] * self.world.view.width)
@@ -137,7 +138,8 @@ def rows(scene, world, places):
     for name in STYLES:
         for model, words in (("image", "2D"), ("scene", "3D")):
             ratios, jump = compare(Stage(world, name, model), places, name in COLORFUL)
-            told = [(f"{what}, in focus / out of it", ratio, "-" if what == "ink" else ">= 2") for what, ratio in ratios.items()]
+            wanted = {what: None if what == "ink" else ">= 2" for what in ratios}
+            told = [(f"{what}, in focus / out of it", ratio, wanted[what]) for what, ratio in ratios.items()]
             told += [("ink, largest jump between rings", jump, "<= .2")]
             found += [
                 {"figure": f"{name}, {words}: {figure}", "scene": scene, "value": value, "wanted": wanted}

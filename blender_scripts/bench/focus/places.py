@@ -37,7 +37,8 @@ def places_of(clipped, runs, shown, view):
     run = np.searchsorted(start, at, side="right") - 1
     inside = run >= 0
     inside[inside] = (piece[run[inside]] == samples.piece[inside]) & (samples.arc_px[inside] <= last[run[inside]])
-    px = clipped.px[samples.segment] + samples.t[:, None] * (clipped.px[samples.segment + 1] - clipped.px[samples.segment])
+    begin, end = clipped.px[samples.segment], clipped.px[samples.segment + 1]
+    px = begin + samples.t[:, None] * (end - begin)
     inside &= (px >= 0).all(axis=1) & (px < (view.width, view.height)).all(axis=1)
     index, segment, t, along = (part[inside] for part in (samples.index, samples.segment, samples.t, samples.arc_px))
     run = run[inside]

@@ -51,16 +51,15 @@ class World:
     def draw(self, style_, view=None, backend=None):
         """Drawn, in a Style, from a stages.View or the scene's own."""
         view, kept = view or self.view, []
+        seen = scene.seen(native.load(), view)
         with kept_calls(cpu, "shape", kept):
-            image = self._draw(
-                self._placed, scene.seen(native.load(), view), style_, backend or cpu.Backend(), self._options, **self._given
-            )
+            image = self._draw(self._placed, seen, style_, backend or cpu.Backend(), self._options, **self._given)
         (frame, runs, _, pens, samples, felt), _ = kept[-1]
         return Drawn(image, view, style_, frame, runs, pens, samples, felt)
 
 
 def measure(work, size, named="watercolor"):
-    """work(World) of the open scene, inside a render. `named`: a style with a colour layer, so that colours are there."""
+    """work(World) of the open scene, inside a render. `named`: a style; one with a colour layer brings colours."""
     draw, views, outcome = pipeline.draw, [], []
 
     def measured(placed, seen, style_, backend, options, **given):
