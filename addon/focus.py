@@ -10,7 +10,7 @@ from .style_values import RANGES, StyleError, check_keys, check_range, check_tex
 
 MODELS = ("none", "image", "scene", "object", "painted")
 COMBINATIONS = ("nearest", "sum")
-MODES = ("emphasized", "uniform")
+MODES = ("emphasized", "uniform", "none")
 MOST_POINTS = 16
 MOST_CURVE_POINTS = 32
 MOST_NAME = 255  # letters in the name of an object
@@ -43,7 +43,7 @@ class Effects:
     desaturation: Transfer = OFF  # of the colour under the lines: amount
     fade: Transfer = OFF
     blur: Transfer = OFF
-    lines: str = "emphasized"  # or uniform: all lines as at one f
+    lines: str = "emphasized"  # uniform: all lines as at one f; none: no lines
     colors: str = "emphasized"
     uniform: float = 0.5  # that f
     blur_radius: float = 12.0  # reference pixels at full blur

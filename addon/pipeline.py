@@ -91,7 +91,7 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), pr
     with clock.stage("strokes", 0.1):
         lines = method.draw(frame, backend, strokes, pens, textures)
     layer = focus = None
-    if colors is not None and style.color.shading != "plain":
+    if colors is not None and style.has_color():
         with clock.stage("color", 0.05):
             layer = cpu.color_layer(tracer, colors, style.color, cancel)
     with clock.stage("focus", 0.05):

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+REFERENCE_HEIGHT = 1080.0  # pixels: of an image so high, pixels are reference pixels
+
 
 @dataclass(frozen=True)
 class View:
@@ -49,6 +51,7 @@ class ClippedPaths:
     offsets: np.ndarray  # (Q + 1,) uint32: points of piece q
     path: np.ndarray  # (Q,) uint32: path it comes from
     closed: np.ndarray  # (Q,) uint8
+    path_length_px: np.ndarray  # (Q,) float64, of the whole path, whatever the frame cuts off
     px: np.ndarray  # (M, 2) float32
     depth: np.ndarray  # (M,) float32
     position_view: np.ndarray  # (M, 3) float32
@@ -83,6 +86,7 @@ class Strokes:
     half_width: np.ndarray  # (V,) float32 pixels at this place along the stroke
     opacity: np.ndarray  # (V,) float32, of strength, thinness and the pens
     mix: np.ndarray  # (V, 2) float32, how far colour and ink are those of the pen out of focus
+    path_px: np.ndarray  # (V,) float32, length of the whole path, for textures anchored to it
     pen: np.ndarray  # (V,) uint32, index into the frame's pens
     triangles: np.ndarray  # (T, 3) uint32, in drawing order
     count: int = 0  # strokes
@@ -105,6 +109,8 @@ class Pen:
     seed: float = 0.0  # of that hand
     pressure: float = 0.0  # how much thinner strokes are at their ends than in the middle
     spacing: float = 6.0  # how near two lines that go alongside may be where elision thins them
+    width_unit: str = "reference"  # or pixels of the image, or millimetres on the style's paper; of the width alone
+    texture_anchor: str = "screen"  # or path: in zooms the texture keeps its places along the path
 
 
 @dataclass(frozen=True)

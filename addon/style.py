@@ -1,19 +1,20 @@
-"""A style as data: the paper and an ordered list of line sets, each with its lines, their parameters and a pen.
+"""Styles as JSON: files of the folder `styles`, each named as its style; what a style is made of: style_parts.py.
 
-Styles are JSON files of the folder `styles`; the file's name is the style's. What does not belong is refused with a
-sentence that names it, so that a misspelt key never changes a drawing silently.
+What has a wrong type or value is refused with a sentence that names it. What this version does not know is kept, and
+written again; `remark` says what it is, so that a misspelt key does not go unnoticed.
 """
 
 import json
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
+from difflib import get_close_matches
+from functools import lru_cache
 from pathlib import Path
 
-from . import color, elision
-from .color import Color
-from .elision import Elision
-from .focus import Distance, Effects, Focus, parse_distance, parse_effects, parse_focus
+from . import color, elision, style_json
+from .focus import parse_distance, parse_effects, parse_focus
 from .stages import Pen
-from .style_values import RANGES, StyleError, check_keys, check_range, finite, record
+from .style_parts import Hidden, LineSet, Paper, Style
+from .style_values import RANGES, StyleError, check_keys, check_range, finite, one_of, record
 
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
@@ -21,87 +22,14 @@ TEXTURES = Path(__file__).parent / "textures"
 PAPERS = Path(__file__).parent / "papers"
 DEFAULT = "pen_and_ink"
 
-CAPS = ("round", "butt")
+CHOICES = {  # field of a pen: what it can be
+    "cap": ("round", "butt"),
+    "width_unit": ("reference", "pixels", "millimetres"),
+    "texture_anchor": ("screen", "path"),
+}
 MOST_SURFACES = 100  # that a range of invisibility can name
-UNCOUNTED = 255  # more surfaces than are ever counted
-
-
-@dataclass(frozen=True)
-class Paper:
-    color: tuple = (1.0, 1.0, 1.0)  # scene-linear
-    transparent: bool = False
-    texture: str = "none"  # a file of addon/papers, without .png; none: smooth
-    scale: float = 1.0  # reference pixels that a texel of the texture covers
-    tooth: float = 0.0  # how far thin ink stays on the heights of the paper
-    granulation: float = 0.0  # how much more pigment of the colour layer its valleys take
-    tint: float = 0.0  # how much its relief shades the whole picture
-
-
-@dataclass(frozen=True)
-class Hidden:
-    """How the parts of lines are drawn that at least `first` and at most `last` surfaces hide (None: any number)."""
-
-    pen: Pen = Pen()
-    first: int = 1
-    last: int | None = None
-    pen_away: Pen | None = None  # out of focus; None: as in focus
-
-
-@dataclass(frozen=True)
-class LineSet:
-    """Lines drawn alike. An edge goes to the first set of the style that has a line for it."""
-
-    name: str = "lines"
-    kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
-    corner_angle: float = 60.0  # degrees of turn at which a path is split
-    least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
-    overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends
-    halo: float = 0.0  # reference pixels of gap where visible parts pass behind others
-    overshoot_away: float | None = None  # the same out of focus; None: as in focus
-    pen: Pen = Pen()  # of visible parts
-    pen_away: Pen | None = None  # of visible parts out of focus; None: as in focus
-    hidden: tuple = ()  # of Hidden, ranges that do not overlap; parts in none of them are not drawn
-
-
-@dataclass(frozen=True)
-class Style:
-    paper: Paper = Paper()
-    line_sets: tuple = (LineSet(),)
-    focus: Focus = Focus()
-    effects: Effects = Effects()
-    distance: Distance = Distance()
-    color: Color = Color()
-    elision: Elision = Elision()
-
-    def pen_pairs(self):
-        """(pen in focus, pen out of focus or None): those of visible parts by line set, then those of hidden parts."""
-        visible = [(s.pen, s.pen_away) for s in self.line_sets]
-        return visible + [(hidden.pen, hidden.pen_away) for s in self.line_sets for hidden in s.hidden]
-
-    def pens(self):
-        """All pens: those in focus as in `pen_pairs`, then those out of focus."""
-        pairs = self.pen_pairs()
-        return [pen for pen, _ in pairs] + [away for _, away in pairs if away]
-
-    def away(self):
-        """{index of a pen: index of the pen out of focus}, into `pens`."""
-        pairs = self.pen_pairs()
-        led = [i for i, (_, away) in enumerate(pairs) if away]
-        return {pen: len(pairs) + k for k, pen in enumerate(led)}
-
-    def has_away(self):
-        """Whether lines out of focus are other than those in focus."""
-        return bool(self.away()) or any(s.overshoot_away is not None for s in self.line_sets)
-
-    def pen_ranges(self):
-        """(line set, least and most surfaces that hide a part, index of its pen) for each of the pens."""
-        rows = [(i, 0, 0) for i in range(len(self.line_sets))]
-        rows += [(i, h.first, h.last or UNCOUNTED) for i, s in enumerate(self.line_sets) for h in s.hidden]
-        return [(*row, pen) for pen, row in enumerate(rows)]
-
-    def counted(self):
-        """How many hiding surfaces the pens tell apart; more look like so many. 0: nothing hidden is drawn."""
-        return max((h.last + 1 if h.last else h.first for s in self.line_sets for h in s.hidden), default=0)
+MOST_TOLD = 8  # unknown fields that are named
+PARTS = ("schema", "paper", "color", "elision", "focus", "effects", "distance", "line_sets")
 
 
 def names():
@@ -109,36 +37,40 @@ def names():
     return sorted((path.stem for path in FOLDER.glob("*.json")), key=lambda name: (name != DEFAULT, name))
 
 
+@lru_cache(maxsize=1)
 def textures():
     """The pen textures that ship; `solid` needs no file."""
-    return sorted({"solid"} | {path.stem for path in TEXTURES.glob("*.png")}, key=lambda name: (name != "solid", name))
+    found = {"solid"} | {path.stem for path in TEXTURES.glob("*.png")}
+    return tuple(sorted(found, key=lambda name: (name != "solid", name)))
 
 
+@lru_cache(maxsize=1)
 def papers():
     """The papers that ship; `none` is smooth."""
-    return ["none", *sorted(path.stem for path in PAPERS.glob("*.png"))]
+    return ("none", *sorted(path.stem for path in PAPERS.glob("*.png")))
 
 
 def load(name, definitions=None):
     """The style of that name; `definitions` as in `parse`."""
     if name not in names():
         raise StyleError(f"there is no style '{name}'; there are: {', '.join(names())}")
-    return parse((FOLDER / f"{name}.json").read_text(encoding="utf-8"), definitions)
+    return read(FOLDER / f"{name}.json", definitions)
+
+
+def read(path, definitions=None):
+    """The style in a file, which may be anyone's."""
+    return parse(style_json.read(path), definitions)
 
 
 def parse(text, definitions=None):
     """A style from JSON. `definitions`: those of the catalogue, to check lines and parameters against, or None."""
-    try:
-        data = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise StyleError(f"the style is not JSON: {error}") from error
-    check_keys(data, {"schema", "paper", "color", "elision", "focus", "effects", "distance", "line_sets"}, "the style")
-    if data.get("schema") != SCHEMA:
-        raise StyleError(f"the style has schema {data.get('schema')!r}, this version of Fovea reads {SCHEMA}")
+    data = style_json.parse(text)
+    check_keys(data, PARTS, "the style")
+    _check_schema(data.get("schema"))
     sets = data.get("line_sets", [])
     if not isinstance(sets, list) or not sets:
         raise StyleError("line_sets must be a list of at least one line set")
-    return Style(
+    found = Style(
         paper=_paper(data.get("paper", {}), "paper"),
         line_sets=tuple(_line_set(entry, f"line_sets[{i}]", definitions) for i, entry in enumerate(sets)),
         focus=parse_focus(data.get("focus", {}), "focus"),
@@ -147,11 +79,39 @@ def parse(text, definitions=None):
         color=color.parse(data.get("color", {}), "color"),
         elision=elision.parse(data.get("elision", {}), "elision"),
     )
+    return replace(found, kept=tuple(style_json.unknown(data)))
+
+
+def _check_schema(schema):
+    if isinstance(schema, bool) or not isinstance(schema, int) or schema < 1:
+        raise StyleError(f"schema is {schema!r}, not the number of a schema: 1 to {SCHEMA}")
+    if schema > SCHEMA:
+        raise StyleError(f"schema is {schema}: a newer version of Fovea wrote the style, this one reads up to {SCHEMA}")
 
 
 def dump(style):
     """The JSON of a style; `parse` gives the same style back."""
-    return json.dumps({"schema": SCHEMA, **_plain(style)}, indent=2) + "\n"
+    data = {"schema": SCHEMA, **_plain(style)}
+    for path, value in style.kept:
+        style_json.put(data, path, value)
+    return json.dumps(data, indent=2) + "\n"
+
+
+def remark(style, definitions=()):
+    """A sentence about what a style has that is not known, each with the known name it resembles; None: nothing."""
+    if not style.kept:
+        return None
+    plain, told = _plain(style), []
+    for *where, key in (path for path, _ in style.kept[:MOST_TOLD]):
+        beside = set(style_json.at(plain, where) or ())
+        if where[-1:] == ["kinds"]:
+            beside |= {definition["name"] for definition in definitions}
+        if where[-2:-1] == ["kinds"]:
+            beside |= {p["name"] for d in definitions if d["name"] == where[-1] for p in d["parameters"]}
+        near = get_close_matches(key, sorted(beside), 1)
+        told.append(style_json.dotted((*where, key)) + (f" (is it {near[0]}?)" if near else ""))
+    more = f" and {len(style.kept) - MOST_TOLD} more" if len(style.kept) > MOST_TOLD else ""
+    return f"The style has fields that this version does not know and leaves alone: {', '.join(told)}{more}"
 
 
 def _plain(value):
@@ -159,14 +119,17 @@ def _plain(value):
     if isinstance(value, Hidden):
         return {"from": value.first, "to": value.last, "pen": _plain(value.pen), "pen_away": _plain(value.pen_away)}
     if is_dataclass(value):
-        return {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
+        return {f.name: _plain(getattr(value, f.name)) for f in fields(value) if f.name != "kept"}
+    if isinstance(value, dict):
+        return {key: _plain(part) for key, part in value.items()}
     return [_plain(part) for part in value] if isinstance(value, tuple) else value
 
 
 def dashed(pen):
     """A pen for hidden parts of the lines that `pen` draws."""
-    thinner = max(0.6 * pen.width, 1.0)
-    return Pen(pen.color, 0.75 * pen.opacity, thinner, texture="dashes", length_scale=1.5, cap="butt")
+    least = 0.1 if pen.width_unit == "millimetres" else 1.0
+    shape = {"texture": "dashes", "length_scale": 1.5, "cap": "butt"}
+    return Pen(pen.color, 0.75 * pen.opacity, max(0.6 * pen.width, least), width_unit=pen.width_unit, **shape)
 
 
 def _line_set(data, where, definitions):
@@ -176,6 +139,8 @@ def _line_set(data, where, definitions):
     kinds = data.get("kinds", {})
     if not isinstance(kinds, dict):
         raise StyleError(f"{where}.kinds must map lines to their parameters")
+    if definitions is not None:
+        check_keys(kinds, [definition["name"] for definition in definitions], f"{where}.kinds")
     checked = {name: parameters(name, values, f"{where}.kinds", definitions) for name, values in kinds.items()}
     pen, hidden = _pen(data.get("pen", {}), f"{where}.pen"), _hidden(data.get("hidden", []), f"{where}.hidden")
     away, overshoot = _pen_away(data, pen, where), data.get("overshoot_away")
@@ -203,15 +168,15 @@ def _paper(data, where):
 
 def _pen(data, where):
     pen = record(Pen, data, where)
-    if pen.cap not in CAPS:
-        raise StyleError(f"{where}.cap is '{pen.cap}'; it can be: {', '.join(CAPS)}")
+    for name, known in CHOICES.items():
+        one_of(getattr(pen, name), known, f"{where}.{name}")
     if pen.texture not in textures():
         raise StyleError(f"{where}.texture is '{pen.texture}'; there are: {', '.join(textures())}")
     return pen
 
 
 def _hidden(data, where):
-    """The pens of a line set's hidden parts, in the order of their ranges."""
+    """The pens of a line set's hidden parts, in the order of their ranges, into which `data` is brought, too."""
     if not isinstance(data, list):
         raise StyleError(f"{where} must be a list of pens with ranges of invisibility")
     found = []
@@ -223,7 +188,8 @@ def _hidden(data, where):
             raise StyleError(f"{here}.to is {last}, less than {here}.from, which is {first}")
         pen = _pen(entry.get("pen", {}), f"{here}.pen")
         found.append(Hidden(pen, first, last, _pen_away(entry, pen, here)))
-    found.sort(key=lambda hidden: hidden.first)
+    order = sorted(range(len(found)), key=lambda i: found[i].first)
+    found, data[:] = [found[i] for i in order], [data[i] for i in order]
     for before, after in zip(found, found[1:]):
         if before.last is None or before.last >= after.first:
             raise StyleError(f"{where}: two ranges hold what {after.first} surfaces hide")

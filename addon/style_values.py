@@ -2,11 +2,12 @@
 
 import math
 import re
+from collections import Counter
 from dataclasses import fields
 
 RANGES = {
     "opacity": (0, 1),
-    "width": (0.1, 1000),
+    "width": (0.01, 1000),
     "length_scale": (0.01, 100),
     "taper": (0, 10000),
     "strength_width": (0, 1),
@@ -28,12 +29,32 @@ RANGES = {
     "tooth": (0, 1),
     "granulation": (0, 1),
     "tint": (0, 1),
+    "height_mm": (10, 10000),
 }
 MOST_ATTRIBUTE = 63  # letters in the name of an attribute
 
 
+MOST_LIGHT = 1000  # of a colour, scene-linear
+MOST_WORDS = 500  # characters of what is told about a style: files may hold anything
+
+
 class StyleError(ValueError):
-    """What is wrong with a style, in words for its author."""
+    """What is wrong with a style, in one sentence for its author."""
+
+    def __init__(self, text):
+        short = text if len(text) <= MOST_WORDS else f"{text[: MOST_WORDS - 100]} ... {text[-90:]}"
+        super().__init__("".join(c if c.isprintable() else " " for c in short))
+
+
+class Part(dict):
+    """An object of a style file. `unknown`: {key: value} of what is not known there, moved out of it by `check_keys`;
+    `twice`: a key that the file gives more than once, or None."""
+
+    def __init__(self, pairs):
+        super().__init__(pairs)
+        self.unknown = {}
+        counted = Counter(key for key, _ in pairs) if len(self) < len(pairs) else {}
+        self.twice = next((key for key, count in counted.items() if count > 1), None)
 
 
 def record(cls, data, where):
@@ -54,7 +75,7 @@ def _value(value, default, key, where):
     if isinstance(default, tuple):
         if not isinstance(value, (list, tuple)) or len(value) != len(default):
             raise StyleError(f"{where} must be a list of {len(default)} numbers")
-        return tuple(check_range(v, (0, math.inf), where) for v in value)
+        return tuple(check_range(v, (0, MOST_LIGHT), where) for v in value)
     return check_range(value, RANGES[key], where)
 
 
@@ -62,6 +83,12 @@ def finite(value, where):
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise StyleError(f"{where} is {value!r}, not a finite number")
     return float(value)
+
+
+def one_of(value, known, where):
+    if value not in known:
+        raise StyleError(f"{where} is {value!r}; it can be: {', '.join(known)}")
+    return value
 
 
 def check_text(value, where, most=MOST_ATTRIBUTE):
@@ -82,5 +109,7 @@ def check_keys(data, known, where):
     if not isinstance(data, dict):
         raise StyleError(f"{where} must be a JSON object")
     unknown = sorted(set(data) - set(known))
-    if unknown:
+    if isinstance(data, Part):
+        data.unknown |= {key: data.pop(key) for key in unknown}
+    elif unknown:
         raise StyleError(f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known)) or 'none'}")

@@ -35,5 +35,5 @@ class Textures:
         return self.names.index(pen.texture) if pen.texture in self.names else None
 
     def length(self, pen):
-        """Reference pixels that one repetition covers."""
-        return pen.width * pen.length_scale * _lengths().get(pen.texture, 1.0)
+        """Widths of the pen that one repetition covers."""
+        return pen.length_scale * _lengths().get(pen.texture, 1.0)

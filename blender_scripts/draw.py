@@ -138,6 +138,8 @@ def set_focus(scene, options):
     for what in ("lines", "colors"):
         if options.uniform in (what, "both"):
             setattr(fovea, f"effect_{what}", "UNIFORM")
+        if options.without == what:
+            setattr(fovea, f"effect_{what}", "NONE")
 
 
 def focus_radii(scene, place):

@@ -53,9 +53,8 @@ def strip(size):
 
 
 def paste(tiles, labels, columns):
-    """(H, W) sheet, bottom row first. tiles: (h, w) each; labels (rows, strip, W)."""
-    height, width = tiles[0].shape
-    blank = np.ones((height, width), np.float32)
+    """(H, W) sheet, bottom row first. tiles: (h, w) each; labels (rows, strip, W). All of them may have channels, too."""
+    blank = np.ones_like(tiles[0])
     bands = []
     for row, label in enumerate(labels):
         line = tiles[row * columns : (row + 1) * columns]
@@ -115,14 +114,20 @@ def grey(path):
 
 
 def save(sheet, path):
-    """An (H, W) sheet as an 8-bit grey PNG, its values as they are."""
+    """An (H, W) sheet as an 8-bit grey PNG, an (H, W, 3) sheet as a JPEG, its values as they are."""
+    gray = sheet.ndim == 2
+    colors = np.repeat(sheet[..., None], 3, axis=2) if gray else sheet
     image = bpy.data.images.new("Sheet", sheet.shape[1], sheet.shape[0])
     image.colorspace_settings.name = "Non-Color"
-    image.pixels.foreach_set(np.repeat(sheet.ravel(), 4).astype(np.float32))
+    opaque = np.concatenate((colors, np.ones_like(colors[..., :1])), axis=2)
+    image.pixels.foreach_set(opaque.astype(np.float32).ravel())
     scene = bpy.data.scenes.new("Sheet")
     scene.view_settings.view_transform = "Raw"
     stored = scene.render.image_settings
-    stored.file_format, stored.color_mode, stored.color_depth, stored.compression = "PNG", "BW", "8", 100
+    if gray:
+        stored.file_format, stored.color_mode, stored.color_depth, stored.compression = "PNG", "BW", "8", 100
+    else:
+        stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", 88
     image.save_render(str(path), scene=scene)
     bpy.data.scenes.remove(scene)
     bpy.data.images.remove(image)

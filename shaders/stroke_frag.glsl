@@ -3,7 +3,13 @@ float ink_of(int pen_index)
 {
   vec4 style = fetch_row(pens, 3 * pen_index + 1);
   ivec2 size = ivec2(fetch_row(pens, 3 * pen_index + 2).xy);
-  return size.x > 0 ? stroke_ink(int(style.z), size, place.x, place.y, half_width, style.x) : 1.0;
+  if (size.x == 0) {
+    return 1.0;
+  }
+  if (style.w > 0.5) {
+    return anchored_ink(int(style.z), size, place.x, place.y, half_width, ends.z, style.x);
+  }
+  return stroke_ink(int(style.z), size, place.x / style.x, place.y, half_width);
 }
 
 void main()

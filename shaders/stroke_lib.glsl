@@ -14,10 +14,10 @@ float stroke_coverage(float u, float v, float start, float end, float half_width
   return side * max(along, 0.0);
 }
 
-// Ink, bilinear: repeated along u, held at the sides. `ink`: row after row from entry `first` on.
-float stroke_ink(int first, ivec2 size, float u, float v, float half_width_px, float texture_length_px)
+// Ink, bilinear: repeated along the stroke (`along`: in repetitions), held at the sides. `ink`: row after row from
+// entry `first` on, then the mean of each row.
+float stroke_ink(int first, ivec2 size, float along, float v, float half_width_px)
 {
-  float along = u / texture_length_px;
   float x = (along - floor(along)) * float(size.x) - 0.5;
   float y = clamp((half_width_px - v) / (2.0 * half_width_px) * float(size.y) - 0.5, 0.0, float(size.y - 1));
   int x0 = int(floor(x));
@@ -30,4 +30,29 @@ float stroke_ink(int first, ivec2 size, float u, float v, float half_width_px, f
   float a = mix(fetch_row(ink, upper + left).x, fetch_row(ink, upper + right).x, fx);
   float b = mix(fetch_row(ink, lower + left).x, fetch_row(ink, lower + right).x, fx);
   return mix(a, b, y - float(y0));
+}
+
+// Mean along the stroke of the ink that stroke_ink gives at this v.
+float mean_ink(int first, ivec2 size, float v, float half_width_px)
+{
+  float y = clamp((half_width_px - v) / (2.0 * half_width_px) * float(size.y) - 0.5, 0.0, float(size.y - 1));
+  int y0 = int(y);
+  int means = first + size.x * size.y;
+  float a = fetch_row(ink, means + y0).x;
+  float b = fetch_row(ink, means + min(y0 + 1, size.y - 1)).x;
+  return mix(a, b, y - float(y0));
+}
+
+// Ink of a texture anchored to its path: two octaves of it, whose repetitions along the whole path are powers of two.
+float anchored_ink(int first, ivec2 size, float u, float v, float half_width_px, float path_px, float texture_length_px)
+{
+  float level = max(path_px, 1.0) / texture_length_px;
+  float repeats = exp2(ceil(log2(level)));
+  float finer = clamp(2.0 * level / repeats - 1.0, 0.0, 1.0);
+  float along = u / max(path_px, 1.0) * repeats;
+  float fine = stroke_ink(first, size, along, v, half_width_px);
+  float coarse = stroke_ink(first, size, 0.5 * along, v, half_width_px);
+  float mean = mean_ink(first, size, v, half_width_px);
+  float kept = sqrt(finer * finer + (1.0 - finer) * (1.0 - finer));
+  return clamp(mean + (mix(coarse, fine, finer) - mean) / kept, 0.0, 1.0);
 }

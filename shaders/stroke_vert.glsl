@@ -3,7 +3,7 @@ void main()
 {
   gl_Position = vec4((px - image_origin) / image_size * 2.0 - 1.0, 0.0, 1.0);
   place = arc.xy;
-  ends = arc.zw;
+  ends = vec3(arc.zw, path_px);
   half_width = width_opacity.x;
   opacity = width_opacity.y;
   pen_number = float(pen);

@@ -16,8 +16,9 @@ def trace(scene, view):
 
 
 def extract(tracer, style, cancel):
-    """Paths of everything the style's line sets find."""
-    sets = [(line_set.kinds, line_set.corner_angle) for line_set in style.line_sets]
+    """Paths of everything the style's line sets find; none where it draws no lines."""
+    drawn = style.effects.lines != "none"
+    sets = [(line_set.kinds if drawn else {}, line_set.corner_angle) for line_set in style.line_sets]
     return native.load().extract_paths(tracer, sets, cancel)
 
 
@@ -126,13 +127,15 @@ def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
 
 def pens_of(style, textures, scale):
     """The native pens of a style, in its order, in pixels of the image (`scale` of them are a reference pixel)."""
-    core, away = native.load(), style.away()
+    core, away, pens = native.load(), style.away(), style.pens()
+    widths = [style.width_px(pen, scale) for pen in pens]
     return [
         core.Pen(
             color=pen.color,
             opacity=pen.opacity,
-            width_px=pen.width * scale,
-            texture_length_px=textures.length(pen) * scale,
+            width_px=width,
+            texture_length_px=textures.length(pen) * width,
+            texture_anchor=pen.texture_anchor,
             cap=pen.cap,
             taper_px=pen.taper * scale,
             texture=textures.index(pen),
@@ -143,7 +146,7 @@ def pens_of(style, textures, scale):
             seed=int(pen.seed),
             pressure=pen.pressure,
         )
-        for i, pen in enumerate(style.pens())
+        for i, (pen, width) in enumerate(zip(pens, widths))
     ]
 
 

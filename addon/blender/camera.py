@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from ..stages import View
+from ..stages import REFERENCE_HEIGHT, View
 from .problem import CannotDraw
 
-REFERENCE_HEIGHT = 1080.0
 
 
 def of_render(engine, depsgraph):

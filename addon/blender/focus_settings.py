@@ -39,6 +39,7 @@ COMBINATIONS = [
 MODES = [
     ("EMPHASIZED", "Emphasized", "As focus says"),
     ("UNIFORM", "Uniform", "The same all over the image"),
+    ("NONE", "None", "Not drawn"),
 ]
 NUMBERS = {
     "start": ("Start", "{}: the focus (0 in, 1 out of focus) at which the effect begins"),

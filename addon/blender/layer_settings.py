@@ -21,6 +21,7 @@ NUMBERS = {  # property: (part of a Style, its field, name, description)
     "paper_scale": ("paper", "scale", "Grain Size", "Size of the paper's grain"),
     "paper_tooth": ("paper", "tooth", "Tooth", "How far ink stays off the valleys of the paper"),
     "paper_granulation": ("paper", "granulation", "Granulation", "How far colour settles in the valleys of the paper"),
+    "paper_height_mm": ("paper", "height_mm", "Height in mm", "Height of the page, for pens measured in millimetres"),
     "paper_tint": ("paper", "tint", "Relief", "How far the paper's own relief shows"),
 }
 WEIGHTS = {

@@ -153,7 +153,7 @@ def _draw_paper(layout, context):
     body.prop(settings, "paper_color")
     body.prop(context.scene.render, "film_transparent", text="Transparent")
     body.prop(settings, "paper_texture")
-    for name in ("scale", "tooth", "granulation", "tint"):
+    for name in ("scale", "tooth", "granulation", "tint", "height_mm"):
         body.prop(settings, f"paper_{name}")
 
 

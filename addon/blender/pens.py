@@ -9,7 +9,36 @@ from ..stages import Pen
 from .property_kinds import color, file_names, number, redraw
 
 VISIBLE, HIDDEN = "pen", "hidden_pen"  # what the names of the pens' properties begin with
-FIELDS = ("color", "opacity", "width", "texture", "length_scale", "cap", "taper", "strength_width", "wobble", "wobble_length", "seed", "pressure", "spacing")
+FIELDS = (
+    *("color", "opacity", "width", "width_unit", "texture", "texture_anchor", "length_scale", "cap", "taper"),
+    *("strength_width", "wobble", "wobble_length", "seed", "pressure", "spacing"),
+)
+
+
+CHOICES = {  # field: (name, description, items)
+    "cap": (
+        "Ends",
+        "Ends of {}",
+        [("ROUND", "Round", "Half a disc beyond each end"), ("BUTT", "Butt", "Cut off straight at each end")],
+    ),
+    "width_unit": (
+        "Unit",
+        "What the width of {} is measured in",
+        [
+            ("REFERENCE", "Reference Pixels", "Pixels of an image 1080 pixels high: alike at any resolution"),
+            ("PIXELS", "Pixels", "Pixels of the image, however large it is"),
+            ("MILLIMETRES", "Millimetres", "Millimetres on a page as high as the paper says"),
+        ],
+    ),
+    "texture_anchor": (
+        "Texture Keeps",
+        "What the texture of {} keeps when they grow in the image",
+        [
+            ("SCREEN", "Its Size", "One repetition is always as long in the image, and slides along lines that grow"),
+            ("PATH", "Its Place", "It stays where it is along lines, and divides as they grow"),
+        ],
+    ),
+}
 
 
 def at_hidden(settings, line_set):
@@ -38,21 +67,20 @@ def _first_hidden(line_set):
 def pen_of(settings, prefix):
     """The Pen that the properties of a prefix describe."""
     values = {f.name: getattr(settings, f"{prefix}_{f.name}") for f in fields(Pen)}
-    return Pen(**values | {"color": tuple(values["color"]), "cap": values["cap"].lower()})
+    return Pen(**values | {"color": tuple(values["color"])} | {name: values[name].lower() for name in CHOICES})
 
 
 def set_pen(settings, prefix, pen):
     for f in fields(Pen):
         value = getattr(pen, f.name)
-        setattr(settings, f"{prefix}_{f.name}", value.upper() if f.name == "cap" else value)
+        setattr(settings, f"{prefix}_{f.name}", value.upper() if f.name in CHOICES else value)
 
 
 def pen_properties(prefix, pen, what):
     """Annotations for a pen that draws `what`, each named by the prefix and the pen's field."""
-    caps = [("ROUND", "Round", "Half a disc beyond each end"), ("BUTT", "Butt", "Cut off straight at each end")]
     numbers = {
         "opacity": ("Opacity", f"Opacity of {what}"),
-        "width": ("Width", f"Width of {what}, in pixels of an image 1080 pixels high"),
+        "width": ("Width", f"Width of {what}, by default in pixels of an image 1080 pixels high"),
         "length_scale": ("Stretch", f"Stretches the texture along {what}"),
         "taper": ("Taper", f"Length of the thinning ends of {what}, in pixels of an image 1080 pixels high"),
         "wobble": ("Wobble", f"How far {what} stray, in pixels of an image 1080 pixels high"),
@@ -71,10 +99,12 @@ def pen_properties(prefix, pen, what):
             default=pen.texture,
             update=redraw,
         ),
-        "cap": EnumProperty(
-            name="Ends", description=f"Ends of {what}", items=caps, default=pen.cap.upper(), update=redraw
-        ),
     }
+    for field, (name, told, items) in CHOICES.items():
+        default = getattr(pen, field).upper()
+        found[field] = EnumProperty(
+            name=name, description=told.format(what), items=items, default=default, update=redraw
+        )
     found |= {field: number(name, field, getattr(pen, field), told) for field, (name, told) in numbers.items()}
     return {f"{prefix}_{field}": found[field] for field in FIELDS}
 

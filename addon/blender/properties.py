@@ -41,7 +41,7 @@ def style_of(scene):
     them as for the last, the panel's hold for it, too.
     """
     settings = scene.fovea
-    base = style.load(settings.style)
+    base = style.load(settings.style, definitions() or None)
     kinds = {d["name"]: parameter_values(settings, d) for d in definitions() if getattr(settings, d["name"])}
     old = base.line_sets[-1]
     at_hidden = pens.at_hidden(settings, old)

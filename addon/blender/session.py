@@ -23,6 +23,7 @@ _log = logging.getLogger(__package__)
 _caches = {}  # depsgraph mode -> SurfaceCache
 _color_caches = {}  # depsgraph mode -> ColorCache
 _statistics = {}
+_remarked = set()  # what has been said of styles
 
 REMARKS = {  # what a surface's report counts
     "non_finite_vertices": "vertices have no position and were left out",
@@ -44,7 +45,7 @@ def register_passes(engine, scene_, layer):
     engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
     engine.register_pass(scene_, layer, "Lines", 4, "RGBA", "COLOR")
     chosen = _style_of(scene_)
-    if chosen and chosen.color.shading != "plain":
+    if chosen and chosen.has_color():
         engine.register_pass(scene_, layer, "Colour", 4, "RGBA", "COLOR")
     if chosen and chosen.focus.active():
         engine.register_pass(scene_, layer, "Focus", 1, "X", "VALUE")
@@ -110,7 +111,7 @@ def _draw(engine, depsgraph, view, viewport=None):
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
-    colors = color_sources.Gathering(core, colors_cache) if chosen.color.shading != "plain" else None
+    colors = color_sources.Gathering(core, colors_cache) if chosen.has_color() else None
     noted = notes.Gathering(core, colors_cache, chosen)
     beside = {"colors": colors, "notes": noted}
     snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
@@ -121,6 +122,7 @@ def _draw(engine, depsgraph, view, viewport=None):
     ingest = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
+    _report_unknown(engine, chosen)
     if colors and (remark := colors.remark()):
         engine.report({"INFO"}, remark)
     chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
@@ -182,6 +184,14 @@ def _report_skipped(engine, built, remarks=()):
             engine.report({"INFO"}, f"'{surface.name}': {'; '.join(found)}")
 
 
+def _report_unknown(engine, chosen):
+    """Says once what a style has that nothing here reads."""
+    remark = style.remark(chosen, properties.definitions())
+    if remark and remark not in _remarked:
+        _remarked.add(remark)
+        engine.report({"INFO"}, remark)
+
+
 def _note_statistics(ingest, snapshot, image):
     """Keeps what `last_statistics` tells."""
     stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
@@ -227,6 +237,7 @@ def _forget(*_arguments):
     _caches.clear()
     _color_caches.clear()
     _statistics.clear()
+    _remarked.clear()
 
 
 def register():

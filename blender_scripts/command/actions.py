@@ -59,7 +59,7 @@ def scene(target, words):
 
 def bench(target, words):
     """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`,
-    `bench visibility`."""
+    `bench visibility`, `bench focus`."""
     from bench import peers
 
     name, *rest = words or ["peers"]
@@ -67,6 +67,8 @@ def bench(target, words):
         return bench_lines(target, rest)
     if name == "visibility":
         return bench_visibility(target, rest)
+    if name == "focus":
+        return bench_focus(target, rest)
     if name == "agreement":
         return agreement(target, rest or ["office"])
     if name != "peers":
@@ -82,6 +84,14 @@ def bench_visibility(target, words):
     visibility.parse(words)
     extension.install(target)
     return visibility.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+
+
+def bench_focus(target, words):
+    from bench import focus
+
+    focus.parse(words)
+    extension.install(target)
+    return focus.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
 
 
 def bench_lines(target, words):

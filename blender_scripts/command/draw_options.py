@@ -69,6 +69,7 @@ def _parser():
     add("--focus-radii", type=_radii, metavar="NEAR,FAR", help="in focus up to, out of it from: heights, or units")
     add("--effects", type=lambda text: text.split(","), metavar="A,B", help="only these effects answer to focus")
     add("--uniform", choices=("lines", "colors", "both"), help="what is the same all over, wherever one looks")
+    add("--without", choices=("lines", "colors"), help="what is not drawn")
     add("--elision", action=argparse.BooleanOptionalAction, help="thin lines that crowd each other")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")

@@ -1,13 +1,16 @@
-"""`fovea figures [NAME...]`: draws the pictures of README that show what is hidden and what becomes of it, each by `fovea draw`."""
+"""`fovea figures [NAME...]`: draws the pictures of README: hidden lines and haloes by `fovea draw`, focus as sheets."""
 
 import argparse
 from pathlib import Path
 
 from . import actions
+from . import package as extension
 from .target import PROJECT, SHARED
+from .variants import SHEETS
 
 FOLDER = PROJECT / "blender_scripts" / "figures"
 CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
+STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
 SIZE = ["--size", "1280x720"]
 FIGURES = {  # name: the words of `fovea draw`
     f"atlas-{probes}x{scale}": [
@@ -27,14 +30,28 @@ FIGURES = {  # name: the words of `fovea draw`
 
 def figures(target, words):
     parser = argparse.ArgumentParser("fovea figures")
-    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(FIGURES))
+    known = (*FIGURES, *SHEETS, THUMBNAILS)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
     parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder")
     options = parser.parse_args(words)
-    unknown = sorted(set(options.names) - set(FIGURES))
+    unknown = sorted(set(options.names) - set(known))
     if unknown:
-        parser.error(f"there is no figure {', '.join(unknown)}; there are: {', '.join(FIGURES)}")
+        parser.error(f"there is no figure {', '.join(unknown)}; there are: {', '.join(known)}")
     options.output.mkdir(parents=True, exist_ok=True)
-    for name in options.names or FIGURES:
+    for name in options.names or known:
+        if name == THUMBNAILS:
+            draw_sheet(target, "styles", STYLES, "--tile", "256x144")
+            continue
+        if name in SHEETS:
+            draw_sheet(target, name, options.output.absolute() / f"{name}.jpg")
+            continue
         picture = options.output.absolute() / f"{name}.png"
         actions.draw(target, [*SIZE, *map(str, FIGURES[name]), "-o", str(picture)])
     return 0
+
+
+def draw_sheet(target, name, picture, *words):
+    extension.install(target)
+    script = PROJECT / "blender_scripts" / "variants.py"
+    actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture), *words])
+    print(picture)

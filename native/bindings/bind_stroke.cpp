@@ -21,8 +21,11 @@ using Image = py::array_t<float, py::array::c_style | py::array::forcecast>;
 Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
              float texture_length_px, const std::string& cap, float taper_px,
              std::optional<Index> texture, float strength_width, std::optional<Index> away,
-             float wobble_px, float wobble_length_px, Index seed, float pressure) {
+             float wobble_px, float wobble_length_px, Index seed, float pressure,
+             const std::string& texture_anchor) {
     check(cap == "round" || cap == "butt", "pen: cap must be 'round' or 'butt', not '" + cap + "'");
+    check(texture_anchor == "screen" || texture_anchor == "path",
+          "pen: texture_anchor must be 'screen' or 'path', not '" + texture_anchor + "'");
     check(width_px > 0.0f, "pen: the width must be positive");
     check(texture_length_px > 0.0f, "pen: the length of the texture must be positive");
     check(strength_width >= 0.0f && strength_width <= 1.0f, "pen: strength_width must be between 0 and 1");
@@ -42,6 +45,7 @@ Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
     pen.wobble_length_px = wobble_length_px;
     pen.seed = seed;
     pen.pressure = pressure;
+    pen.anchor = texture_anchor == "path" ? Anchor::path : Anchor::screen;
     return pen;
 }
 
@@ -63,13 +67,16 @@ Array<T> copy(const Arg<T>& array, const char* name) {
 
 Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width,
                      const Arg<float>& opacity, const Arg<Index>& pen,
-                     const Arg<glm::uvec3>& triangles, Index count, const std::optional<Arg<vec2>>& mix) {
+                     const Arg<glm::uvec3>& triangles, Index count, const std::optional<Arg<vec2>>& mix,
+                     const std::optional<Arg<float>>& path_px) {
     const In<vec2> mixes = borrow<vec2>(mix, "mix");
+    const In<float> lengths = borrow<float>(path_px, "path_px");
     return {copy<vec2>(px, "px"),
             copy<vec4>(arc, "arc"),
             copy<float>(half_width, "half_width"),
             copy<float>(opacity, "opacity"),
             mix ? Array<vec2>(mixes.begin(), mixes.end()) : Array<vec2>(std::size_t(px.shape(0)), vec2(0.0f)),
+            path_px ? Array<float>(lengths.begin(), lengths.end()) : Array<float>(std::size_t(px.shape(0)), 0.0f),
             copy<Index>(pen, "pen"),
             {},
             copy<glm::uvec3>(triangles, "triangles"),
@@ -129,6 +136,7 @@ void bind_pens(py::module_& m) {
              py::arg("strength_width") = pen.strength_width, py::arg("away") = py::none(),
              py::arg("wobble_px") = pen.wobble_px, py::arg("wobble_length_px") = pen.wobble_length_px,
              py::arg("seed") = pen.seed, py::arg("pressure") = pen.pressure,
+             py::arg("texture_anchor") = "screen",
              R"(color scene-linear; texture: index into the frame's textures, None: solid; away: index of the pen that
 this one becomes out of focus.)");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
@@ -155,7 +163,7 @@ void bind_strokes(py::module_& m) {
         m, "Strokes", "Visible runs shaped into V vertices and T triangles; see addon/stages.py.")
         .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"),
              py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0,
-             py::arg("mix") = py::none())
+             py::arg("mix") = py::none(), py::arg("path_px") = py::none())
         .def_property_readonly("px", array(&Strokes::px), "(V, 2) float32")
         .def_property_readonly("arc", array(&Strokes::arc),
                                "(V, 4) float32: u, v, u of the run's start and end")
@@ -163,6 +171,7 @@ void bind_strokes(py::module_& m) {
         .def_property_readonly("opacity", array(&Strokes::opacity), "(V,) float32")
         .def_property_readonly("mix", array(&Strokes::mix),
                                "(V, 2) float32: how far colour and ink are those of the pen out of focus")
+        .def_property_readonly("path_px", array(&Strokes::path_px), "(V,) float32, length of the whole path")
         .def_property_readonly("pen", array(&Strokes::pen),
                                "(V,) uint32 index into the frame's pens")
         .def_property_readonly("piece", array(&Strokes::piece),

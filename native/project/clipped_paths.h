@@ -24,6 +24,9 @@ struct ClippedPaths {
     Array<std::uint8_t> closed;
     /// Per piece: 1 where it starts, 2 where it ends with an end of the path that touches no other line: there pens taper.
     Array<std::uint8_t> free_ends;
+    /// Per piece: pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies behind the
+    /// near plane, which has no pixels, does not count.
+    Array<double> path_length_px;
     /// Per piece: PieceEnds bits.
     Array<std::uint8_t> ends;
     /// Per point: pixels (screen), reversed screen-linear depth (base/view.h; before_all where nothing hides the

@@ -44,7 +44,7 @@ class Projector {
     /// Room for so many pieces and points, so that arrays do not grow step by step.
     void reserve(std::size_t pieces, std::size_t points) {
         const auto each = [](std::size_t count, auto&... arrays) { (arrays.reserve(count), ...); };
-        each(pieces, out.path, out.closed, out.free_ends, out.ends, out.pieces.offsets);
+        each(pieces, out.path, out.closed, out.free_ends, out.ends, out.path_length_px, out.pieces.offsets);
         each(points, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
              out.sample_start, out.sample_count);
     }
@@ -234,6 +234,7 @@ class Projector {
         out.closed.push_back(0);
         out.free_ends.push_back(0);
         out.ends.push_back(0);
+        out.path_length_px.push_back(p_.arc_px.back());
         out.pieces.offsets.push_back(static_cast<Index>(first + count));
     }
 
@@ -314,6 +315,7 @@ void append(const ClippedPaths& part, Start at, ClippedPaths& all) {
     copy(part.closed, all.closed, at.piece);
     copy(part.free_ends, all.free_ends, at.piece);
     copy(part.ends, all.ends, at.piece);
+    copy(part.path_length_px, all.path_length_px, at.piece);
     copy(part.px, all.px, at.point);
     copy(part.depth, all.depth, at.point);
     copy(part.position_view, all.position_view, at.point);
@@ -341,7 +343,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
     all.pieces.offsets[piece] = Index(point);
     all.samples = Index(sample);
     const auto resize = [](std::size_t count, auto&... arrays) { (arrays.resize(count), ...); };
-    resize(piece, all.path, all.closed, all.free_ends, all.ends);
+    resize(piece, all.path, all.closed, all.free_ends, all.ends, all.path_length_px);
     resize(point, all.px, all.depth, all.position_view, all.arc_px, all.source, all.source_t, all.facet0, all.facet1,
            all.sample_start, all.sample_count);
     parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) { append(parts[b], starts[b], all); });

@@ -44,6 +44,8 @@ PenTexture fit_texture(const PenTexture& texture, float length_px, float width_p
     result.ink.resize(std::size_t(result.width) * result.height);
     shrink(narrow.ink.data(), narrow.height, result.ink.data(), result.height, narrow.width,
            narrow.width, 1, result.width, 1);
+    result.row_mean.resize(std::size_t(result.height));
+    shrink(result.ink.data(), result.width, result.row_mean.data(), 1, result.height, 1, result.width, 1, 1);
     return result;
 }
 

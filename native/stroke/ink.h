@@ -7,7 +7,8 @@ namespace fovea {
 
 /// Area-filtered copy of a texture with at most one column per px of `length_px` and one row per px
 /// of `width_px` (at least one of each); never larger than the texture. Drawn with bilinear
-/// sampling it neither flickers nor loses ink: the mean stays the same. Throws where the texture is
+/// sampling it neither flickers nor loses ink: the mean stays the same. It has the means of its
+/// rows. Throws where the texture is
 /// empty or its array has the wrong size.
 PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px);
 

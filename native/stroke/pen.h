@@ -5,12 +5,18 @@
 
 namespace fovea {
 
+/// Where a texture stays in zooms. On the screen: one repetition is as long as the pen says, and slides along the path;
+/// on the path: it keeps its places there, in octaves (fragment.h).
+enum class Anchor : std::uint8_t { screen, path };
+
 enum class Cap : std::uint8_t { butt, round };
 
 /// Grey image of ink in [0,1], rows across the stroke (first row = left side of the way), columns along it, repeated.
 struct PenTexture {
     int width = 0, height = 0;
     Array<float> ink;
+    /// Per row: mean of its ink; only of textures fitted to a pen (ink.h).
+    Array<float> row_mean{};
 };
 
 /// Lengths in pixels of the image (the caller multiplies reference pixels by View::reference_scale).
@@ -20,6 +26,7 @@ struct Pen {
     float width_px = 2.0f;
     /// Pixels of arc length that one repetition of the texture covers.
     float texture_length_px = 256.0f;
+    Anchor anchor = Anchor::screen;
     Cap cap = Cap::round;
     float taper_px = 0.0f;
     /// Share of a line's strength that thins it; the rest fades it. 0: weak lines are pale, 1: weak lines are thin.

@@ -6,10 +6,11 @@
 namespace fovea {
 
 struct PenTable {
-    /// Three entries a pen: (color, number of the pen out of focus, or its own), (texture length [px], 1 for round caps, first entry of its ink, 0),
+    /// Three entries a pen: (color, number of the pen out of focus, or its own), (texture length [px], 1 for
+    /// round caps, first entry of its ink, 1 for textures anchored to the path),
     /// (columns and rows of its ink: 0 for a solid pen, 0, 0).
     Array<vec4> pens;
-    /// Textures fitted to their pens (ink.h), row after row.
+    /// Textures fitted to their pens (ink.h), row after row, and after each its rows' means.
     Array<float> ink;
 };
 

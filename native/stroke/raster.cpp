@@ -80,7 +80,7 @@ class Painter {
         const PixelBox box = intersect(shape.box(), tile);
         const Values<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
         const Values<2> mixes(shape, dvec2(strokes_.mix[c[0]]), dvec2(strokes_.mix[c[1]]), dvec2(strokes_.mix[c[2]]));
-        const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w;
+        const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w, path_px = strokes_.path_px[c[0]];
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
         for (int y = box.y0; y < box.y1; ++y) {
@@ -92,11 +92,11 @@ class Painter {
                 if (alpha <= 0.0f) continue;
                 vec3 color = pen.color;
                 if (away == none) {
-                    alpha *= ink_of(strokes_.pen[c[0]], f);
+                    alpha *= ink_of(strokes_.pen[c[0]], f, path_px);
                 } else {
                     const vec2 mix = mixes.at(x, y);
                     color = glm::mix(color, pens_[away].color, mix.x);
-                    alpha *= glm::mix(ink_of(strokes_.pen[c[0]], f), ink_of(away, f), mix.y);
+                    alpha *= glm::mix(ink_of(strokes_.pen[c[0]], f, path_px), ink_of(away, f, path_px), mix.y);
                 }
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
                 row(y)[x] = over(row(y)[x], color, alpha * f[3]);
@@ -104,9 +104,12 @@ class Painter {
         }
     }
 
-    float ink_of(Index pen, const vec4& f) const {
-        if (pens_[pen].texture == none) return 1.0f;
-        return ink(inks_[pen], f[0], f[1], f[2], pens_[pen].texture_length_px);
+    float ink_of(Index number, const vec4& f, float path_px) const {
+        const Pen& pen = pens_[number];
+        if (pen.texture == none) return 1.0f;
+        if (pen.anchor == Anchor::path)
+            return anchored_ink(inks_[number], f[0], f[1], f[2], path_px, pen.texture_length_px);
+        return ink(inks_[number], f[0] / pen.texture_length_px, f[1], f[2]);
     }
 
     dvec4 corner(Index i) const {
@@ -130,8 +133,9 @@ void check_pieces(const Strokes& strokes, const SpineTest& spine) {
 void check_input(const Strokes& strokes, In<Pen> pens) {
     const std::size_t count = strokes.px.size();
     check(strokes.arc.size() == count && strokes.half_width.size() == count &&
-              strokes.opacity.size() == count && strokes.mix.size() == count && strokes.pen.size() == count,
-          "strokes: px, arc, half_width, opacity, mix and pen must have the same length");
+              strokes.opacity.size() == count && strokes.mix.size() == count &&
+              strokes.path_px.size() == count && strokes.pen.size() == count,
+          "strokes: px, arc, half_width, opacity, mix, path_px and pen must have the same length");
     Index corner = 0, pen = 0;
     for (const glm::uvec3 t : strokes.triangles) corner = std::max({corner, t.x, t.y, t.z});
     for (const Index p : strokes.pen) pen = std::max(pen, p);

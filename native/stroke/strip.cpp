@@ -195,6 +195,7 @@ class Strip {
         out_.half_width.push_back(p.half_width);
         out_.opacity.push_back(p.opacity);
         out_.mix.push_back(vec2(p.mix));
+        out_.path_px.push_back(ends_.path_px);
         out_.pen.push_back(ends_.pen);
         return Index(out_.px.size()) - 1;
     }

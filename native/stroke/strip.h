@@ -10,6 +10,8 @@ namespace fovea {
 struct StripEnds {
     /// u of the run's start and end; caps lie beyond them.
     float start, end;
+    /// Length of the whole path [px].
+    float path_px;
     Index pen;
 };
 

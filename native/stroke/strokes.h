@@ -23,6 +23,8 @@ struct Strokes {
     Array<float> opacity;
     /// Per vertex: how far color and ink are those of the pen out of focus, each in [0,1].
     Array<vec2> mix;
+    /// Per vertex: length of the whole path [px], the same all over a stroke; for textures anchored to it.
+    Array<float> path_px;
     /// Per vertex: index of the pen (in focus), the same all over a stroke.
     Array<Index> pen;
     /// Per vertex: piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty otherwise.

@@ -27,6 +27,7 @@ void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
           "runs: piece, start_px, end_px and invisibility must have the same length");
     check(pen_of_run.size() == count, "pen_of_run: one entry per run expected");
+    check(clipped.path_length_px.size() == clipped.pieces.count(), "path_length_px: one entry per piece expected");
     Index piece = 0, pen = 0;
     for (const Index q : runs.piece) piece = std::max(piece, q);
     check(runs.piece.empty() || piece < clipped.pieces.count(),
@@ -73,6 +74,7 @@ Strokes join(std::vector<Strokes>& blocks) {
     all.half_width.resize(vertices.back());
     all.opacity.resize(vertices.back());
     all.mix.resize(vertices.back());
+    all.path_px.resize(vertices.back());
     all.pen.resize(vertices.back());
     all.piece.resize(vertices.back());
     all.triangles.resize(triangles.back());
@@ -87,6 +89,7 @@ Strokes join(std::vector<Strokes>& blocks) {
             std::ranges::copy(block.half_width, all.half_width.begin() + v);
             std::ranges::copy(block.opacity, all.opacity.begin() + v);
             std::ranges::copy(block.mix, all.mix.begin() + v);
+            std::ranges::copy(block.path_px, all.path_px.begin() + v);
             std::ranges::copy(block.pen, all.pen.begin() + v);
             std::ranges::copy(block.piece, all.piece.begin() + v);
             std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
@@ -140,7 +143,7 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
             if (line.size() < 2) continue;
             const float ends[] = {closed ? -endless : float(line.front().arc), closed ? endless : float(line.back().arc)};
             if (!closed) extend(line, pens[pen].cap);
-            add_strip(line, closed, {ends[0], ends[1], pen}, blocks[block]);
+            add_strip(line, closed, {ends[0], ends[1], float(clipped.path_length_px[piece]), pen}, blocks[block]);
             blocks[block].piece.resize(blocks[block].px.size(), piece);
             ++blocks[block].count;
         }

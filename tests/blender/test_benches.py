@@ -2,13 +2,25 @@
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
+import bpy
+import numpy as np
+import pytest
 from the_addon import part
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
+import scenes
 from bench import agreement
+from bench import focus as bench
+from bench.focus import PER_SAMPLE, coherence, density, reproject, world
+from bench.focus import emphasis as emphasis_bench
+from bench.focus.places import Places
+from bench.visibility.worker import orbit
+
+SIZE = (320, 180)
 
 
 def test_agreement_judges_the_samples_of_a_render(tmp_path, monkeypatch):
@@ -19,3 +31,99 @@ def test_agreement_judges_the_samples_of_a_render(tmp_path, monkeypatch):
     rows = json.loads(out.read_text())
     assert [(row["probes"], row["depth_scale"]) for row in rows] == list(agreement.METHODS)
     assert all(row["samples"] > 100 and row["all"]["agree"] > 0.95 for row in rows)
+
+
+def lines(*ends, step=2.0):
+    """Places on straight lines in the image, all fully drawn, each line a path and a run: ((x, y), (x, y))."""
+    found = []
+    for start, end in np.array(ends, float):
+        length = np.hypot(*(end - start))
+        along = (np.arange(round(length / step)) + 0.5) * step
+        direction = (end - start) / length
+        found.append((start + along[:, None] * direction, np.tile(direction, (len(along), 1)), along, length))
+    number = np.repeat(np.arange(len(found)), [len(part[2]) for part in found])
+    px, direction, along = (np.concatenate([part[k] for part in found]) for k in range(3))
+    to_end = np.minimum(along, np.array([part[3] for part in found])[number] - along)
+    index, ones = np.arange(len(px)), np.ones(len(px))
+    return Places(index, index, ones, px, direction, ones * step, along, number, number, to_end, ones)
+
+
+def test_lines_nearer_than_they_want_to_be_are_found():
+    near = density.nearest_alongside(lines([(0, 0), (200, 0)], [(0, 4), (200, 4)]), 10.0)
+    inner = np.isfinite(near)
+    assert inner.mean() == pytest.approx(0.9, abs=0.02)  # all but 10 pixels at each end
+    np.testing.assert_allclose(near[inner], 4.0)
+    far = lines([(0, 0), (200, 0)], [(0, 20), (200, 20)])
+    assert np.isinf(density.nearest_alongside(far, 10.0)).all()
+    faint = replace(far, px=far.px * (1, 0.2), shown=np.where(far.path == 1, 0.5, 1.0))
+    assert np.isinf(density.nearest_alongside(faint, 10.0)).all()
+
+
+def test_lines_that_cross_or_go_elsewhere_are_not_crowded():
+    right_angle = lines([(0, 50), (200, 50)], [(100, -50), (100, 150)])
+    assert np.isinf(density.nearest_alongside(right_angle, 10.0)).all()
+    shallow = lines([(0, 0), (200, 0)], [(0, -36.4), (200, 36.4)])  # 20 degrees: 10 pixels apart 27 pixels from there
+    near = density.nearest_alongside(shallow, 10.0)
+    away = np.abs(shallow.px[:, 0] - 100)
+    assert np.isinf(near[away < 9]).all() and np.isfinite(near[(away > 12) & (away < 24)]).all()
+    assert np.isinf(near[away > 30]).all()
+
+
+def test_frames_that_do_not_change_are_steady():
+    """And what the bench counts is there."""
+    new_scene("boxes:3")
+
+    def work(place):
+        drawn = place.draw(world.evenly_spaced(20.0))
+        watch = coherence.Watch(10.0)
+        for _ in range(2):
+            watch.see(place.draw(world.evenly_spaced(20.0)))
+        return density.rows("boxes:3", drawn, 20.0), coherence.rows("boxes:3", watch), drawn.places()
+
+    crowded, steady, places = world.measure(work, SIZE)
+    value = {row["figure"]: row["value"] for row in crowded + steady}
+    assert value["samples drawn"] > value["samples fully drawn"] > 100 and value["samples left out, share"] > 0
+    assert value["fully drawn samples nearer than d / 2, share"] < 0.01
+    assert value["static lines: places a frame"] > 0.9 * len(places.shown)
+    assert value["static lines: largest change of opacity"] < 1e-6
+    for what in ("ink", "share of ink taken"):
+        assert value[f"lines of the view: {what}, mean difference, soft"] == pytest.approx(0, abs=1e-6)
+
+
+def test_a_place_is_found_again_from_another_side():
+    """The middle of the picture is elsewhere after a turn, by as much as its ink is."""
+    new_scene("boxes:3")
+
+    def work(place):
+        turned = orbit(place.view, np.zeros(3), 2, np.radians(1.0))
+        one, two = (place.draw(world.evenly_spaced(1.0), view) for view in turned)
+        seen = [reproject.Seen(each.view, each.image.depth) for each in (one, two)]
+        over = seen[1].brought_over(seen[0])
+        shade = [np.where(each.image.depth < 1e9, np.sin(40 * s.points()).sum(axis=2), 0) for each, s in zip((one, two), seen)]
+        still = np.abs(shade[1] - shade[0])[over.known].mean()
+        changed = coherence.changes(coherence.on_paths(one), coherence.on_paths(two), 2.0)[0]
+        return over.known.mean(), over.difference(shade[1], shade[0])[0], still, len(changed), one.places()
+
+    known, moved, still, followed, places = world.measure(work, SIZE)
+    assert known > 0.3 and moved < 0.35 * still
+    assert followed > 0.7 * len(places.shown)
+
+
+def test_fall_off_is_measured_ring_by_ring():
+    f = np.tile(np.linspace(-0.2, 1.2, 281), (10, 1)).clip(0, 1)
+    sharp = np.ones_like(f)
+    smooth = emphasis_bench.fall_off(f, 1 - f, sharp)
+    assert smooth[0] == 1 and smooth[-1] == 0 and emphasis_bench.largest_jump(smooth) == pytest.approx(0.1, abs=0.01)
+    assert emphasis_bench.largest_jump(emphasis_bench.fall_off(f, (f < 0.5) * 1.0, sharp)) == 1
+
+
+def test_bench_rows_are_told_as_a_table():
+    rows = [{"figure": PER_SAMPLE, "scene": name, "value": value, "wanted": None} for name, value in (("a", 1.0), ("b", 1.5))]
+    assert bench.linearity(rows)[0]["value"] == 1.5 and bench.linearity(rows[:1]) == []
+    assert len(bench.table(rows).splitlines()) == 3
+
+
+def new_scene(spec):
+    bpy.ops.wm.read_homefile()
+    scenes.build(spec)
+    return bpy.context.scene

@@ -90,6 +90,32 @@ def test_uniform_lines_do_not_answer(row, tmp_path):
     assert ink(drawn(row, tmp_path / "in_focus.png")).sum() > 1.5 * ink(uniform).sum()
 
 
+def test_lines_or_colors_may_be_left_out(row, tmp_path):
+    row.fovea.color_shading = "FLAT"
+    material = bpy.data.materials.new("Red")
+    material.use_nodes = True
+    material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.8, 0.1, 0.1, 1)
+    for obj in row.objects:
+        if obj.type == "MESH":
+            obj.data.materials.clear()
+            obj.data.materials.append(material)
+    both = drawn(row, tmp_path / "both.png")
+    row.fovea.effect_lines = "NONE"
+    colors = drawn(row, tmp_path / "colors.png")
+    row.fovea.effect_lines, row.fovea.effect_colors = "EMPHASIZED", "NONE"
+    lines = drawn(row, tmp_path / "lines.png")
+
+    def red(picture):
+        return (picture[..., 0] > picture[..., 1] + 0.1).mean()
+
+    def black(picture):
+        return (picture[..., :3].max(axis=2) < 0.2).mean()
+
+    assert red(both) > 0.02 and black(both) > 0.01
+    assert red(colors) > red(both) and black(colors) == 0
+    assert red(lines) == 0 and black(lines) == pytest.approx(black(both), rel=0.2)
+
+
 def test_a_render_border_shows_its_part_of_the_same_picture(row, tmp_path):
     row.fovea.focus_model, row.fovea.focus_place = "IMAGE", (0.4, 0.5)
     whole = drawn(row, tmp_path / "whole.png")

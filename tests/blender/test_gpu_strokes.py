@@ -18,7 +18,7 @@ def on_gpu(strokes, pens, textures, view):
     return part("backend.gpu").Backend().draw(strokes, pens, textures, view)
 
 
-def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0):
+def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0, path_px=0.0):
     """A stroke of one segment, as `tessellate` would make it."""
     a, b = np.array(start), np.array(end)
     length = np.linalg.norm(b - a)
@@ -30,7 +30,8 @@ def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0):
     arc = np.array([(u, v, 0, length) for u, v in corners], np.float32)
     same = np.ones(4, np.float32)
     triangles = np.array([(0, 1, 2), (2, 1, 3)], np.uint32)
-    return core.Strokes(px, arc, half_width * same, 0.8 * same, np.full(4, pen, np.uint32), triangles, 1)
+    pens = np.full(4, pen, np.uint32)
+    return core.Strokes(px, arc, half_width * same, 0.8 * same, pens, triangles, 1, path_px=path_px * same)
 
 
 @pytest.mark.parametrize("name", style.names())
@@ -65,6 +66,24 @@ def test_caps_and_textures(cap, textured):
         drawn = on_gpu(stroke, pens, TwoTextures, view)
         np.testing.assert_allclose(drawn, core.raster(stroke, pens, TwoTextures.native, 160, 100), atol=0.01)
         assert 0.5 < drawn[..., 3].max() <= 0.8001
+
+
+@pytest.mark.parametrize("path_px", [3.0, 40.0, 123.4, 248.0, 250.0, 400.0, 5000.0])
+def test_textures_anchored_to_the_path(path_px):
+    """Within an octave, at its ends, for paths shorter than the texture and much longer than what is seen of them."""
+    ink = np.random.default_rng(1).uniform(0.2, 1, (5, 40)).astype(np.float32)
+
+    class OneTexture:
+        native = [core.PenTexture(ink)]
+
+    stretch = {"width_px": 6, "texture_length_px": 31, "texture": 0}
+    stroke, drawn = straight(1, path_px=path_px), {}
+    for anchor in ("screen", "path"):
+        pens = [core.Pen(), core.Pen(**stretch, texture_anchor=anchor)]
+        drawn[anchor] = on_gpu(stroke, pens, OneTexture, view_of(160, 100))
+        np.testing.assert_allclose(drawn[anchor], core.raster(stroke, pens, OneTexture.native, 160, 100), atol=0.01)
+    # Eight repetitions of 31 pixels are the one case in which both are the same.
+    assert (np.abs(drawn["path"] - drawn["screen"]).max() < 0.01) == (path_px == 248.0)
 
 
 def test_later_strokes_lie_over_earlier_ones():

@@ -116,6 +116,22 @@ def test_what_hidden_lines_do_is_told(settings):
         assert "1080 pixels high" in settings.bl_rna.properties[name].description
 
 
+def test_choices_of_pens_and_the_pages_height_go_both_ways(settings, monkeypatch):
+    pen = style.Pen(width=0.35, width_unit="millimetres", texture_anchor="path", cap="butt")
+    chosen = style.Style(paper=style.Paper(height_mm=148), line_sets=(style.LineSet(kinds={"contour": {}}, pen=pen),))
+    monkeypatch.setattr(style, "load", lambda *_: chosen)
+    properties.apply_style(settings, "any")
+    assert (settings.pen_width_unit, settings.pen_texture_anchor, settings.pen_cap) == ("MILLIMETRES", "PATH", "BUTT")
+    drawn = properties.style_of(bpy.context.scene)
+    read = drawn.line_sets[-1].pen
+    assert (read.width_unit, read.texture_anchor, read.cap) == ("millimetres", "path", "butt")
+    assert drawn.paper.height_mm == 148
+    assert drawn.width_px(read, 2.0) == pytest.approx(0.35 * 2160 / 148)
+    settings.pen_width_unit = "PIXELS"
+    drawn = properties.style_of(bpy.context.scene)
+    assert drawn.width_px(drawn.line_sets[-1].pen, 2.0) == pytest.approx(0.35)
+
+
 @pytest.mark.parametrize("visibility, told", [("AUTO", True), ("ATLAS", True), ("EXACT", False)])
 def test_the_panel_shows_the_hidden_pen_and_what_sampling_cannot_tell(settings, visibility, told):
     of_hidden = {name for name in settings.bl_rna.properties.keys() if name.startswith("hidden_")}

@@ -23,6 +23,7 @@ inline void add_piece(ClippedPaths& clipped, const std::vector<vec2>& line, bool
         clipped.arc_px.push_back(arc - length / 2.0);
     }
     clipped.path.push_back(clipped.pieces.count());
+    clipped.path_length_px.push_back(length);
     clipped.closed.push_back(closed);
     clipped.free_ends.push_back(closed ? 0 : 3);
     clipped.pieces.offsets.push_back(Index(clipped.px.size()));

@@ -279,9 +279,12 @@ TEST_P(Definition, TakesDegenerateMeshes) {
     for (const Mesh& mesh : degenerate_meshes())
         for (const Values& values : {defaults(definition), least})
             // The last looks along a face, from a vertex.
-            for (const View& view :
+            for (View view :
                  {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
+                // Lines of the image cost by the pixel; what is degenerate is so in few of them, too.
+                view.width /= 4;
+                view.height /= 4;
                 expect_sound(Found({place(mesh)}, view, every(values, index)), name);
             }
     // Two of a kind in one place, and a scene of nothing.

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 import pytest
-from command import draw_options, figures
+from addon import style
+from command import draw_options, figures, variants
 
 README = Path(__file__).parents[2] / "README.md"
 
@@ -17,16 +18,34 @@ def test_a_figure_is_drawn_by_words_that_draw_understands(name):
     assert options.hidden or options.hidden_by or options.halo or options.overshoot or options.visibility
 
 
+TILES = [(sheet, label, words) for sheet, (_, tiles) in variants.SHEETS.items() for label, words in tiles]
+
+
+@pytest.mark.parametrize("sheet, label, words", TILES)
+def test_a_tile_is_drawn_by_words_that_draw_understands(sheet, label, words):
+    options = draw_options.parse([variants.SHEETS[sheet][0], *words])
+    assert options.style in style.names()
+    assert options.focus or options.elision is not None
+
+
+@pytest.mark.parametrize("name", variants.STYLES)
+def test_a_style_has_a_thumbnail(name):
+    content = (figures.STYLES / f"{name}.jpg").read_bytes()
+    assert name in style.names()
+    assert content.startswith(b"\xff\xd8\xff") and len(content) < 30_000
+
+
 def test_readme_shows_every_figure_and_no_other():
     shown = [word.split(")")[0] for word in README.read_text().split("](blender_scripts/figures/")[1:]]
-    assert shown == [f"{name}.png" for name in figures.FIGURES]
+    assert shown == [f"{name}.png" for name in figures.FIGURES] + [f"{name}.jpg" for name in variants.SHEETS]
     assert {path.name for path in figures.FOLDER.iterdir()} == set(shown)
 
 
-@pytest.mark.parametrize("name", figures.FIGURES)
-def test_figures_are_small_pictures(name):
-    content = (figures.FOLDER / f"{name}.png").read_bytes()
-    assert content[:8] == b"\x89PNG\r\n\x1a\n" and len(content) < 400_000
+@pytest.mark.parametrize("path", sorted(figures.FOLDER.iterdir()), ids=lambda path: path.name)
+def test_figures_are_small_pictures(path):
+    content = path.read_bytes()
+    assert content.startswith(b"\x89PNG\r\n\x1a\n" if path.suffix == ".png" else b"\xff\xd8\xff")
+    assert len(content) < 400_000
 
 
 def test_other_names_are_refused(capsys):

@@ -1,9 +1,11 @@
 """Styles as data: what is read is what was written, and what does not belong is refused by name."""
 
 import json
+from dataclasses import replace
 
 import pytest
 from addon import focus, style
+from addon.style_parts import UNCOUNTED
 
 DEFINITIONS = [
     {"name": "contour", "parameters": []},
@@ -105,7 +107,7 @@ def test_pens_and_their_ranges():
     sets = (style.LineSet(pen=style.Pen(width=1.0), hidden=tuple(ranges)), style.LineSet(pen=style.Pen(width=2.0)))
     both = style.Style(line_sets=sets)
     assert [pen.width for pen in both.pens()] == [1, 2, 3, 4]
-    assert both.pen_ranges() == [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 2, 2), (0, 5, style.UNCOUNTED, 3)]
+    assert both.pen_ranges() == [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 2, 2), (0, 5, UNCOUNTED, 3)]
 
 
 @pytest.mark.parametrize(
@@ -120,11 +122,6 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
 @pytest.mark.parametrize(
     "data, named",
     [
-        ({**minimal(), "papper": {}}, "papper"),
-        (minimal(kindes={}), "kindes"),
-        (minimal(pen={"colour": [0, 0, 0]}), "colour"),
-        (minimal(kinds={"creese": {}}), "creese"),
-        (minimal(kinds={"crease": {"angel": 3}}), "angel"),
         (minimal(kinds={"crease": {"angle": 200}}), "200"),
         (minimal(kinds={"crease": {"angle": float("nan")}}), "nan"),
         (minimal(pen={"width": -1}), "-1"),
@@ -133,12 +130,11 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
         (minimal(pen={"color": [0, 0]}), "3 numbers"),
         (minimal(pen={"texture": "no_such_texture"}), "no_such_texture"),
         (minimal(halo=101), "line_sets[0].halo is 101"),
-        (minimal(pen_away={"widht": 1}), "widht"),
         (minimal(pen_away={"texture": "../secret"}), "pen_away.texture"),
         (minimal(overshoot_away=-1), "line_sets[0].overshoot_away is -1"),
         (minimal() | {"focus": {"model": "nowhere"}}, "focus.model is 'nowhere'"),
         (minimal() | {"focus": {"points": [{"at": [1]}]}}, "focus.points[0].at must be a list of 2 or 3 numbers"),
-        (minimal() | {"focus": {"points": [{"at": [1, float("inf")]}]}}, "focus.points[0].at is inf"),
+        (minimal() | {"focus": {"points": [{"at": [1, float("inf")]}]}}, "focus.points[0].at[1] is inf"),
         (minimal() | {"focus": {"points": [{"near": 3, "far": 2}]}}, "focus.points[0].far is less than near"),
         (minimal() | {"focus": {"points": [{}] * 17}}, "focus.points must be a list of at most 16 points"),
         (minimal() | {"effects": {"fade": {"strength": 2}}}, "effects.fade.strength is 2"),
@@ -149,7 +145,6 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
         (minimal() | {"distance": {"near": 5, "far": 5}}, "distance.far must be more than near"),
         (minimal(overshoot=-1), "line_sets[0].overshoot is -1"),
         (minimal(hidden={}), "line_sets[0].hidden must be a list"),
-        (minimal(hidden=[{"form": 1}]), "form"),
         (minimal(hidden=[{"from": 0}]), "line_sets[0].hidden[0].from is 0"),
         (minimal(hidden=[{"from": 1.5}]), "hidden[0].from is 1.5"),
         (minimal(hidden=[{"to": True}]), "hidden[0].to is True"),
@@ -160,12 +155,95 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
         (minimal(hidden=[{"pen": {"width": 0}}]), "line_sets[0].hidden[0].pen.width"),
         (minimal(name=3), "name"),
         ({"schema": style.SCHEMA, "line_sets": []}, "line_sets"),
-        ({"schema": 99, "line_sets": [{}]}, "99"),
+        ({"schema": 99, "line_sets": [{}]}, "schema is 99: a newer version of Fovea wrote the style"),
+        ({"schema": 99, "lines": {"a": [1e999]}}, "lines.a[0] is inf"),
+        ({"line_sets": [{}]}, "schema is None, not the number of a schema"),
+        ({"schema": True, "line_sets": [{}]}, "schema is True"),
+        ({"schema": 1.0, "line_sets": [{}]}, "schema is 1.0"),
+        (minimal(pen={"width_unit": "inches"}), "width_unit is 'inches'; it can be: reference, pixels, millimetres"),
+        (minimal(pen={"width_unit": 2}), "pen.width_unit must be text"),
+        (minimal(pen={"texture_anchor": "world"}), "pen.texture_anchor is 'world'; it can be: screen, path"),
+        (minimal() | {"paper": {"height_mm": 0}}, "paper.height_mm is 0, outside 10 to 10000"),
         ([], "JSON object"),
     ],
 )
 def test_what_does_not_belong_is_named(data, named):
     assert named in refused(data, DEFINITIONS)
+
+
+WITH_UNKNOWN = minimal(
+    kindes={},
+    kinds={"creese": {"angle": 3}, "crease": {"angel": 3}},
+    pen={"colour": [0, 0, 0], "width": 3},
+    pen_away={"widht": [1, {"a": None}]},
+    hidden=[{"from": 4, "form": 4}, {"from": 1, "to": 2, "pen": {"capp": "x"}}],
+) | {
+    "papper": {"color": "../../etc"},
+    "focus": {"points": [{"at": [0, 1]}, {"where": 1}]},
+    "effects": {"fade": {"begin": 1}},
+}
+NAMES = {
+    "papper": "paper",
+    "line_sets[0].kindes": "kinds",
+    "line_sets[0].kinds.creese": "crease",
+    "line_sets[0].kinds.crease.angel": "angle",
+    "line_sets[0].pen.colour": "color",
+    "line_sets[0].pen_away.widht": "width",
+    "line_sets[0].hidden[0].pen.capp": "cap",
+    "line_sets[0].hidden[1].form": "from",
+    "focus.points[1].where": None,
+    "effects.fade.begin": None,
+}
+
+
+def test_what_is_not_known_is_kept_in_its_place():
+    read = style.parse(json.dumps(WITH_UNKNOWN), DEFINITIONS)
+    assert set(read.unknown) == set(NAMES) and len(read.unknown) == len(NAMES)
+    assert read.line_sets[0].pen == style.Pen(width=3.0) and read.line_sets[0].kinds == {"crease": {}}
+    written = style.dump(read)
+    line_set = json.loads(written)["line_sets"][0]
+    assert line_set["kindes"] == {} and line_set["kinds"] == {"crease": {"angel": 3}, "creese": {"angle": 3}}
+    assert (line_set["pen"]["colour"], line_set["pen"]["width"]) == ([0, 0, 0], 3.0)
+    assert line_set["pen_away"]["widht"] == [1, {"a": None}]
+    hidden = [(h["from"], h.get("form"), h["pen"].get("capp")) for h in line_set["hidden"]]
+    assert hidden == [(1, None, "x"), (4, 4, None)]
+    again = style.parse(written, DEFINITIONS)
+    assert again == read and style.dump(again) == written
+    assert read.line_sets[0].kinds == {"crease": {}}, "writing changes nothing"
+
+
+def test_a_misspelt_key_is_told_with_the_name_it_resembles():
+    assert style.remark(style.parse(json.dumps(minimal()), DEFINITIONS)) is None
+    for name, near in NAMES.items():
+        read = style.parse(json.dumps(WITH_UNKNOWN), DEFINITIONS)
+        (only,) = (entry for entry, dotted in zip(read.kept, read.unknown) if dotted == name)
+        told = style.remark(replace(read, kept=(only,)), DEFINITIONS)
+        assert told.endswith(f": {name} (is it {near}?)" if near else f": {name}"), told
+    assert style.remark(read, DEFINITIONS).endswith(" and 2 more")
+
+
+def test_what_was_unknown_in_a_part_that_is_gone_is_dropped():
+    read = style.parse(json.dumps(WITH_UNKNOWN), DEFINITIONS)
+    without = replace(read, line_sets=(replace(read.line_sets[0], pen_away=None, hidden=()),))
+    again = style.parse(style.dump(without), DEFINITIONS)
+    gone = {name for name in NAMES if "hidden" in name or "pen_away" in name}
+    assert set(again.unknown) == set(NAMES) - gone
+    assert style.remark(without, DEFINITIONS)
+
+
+@pytest.mark.parametrize("unit, widths", [("reference", (3, 6)), ("pixels", (3, 3)), ("millimetres", (10.8, 21.6))])
+def test_widths_in_pixels_of_the_image(unit, widths):
+    data = minimal(pen={"width": 3, "width_unit": unit, "taper": 8}) | {"paper": {"height_mm": 300}}
+    read = style.parse(json.dumps(data))
+    assert style.parse(style.dump(read)) == read
+    pen = read.line_sets[0].pen
+    assert [read.width_px(pen, scale) for scale in (1.0, 2.0)] == pytest.approx(widths)
+
+
+def test_dashes_are_measured_as_the_pen_they_belong_to():
+    thin = style.dashed(style.Pen(width=0.35, width_unit="millimetres"))
+    assert (thin.width, thin.width_unit) == (pytest.approx(0.21), "millimetres")
+    assert style.dashed(style.Pen(width=1.2)).width == 1.0
 
 
 def test_text_that_is_not_json():

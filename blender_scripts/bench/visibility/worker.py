@@ -79,11 +79,11 @@ def set_drawing(scene_, size):
         setattr(scene_.fovea, definition["name"], definition["name"] in LINES)
 
 
-def orbit(view, pivot, frames):
-    """Views, STEP apart, turning about the vertical axis through the pivot."""
+def orbit(view, pivot, frames, step=STEP):
+    """Views, `step` apart, turning about the vertical axis through the pivot."""
     views = []
     for k in range(frames):
-        turn = np.array(Matrix.Rotation(k * STEP, 4, "Z"))
+        turn = np.array(Matrix.Rotation(k * step, 4, "Z"))
         turn[:3, 3] = pivot - turn[:3, :3] @ pivot
         views.append(replace(view, world_to_view=view.world_to_view @ turn))
     return views

@@ -1,0 +1,100 @@
+"""`fovea bench focus`: what line elision and stylized focus promise, measured on what the pipeline makes of scenes.
+
+One process per part and scene. Needs plain Python only."""
+
+import argparse
+import json
+import sys
+import tempfile
+from pathlib import Path
+
+from .. import peers
+
+WORKER = Path(__file__).with_name("worker.py")
+SCENES = {  # of each part
+    "density": ("office", "demo"),
+    "coherence": ("suzanne:3", "office"),
+    "cost": ("office", "boxes:30", "boxes:100", "boxes:200"),
+    "emphasis": ("office",),
+}
+PARTS = tuple(SCENES)
+QUICK_FRAMES, FRAMES = 10, 40
+
+
+def parse(words):
+    parser = argparse.ArgumentParser("fovea bench focus", description=__doc__)
+    add = parser.add_argument
+    add("--parts", type=_parts, default=list(PARTS), metavar="A,B", help=", ".join(PARTS))
+    add("--scenes", type=peers.scene_list, metavar="A,B", help="instead of those of each part")
+    add("--size", type=_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
+    add("--distance", type=float, default=10.0, metavar="PX", help="that lines keep, of 1080 pixels (10)")
+    add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames instead of {FRAMES}, one place to look at, not three")
+    add("--timeout", type=float, default=3600, metavar="S", help="seconds a part of a scene may take (3600)")
+    add("--json", action="store_true", help="print JSON instead of a table")
+    return parser.parse_args(words)
+
+
+def _parts(text):
+    unknown = set(text.split(",")) - set(PARTS)
+    if unknown:
+        raise argparse.ArgumentTypeError(f"{', '.join(sorted(unknown))} is none of {', '.join(PARTS)}")
+    return text.split(",")
+
+
+def _size(text):
+    width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal() and int(width) and int(height)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
+    return int(width), int(height)
+
+
+def main(words, blender, environment, shared: Path | None) -> int:
+    """`environment`: of a Blender that has the extension installed."""
+    options = parse(words)
+    rows, problems = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "rows.json"
+        for part in options.parts:
+            for spec in options.scenes or SCENES[part]:
+                print(f"fovea: {part}, {spec}", file=sys.stderr, flush=True)
+                out.unlink(missing_ok=True)
+                asked = {
+                    "part": part, "scene": spec, "size": options.size, "distance": options.distance,
+                    "frames": QUICK_FRAMES if options.quick else FRAMES, "places": 1 if options.quick else 3,
+                    "shared": str(shared or ""), "out": str(out),
+                }  # fmt: skip
+                command = [blender, "-b", "--python-exit-code", "1", "-P", str(WORKER), "--", json.dumps(asked)]
+                gpu = {"FOVEA_BACKEND": "gpu"} if part == "cost" else {}
+                problem = peers.run(command, environment | gpu, options.timeout)
+                rows += json.loads(out.read_text()) if out.is_file() else []
+                problems += [f"{part}, {spec}: {problem}"] if problem else []
+    if "cost" in options.parts:
+        rows += linearity(rows)
+    print(peers.as_json(rows) if options.json else table(rows))
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    return 1 if problems else 0
+
+
+def linearity(rows):
+    """How much more a sample costs in one scene than in another, the dearest over the cheapest."""
+    per_sample = [row["value"] for row in rows if row["figure"] == PER_SAMPLE]
+    if len(per_sample) < 2:
+        return []
+    ratio = round(max(per_sample) / min(per_sample), 3)
+    return [{"figure": "elision, time per sample, dearest scene over cheapest", "scene": "all", "value": ratio, "wanted": None}]
+
+
+PER_SAMPLE = "elision, microseconds per sample drawn"
+
+
+def table(rows):
+    columns = ("figure", "scene", "value", "wanted")
+    cells = [columns] + [
+        (row["figure"], row["scene"], f"{row['value']:.4g}", row["wanted"] or "-") for row in rows
+    ]
+    widths = [max(len(line[k]) for line in cells) for k in range(4)]
+    return "\n".join(
+        "  ".join(cell.rjust(w) if k == 2 else cell.ljust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip()
+        for line in cells
+    )

@@ -1,0 +1,178 @@
+"""How steady elision is from frame to frame.
+
+Static lines: places on them, matched by the path's id and arc length in space, that are visible in both frames: what
+changes there is elision alone. Visibility explains it where, within NEAR times the distance that lines keep, another
+static line appears or goes: farther than that distance from any end of a run, or a run as a whole.
+
+Lines of the view have no such places: their ink is compared with that of the frame before, brought over by depth, and so
+is the share of it that elision takes, both also with elision switched to a hard cut."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import reproject
+
+LABEL = {"soft": "soft", "hard": "hard cut", "none": "no elision"}
+LEAST_INK = 0.02  # mean around a pixel, for a share of it to tell anything
+HARD = 0.5  # opacity at which elision switches where it cuts
+NEAR = 2.0
+SAME_PLACE = 0.1  # of the way between two samples, by which a matched place may be elsewhere in space
+
+
+@dataclass(frozen=True)
+class OnPaths:
+    """Visible samples of static paths, in the order of the atlas."""
+
+    index: np.ndarray  # (n,) in the atlas
+    px: np.ndarray  # (n, 2)
+    run: np.ndarray  # (n,)
+    to_end_px: np.ndarray  # (n,)
+    id: np.ndarray  # (n,) uint64 of the path
+    arc: np.ndarray  # (n,) along the path, in object space
+    position: np.ndarray  # (n, 3) in object space
+    shown: np.ndarray  # (n,)
+
+
+def on_paths(drawn):
+    clipped, paths, places = drawn.frame.clipped, drawn.frame.paths, drawn.places()
+    static = np.asarray(paths.of_view)[places.path] == 0
+    first, t = places.segment[static], places.t[static]
+    point, after = clipped.source[first], np.minimum(clipped.source[first] + 1, len(paths.points_obj) - 1)
+    begin = clipped.source_t[first].astype(np.float64)
+    end = np.where(clipped.source[first + 1] == point, clipped.source_t[first + 1], 1.0)
+    if not drawn.view.orthographic:
+        depth = -clipped.position_view[:, 2].astype(np.float64)
+        near, far = depth[first], depth[first + 1]
+        t = t * near / (far + t * (near - far))
+    along = begin + t * (end - begin)
+    arc, points = np.asarray(paths.arc_obj), np.asarray(paths.points_obj, np.float64)
+    return OnPaths(
+        places.index[static],
+        places.px[static],
+        places.run[static],
+        places.to_end_px[static],
+        np.asarray(paths.ids)[places.path[static]],
+        arc[point] + along * (arc[after] - arc[point]),
+        points[point] + along[:, None] * (points[after] - points[point]),
+        places.shown[static],
+    )
+
+
+def changes(before, after, distance):
+    """(all, unexplained): by how much the opacity changes at the places of one OnPaths that are also in the other, and
+    at those of them near which no line appears or goes."""
+    (here, shown), (there, _) = match(before, after), match(after, before)
+    change = np.abs(shown - before.shown[here])
+    near = disturbed(before.px[here], before.px[lost(before, here, distance)], NEAR * distance)
+    near |= disturbed(before.px[here], after.px[lost(after, there, distance)], NEAR * distance)
+    return change, change[~near]
+
+
+def lost(places, matched, distance):
+    """Places of lines that are not in the other frame."""
+    missing = np.ones(len(places.id), bool)
+    missing[matched] = False
+    known = np.bincount(places.run[matched], minlength=places.run.max() + 1 if len(places.run) else 0)
+    return np.flatnonzero(missing & ((places.to_end_px > distance) | (known[places.run] == 0)))
+
+
+def disturbed(px, causes, distance):
+    """(n,) whether a cause is within about that distance: in the same cell of a grid, or in one beside it."""
+    cells = np.floor(px / distance).astype(np.int64) + 2
+    rows, columns = (int(part) + 4 for part in (cells.max(axis=0) if len(cells) else (0, 0)))
+    taken = np.zeros((rows, columns), bool)
+    at = np.floor(causes / distance).astype(np.int64) + 2
+    at = at[((at >= 0) & (at < (rows, columns))).all(axis=1)]
+    for i in (-1, 0, 1):
+        for j in (-1, 0, 1):
+            taken[np.clip(at[:, 0] + i, 0, rows - 1), np.clip(at[:, 1] + j, 0, columns - 1)] = True
+    return taken[cells[:, 0], cells[:, 1]]
+
+
+def match(before, after):
+    """(m,) places of one OnPaths that are also in the other, and how much of them is shown there."""
+    if not len(before.id) or not len(after.id):
+        return np.zeros(0, np.int64), np.zeros(0)
+    ids, number = np.unique(np.concatenate([before.id, after.id]), return_inverse=True)
+    reach = max(before.arc.max(), after.arc.max()) + 1.0
+    old = number[: len(before.id)] * reach + before.arc
+    new = number[len(before.id) :] * reach + after.arc
+    order = np.argsort(new, kind="stable")
+    new = new[order]
+    right = np.clip(np.searchsorted(new, old), 1, max(len(new) - 1, 1))
+    right = np.minimum(right, len(new) - 1)
+    left, right = order[right - 1], order[right]
+    low, high = before.arc - after.arc[left], after.arc[right] - before.arc
+    neighbours = (np.abs(after.index[left] - after.index[right]) == 1) & (after.id[left] == after.id[right])
+    matched = neighbours & (after.id[left] == before.id) & (low >= 0) & (high >= 0)
+    left, right, low, high = left[matched], right[matched], low[matched], high[matched]
+    share = low / np.maximum(low + high, 1e-12)
+    there = after.position[left] + share[:, None] * (after.position[right] - after.position[left])
+    away = np.linalg.norm(there - before.position[matched], axis=1)
+    same = away <= SAME_PLACE * np.linalg.norm(after.position[right] - after.position[left], axis=1) + 1e-6
+    shown = after.shown[left] + share * (after.shown[right] - after.shown[left])
+    return np.flatnonzero(matched)[same], shown[same]
+
+
+def of_view(drawn):
+    """{elision: (H, W) ink of the lines that change with the view}: soft, hard, and none."""
+    path = np.repeat(np.repeat(drawn.frame.clipped.path, np.diff(drawn.frame.clipped.offsets)), drawn.frame.clipped.sample_count)
+    turning = (np.asarray(drawn.frame.paths.of_view)[path] != 0).astype(np.float32)
+    shown = drawn.shown
+    return {
+        "soft": drawn.ink(shown * turning),
+        "hard": drawn.ink((shown >= HARD) * turning),
+        "none": drawn.ink(turning),
+    }
+
+
+def taken(inks, name, reach):
+    """(H, W) share of the ink around each pixel that elision takes; nan where there is little to take."""
+    whole = reproject.mean_around(inks["none"], reach)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(whole > LEAST_INK, 1 - reproject.mean_around(inks[name], reach) / whole, np.nan)
+
+
+class Watch:
+    """Follows frames of lines that keep `distance` pixels from each other; keeps no more than the last frame."""
+
+    def __init__(self, distance):
+        self.distance, self.last, self.changes, self.matched = distance, None, [], []
+        self.differences = {"soft": [], "hard": [], "none": []}
+        self.taken = {"soft": [], "hard": []}
+
+    def see(self, drawn):
+        now = on_paths(drawn), of_view(drawn), reproject.Seen(drawn.view, drawn.image.depth)
+        if self.last is not None:
+            (lines, inks, seen), (lines_now, inks_now, seen_now) = self.last, now
+            self.changes.append(changes(lines, lines_now, self.distance))
+            self.matched.append(len(self.changes[-1][0]) / max(len(lines.id), 1))
+            over, reach = seen_now.brought_over(seen), round(self.distance / 2)
+            for name, found in self.differences.items():
+                found.append(over.difference(inks_now[name], inks[name]))
+            for name, found in self.taken.items():
+                found.append(over.difference(taken(inks_now, name, reach), taken(inks, name, reach)))
+        self.last = now
+
+
+def rows(scene, watch):
+    every, unexplained = (np.concatenate(parts) for parts in zip(*watch.changes))
+    told = []
+    for words, found, wanted in (("", every, False), (", beyond visibility", unexplained, True)):
+        found = found if len(found) else np.zeros(1)
+        told += [
+            (f"static lines: mean change of opacity{words}", found.mean(), "<= .02" if wanted else None),
+            (f"static lines: largest change of opacity{words}", found.max(), "<= .35" if wanted else None),
+            (f"static lines: changes above .35, share{words}", (found > 0.35).mean(), "0" if wanted else None),
+            (f"static lines: places a frame{words}", len(found) / len(watch.changes), None),
+        ]
+    told += [("static lines: places found again, share", np.mean(watch.matched), None)]
+    for what, values in (("ink", watch.differences), ("share of ink taken", watch.taken)):
+        mean, square = ({name: np.mean([pair[k] for pair in found]) for name, found in values.items()} for k in (0, 1))
+        told += [(f"lines of the view: {what}, mean difference, {LABEL[name]}", value, None) for name, value in mean.items()]
+        ratio = mean["soft"] / mean["hard"] if mean["hard"] else 1.0
+        told += [(f"lines of the view: {what}, soft / hard", ratio, "<= .5")]
+        ratio = square["soft"] / square["hard"] if square["hard"] else 1.0  # a fade is as much change as a cut, in steps
+        told += [(f"lines of the view: {what}, root mean square, soft / hard", ratio, None)]
+    return [{"figure": f, "scene": scene, "value": float(value), "wanted": wanted} for f, value, wanted in told]

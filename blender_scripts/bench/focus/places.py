@@ -1,0 +1,58 @@
+"""The atlas samples that runs cover: where they are in the picture, and how much of them elision leaves."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..quality import Samples
+
+
+@dataclass(frozen=True)
+class Places:
+    """n samples inside the picture, in the order of the atlas, so along each run from its start."""
+
+    index: np.ndarray  # (n,) in the atlas
+    segment: np.ndarray  # (n,) of ClippedPaths
+    t: np.ndarray  # (n,) screen fraction of the segment
+    px: np.ndarray  # (n, 2)
+    direction: np.ndarray  # (n, 2) unit vectors
+    length_px: np.ndarray  # (n,) of line that the sample stands for
+    arc_px: np.ndarray  # (n,)
+    path: np.ndarray  # (n,) of Paths
+    run: np.ndarray  # (n,) of Runs
+    to_end_px: np.ndarray  # (n,) along the run to the nearer of its ends
+    shown: np.ndarray  # (n,)
+
+
+def places_of(clipped, runs, shown, view):
+    """Places in visible Runs; shown: (samples,) of the whole atlas. Outside of the picture elision says nothing."""
+    samples = Samples(clipped)
+    visible = np.flatnonzero(np.asarray(runs.invisibility) == 0)
+    piece, first, last = (np.asarray(part)[visible] for part in (runs.piece, runs.start_px, runs.end_px))
+    # Pieces one after the other on one axis.
+    arc = clipped.arc_px
+    reach = (np.ptp(arc) if len(arc) else 0.0) + 1.0
+    at = samples.piece * reach + (samples.arc_px - (arc.min() if len(arc) else 0.0))
+    start = piece * reach + (first - (arc.min() if len(arc) else 0.0))
+    run = np.searchsorted(start, at, side="right") - 1
+    inside = run >= 0
+    inside[inside] = (piece[run[inside]] == samples.piece[inside]) & (samples.arc_px[inside] <= last[run[inside]])
+    px = clipped.px[samples.segment] + samples.t[:, None] * (clipped.px[samples.segment + 1] - clipped.px[samples.segment])
+    inside &= (px >= 0).all(axis=1) & (px < (view.width, view.height)).all(axis=1)
+    index, segment, t, along = (part[inside] for part in (samples.index, samples.segment, samples.t, samples.arc_px))
+    run = run[inside]
+    way = (clipped.px[segment + 1] - clipped.px[segment]).astype(np.float64)
+    length = np.hypot(*way.T)
+    return Places(
+        index=index,
+        segment=segment,
+        t=t,
+        px=px[inside],
+        direction=way / np.maximum(length, 1e-9)[:, None],
+        length_px=length / clipped.sample_count[segment],
+        arc_px=along,
+        path=clipped.path[samples.piece[inside]],
+        run=visible[run],
+        to_end_px=np.minimum(along - first[run], last[run] - along),
+        shown=np.asarray(shown)[index],
+    )

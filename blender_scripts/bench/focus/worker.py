@@ -1,0 +1,103 @@
+"""Runs inside Blender for `fovea bench focus`: blender -b -P worker.py -- JSON (part, scene, size, distance, frames,
+places, shared, out)."""
+
+import json
+import math
+import sys
+import time
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+import bpy
+import numpy as np
+import scenes
+from bench.focus import PER_SAMPLE, coherence, density, emphasis, world
+from bench.visibility.worker import middle, orbit
+from bl_ext.user_default.fovea import focus
+from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea.blender import gpu_context
+
+STEP = math.radians(0.25)
+REPEATS = 5
+
+
+def main(asked):
+    bpy.ops.wm.read_homefile()
+    scenes.build(asked["scene"], Path(asked["shared"]) if asked["shared"] else None)
+    rows = PARTS[asked["part"]](asked)
+    Path(asked["out"]).write_text(json.dumps(rows))
+
+
+def density_rows(asked):
+    def work(place):
+        return density.rows(asked["scene"], place.draw(world.evenly_spaced(asked["distance"])), asked["distance"])
+
+    return world.measure(work, asked["size"])
+
+
+def coherence_rows(asked):
+    pivot = middle(bpy.context.scene)
+
+    def work(place):
+        watch = coherence.Watch(asked["distance"] * place.view.reference_scale)
+        style = world.evenly_spaced(asked["distance"])
+        for view in orbit(place.view, pivot, asked["frames"], STEP):
+            watch.see(place.draw(style, view))
+        return coherence.rows(asked["scene"], watch)
+
+    return world.measure(work, asked["size"], named="pen_and_ink")
+
+
+def emphasis_rows(asked):
+    return world.measure(lambda place: emphasis.rows(asked["scene"], place, asked["places"]), asked["size"])
+
+
+def cost_rows(asked):
+    render = bpy.context.scene.render
+    render.engine = "BLENDER_WORKBENCH"
+    render.resolution_x, render.resolution_y, render.resolution_percentage = *asked["size"], 100
+    workbench = median_ms(bpy.ops.render.render)
+    return world.measure(partial(stage_costs, asked["scene"], workbench), asked["size"])
+
+
+def stage_costs(scene, workbench, place):
+    """Of watercolor, which has all effects of colour, with focus in the middle of the image."""
+    middle_ = focus.Focus("image", (focus.Point((0.5, 0.5, 0.0), 0.1, 0.6),))
+    style = replace(world.named_style("watercolor"), focus=middle_)
+    told, backends = [("Workbench, ms a frame", workbench, None)], [cpu.Backend()]
+    if gpu_context.available():
+        from bl_ext.user_default.fovea.backend import gpu
+
+        backends.append(gpu.Backend())
+    for backend in backends:
+        place.draw(style, backend=backend)  # compiles
+        drawn = [place.draw(style, backend=backend) for _ in range(REPEATS)]
+        elision, colors = (stage_ms(drawn, name) for name in ("elision", "focus"))
+        told += [(f"elision, {backend.name}, of Workbench's frame", elision / workbench, "<= .15")]
+        if backend.name == "cpu":
+            told += [("effects of colour, of Workbench's frame", colors / workbench, "<= .2")]
+            told += [(PER_SAMPLE, 1000 * elision / max(len(drawn[-1].places().index), 1), None)]
+    return [{"figure": figure, "scene": scene, "value": value, "wanted": wanted} for figure, value, wanted in told]
+
+
+def stage_ms(drawn, name):
+    return float(np.median([each.image.statistics["stages"][name] for each in drawn]))
+
+
+def median_ms(work):
+    """Of REPEATS, after one that does not count."""
+    times = []
+    for _ in range(REPEATS + 1):
+        start = time.perf_counter()
+        work()
+        times.append(1000 * (time.perf_counter() - start))
+    return float(np.median(times[1:]))
+
+
+PARTS = {"density": density_rows, "coherence": coherence_rows, "cost": cost_rows, "emphasis": emphasis_rows}
+
+if __name__ == "__main__":
+    main(json.loads(sys.argv[sys.argv.index("--") + 1]))

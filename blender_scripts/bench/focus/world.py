@@ -1,0 +1,119 @@
+"""A scene as the stages take it, drawn again and again, with what went through the pipeline kept."""
+
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+
+import bpy
+import numpy as np
+from bl_ext.user_default.fovea import catalogue, focus, native, pipeline, style
+from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea.blender import camera, scene
+from bl_ext.user_default.fovea.textures import Textures
+
+from .places import places_of
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """One picture, and how it came about."""
+
+    image: object
+    view: object  # stages.View
+    style: object
+    frame: object
+    runs: object
+    pens: list
+    samples: object
+    felt: object  # Emphasis
+
+    @property
+    def shown(self):
+        """(samples,) what elision leaves."""
+        return np.ones(self.frame.clipped.samples, np.float32) if self.felt.shown is None else self.felt.shown
+
+    def places(self):
+        return places_of(self.frame.clipped, self.runs, self.shown, self.view)
+
+    def ink(self, shown):
+        """(H, W) coverage by strokes of which elision leaves so much."""
+        textures = Textures(self.style)
+        felt = replace(self.felt, shown=shown)
+        strokes = cpu.shape(self.frame, self.runs, self.style, self.pens, self.samples, felt)
+        return cpu.Backend().draw(strokes, self.pens, textures, self.frame.view)[..., 3]
+
+
+class World:
+    """What a render handed to `pipeline.draw`."""
+
+    def __init__(self, draw, placed, view, options, given):
+        self._draw, self._placed, self.view, self._options, self._given = draw, placed, view, options, given
+
+    def draw(self, style_, view=None, backend=None):
+        """Drawn, in a Style, from a stages.View or the scene's own."""
+        view, kept = view or self.view, []
+        with kept_calls(cpu, "shape", kept):
+            image = self._draw(
+                self._placed, scene.seen(native.load(), view), style_, backend or cpu.Backend(), self._options, **self._given
+            )
+        (frame, runs, _, pens, samples, felt), _ = kept[-1]
+        return Drawn(image, view, style_, frame, runs, pens, samples, felt)
+
+
+def measure(work, size, named="watercolor"):
+    """work(World) of the open scene, inside a render. `named`: a style with a colour layer, so that colours are there."""
+    draw, views, outcome = pipeline.draw, [], []
+
+    def measured(placed, seen, style_, backend, options, **given):
+        pipeline.draw = draw
+        outcome.append(work(World(draw, placed, views[-1], replace(options, with_depth=True), given)))
+        return draw(placed, seen, plain(), backend, options, **given)
+
+    render = bpy.context.scene.render
+    render.engine, (render.resolution_x, render.resolution_y) = "FOVEA", size
+    render.resolution_percentage = 100
+    bpy.context.scene.fovea.style, bpy.context.scene.fovea.backend = named, "CPU"
+    of_render = camera.of_render
+
+    def of_render_kept(*arguments):
+        views.append(of_render(*arguments))
+        return views[-1]
+
+    pipeline.draw, camera.of_render = measured, of_render_kept
+    try:
+        bpy.ops.render.render()
+    finally:
+        pipeline.draw, camera.of_render = draw, of_render
+    return outcome[0]
+
+
+@contextmanager
+def kept_calls(module, name, kept):
+    """Appends (arguments, result) of every call of a module's function."""
+    function = getattr(module, name)
+
+    def call(*arguments):
+        kept.append((arguments, function(*arguments)))
+        return kept[-1][1]
+
+    setattr(module, name, call)
+    try:
+        yield
+    finally:
+        setattr(module, name, function)
+
+
+def named_style(name):
+    return style.load(name, catalogue.definitions())
+
+
+def plain():
+    """The cheapest picture."""
+    return replace(named_style("plain"), elision=replace(named_style("plain").elision, enabled=False))
+
+
+def evenly_spaced(distance):
+    """pen_and_ink, all in focus, whose lines keep so many reference pixels from each other."""
+    base = named_style("pen_and_ink")
+    sets = tuple(replace(s, pen=replace(s.pen, spacing=distance), pen_away=None) for s in base.line_sets)
+    elision = replace(base.elision, enabled=True, cut=0.0)
+    return replace(base, line_sets=sets, focus=focus.Focus(), distance=focus.Distance(), elision=elision)

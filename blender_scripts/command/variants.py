@@ -1,0 +1,47 @@
+"""Sheets of one scene drawn in several ways: what each tile is called, and the words of `fovea draw` for it."""
+
+AT = ["--focus", "0.4,0.52", "--focus-radii", "0.1,0.7"]
+DENSITY = ["--style", "pen_and_ink", "--effects", "density"]
+LINE_EFFECTS = ("texture", "width", "opacity", "density", "overshoot")
+COLOR_EFFECTS = ("desaturation", "fade", "blur")
+STYLES = ("pen_and_ink", "pencil", "charcoal", "technical", "blueprint", "watercolor", "brush", "xray_focus")
+WATERCOLOR = ["--style", "watercolor", *AT]
+
+
+def _effects(scene):
+    tiles = [(name, [*WATERCOLOR, "--effects", name]) for name in (*COLOR_EFFECTS, *LINE_EFFECTS)]
+    return scene, [*tiles, ("all", WATERCOLOR)]
+
+
+SHEETS = {  # name: (scene, tiles), after Cole 2009: figures 5.7, 5.8, 5.9, and the viewing conditions of section 5.3.3
+    "styles": ("demo", [(name, ["--style", name, *AT]) for name in STYLES]),
+    "elision": (
+        "office",
+        [
+            ("without elision", [*DENSITY, "--no-elision"]),
+            ("with elision", [*DENSITY, "--elision", "--focus", "0.35,0.5", "--focus-radii", "0,0.3"]),
+        ],
+    ),
+    "density": (
+        "office",
+        [
+            ("density on the left", [*DENSITY, "--focus", "0.2,0.5", "--focus-radii", "0.1,0.9"]),
+            ("density on the right", [*DENSITY, "--focus", "0.8,0.5", "--focus-radii", "0.1,0.9"]),
+        ],
+    ),
+    "effects-office": _effects("office"),
+    "effects-demo": _effects("demo"),
+    "conditions": (
+        "office",
+        [
+            ("1 uniform", [*WATERCOLOR, "--uniform", "both"]),
+            ("2 uniform colour, no lines", [*WATERCOLOR, "--uniform", "both", "--without", "lines"]),
+            ("3 uniform lines, no colour", [*WATERCOLOR, "--uniform", "both", "--without", "colors"]),
+            ("4 emphasis", WATERCOLOR),
+            ("5 emphasis in colour", [*WATERCOLOR, "--uniform", "lines"]),
+            ("6 emphasis in lines", [*WATERCOLOR, "--uniform", "colors"]),
+            ("7 emphasis in colour, no lines", [*WATERCOLOR, "--without", "lines"]),
+            ("8 emphasis in lines, no colour", [*WATERCOLOR, "--without", "colors"]),
+        ],
+    ),
+}

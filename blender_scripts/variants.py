@@ -1,0 +1,58 @@
+"""Runs inside Blender for `fovea figures`: one of the sheets of command/variants.py, as a JPEG of its tiles, or each tile
+by itself."""
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import draw
+import sheet
+from command import draw_options, variants
+
+
+def main(words):
+    parser = argparse.ArgumentParser()
+    parser.add_argument("sheet", choices=variants.SHEETS)
+    parser.add_argument("output", type=Path, help="OUT.jpg, or a folder for OUT/TILE.jpg")
+    parser.add_argument("--tile", type=draw_options.frame_size)
+    options = parser.parse_args(words)
+    scene_name, tiles = variants.SHEETS[options.sheet]
+    size = options.tile or ((960, 540) if len(tiles) == 2 else (480, 270))
+    columns = min(sheet.columns_for(len(tiles), size), 3 if len(tiles) == 9 else 4)
+    draw.open_scene(scene_name)
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder) / "tile.png"
+        drawn = [draw_tile(scene_name, tile, size, picture) for _, tile in tiles]
+        if options.output.is_dir():
+            for (label, _), tile in zip(tiles, drawn, strict=True):
+                sheet.save(tile, options.output / f"{label}.jpg")
+            return
+        labels = sheet.draw_labels([label for label, _ in tiles], columns, -(-len(tiles) // columns), size, picture)
+    sheet.save(sheet.paste(drawn, np.repeat(labels[..., None], 3, axis=3), columns), options.output)
+
+
+def draw_tile(scene_name, words, size, picture):
+    """(h, w, 3) of the scene drawn as the words say, at twice the size and averaged down: tiles are small."""
+    scene = bpy.context.scene
+    width, height = 2 * size[0], 2 * size[1]
+    options = draw_options.parse([scene_name, *words, "--size", f"{width}x{height}", "-o", str(picture)])
+    draw.set_size(scene, options)
+    draw.set_camera(scene, options)
+    scene.fovea.focus_model = "NONE"
+    draw.set_drawing(scene, options)
+    draw.set_output(scene, options)
+    draw.still(scene, picture)
+    return sheet.pixels(picture)[..., :3].reshape(size[1], 2, size[0], 2, 3).mean(axis=(1, 3))
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[sys.argv.index("--") + 1 :])
+    except (ValueError, RuntimeError) as error:  # what the user can mend; anything else keeps its traceback
+        sys.exit(f"Error: {str(error).removeprefix('Error: ').strip()}")

@@ -1,0 +1,190 @@
+// Textures anchored to their path: octaves that keep their places while a path grows in the image.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "stroke/fragment.h"
+#include "stroke/ink.h"
+#include "stroke/pen_table.h"
+#include "stroke_fixture.h"
+#include "wires.h"
+
+namespace fovea {
+namespace {
+
+using namespace stroke_fixture;
+
+constexpr float length_px = 100.0f;  // of one repetition
+
+/// Blurred noise, as grain is: rows of their own mean.
+PenTexture grain() {
+    PenTexture texture{128, 4, {}};
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> noise(0.0f, 1.0f);
+    for (int y = 0; y < 4; ++y) {
+        std::vector<float> row(128);
+        for (float& value : row) value = noise(random);
+        for (int x = 0; x < 128; ++x) {
+            float sum = 0.0f;
+            for (int k = -2; k <= 2; ++k) sum += row[std::size_t(x + k + 128) % 128] / 5.0f;
+            texture.ink.push_back(0.2f + 0.1f * float(y) + 0.5f * (sum - 0.5f));
+        }
+    }
+    return fit_texture(texture, 1000.0f, 1000.0f);
+}
+
+/// Ink along a path of so many pixels, at places that are the same shares of it.
+std::vector<float> along(const PenTexture& texture, float path_px, double from, double to, int count) {
+    std::vector<float> ink;
+    for (int i = 0; i < count; ++i)
+        ink.push_back(
+            anchored_ink(texture, float((from + (to - from) * i / count) * path_px), 0.3f, 2.0f, path_px, length_px));
+    return ink;
+}
+
+double mean_of(const std::vector<float>& values) {
+    double sum = 0.0;
+    for (const float v : values) sum += v / double(values.size());
+    return sum;
+}
+
+double correlation(const std::vector<float>& a, const std::vector<float>& b, int shift) {
+    const double mean_a = mean_of(a), mean_b = mean_of(b);
+    double ab = 0.0, aa = 0.0, bb = 0.0;
+    for (int i = 0; i < int(a.size()); ++i) {
+        const int k = i + shift;
+        if (k < 0 || k >= int(b.size())) continue;
+        ab += (a[i] - mean_a) * (b[k] - mean_b);
+        aa += (a[i] - mean_a) * (a[i] - mean_a);
+        bb += (b[k] - mean_b) * (b[k] - mean_b);
+    }
+    return ab / std::sqrt(aa * bb);
+}
+
+TEST(Anchor, RepetitionsAreAPowerOfTwoNoLongerThanThePenSays) {
+    for (float path = 1.5f; path < 40000.0f; path *= 1.037f) {
+        const Octave o = octave(path, length_px);
+        int exponent = 0;
+        EXPECT_EQ(std::frexp(o.repeats, &exponent), 0.5f) << path;
+        EXPECT_GT(path / o.repeats, length_px * 0.4999f) << path;
+        EXPECT_LE(path / o.repeats, length_px * 1.0001f) << path;
+        EXPECT_GE(o.finer, 0.0f);
+        EXPECT_LE(o.finer, 1.0f);
+    }
+    EXPECT_EQ(octave(800.0f, length_px).repeats, 8.0f);
+    EXPECT_EQ(octave(800.0f, length_px).finer, 1.0f);
+    EXPECT_EQ(octave(1200.0f, length_px).repeats, 16.0f);
+    EXPECT_EQ(octave(1200.0f, length_px).finer, 0.5f);
+    EXPECT_EQ(octave(0.0f, length_px).repeats, octave(1.0f, length_px).repeats) << "no path, no infinities";
+}
+
+TEST(Anchor, AtTheEndOfAnOctaveOnlyTheFinerOneIsLeftWhichIsTheNextOnesCoarser) {
+    const PenTexture texture = grain();
+    for (const float path : {50.0f, 400.0f, 6400.0f}) {
+        const auto before = along(texture, path, -0.5, 0.5, 997);
+        const auto after = along(texture, path * 1.00001f, -0.5, 0.5, 997);
+        for (int i = 0; i < 997; ++i) {
+            const float repeats = path / length_px;
+            EXPECT_NEAR(before[i], ink(texture, (float(i) / 997.0f - 0.5f) * repeats, 0.3f, 2.0f), 2e-3f);
+            EXPECT_NEAR(before[i], after[i], 2e-3f);
+        }
+    }
+}
+
+TEST(Anchor, InAZoomInkChangesLittleAStepAndStaysWhereItIs) {
+    // Three octaves, 64 steps each; the window lies far from the middle, whence textures on the screen slide most.
+    const PenTexture texture = grain();
+    constexpr int count = 2000;
+    std::vector<float> before;
+    double largest = 0.0, least_correlation = 1.0;
+    for (int k = 0; k <= 192; ++k) {
+        const float path = 370.0f * std::exp2(float(k) / 64.0f);
+        const auto now = along(texture, path, 0.3, 0.45, count);
+        if (k > 0) {
+            for (int i = 0; i < count; ++i) largest = std::max(largest, double(std::abs(now[i] - before[i])));
+            const double here = correlation(before, now, 0);
+            least_correlation = std::min(least_correlation, here);
+            for (const int shift : {-40, -10, -4, 4, 10, 40})
+                EXPECT_GT(here, correlation(before, now, shift)) << k << " " << shift;
+        }
+        before = now;
+    }
+    RecordProperty("largest_change", std::to_string(largest));
+    RecordProperty("least_correlation", std::to_string(least_correlation));
+    EXPECT_LT(largest, 0.03);
+    EXPECT_GT(least_correlation, 0.995);
+}
+
+TEST(Anchor, DarknessAndContrastStayAllThroughAnOctave) {
+    const PenTexture texture = grain();
+    const auto spread = [](const std::vector<float>& ink) {
+        double sum = 0.0;
+        for (const float v : ink) sum += (v - mean_of(ink)) * (v - mean_of(ink)) / double(ink.size());
+        return std::sqrt(sum);
+    };
+    const auto whole = along(texture, 12800.0f, -0.5, 0.5, 20000);
+    for (float path = 6500.0f; path < 12800.0f; path += 500.0f) {
+        const auto ink = along(texture, path, -0.5, 0.5, 20000);
+        EXPECT_NEAR(mean_of(ink), mean_of(whole), 0.01) << path;
+        EXPECT_NEAR(spread(ink), spread(whole), 0.15 * spread(whole)) << path;
+        EXPECT_NEAR(mean_of(ink), mean_ink(texture, 0.3f, 2.0f), 0.01) << path;
+    }
+}
+
+TEST(Anchor, LengthAndPlacesOfAPathAreTheSameHoweverItIsClipped) {
+    std::vector<dvec3> line;
+    for (int i = 0; i <= 300; ++i)
+        line.push_back({-9.0 + 0.06 * i, 1.9 * std::sin(0.11 * i) + 0.8, -5.0 - 0.004 * i});
+    const View narrow = wires::camera(), wide = wires::cropped(narrow, -1280, -960, 1920, 1440);
+    const ClippedPaths cut = wires::project_line(line, narrow), whole = wires::project_line(line, wide);
+    ASSERT_GT(cut.pieces.count(), 1u);
+    ASSERT_EQ(whole.pieces.count(), 1u);
+    EXPECT_NEAR(whole.path_length_px[0], whole.arc_px.back() - whole.arc_px.front(), 1e-6);
+    std::map<Index, double> place;
+    for (Index i = 0; i < whole.px.size(); ++i) place[whole.source[i]] = whole.arc_px[i];
+    for (Index q = 0; q < cut.pieces.count(); ++q) EXPECT_NEAR(cut.path_length_px[q], whole.path_length_px[0], 1e-6);
+    for (Index i = 0; i < cut.px.size(); ++i)
+        if (cut.source_t[i] == 0.0f) {
+            EXPECT_NEAR(cut.arc_px[i], place.at(cut.source[i]), 1e-6);
+        }
+}
+
+TEST(Anchor, StrokesHaveTheLengthOfTheirWholePath) {
+    const PenTexture texture = grain();
+    Pen p = pen(6.0f, Cap::butt);
+    p.texture = 0;
+    p.texture_length_px = 33.0f;
+    p.anchor = Anchor::path;
+    ClippedPaths clipped;
+    add_piece(clipped, {{10.0f, 20.0f}, {170.0f, 20.0f}});
+    Runs part;
+    add_run(part, 0, -60.0, 10.0);
+    const Strokes strokes = draw(clipped, part, p);
+    for (const float path : strokes.path_px) EXPECT_EQ(path, 160.0f);
+    const auto some = picture(strokes, p, 180, 40, {&texture, 1});
+    const auto all = picture(draw(clipped, whole_runs(clipped), p), p, 180, 40, {&texture, 1});
+    const PenTexture fitted = fit_texture(texture, 33.0f, 6.0f);
+    for (int x = 32; x < 98; ++x)
+        for (int y = 18; y < 22; ++y) {
+            EXPECT_NEAR(some[y * 180 + x].a, all[y * 180 + x].a, 1e-5f);
+            const float u = float(x) + 0.5f - 90.0f, v = float(y) + 0.5f - 20.0f;
+            EXPECT_NEAR(some[y * 180 + x].a, anchored_ink(fitted, u, v, 3.0f, 160.0f, 33.0f), 1e-4f);
+        }
+}
+
+TEST(Anchor, PenTableHasTheRowsMeansAfterTheInk) {
+    const PenTexture texture{2, 2, {0.0f, 1.0f, 0.25f, 0.25f}};
+    Pen anchored = pen(6.0f), plain = pen(6.0f);
+    anchored.texture = plain.texture = 0;
+    anchored.anchor = Anchor::path;
+    const std::vector<Pen> pens{anchored, plain};
+    const PenTable table = pen_table(pens, {&texture, 1});
+    EXPECT_EQ(table.pens[1].w, 1.0f);
+    EXPECT_EQ(table.pens[4].w, 0.0f);
+    EXPECT_EQ(table.pens[4].z, 6.0f);
+    EXPECT_EQ(std::vector<float>(table.ink.begin(), table.ink.begin() + 6),
+              (std::vector<float>{0.0f, 1.0f, 0.25f, 0.25f, 0.5f, 0.25f}));
+}
+
+}  // namespace
+}  // namespace fovea

@@ -1,0 +1,228 @@
+"""Style files that mean harm, or make no sense: one sentence that names the place, soon, and nothing else happens."""
+
+import copy
+import json
+import random
+import time
+
+import pytest
+from addon import style
+from addon.style_json import LARGEST
+from addon.style_values import MOST_WORDS
+
+DEFINITIONS = [
+    {"name": name, "parameters": [{"name": "angle", "min": 0.0, "max": 180.0, "default": 30.0, "unit": "degrees"}]}
+    for name in sorted({kind for name in style.names() for s in style.load(name).line_sets for kind in s.kinds})
+]
+FULL = {name: json.loads(style.dump(style.load(name))) for name in style.names()}
+NASTY = [
+    *(None, True, False, 0, -1, 1e300, 10**299, -(10**299), 0.5, "", "x", "../../etc/passwd", "/etc/passwd", "..\\x"),
+    *("a/b", "a\0b", "\ud800", "x" * 100000, "C:\\x", "solid.png", "..", ".", [], [[]], [1, 2, 3, 4], [None] * 3),
+    [[0, 0]] * 33,
+    *({}, {"x": {}}, {"from": 1}, [{}], float("nan"), float("inf"), -float("inf"), [1e400] * 3, {"schema": 1}),
+]
+SOON = 5.0  # seconds, on a machine that has much else to do
+NEW_KEYS = ["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"]
+PATHS = ["../secret", "/etc/passwd", "a/b", "..", ".", "a\\b", "ink.png", "C:\\ink", "a\0b", "~", "$HOME", "%2e%2e", ""]
+
+
+def refusal(text, definitions=DEFINITIONS):
+    """The sentence about a text that is refused, soon."""
+    start = time.perf_counter()
+    with pytest.raises(style.StyleError) as error:
+        style.parse(text, definitions)
+    assert time.perf_counter() - start < SOON
+    return checked(error.value)
+
+
+def checked(error):
+    sentence = str(error)
+    assert sentence and sentence.isprintable() and len(sentence) < MOST_WORDS + 100
+    sentence.encode()
+    return sentence
+
+
+def places(value, path=()):
+    """Paths of all values that a style has, containers included."""
+    if path:
+        yield path
+    steps = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for step, inner in steps:
+        yield from places(inner, (*path, step))
+
+
+def with_value(data, path, value):
+    changed = copy.deepcopy(data)
+    place = changed
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = value
+    return changed
+
+
+def at(data, path):
+    for step in path:
+        data = data[step]
+    return data
+
+
+def of_wrong_type(value):
+    """Values of types that cannot stand where this one does."""
+    if isinstance(value, bool):
+        return ["true", 1, [], {}, None]
+    if isinstance(value, str):
+        return [1, True, [value], {value: 1}]
+    if isinstance(value, (int, float)):
+        return [str(value), [value], {"value": value}, float("nan"), 1e400, 10**299]
+    return ["text", 3, True] + ([{}] if isinstance(value, list) else [[]] if isinstance(value, dict) else [])
+
+
+def shown(path):
+    return "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)[1:]
+
+
+@pytest.mark.parametrize("name", style.names())
+def test_every_value_of_a_wrong_type_is_named(name):
+    """One by one, every value of a full dump: the sentence names the value, or the list or object it is in."""
+    data, tried = FULL[name], 0
+    for path in places(data):
+        if path[-1] == "name" or at(data, path) is None:
+            continue  # any text may be a name; what may be null has its own tests
+        for wrong in of_wrong_type(at(data, path)):
+            if path[-1] == "background" and wrong is None:
+                continue
+            sentence = refusal(json.dumps(with_value(data, path, wrong)))
+            named = [shown(path[:i]) for i in range(max(len(path) - 2, 1), len(path) + 1)]
+            assert any(sentence.startswith(place) for place in named), (path, wrong, sentence)
+            tried += 1
+    assert tried > 300
+
+
+def test_random_changes_are_read_or_refused_and_nothing_else():
+    """Thousands of them, several at a time: what is read is written and read again, what is refused is told."""
+    rng, outcomes = random.Random(20), {"read": 0, "refused": 0}
+    start = time.perf_counter()
+    for _ in range(3000):
+        data = copy.deepcopy(FULL[rng.choice(list(FULL))])
+        for _ in range(rng.randint(1, 3)):
+            paths = list(places(data))
+            path = rng.choice(paths)
+            place = at(data, path[:-1])
+            action = rng.random()
+            if action < 0.6:
+                place[path[-1]] = copy.deepcopy(rng.choice(NASTY))
+            elif action < 0.8:
+                del place[path[-1]]
+            elif isinstance(place, dict):
+                place[rng.choice(NEW_KEYS)] = copy.deepcopy(rng.choice(NASTY))
+        definitions = rng.choice([None, DEFINITIONS])
+        try:
+            read = style.parse(json.dumps(data), definitions)
+        except style.StyleError as error:
+            checked(error)
+            outcomes["refused"] += 1
+        else:
+            written = style.dump(read)
+            again = style.parse(written, definitions)
+            assert again == read and style.dump(again) == written
+            outcomes["read"] += 1
+    assert min(outcomes.values()) > 300, outcomes
+    assert time.perf_counter() - start < 60
+    assert {name: json.loads(style.dump(style.load(name))) for name in style.names()} == FULL, "nothing else changes"
+
+
+@pytest.mark.parametrize("name", style.names())
+def test_no_text_leads_out_of_its_folder(name):
+    data = FULL[name]
+    texts = [path for path in places(data) if isinstance(at(data, path), str) and path[-1] != "name"]
+    assert {path[-1] for path in texts} >= {"texture", "cap", "width_unit", "texture_anchor", "shading", "model"}
+    for path in texts:
+        for wrong in PATHS:
+            assert refusal(json.dumps(with_value(data, path, wrong))).startswith(shown(path))
+
+
+@pytest.mark.parametrize("opening", ["[", '{"a":', '{"schema": 1, "line_sets": [{"pen": ' + "[" * 50])
+@pytest.mark.parametrize("depth", [40, 5000, 100000])
+@pytest.mark.parametrize("closed", [False, True])
+def test_deep_nesting(opening, depth, closed):
+    closing = opening.replace('"line_sets": [', "").translate({ord("["): "]", ord("{"): "}"})
+    text = opening * depth + "1" + "".join(c for c in reversed(closing) if c in "]}") * depth * closed
+    assert "style" in refusal(text) or "nested" in refusal(text)
+
+
+def test_nesting_is_named_where_it_begins():
+    data = {"schema": 1, "line_sets": [{"pen": {"more": json.loads("[" * 40 + "]" * 40)}}]}
+    assert refusal(json.dumps(data)).startswith("line_sets[0].pen.more[0][0]")
+
+
+@pytest.mark.parametrize(
+    "number",
+    ["1e400", "-1e400", "NaN", "Infinity", "-Infinity", "1" + "0" * 5000, "-1" + "0" * 5000, "1" + "0" * 299],
+)
+@pytest.mark.parametrize("place", ['"width": {}', '"unknown": {}', '"unknown": [{{"x": {}}}]', '"color": [0, 0, {}]'])
+def test_numbers_beyond_all_bounds(number, place):
+    text = f'{{"schema": 1, "line_sets": [{{"pen": {{{place.format(number)}}}}}]}}'
+    if len(number) == 300 and "unknown" in place:
+        assert json.loads(style.dump(style.parse(text)))["line_sets"][0]["pen"]["unknown"], "a number like another"
+    else:
+        assert refusal(text).startswith("line_sets[0].pen.")
+
+
+@pytest.mark.parametrize(
+    "text, sentence",
+    [
+        ('{"schema": 1, "schema": 1, "line_sets": [{}]}', "the style gives 'schema' twice"),
+        ('{"schema": 1, "line_sets": [{"pen": {"width": 1, "width": 2}}]}', "line_sets[0].pen gives 'width' twice"),
+        ('{"schema": 1, "line_sets": [{}], "new": {"a": 1, "a": 1}}', "new gives 'a' twice"),
+        ('{"schema": 1, "line_sets": [{"name": "\\ud800"}]}', "line_sets[0].name is text that is not Unicode"),
+        ('{"schema": 1, "line_sets": [{"\\udc00": 1}]}', "line_sets[0] has a key that is not Unicode"),
+        ("", "not JSON"),
+        ("null", "the style must be a JSON object"),
+        ("1e400", "the style is inf"),
+        ('"text"', "the style must be a JSON object"),
+        ('{"schema": 1, "line_sets": [{}]} {}', "not JSON: Extra data"),
+        ("{'schema': 1}", "not JSON"),
+        ('{"schema": 1, "line_sets": [{},]}', "not JSON"),
+    ],
+)
+def test_what_is_no_style(text, sentence):
+    assert sentence in refusal(text)
+
+
+def test_many_keys_that_are_not_known_are_not_slow():
+    data = {"schema": 1, "line_sets": [{"pen": {f"key_{i}": 0 for i in range(50000)}}]}
+    start = time.perf_counter()
+    read = style.parse(json.dumps(data))
+    assert len(read.unknown) == 50000 and len(style.remark(read)) < 1000
+    assert style.parse(style.dump(read)) == read if len(style.dump(read)) < LARGEST else True
+    assert time.perf_counter() - start < SOON
+    twice = '{"schema": 1, ' + ",".join(f'"key_{i}": 0' for i in range(50000)) + ', "key_7": 1}'
+    assert "gives 'key_7' twice" in refusal(twice)
+
+
+def test_a_long_key_does_not_make_what_it_holds_slow():
+    data = {"schema": 1, "line_sets": [{}], "k" * 400000: [0] * 100000 + [float("nan")]}
+    assert "not a finite number" in refusal(json.dumps(data))
+
+
+def test_files(tmp_path):
+    def refused(data):
+        (tmp_path / "a.json").write_bytes(data)
+        start = time.perf_counter()
+        with pytest.raises(style.StyleError) as error:
+            style.read(tmp_path / "a.json")
+        assert time.perf_counter() - start < SOON
+        return checked(error.value)
+
+    good = style.dump(style.load(style.DEFAULT)).encode()
+    (tmp_path / "good.json").write_bytes(b"\xef\xbb\xbf" + good)
+    assert style.read(tmp_path / "good.json") == style.load(style.DEFAULT)
+    assert refused(good[:40] + b"\xff\xfe" + good[40:]) == "the style is not text in UTF-8: byte 40 is not"
+    assert refused(good + b" " * 50_000_000) == "the style has more than 1 MB: that is no style"
+    assert refused(b"[" * 50_000_000) == "the style has more than 1 MB: that is no style"
+    assert "not JSON" in refused(b"\0" * 1000)
+    for path in (tmp_path, tmp_path / "none.json", tmp_path / "a\0b"):
+        with pytest.raises(style.StyleError, match="cannot be read"):
+            style.read(path)
+    with pytest.raises(style.StyleError, match="more than 1 MB"):
+        style.parse(" " * (LARGEST + 1))
