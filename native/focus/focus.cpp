@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "focus/each_sample.h"
+#include "focus/from_surfaces.h"
 
 namespace fovea {
 namespace {
@@ -33,9 +34,24 @@ float Focus::operator()(vec2 px, vec3 position_view) const {
     return sum ? 1.0f - std::min(in_focus, 1.0f) : least;
 }
 
+bool Focus::of_surfaces() const {
+    return std::ranges::any_of(points, [](const FocusPoint& point) { return point.surface != nullptr; });
+}
+
+float Focus::steepness() const {
+    float most = 0.0f, all = 0.0f;
+    for (const FocusPoint& point : points) {
+        const float own = 1.0f / (point.far - point.near);
+        most = std::max(most, own);
+        all += own;
+    }
+    return sum ? all : most;
+}
+
 Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus) {
     Array<float> f(clipped.samples, 0.0f);
     if (focus.points.empty()) return f;
+    if (focus.of_surfaces()) return focus_along_pieces(clipped, focus);
     each_sample(clipped, [&](const SamplePlace& at) {
         f[at.sample] = focus(px_at(clipped, at), position_at(clipped, at));
     });
@@ -59,6 +75,7 @@ Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values) {
 
 Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& focus) {
     check(distance.size() == std::size_t(view.width) * view.height, "distance: one value per pixel expected");
+    if (focus.of_surfaces()) return FocusBetweenPixels(view, distance, focus).all();
     Array<float> f(distance.size());
     const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
     parallel_blocks(view.height, rows_per_block, [&](std::size_t, std::size_t first, std::size_t last) {

@@ -35,7 +35,15 @@ struct Focus {
 
     /// Of a place in pixels of the image and in view space, whichever `space` asks for. What is no place is out of focus.
     float operator()(vec2 px, vec3 position_view) const;
+    /// Whether it asks for distances from surfaces, which take long.
+    bool of_surfaces() const;
+    /// How much f changes at most over a unit of the scene; infinite where it has a step.
+    float steepness() const;
 };
+
+/// Where focus falls off from surfaces, samples and pixels between two (or four) others over which f cannot change by
+/// more than this have what lies between theirs; all others are exact.
+inline constexpr float focus_tolerance = 1.0f / 32.0f;
 
 /// f of each atlas sample.
 Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus);

@@ -5,8 +5,10 @@
 #include <random>
 
 #include "drawing.h"
+#include "focus/each_sample.h"
 #include "focus/focus.h"
 #include "scene/distance.h"
+#include "scene/seen.h"
 
 using namespace fovea;
 
@@ -113,4 +115,30 @@ TEST(SurfaceDistance, MakesFocusFallOffFromASurface) {
     EXPECT_EQ(focus({}, seen({5, 0, 0})), 1.0f);
     focus.points.push_back({seen({6, 0, 0}), 0, 2});
     EXPECT_NEAR(focus({}, seen({5, 0, 0})), 0.5f, 1e-5f);
+}
+
+TEST(SurfaceDistance, FocusOfPixelsAndSamplesIsThatOfTheirPlaces) {
+    const drawing::Drawing drawn({drawing::place(meshes::sphere(24)), drawing::place(meshes::grid(6, 4.0f))}, view(),
+                                 {drawing::line_set({"contour", "border", "topographic"})});
+    const Index ball[] = {0};
+    const auto surface = std::make_shared<SurfaceDistance>(drawn.scene, view(), ball);
+    const Array<float> depth = depth_image(drawn.tracer, Cancel());
+    const dmat4 clip_to_view = glm::inverse(view().view_to_clip);
+    for (const float far : {0.3f, 2.0f}) {
+        const Focus focus{FocusSpace::scene, {{vec3(0), 0.2f, far, surface}}};
+        const Array<float> pixels = focus_of_pixels(view(), depth, focus);
+        double error = 0.0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const dvec2 px(i % view().width + 0.5, i / view().width + 0.5);
+            const bool nothing = !std::isfinite(depth[i]) || depth[i] >= background_depth;
+            const float expected = nothing ? 1.0f : focus({}, vec3(from_pixels(view(), clip_to_view, px, depth[i])));
+            ASSERT_NEAR(pixels[i], expected, focus_tolerance) << i;
+            error += std::abs(pixels[i] - expected);
+        }
+        EXPECT_LT(error / double(pixels.size()), 2e-4) << far;
+        const Array<float> samples = focus_of_samples(drawn.clipped, focus);
+        each_sample(drawn.clipped, [&](const SamplePlace& at) {
+            EXPECT_NEAR(samples[at.sample], focus({}, position_at(drawn.clipped, at)), focus_tolerance);
+        });
+    }
 }
