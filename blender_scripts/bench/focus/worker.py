@@ -14,14 +14,14 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import bpy
 import numpy as np
 import scenes
-from bench.focus import PER_SAMPLE, coherence, density, emphasis, world
+from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, world
 from bench.visibility.worker import middle, orbit
 from bl_ext.user_default.fovea import focus
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import gpu_context
 
 STEP = math.radians(0.25)
-REPEATS = 5
+REPEATS = 3
 
 
 def main(asked):
@@ -80,6 +80,7 @@ def stage_costs(scene, workbench, place):
         if backend.name == "cpu":
             told += [("effects of colour, of Workbench's frame", colors / workbench, "<= .2")]
             told += [(PER_SAMPLE, 1000 * elision / max(len(drawn[-1].places().index), 1), None)]
+            told += [(PER_ATLAS_SAMPLE, 1000 * elision / max(drawn[-1].frame.clipped.samples, 1), None)]
     return [{"figure": figure, "scene": scene, "value": value, "wanted": wanted} for figure, value, wanted in told]
 
 
