@@ -25,8 +25,6 @@ SOON = 5.0  # seconds, on a machine that has much else to do
 NEW_KEYS = ["new", "", "a.b", "[0]", "widht", "\n", "kept", "__class__"]
 PATHS = ["../secret", "/etc/passwd", "a/b", "..", ".", "a\\b", "ink.png", "C:\\ink", "a\0b", "~", "$HOME", "%2e%2e", ""]
 
-NO_FILES = ("name", "attribute", "object", "priority_attribute", "density_attribute")  # texts that name no file
-
 
 def refusal(text, definitions=DEFINITIONS):
     """The sentence about a text that is refused, soon."""
@@ -133,10 +131,14 @@ def test_random_changes_are_read_or_refused_and_nothing_else():
     assert {name: json.loads(style.dump(style.load(name))) for name in style.names()} == FULL, "nothing else changes"
 
 
+# Names of what is in a scene, which never become those of files.
+IN_SCENES = ("name", "object", "attribute", "priority_attribute", "density_attribute")
+
+
 @pytest.mark.parametrize("name", style.names())
 def test_no_text_leads_out_of_its_folder(name):
     data = FULL[name]
-    texts = [path for path in places(data) if isinstance(at(data, path), str) and path[-1] not in NO_FILES]
+    texts = [path for path in places(data) if isinstance(at(data, path), str) and path[-1] not in IN_SCENES]
     assert {path[-1] for path in texts} >= {"texture", "cap", "width_unit", "texture_anchor", "shading", "model"}
     for path in texts:
         for wrong in PATHS:
