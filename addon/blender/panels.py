@@ -132,7 +132,7 @@ def _draw_elision(layout, settings):
             body.prop(settings, f"elision_{name}")
         for name in layer_settings.ATTRIBUTES:
             body.prop(settings, f"elision_{name}")
-        body.template_ID(settings, "elision_density_image", open="image.open", text="Density Map")
+        body.prop(settings, "elision_density_image")
 
 
 def _draw_paper(layout, context):
