@@ -110,7 +110,7 @@ class Pen:
     pressure: float = 0.0  # how much thinner strokes are at their ends than in the middle
     spacing: float = 6.0  # how near two lines that go alongside may be where elision thins them
     width_unit: str = "reference"  # or pixels of the image, or millimetres on the style's paper; of the width alone
-    texture_anchor: str = "screen"  # or path: in zooms the texture keeps its places along the path
+    texture_anchor: str = "screen"  # or path: in zooms it keeps its places along the path; for grain
 
 
 @dataclass(frozen=True)

@@ -35,7 +35,7 @@ CHOICES = {  # field: (name, description, items)
         "What the texture of {} keeps when they grow in the image",
         [
             ("SCREEN", "Its Size", "One repetition is always as long in the image, and slides along lines that grow"),
-            ("PATH", "Its Place", "It stays where it is along lines, and divides as they grow"),
+            ("PATH", "Its Place", "It stays where it is along lines, and divides as they grow: for grain, not for dashes"),
         ],
     ),
 }

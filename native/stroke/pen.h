@@ -6,7 +6,7 @@
 namespace fovea {
 
 /// Where a texture stays in zooms. On the screen: one repetition is as long as the pen says, and slides along the path;
-/// on the path: it keeps its places there, in octaves (fragment.h).
+/// on the path: it keeps its places there, in octaves (fragment.h): for grain; dashes turn grey while they divide.
 enum class Anchor : std::uint8_t { screen, path };
 
 enum class Cap : std::uint8_t { butt, round };

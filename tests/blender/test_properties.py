@@ -116,6 +116,21 @@ def test_what_hidden_lines_do_is_told(settings):
         assert "1080 pixels high" in settings.bl_rna.properties[name].description
 
 
+def test_fields_that_nothing_reads_are_told_once(settings):
+    session, said = part("blender.session"), []
+    engine = SimpleNamespace(report=lambda kinds, sentence: said.append((kinds, sentence)))
+    words = '{"schema": 1, "line_sets": [{"kinds": {"contuor": {}, "crease": {"angel": 3}}, "pen": {"widht": 2}}]}'
+    chosen = style.parse(words, catalogue.definitions())
+    session._forget()
+    for _ in range(3):
+        session._report_unknown(engine, chosen)
+    session._report_unknown(engine, style.load(style.DEFAULT))
+    ((kinds, sentence),) = said
+    assert kinds == {"INFO"}
+    for name, near in (("kinds.contuor", "contour"), ("kinds.crease.angel", "angle"), ("pen.widht", "width")):
+        assert f"line_sets[0].{name} (is it {near}?)" in sentence
+
+
 def test_choices_of_pens_and_the_pages_height_go_both_ways(settings, monkeypatch):
     pen = style.Pen(width=0.35, width_unit="millimetres", texture_anchor="path", cap="butt")
     chosen = style.Style(paper=style.Paper(height_mm=148), line_sets=(style.LineSet(kinds={"contour": {}}, pen=pen),))
@@ -135,7 +150,7 @@ def test_choices_of_pens_and_the_pages_height_go_both_ways(settings, monkeypatch
 @pytest.mark.parametrize("visibility, told", [("AUTO", True), ("ATLAS", True), ("EXACT", False)])
 def test_the_panel_shows_the_hidden_pen_and_what_sampling_cannot_tell(settings, visibility, told):
     of_hidden = {name for name in settings.bl_rna.properties.keys() if name.startswith("hidden_")}
-    assert len(of_hidden) == 15
+    assert len(of_hidden) == 17
     settings.hidden, settings.visibility = False, visibility
     assert {"hidden", "halo", "overshoot"} <= set(shown_by_the_panel().shown)
     assert not of_hidden & set(shown_by_the_panel().shown)
