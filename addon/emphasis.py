@@ -18,8 +18,6 @@ def of_lines(frame, style):
 
 def thinned(felt, frame, runs, style, backend, cancel):
     """An Emphasis with what elision leaves of Runs."""
-    if not style.elision.enabled:
-        return felt
     elision, scale = style.elision, frame.view.reference_scale
     painted = cpu_focus.values_on_paths(frame, elision.priority_attribute) if elision.priority_attribute else None
     ranks = cpu.ranks(frame, runs, cpu.priorities(frame, elision.weights(), frame.notes.importance, painted))

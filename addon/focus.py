@@ -6,7 +6,7 @@ from each pen to the one that is given for lines out of focus, colour effects fr
 
 from dataclasses import dataclass
 
-from .style_values import RANGES, StyleError, check_keys, check_range, check_text, record
+from .style_values import RANGES, StyleError, check_keys, check_range, check_text, one_of, record
 
 MODELS = ("none", "image", "scene", "object", "painted")
 COMBINATIONS = ("nearest", "sum")
@@ -92,9 +92,9 @@ def parse_focus(data, where):
     if not isinstance(points, list) or len(points) > MOST_POINTS:
         raise StyleError(f"{where}.points must be a list of at most {MOST_POINTS} points")
     found = Focus(
-        _one_of(data.get("model", "none"), MODELS, f"{where}.model"),
+        one_of(data.get("model", "none"), MODELS, f"{where}.model"),
         tuple(_point(point, f"{where}.points[{i}]") for i, point in enumerate(points)),
-        _one_of(data.get("combine", "nearest"), COMBINATIONS, f"{where}.combine"),
+        one_of(data.get("combine", "nearest"), COMBINATIONS, f"{where}.combine"),
         check_text(data.get("attribute", ""), f"{where}.attribute"),
     )
     if found.model == "painted" and not found.attribute:
@@ -130,7 +130,7 @@ def _with_transfers(cls, data, where, choices):
         if isinstance(old, Transfer):
             values[key] = parse_transfer(value, here, old)
         elif key in choices:
-            values[key] = _one_of(value, choices[key], here)
+            values[key] = one_of(value, choices[key], here)
         else:
             values[key] = check_range(value, RANGES[key], here)
     return cls(**values)
@@ -160,9 +160,3 @@ def _curve(data, where):
         if i and points[i - 1][0] >= points[i][0]:
             raise StyleError(f"{where}: points must ascend in x")
     return tuple(points)
-
-
-def _one_of(value, known, where):
-    if value not in known:
-        raise StyleError(f"{where} is {value!r}; it can be: {', '.join(known)}")
-    return value

@@ -82,8 +82,9 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), pr
         parts = cpu.parts(frame, tidied, levels, *small, cancel)
         felt = emphasis.of_lines(frame, style)
         runs = cpu.at_ends(frame, parts, style, scale, emphasis.mix(style.effects.overshoot, felt.focus))
-    with clock.stage("elision", 0.05):
-        felt = emphasis.thinned(felt, frame, parts, style, backend, cancel)
+    if style.elision.enabled and method.knows:
+        with clock.stage("elision", 0.05):
+            felt = emphasis.thinned(felt, frame, parts, style, backend, cancel)
     with clock.stage("shape", 0.05):
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)

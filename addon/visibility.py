@@ -3,7 +3,8 @@
     runs(frame, backend, cancel) -> visible Runs, and the samples by which their ends fade, or None where they are sharp
     draw(frame, backend, strokes, pens, textures) -> (height, width, 4) float32, strokes alone, premultiplied
 
-All but the spine test know the visible runs before they draw, and draw just these.
+All but the spine test know the visible runs before they draw (`knows`), and draw just these; only of what is seen can
+one say what crowds it.
 """
 
 from .backend import cpu
@@ -13,6 +14,7 @@ class Exact:
     """Rays: the same answer on every machine."""
 
     name = "exact"
+    knows = True
     counts = True  # how many surfaces hide a line; samples only say whether something does
 
     def told(self, frame):
@@ -60,6 +62,7 @@ class SpineTest(Exact):
     Finkelstein 2010, algorithm 1). What is hidden has no ends of its own: no caps, gaps or spurs there, and no pen."""
 
     name = "spine"
+    knows = False
     counts = False
 
     def told(self, frame):
