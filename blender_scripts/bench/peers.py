@@ -21,7 +21,7 @@ def parse(words):
     parser = argparse.ArgumentParser("fovea bench peers", description=__doc__)
     add = parser.add_argument
     add("--scenes", type=scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
-    add("--renderers", type=renderer_list, metavar="A,B", help=", ".join(RENDERERS))
+    add("--renderers", type=some_of(RENDERERS), metavar="A,B", help=", ".join(RENDERERS))
     add("--quick", action="store_true", help="without Freestyle, medians of 3 instead of 5")
     add("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
     add("--json", action="store_true", help="print JSON instead of a table")
@@ -30,19 +30,31 @@ def parse(words):
     return options
 
 
+def some_of(known):
+    """A parser of lists of these names."""
+
+    def parse_names(text):
+        unknown = set(text.split(",")) - set(known)
+        if unknown:
+            raise argparse.ArgumentTypeError(f"{', '.join(sorted(unknown))} is none of {', '.join(known)}")
+        return text.split(",")
+
+    return parse_names
+
+
+def frame_size(text):
+    width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal() and int(width) and int(height)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
+    return int(width), int(height)
+
+
 def scene_list(text):
     try:
         for spec in text.split(","):
             scenes.parse(spec)
     except ValueError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
-    return text.split(",")
-
-
-def renderer_list(text):
-    unknown = set(text.split(",")) - set(RENDERERS)
-    if unknown:
-        raise argparse.ArgumentTypeError(f"{', '.join(unknown)} is none of {', '.join(RENDERERS)}")
     return text.split(",")
 
 
@@ -102,6 +114,15 @@ def row(spec, renderer, record, problem):
 
 def median(frames, field):
     return round(statistics.median(frame[field] for frame in frames), 4) if frames else None
+
+
+def measured(worker, asked, blender, environment, timeout):
+    """(rows, problem): what a worker script, in a Blender of its own, writes when it is asked; see `run`."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "rows.json"
+        words = json.dumps({**asked, "out": str(out)})
+        problem = run([blender, "-b", "--python-exit-code", "1", "-P", str(worker), "--", words], environment, timeout)
+        return json.loads(out.read_text()) if out.is_file() else [], problem
 
 
 def as_json(rows):

@@ -9,26 +9,6 @@
 namespace fovea {
 namespace {
 
-/// v and h over a triangle, as drawn.
-class Across {
-   public:
-    Across(const FixedTriangle& shape, const dvec2& a, const dvec2& b, const dvec2& c)
-        : origin_(shape.corner(0)), at_origin_(a) {
-        const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
-        const double area = e.x * f.y - e.y * f.x;
-        slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
-        slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
-    }
-
-    /// At the centre of pixel (x, y).
-    vec2 at(int x, int y) const {
-        return vec2(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) + slope_x_ * (x + 0.5 - origin_.x));
-    }
-
-   private:
-    dvec2 origin_, at_origin_, slope_x_, slope_y_;
-};
-
 /// Cosine of twice the angle between two lines, given what is across them.
 float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
     const float c = (float(a.away_x) * float(b.away_x) + float(a.away_y) * float(b.away_y)) / (32767.0f * 32767.0f);
@@ -51,7 +31,7 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
     const FixedTriangle shape(bands.px[c[0]], bands.px[c[1]], bands.px[c[2]]);
     const PixelBox box = intersect(shape.box(), tile);
     if (shape.empty() || box.empty()) return;
-    const Across across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
+    const OverTriangle<2> across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
     const vec3 owner = bands.owner[c[0]];
     const auto x = std::int16_t(std::lround(owner.x * 32767.0f)), y = std::int16_t(std::lround(owner.y * 32767.0f));
     PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0};

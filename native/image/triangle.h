@@ -96,4 +96,28 @@ class FixedTriangle {
     std::int64_t at_origin_[3]{}, step_x_[3]{}, step_y_[3]{};
 };
 
+/// What three corners say, over their triangle: affine, exact at the corners as drawn.
+template <int N>
+class OverTriangle {
+    using Value = glm::vec<N, double>;
+
+   public:
+    OverTriangle(const FixedTriangle& shape, const Value& a, const Value& b, const Value& c)
+        : origin_(shape.corner(0)), at_origin_(a) {
+        const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
+        const double area = e.x * f.y - e.y * f.x;
+        slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
+        slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
+    }
+
+    /// At the centre of pixel (x, y).
+    glm::vec<N, float> at(int x, int y) const {
+        return glm::vec<N, float>(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) + slope_x_ * (x + 0.5 - origin_.x));
+    }
+
+   private:
+    dvec2 origin_;
+    Value at_origin_, slope_x_, slope_y_;
+};
+
 }  // namespace fovea

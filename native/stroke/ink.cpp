@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "base/check.h"
 
@@ -47,6 +48,20 @@ PenTexture fit_texture(const PenTexture& texture, float length_px, float width_p
     result.row_mean.resize(std::size_t(result.height));
     shrink(result.ink.data(), result.width, result.row_mean.data(), 1, result.height, 1, result.width, 1, 1);
     return result;
+}
+
+std::vector<PenTexture> fit_textures(In<Pen> pens, In<PenTexture> textures) {
+    std::vector<PenTexture> fitted;
+    for (const Pen& pen : pens) {
+        check(pen.texture == none || pen.texture < textures.size(),
+              "pen: there is no texture " + std::to_string(pen.texture));
+        check(pen.away == none || pen.away < pens.size(),
+              "pen: there is no pen " + std::to_string(pen.away) + " out of focus");
+        fitted.push_back(pen.texture == none
+                             ? PenTexture{}
+                             : fit_texture(textures[pen.texture], pen.texture_length_px, pen.width_px));
+    }
+    return fitted;
 }
 
 }  // namespace fovea

@@ -12,4 +12,8 @@ namespace fovea {
 /// empty or its array has the wrong size.
 PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px);
 
+/// The texture of each pen as it draws it; empty for a solid one. Throws where a pen's texture, or its pen out of focus,
+/// does not exist.
+std::vector<PenTexture> fit_textures(In<Pen> pens, In<PenTexture> textures);
+
 }  // namespace fovea

@@ -1,22 +1,15 @@
 #include "stroke/pen_table.h"
 
-#include <string>
-
-#include "base/check.h"
 #include "stroke/ink.h"
 
 namespace fovea {
 
 PenTable pen_table(In<Pen> pens, In<PenTexture> textures) {
     PenTable table;
+    const std::vector<PenTexture> inks = fit_textures(pens, textures);
     for (Index i = 0; i < pens.size(); ++i) {
         const Pen& pen = pens[i];
-        check(pen.texture == none || pen.texture < textures.size(),
-              "pen: there is no texture " + std::to_string(pen.texture));
-        check(pen.away == none || pen.away < pens.size(),
-              "pen: there is no pen " + std::to_string(pen.away) + " out of focus");
-        PenTexture fitted;
-        if (pen.texture != none) fitted = fit_texture(textures[pen.texture], pen.texture_length_px, pen.width_px);
+        const PenTexture& fitted = inks[i];
         table.pens.push_back(vec4(pen.color, float(pen.away == none ? i : pen.away)));
         table.pens.push_back(
             vec4(pen.texture_length_px, pen.cap == Cap::round ? 1.0f : 0.0f, float(table.ink.size()),

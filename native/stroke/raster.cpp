@@ -13,31 +13,6 @@ namespace fovea {
 
 namespace {
 
-/// What the vertices say, over a triangle; exact at the corners as drawn.
-template <int N>
-class Values {
-    using dvec = glm::vec<N, double>;
-
-public:
-    Values(const FixedTriangle& shape, const dvec& a, const dvec& b, const dvec& c)
-        : origin_(shape.corner(0)), at_origin_(a) {
-        const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
-        const double area = e.x * f.y - e.y * f.x;
-        slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
-        slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
-    }
-
-    /// At the centre of pixel (x, y).
-    glm::vec<N, float> at(int x, int y) const {
-        return glm::vec<N, float>(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) +
-                    slope_x_ * (x + 0.5 - origin_.x));
-    }
-
-private:
-    dvec2 origin_;
-    dvec at_origin_, slope_x_, slope_y_;
-};
-
 /// Edges of a depth buffer's core lie between pixels, or beyond all of them.
 PixelBox pixels_of(const vec4& core) { return {int(core.x), int(core.y), int(core.z), int(core.w)}; }
 
@@ -48,15 +23,7 @@ class Painter {
         : strokes_(strokes), pens_(pens), picture_{0, 0, width, height}, decided_(picture_), image_(image),
           spine_(spine) {
         if (spine) decided_ = intersect(picture_, pixels_of(spine->core()));
-        for (const Pen& pen : pens) {
-            check(pen.texture == none || pen.texture < textures.size(),
-                  "pen: there is no texture " + std::to_string(pen.texture));
-            check(pen.away == none || pen.away < pens.size(),
-                  "pen: there is no pen " + std::to_string(pen.away) + " out of focus");
-            inks_.push_back(pen.texture == none ? PenTexture{}
-                                                : fit_texture(textures[pen.texture],
-                                                              pen.texture_length_px, pen.width_px));
-        }
+        inks_ = fit_textures(pens, textures);
     }
 
     void tile(const Tiles& tiles, int i, int j) const {
@@ -78,8 +45,8 @@ class Painter {
     void triangle(glm::uvec3 c, const PixelBox& tile) const {
         const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);
         const PixelBox box = intersect(shape.box(), tile);
-        const Values<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
-        const Values<2> mixes(shape, dvec2(strokes_.mix[c[0]]), dvec2(strokes_.mix[c[1]]), dvec2(strokes_.mix[c[2]]));
+        const OverTriangle<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
+        const OverTriangle<2> mixes(shape, dvec2(strokes_.mix[c[0]]), dvec2(strokes_.mix[c[1]]), dvec2(strokes_.mix[c[2]]));
         const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w, path_px = strokes_.path_px[c[0]];
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;

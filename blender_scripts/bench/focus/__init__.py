@@ -3,9 +3,7 @@
 One process per part and scene. Needs plain Python only."""
 
 import argparse
-import json
 import sys
-import tempfile
 from pathlib import Path
 
 from .. import peers
@@ -24,9 +22,9 @@ QUICK_FRAMES, FRAMES = 10, 40
 def parse(words):
     parser = argparse.ArgumentParser("fovea bench focus", description=__doc__)
     add = parser.add_argument
-    add("--parts", type=_parts, default=list(PARTS), metavar="A,B", help=", ".join(PARTS))
+    add("--parts", type=peers.some_of(PARTS), default=list(PARTS), metavar="A,B", help=", ".join(PARTS))
     add("--scenes", type=peers.scene_list, metavar="A,B", help="instead of those of each part")
-    add("--size", type=_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
+    add("--size", type=peers.frame_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
     add("--distance", type=float, default=10.0, metavar="PX", help="that lines keep, of 1080 pixels (10)")
     add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames, not {FRAMES}; one place to look at, not three")
     add("--timeout", type=float, default=3600, metavar="S", help="seconds a part of a scene may take (3600)")
@@ -34,40 +32,22 @@ def parse(words):
     return parser.parse_args(words)
 
 
-def _parts(text):
-    unknown = set(text.split(",")) - set(PARTS)
-    if unknown:
-        raise argparse.ArgumentTypeError(f"{', '.join(sorted(unknown))} is none of {', '.join(PARTS)}")
-    return text.split(",")
-
-
-def _size(text):
-    width, _, height = text.partition("x")
-    if not (width.isdecimal() and height.isdecimal() and int(width) and int(height)):
-        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
-    return int(width), int(height)
-
-
 def main(words, blender, environment, shared: Path | None) -> int:
     """`environment`: of a Blender that has the extension installed."""
     options = parse(words)
     rows, problems = [], []
-    with tempfile.TemporaryDirectory() as folder:
-        out = Path(folder) / "rows.json"
-        for part in options.parts:
-            for spec in options.scenes or SCENES[part]:
-                print(f"fovea: {part}, {spec}", file=sys.stderr, flush=True)
-                out.unlink(missing_ok=True)
-                asked = {
-                    "part": part, "scene": spec, "size": options.size, "distance": options.distance,
-                    "frames": QUICK_FRAMES if options.quick else FRAMES, "places": 1 if options.quick else 3,
-                    "shared": str(shared or ""), "out": str(out),
-                }  # fmt: skip
-                command = [blender, "-b", "--python-exit-code", "1", "-P", str(WORKER), "--", json.dumps(asked)]
-                gpu = {"FOVEA_BACKEND": "gpu"} if part == "cost" else {}
-                problem = peers.run(command, environment | gpu, options.timeout)
-                rows += json.loads(out.read_text()) if out.is_file() else []
-                problems += [f"{part}, {spec}: {problem}"] if problem else []
+    for part in options.parts:
+        for spec in options.scenes or SCENES[part]:
+            print(f"fovea: {part}, {spec}", file=sys.stderr, flush=True)
+            asked = {
+                "part": part, "scene": spec, "size": options.size, "distance": options.distance,
+                "frames": QUICK_FRAMES if options.quick else FRAMES, "places": 1 if options.quick else 3,
+                "shared": str(shared or ""),
+            }  # fmt: skip
+            gpu = {"FOVEA_BACKEND": "gpu"} if part == "cost" else {}
+            found, problem = peers.measured(WORKER, asked, blender, environment | gpu, options.timeout)
+            rows += found
+            problems += [f"{part}, {spec}: {problem}"] if problem else []
     if "cost" in options.parts:
         rows += linearity(rows)
     print(peers.as_json(rows) if options.json else table(rows))

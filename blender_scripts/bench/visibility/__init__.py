@@ -3,9 +3,7 @@
 One process per scene; inside it all methods draw the same orbit. Needs plain Python only."""
 
 import argparse
-import json
 import sys
-import tempfile
 from pathlib import Path
 
 from .. import peers
@@ -20,44 +18,27 @@ def parse(words):
     parser = argparse.ArgumentParser("fovea bench visibility", description=__doc__)
     add = parser.add_argument
     add("--scenes", type=peers.scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
-    add("--methods", type=_methods, default=list(METHODS), metavar="A,B", help=", ".join(METHODS))
+    add("--methods", type=peers.some_of(METHODS), default=list(METHODS), metavar="A,B", help=", ".join(METHODS))
     add("--frames", type=int, default=20, help="of the orbit, one degree apart (20)")
-    add("--size", type=_size, default=(1024, 768), metavar="WxH", help="of the picture (1024x768)")
+    add("--size", type=peers.frame_size, default=(1024, 768), metavar="WxH", help="of the picture (1024x768)")
     add("--timeout", type=float, default=3600, metavar="S", help="seconds a scene may take (3600)")
     add("--json", action="store_true", help="print JSON instead of a table")
     return parser.parse_args(words)
-
-
-def _methods(text):
-    unknown = set(text.split(",")) - set(METHODS)
-    if unknown:
-        raise argparse.ArgumentTypeError(f"{', '.join(sorted(unknown))} is none of {', '.join(METHODS)}")
-    return text.split(",")
-
-
-def _size(text):
-    width, _, height = text.partition("x")
-    if not (width.isdecimal() and height.isdecimal() and int(width) and int(height)):
-        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
-    return int(width), int(height)
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
     """`environment`: of a Blender that has the extension installed."""
     options = parse(words)
     rows, problems = [], []
-    with tempfile.TemporaryDirectory() as folder:
-        for spec in options.scenes:
-            print(f"fovea: {spec}", file=sys.stderr, flush=True)
-            out = Path(folder) / f"{len(rows)}.json"
-            asked = {
-                "scene": spec, "methods": options.methods, "frames": options.frames, "size": options.size,
-                "shared": str(shared or ""), "out": str(out),
-            }  # fmt: skip
-            command = [blender, "-b", "--python-exit-code", "1", "-P", str(WORKER), "--", json.dumps(asked)]
-            problem = peers.run(command, environment | {"FOVEA_BACKEND": "gpu"}, options.timeout)
-            rows += json.loads(out.read_text()) if out.is_file() else []
-            problems += [f"{spec}: {problem}"] if problem else []
+    for spec in options.scenes:
+        print(f"fovea: {spec}", file=sys.stderr, flush=True)
+        asked = {
+            "scene": spec, "methods": options.methods, "frames": options.frames, "size": options.size,
+            "shared": str(shared or ""),
+        }  # fmt: skip
+        found, problem = peers.measured(WORKER, asked, blender, environment | {"FOVEA_BACKEND": "gpu"}, options.timeout)
+        rows += found
+        problems += [f"{spec}: {problem}"] if problem else []
     print(peers.as_json(rows) if options.json else table(rows))
     for problem in problems:
         print(problem, file=sys.stderr)
