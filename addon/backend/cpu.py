@@ -7,7 +7,6 @@ import numpy as np
 from .. import native
 from ..stages import Emphasis
 
-UNSET = 0xFFFFFFFF
 _HANDS_OVER = 12.0  # reference pixels before its end that a line begins to hand over to one that goes on
 
 
