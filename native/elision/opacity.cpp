@@ -35,12 +35,24 @@ void windows(const std::vector<float>& values, std::size_t length, std::vector<f
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = better(back[i], ahead[i + length - 1]);
 }
 
-/// Grey-scale opening by windows of `length` values that lie inside; of fewer values the least.
+/// Grey-scale opening by windows that lie inside, so many values long; between two whole numbers, between both openings.
+/// Of fewer values the least.
 class Opening {
    public:
-    void operator()(float* values, std::size_t count, std::size_t length) {
+    void operator()(float* values, std::size_t count, double length) {
+        if (std::all_of(values, values + count, [&](float v) { return v == values[0]; })) return;
+        const std::size_t whole = std::size_t(length);
+        longer_.assign(values, values + count);
+        open(longer_.data(), count, whole + 1);
+        open(values, count, whole);
+        const float share = float(length - double(whole));
+        for (std::size_t i = 0; i < count; ++i) values[i] = glm::mix(values[i], longer_[i], share);
+    }
+
+   private:
+    void open(float* values, std::size_t count, std::size_t length) {
         length = std::min(length, count);
-        if (length < 2 || std::all_of(values, values + count, [&](float v) { return v == values[0]; })) return;
+        if (length < 2) return;
         values_.assign(values, values + count);
         windows(values_, length, least_, [](float a, float b) { return std::min(a, b); });
         values_.assign(count + length - 1, 0.0f);
@@ -49,8 +61,7 @@ class Opening {
         std::copy_n(most_.begin(), count, values);
     }
 
-   private:
-    std::vector<float> values_, least_, most_;
+    std::vector<float> values_, least_, most_, longer_;
 };
 
 /// Pixels between the samples of a stretch, on average.
@@ -90,7 +101,7 @@ Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own,
         for (std::size_t s = begin; s < end; ++s)
             left[s] = std::clamp((scores[s] - options.fade_from) / (1.0f - options.fade_from), 0.0f, 1.0f);
         const double step = spacing(own, begin, end);
-        if (step > 0.0) open(&left[begin], end - begin, std::size_t(std::lround(options.stub_px / step)));
+        if (step > 0.0) open(&left[begin], end - begin, std::min(options.stub_px / step, double(end - begin)));
         for (std::size_t s = begin; s < end; ++s) opacities[own.sample[s]] = left[s] < options.cut ? 0.0f : left[s];
     });
     return opacities;

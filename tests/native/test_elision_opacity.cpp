@@ -50,6 +50,20 @@ TEST(ElisionOpacity, LeftoversGoAndLongPartsStay) {
     }
 }
 
+TEST(ElisionOpacity, WhatIsALeftoverChangesSteadily) {
+    // A run seen from a little nearer has its samples a little farther apart.
+    const Row row(60);
+    std::vector<float> scores = filled(60, 0.0f);
+    std::fill_n(scores.begin() + 20, 6, 1.0f);
+    float before = 1.0f;
+    for (double stub_px = 12.0; stub_px <= 14.0; stub_px += 0.1) {
+        const float left = row.opacities(scores, {.stub_px = stub_px})[22];
+        EXPECT_NEAR(left, 1.0 - (stub_px - 12.0) / 2.0, 1e-3) << stub_px;
+        EXPECT_LE(left, before + 1e-6f);
+        before = left;
+    }
+}
+
 TEST(ElisionOpacity, ShortRunsAndGapsStay) {
     const Row run(3);
     EXPECT_EQ(std::ranges::count(run.opacities(filled(3, 1.0f)), 1.0f), 3);
