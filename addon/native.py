@@ -19,6 +19,15 @@ def load():
         raise Unavailable(_explain(error)) from error
 
 
+def problem():
+    """Why the native module cannot be used, in one sentence; empty where it can."""
+    try:
+        load()
+    except Unavailable as error:
+        return str(error)
+    return ""
+
+
 def _explain(error):
     here = Path(__file__).parent
     python = f"Python {sys.version_info.major}.{sys.version_info.minor}"

@@ -1,6 +1,7 @@
 """Preferences of the add-on, and whether renders may ask Blender for a GPU context."""
 
 import functools
+import logging
 import os
 import subprocess
 import sys
@@ -8,8 +9,22 @@ from pathlib import Path
 
 import bpy
 
+from .. import native
+
 ADDON = __package__.rpartition(".")[0]
 SEEN = "FOVEA_GL_RENDERER"  # set for child processes: what the probe found, empty for nothing usable
+
+
+LOG_LEVELS = [
+    ("ERROR", "Errors", "Only what went wrong"),
+    ("WARNING", "Warnings", "Also what may look wrong"),
+    ("INFO", "Information", "Also what is done, and how long it takes"),
+    ("DEBUG", "All", "What helps to find faults"),
+]
+
+
+def _applied(preferences, _context):
+    apply(preferences)
 
 
 class FoveaPreferences(bpy.types.AddonPreferences):
@@ -20,9 +35,45 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         description="Look for OpenGL when Blender starts without a window; else such renders use the CPU alone",
         default=True,
     )
+    threads: bpy.props.IntProperty(
+        name="Threads",
+        description="Most threads that draw at once; 0: as many as the machine has. Pictures do not depend on it",
+        default=0,
+        min=0,
+        soft_max=64,
+        max=1024,
+        update=_applied,
+    )
+    log_level: bpy.props.EnumProperty(
+        name="Log",
+        description="What is told in the console",
+        items=LOG_LEVELS,
+        default="WARNING",
+        update=_applied,
+    )
 
     def draw(self, context):
-        self.layout.prop(self, "background_gpu")
+        column = self.layout.column()
+        column.use_property_split = True
+        problem = native.problem()
+        if problem:
+            column.label(text=problem, icon="ERROR")
+        column.prop(self, "background_gpu")
+        column.prop(self, "threads")
+        column.prop(self, "log_level")
+
+
+def apply(preferences):
+    """Makes what preferences say hold; without a native module there are no threads to speak of."""
+    logging.getLogger(ADDON).setLevel(preferences.log_level)
+    if not native.problem():
+        native.load().limit_threads(preferences.threads)
+
+
+def own():
+    """The add-on's preferences; None where Blender has none for it (scripts that register it by hand)."""
+    entry = bpy.context.preferences.addons.get(ADDON)
+    return entry.preferences if entry else None
 
 
 @functools.cache
@@ -35,9 +86,8 @@ def gl_renderer():
         return None
     if not bpy.app.background:
         return "window"
-    entry = bpy.context.preferences.addons.get(ADDON)
     # Elsewhere than on Linux there is no cheap way to know.
-    if not sys.platform.startswith("linux") or (entry and entry.preferences and not entry.preferences.background_gpu):
+    if not sys.platform.startswith("linux") or (own() and not own().background_gpu):
         return None
     if SEEN not in os.environ:
         os.environ[SEEN] = _probe()
@@ -56,6 +106,8 @@ def _probe():
 
 def register():
     bpy.utils.register_class(FoveaPreferences)
+    if own():
+        apply(own())
 
 
 def unregister():

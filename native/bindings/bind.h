@@ -5,6 +5,7 @@
 
 namespace fovea::bindings {
 
+void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 void bind_field(pybind11::module_& m);
 void bind_line(pybind11::module_& m);

@@ -71,12 +71,6 @@ void bind_line(py::module_& m) {
     m.def("line_definitions", &definitions,
           "The registry: one dict per definition, in the order of its bits, with its parameters.");
 
-    py::class_<Cancel, std::shared_ptr<Cancel>>(m, "Cancel", "A flag that long calls poll; cancel() makes them raise Cancelled.")
-        .def(py::init<>())
-        .def("cancel", [](Cancel& cancel) { cancel.requested = true; })
-        .def_property_readonly("requested", [](const Cancel& cancel) { return cancel.requested.load(); });
-    py::register_exception<Cancelled>(m, "Cancelled", PyExc_RuntimeError);
-
     const auto array = [](auto member) {
         return [member](py::object self) { return view_numpy(self.cast<const Paths&>().*member, self); };
     };

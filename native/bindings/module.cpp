@@ -4,6 +4,7 @@
 PYBIND11_MODULE(_native, m) {
     using namespace fovea::bindings;
     m.doc() = "Fovea's core: lines on surfaces, their visibility and strokes, as numpy arrays.";
+    bind_base(m);
     bind_mesh(m);
     bind_field(m);
     bind_line(m);
