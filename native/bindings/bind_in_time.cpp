@@ -36,8 +36,8 @@ void bind_in_time(py::module_& m) {
         .def(py::init(&prepare), py::arg("clipped"), py::arg("paths"), py::arg("runs"), py::arg("shown"),
              py::arg("width"), py::arg("height"), "shown (samples,) float32 in [0, 1].");
     m.def("smoothed_in_time", &smoothed, py::arg("shown"), py::arg("now"), py::arg("near"), py::arg("frames"),
-          R"((samples,) float32: the mean over so many frames to each side, see native/elision/in_time.h. now: ShownLines
-of the frame; near: pairs of how many frames later another is and its ShownLines.)");
+          R"((samples,) float32: the mean over so many frames to each side, see native/elision/in_time.h. now: the
+frame's ShownLines; near: pairs of how many frames later another is and its ShownLines.)");
 }
 
 }  // namespace fovea::bindings

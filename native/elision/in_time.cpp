@@ -33,7 +33,8 @@ struct OnPath {
 Array<OnPath> places_of_samples(const ClippedPaths& clipped, const Paths& paths) {
     Array<Index> piece_of_point(clipped.px.size());
     parallel_for(clipped.path.size(), [&](std::size_t q) {
-        for (Index i = clipped.pieces.begin(Index(q)); i < clipped.pieces.end(Index(q)); ++i) piece_of_point[i] = Index(q);
+        std::fill(piece_of_point.begin() + clipped.pieces.begin(Index(q)),
+                  piece_of_point.begin() + clipped.pieces.end(Index(q)), Index(q));
     });
     Array<OnPath> places(clipped.samples);
     each_sample(clipped, [&](const SamplePlace& at) {
@@ -127,7 +128,8 @@ ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Ru
 }
 
 Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNear> near, int frames) {
-    check(now.sample.empty() || std::ranges::max(now.sample) < shown.size(), "smoothing in time: lines of another frame");
+    check(now.sample.empty() || std::ranges::max(now.sample) < shown.size(),
+          "smoothing in time: lines of another frame");
     for (const FrameNear& frame : near)
         check(frame.away != 0 && std::abs(frame.away) <= frames, "smoothing in time: a frame is not near by");
     Array<float> smooth(shown.begin(), shown.end());
@@ -148,8 +150,7 @@ Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNe
                 }
             }
             for (Index i = 0; i < count; ++i)
-                if (now.shown[begin + i] >= 0.0f)
-                    smooth[now.sample[begin + i]] = float(means[i].sum / means[i].weight);
+                if (now.shown[begin + i] >= 0.0f) smooth[now.sample[begin + i]] = float(means[i].sum / means[i].weight);
         },
         64);
     return smooth;

@@ -35,8 +35,8 @@ struct FrameNear {
 };
 
 /// Factor for the opacity of lines per atlas sample, smoothed over so many frames to each side: the mean of what the
-/// frame and those near it show of the same place of the same line, weighted by a triangle, frames + 1 - |away|. So what
-/// is seen throughout changes by 1 / (frames + 1) a frame at most. Other frames are interpolated linearly between
+/// frame and those near it show of the same place of the same line, weighted by a triangle (frames + 1 - |away|). So
+/// what is seen throughout changes by 1 / (frames + 1) a frame at most. Other frames are interpolated linearly between
 /// samples; frames that do not see the place, or see it hidden where it is visible here, or the other way round, do not
 /// count. Samples that are on no line of `now`, or outside of the picture, stay as they are, and without other frames
 /// all do. Throws std::invalid_argument where a frame is farther away than `frames`, or is the frame itself.

@@ -32,7 +32,8 @@ struct Frame {
     }
     /// A run over a share of the first piece.
     Frame& only(double from, double to, std::uint8_t hidden_by = 0) {
-        const double begin = clipped.arc_px[wires::first_of(clipped, 0)], end = clipped.arc_px[wires::last_of(clipped, 0)];
+        const double begin = clipped.arc_px[wires::first_of(clipped, 0)],
+                     end = clipped.arc_px[wires::last_of(clipped, 0)];
         runs = {};
         runs.push(0, glm::mix(begin, end, from), glm::mix(begin, end, to), hidden_by);
         return *this;
@@ -143,7 +144,8 @@ TEST(ElisionInTime, ThePlaceIsFoundWhereverTheLineIsAndHoweverItIsSampled) {
 }
 
 TEST(ElisionInTime, LinesThatHaveNoIdOfTheirOwnStay) {
-    const std::vector<std::vector<dvec3>> three{across, {{-0.6, 0.2, -1}, {0.6, 0.2, -1}}, {{-0.6, 0.3, -1}, {0.6, 0.3, -1}}};
+    const std::vector<std::vector<dvec3>> three{
+        across, {{-0.6, 0.2, -1}, {0.6, 0.2, -1}}, {{-0.6, 0.3, -1}, {0.6, 0.3, -1}}};
     for (const bool by_view : {false, true}) {
         Frame now = Frame(three), other = Frame(three).with(0.0f);
         for (Frame* frame : {&now, &other}) {
@@ -163,7 +165,8 @@ TEST(ElisionInTime, TheSameForAnyNumberOfThreads) {
     std::uniform_real_distribution<double> x(-0.9, 0.9), z(-3.0, -1.0);
     std::uniform_real_distribution<float> any(0.0f, 1.0f);
     std::vector<std::vector<dvec3>> lines;
-    for (int k = 0; k < 400; ++k) lines.push_back({{x(random), x(random), z(random)}, {x(random), x(random), z(random)}});
+    for (int k = 0; k < 400; ++k)
+        lines.push_back({{x(random), x(random), z(random)}, {x(random), x(random), z(random)}});
     std::vector<Frame> frames;
     for (int k = 0; k < 5; ++k) {
         frames.emplace_back(lines, glm::rotate(dmat4(1.0), 0.01 * k, dvec3(0, 1, 0)));
