@@ -114,6 +114,18 @@ def ranks(frame, runs, priority):
     return native.load().rank_runs(frame.clipped, runs, priority, frame.paths.ids)
 
 
+def shown_lines(frame, runs, shown):
+    """The native ShownLines of a Frame: `shown` (samples,), what elision leaves of Runs."""
+    view = frame.view
+    return native.load().ShownLines(frame.clipped, frame.paths, runs, shown, view.width, view.height)
+
+
+def smoothed_in_time(shown, now, near, frames):
+    """(samples,) what elision leaves, smoothed over so many frames to each side; `now`: the frame's ShownLines, `near`:
+    pairs of how many frames later another is and its ShownLines."""
+    return native.load().smoothed_in_time(shown, now, list(near), frames)
+
+
 def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
     """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other;
     Emphasis leads to the pens out of focus."""

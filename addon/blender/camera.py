@@ -11,8 +11,7 @@ def of_render(engine, depsgraph):
     """The View of a final render, border and resolution percentage included."""
     render = depsgraph.scene.render
     width, height = engine.resolution_x, engine.resolution_y
-    camera = engine.camera_override or depsgraph.scene.camera
-    camera = _checked(camera).evaluated_get(depsgraph)
+    camera = chosen(engine, depsgraph).evaluated_get(depsgraph)
     full = camera.calc_matrix_camera(
         depsgraph, x=width, y=height, scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y
     )
@@ -28,6 +27,11 @@ def of_render(engine, depsgraph):
         reference_scale=height / REFERENCE_HEIGHT,
         frame=(-left, -bottom, width, height),
     )
+
+
+def chosen(engine, depsgraph):
+    """The camera of a final render."""
+    return _checked(engine.camera_override or depsgraph.scene.camera)
 
 
 def engine_matrix(engine, camera):

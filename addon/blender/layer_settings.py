@@ -94,6 +94,15 @@ def annotations(chosen):
             update=redraw,
         ),
     }
+    found["elision_frames"] = IntProperty(
+        name="Frames",
+        description="Renders smooth how lines come and go over so many frames before and after each, which takes as much "
+        "longer; not lines that change with the view",
+        default=chosen.elision.frames,
+        min=0,
+        max=elision.MOST_FRAMES,
+        update=redraw,
+    )
     found["elision_density_image"] = PointerProperty(
         type=bpy.types.Image,
         name="Density Map",
@@ -124,7 +133,8 @@ def style_parts(settings, base):
     shading, bands = settings.color_shading.lower(), settings.color_bands
     weights = {term: getattr(settings, f"elision_{term}") for term in WEIGHTS}
     names = {name: getattr(settings, f"elision_{name}") for name in ATTRIBUTES}
-    thinning = elision.Elision(settings.elision, settings.elision_fade_from, settings.elision_cut, **weights, **names)
+    shares = settings.elision_fade_from, settings.elision_cut
+    thinning = elision.Elision(settings.elision, *shares, settings.elision_frames, **weights, **names)
     if not any(thinning.weights().values()):
         thinning = replace(thinning, length=1.0)
     return {
@@ -145,6 +155,7 @@ def apply(settings, chosen):
         setattr(settings, name, getattr(getattr(chosen, part), field))
     settings.elision = chosen.elision.enabled
     settings.elision_fade_from, settings.elision_cut = chosen.elision.fade_from, chosen.elision.cut
+    settings.elision_frames = chosen.elision.frames
     for name in (*WEIGHTS, *ATTRIBUTES):
         setattr(settings, f"elision_{name}", getattr(chosen.elision, name))
 

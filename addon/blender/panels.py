@@ -130,7 +130,7 @@ def _draw_elision(layout, settings):
         body.active = settings.elision
         if settings.visibility == "SPINE":
             body.label(text="The spine test does not know what is seen before it draws: nothing is thinned", icon="INFO")
-        for name in ("fade_from", "cut", *layer_settings.WEIGHTS):
+        for name in ("fade_from", "cut", "frames", *layer_settings.WEIGHTS):
             body.prop(settings, f"elision_{name}")
         for name in layer_settings.ATTRIBUTES:
             body.prop(settings, f"elision_{name}")

@@ -8,6 +8,7 @@ import logging
 import threading
 import time
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 
 import bpy
@@ -16,7 +17,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
 from ..backend import gpu_viewport
-from . import camera, color_sources, methods, notes, properties, scene, subdivision, surfaces
+from . import camera, color_sources, methods, near_frames, notes, properties, scene, subdivision, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -106,47 +107,85 @@ def _reported(tell):
 
 def _draw(engine, depsgraph, view, viewport=None):
     """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
-    core, chosen = native.load(), properties.style_of(depsgraph.scene)
-    start = time.perf_counter()
-    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
-    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
-    colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
-    colors = color_sources.Gathering(core, colors_cache) if chosen.has_color() else None
-    noted = notes.Gathering(core, colors_cache, chosen)
-    beside = {"colors": colors, "notes": noted}
-    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
-    if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
-        raise CannotDraw("The scene is empty: there is nothing that has lines")
-    placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
-    sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
-    ingest = time.perf_counter() - start
-
-    _report_skipped(engine, cache.rebuilt, cache.remarks)
-    _report_unknown(engine, chosen)
-    if colors and (remark := colors.remark()):
-        engine.report({"INFO"}, remark)
-    chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
+    core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene)
+    backend, visibility = methods.choose(engine, settings, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     asked = {"with_depth": with_depth, "with_focus": viewport is None}
-    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(depsgraph.scene.fovea))
-    cancel = core.Cancel()
+    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(settings))
+    frames = pipeline.frames_near(chosen, options) if viewport is None else 0
+    cancel, near, near_s = core.Cancel(), (), 0.0
     with _watched(engine, cancel):
         try:
+            if frames:
+                start, look = time.perf_counter(), partial(_shown_lines, engine, depsgraph, backend, options, cancel)
+                near = near_frames.shown_lines(engine, depsgraph, frames, look)
+                near_s = time.perf_counter() - start
+            # The last: surfaces that move are those of the frame that was gathered last.
+            given = _gather(engine, depsgraph, depsgraph.scene, chosen, viewport, with_colors=True)
             image = pipeline.draw(
-                placed,
-                seen,
+                given.placed,
+                scene.seen(core, view),
                 chosen,
-                chosen_backend,
+                backend,
                 options,
-                colors=sources,
-                notes=noted.notes(depsgraph.scene, snapshot),
+                colors=given.colors,
+                notes=given.notes,
+                near=near,
                 progress=partial(_progress, engine),
                 cancel=cancel,
             )
         except core.Cancelled:
             return None
-    _note_statistics(ingest, snapshot, image)
+    _note_statistics(given, near_s, image)
     return image
+
+
+def _shown_lines(engine, depsgraph, backend, options, cancel):
+    """What elision leaves of the lines of the frame at which a final render's depsgraph is now, in its own style."""
+    there = depsgraph.scene_eval  # only here is what is keyed as it is at that frame
+    chosen = properties.style_of(there)
+    given = _gather(engine, depsgraph, there, chosen)
+    seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
+
+    def progress(_, stage):
+        engine.update_stats("Fovea", f"frame {there.frame_current}: {stage}")
+
+    beside = {"notes": given.notes, "progress": progress, "cancel": cancel}
+    return pipeline.shown_lines(given.placed, seen, chosen, backend, options, **beside)
+
+
+@dataclass(frozen=True)
+class _Given:
+    """A scene as the pipeline takes it."""
+
+    placed: object  # native Scene
+    notes: object
+    colors: object  # color.Sources; None where the style has no colour layer
+    snapshot: object
+    seconds: float  # that it took
+
+
+def _gather(engine, depsgraph, scene_, chosen, viewport=None, with_colors=False):
+    """What a Style needs to know of a scene: the depsgraph's own, or as it is evaluated."""
+    core, start = native.load(), time.perf_counter()
+    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
+    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+    colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
+    colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
+    noted = notes.Gathering(core, colors_cache, chosen)
+    beside = {"colors": colors, "notes": noted}
+    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
+    if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
+        raise CannotDraw("The scene is empty: there is nothing that has lines")
+    placed = scene.placed(core, snapshot)
+    sources = colors and colors.sources(scene_, snapshot.surface_of_placement)
+    seconds = time.perf_counter() - start
+
+    _report_skipped(engine, cache.rebuilt, cache.remarks)
+    _report_unknown(engine, chosen)
+    if colors and (remark := colors.remark()):
+        engine.report({"INFO"}, remark)
+    return _Given(placed, noted.notes(scene_, snapshot), sources, snapshot, seconds)
 
 
 @contextmanager
@@ -192,9 +231,10 @@ def _report_unknown(engine, chosen):
         engine.report({"INFO"}, remark)
 
 
-def _note_statistics(ingest, snapshot, image):
-    """Keeps what `last_statistics` tells."""
-    stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
+def _note_statistics(given, near_s, image):
+    """Keeps what `last_statistics` tells. `near_s`: the seconds that other frames took, where they were asked."""
+    snapshot, near = given.snapshot, {"near_frames": 1000 * near_s} if near_s else {}
+    stages = {"ingest": 1000 * given.seconds, **image.statistics["stages"], **near}
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]
