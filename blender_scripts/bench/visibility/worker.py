@@ -79,10 +79,10 @@ def set_drawing(scene_, size):
         setattr(scene_.fovea, definition["name"], definition["name"] in LINES)
 
 
-def orbit(view, pivot, frames, step=STEP):
-    """Views, `step` apart, turning about the vertical axis through the pivot."""
+def orbit(view, pivot, frames, step=STEP, more=0):
+    """Views, `step` apart, turning about the vertical axis through the pivot; `more`: before and after them."""
     views = []
-    for k in range(frames):
+    for k in range(-more, frames + more):
         turn = np.array(Matrix.Rotation(k * step, 4, "Z"))
         turn[:3, 3] = pivot - turn[:3, :3] @ pivot
         views.append(replace(view, world_to_view=view.world_to_view @ turn))
