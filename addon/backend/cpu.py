@@ -117,7 +117,7 @@ def ranks(frame, runs, priority):
 def shown_lines(frame, runs, shown):
     """The native ShownLines of a Frame: `shown` (samples,), what elision leaves of Runs."""
     view = frame.view
-    return native.load().ShownLines(frame.clipped, frame.paths, runs, shown, view.width, view.height)
+    return native.load().ShownLines(frame.clipped, frame.paths, frame.scene, runs, shown, view.width, view.height)
 
 
 def smoothed_in_time(shown, now, near, frames):

@@ -1,7 +1,8 @@
 """The frames before and after the one that is rendered, for elision smoothed in time.
 
 They are evaluated in the render's own depsgraph, as engines do for motion blur, also beyond the scene's range: so a
-frame rendered alone is that of the animation. Nothing is kept from one frame to the next. Renders only."""
+frame rendered alone is that of the animation (simulations must be baked, as there). Nothing is kept from one frame to
+the next. Renders only."""
 
 from contextlib import contextmanager
 

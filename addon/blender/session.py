@@ -105,6 +105,42 @@ def _reported(tell):
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
 
 
+@dataclass(frozen=True)
+class Gathered:
+    """A scene as it is drawn, whatever the view."""
+
+    snapshot: scene.Snapshot
+    placed: object  # native Scene
+    colors: object  # color.Sources, or None where there is no colour layer to draw
+    notes: object  # stages.Notes
+    seconds: float  # that reading it took
+
+
+def gather(engine, depsgraph, chosen, viewport=None, near_frame=None):
+    """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render.
+    `near_frame`: the evaluated scene at another frame than that of the picture, of which colours are not asked."""
+    start, core, scene_ = time.perf_counter(), native.load(), near_frame or depsgraph.scene
+    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
+    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+    colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
+    colors = color_sources.Gathering(core, colors_cache) if chosen.has_color() and near_frame is None else None
+    noted = notes.Gathering(core, colors_cache, chosen)
+    beside = {"colors": colors, "notes": noted}
+    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
+    if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
+        raise CannotDraw("The scene is empty: there is nothing that has lines")
+    placed = scene.placed(core, snapshot)
+    sources = colors and colors.sources(scene_, snapshot.surface_of_placement)
+    told = noted.notes(scene_, snapshot)
+    seconds = time.perf_counter() - start
+
+    _report_skipped(engine, cache.rebuilt, cache.remarks)
+    _report_unknown(engine, chosen)
+    if colors and (remark := colors.remark()):
+        engine.report({"INFO"}, remark)
+    return Gathered(snapshot, placed, sources, told, seconds)
+
+
 def _draw(engine, depsgraph, view, viewport=None):
     """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene)
@@ -120,23 +156,16 @@ def _draw(engine, depsgraph, view, viewport=None):
                 start, look = time.perf_counter(), partial(_shown_lines, engine, depsgraph, backend, options, cancel)
                 near = near_frames.shown_lines(engine, depsgraph, frames, look)
                 near_s = time.perf_counter() - start
-            # The last: surfaces that move are those of the frame that was gathered last.
-            given = _gather(engine, depsgraph, depsgraph.scene, chosen, viewport, with_colors=True)
+            # After the others: surfaces that move are as they were gathered last.
+            found = gather(engine, depsgraph, chosen, viewport)
+            seen, beside = scene.seen(core, view), {"colors": found.colors, "notes": found.notes, "near": near}
+            progress = partial(_progress, engine)
             image = pipeline.draw(
-                given.placed,
-                scene.seen(core, view),
-                chosen,
-                backend,
-                options,
-                colors=given.colors,
-                notes=given.notes,
-                near=near,
-                progress=partial(_progress, engine),
-                cancel=cancel,
+                found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel
             )
         except core.Cancelled:
             return None
-    _note_statistics(given, near_s, image)
+    _note_statistics(found, image, near_s)
     return image
 
 
@@ -144,48 +173,14 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
     """What elision leaves of the lines of the frame at which a final render's depsgraph is now, in its own style."""
     there = depsgraph.scene_eval  # only here is what is keyed as it is at that frame
     chosen = properties.style_of(there)
-    given = _gather(engine, depsgraph, there, chosen)
+    found = gather(engine, depsgraph, chosen, near_frame=there)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):
         engine.update_stats("Fovea", f"frame {there.frame_current}: {stage}")
 
-    beside = {"notes": given.notes, "progress": progress, "cancel": cancel}
-    return pipeline.shown_lines(given.placed, seen, chosen, backend, options, **beside)
-
-
-@dataclass(frozen=True)
-class _Given:
-    """A scene as the pipeline takes it."""
-
-    placed: object  # native Scene
-    notes: object
-    colors: object  # color.Sources; None where the style has no colour layer
-    snapshot: object
-    seconds: float  # that it took
-
-
-def _gather(engine, depsgraph, scene_, chosen, viewport=None, with_colors=False):
-    """What a Style needs to know of a scene: the depsgraph's own, or as it is evaluated."""
-    core, start = native.load(), time.perf_counter()
-    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
-    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
-    colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
-    colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
-    noted = notes.Gathering(core, colors_cache, chosen)
-    beside = {"colors": colors, "notes": noted}
-    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
-    if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
-        raise CannotDraw("The scene is empty: there is nothing that has lines")
-    placed = scene.placed(core, snapshot)
-    sources = colors and colors.sources(scene_, snapshot.surface_of_placement)
-    seconds = time.perf_counter() - start
-
-    _report_skipped(engine, cache.rebuilt, cache.remarks)
-    _report_unknown(engine, chosen)
-    if colors and (remark := colors.remark()):
-        engine.report({"INFO"}, remark)
-    return _Given(placed, noted.notes(scene_, snapshot), sources, snapshot, seconds)
+    beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
+    return pipeline.shown_lines(found.placed, seen, chosen, backend, options, **beside)
 
 
 @contextmanager
@@ -231,10 +226,12 @@ def _report_unknown(engine, chosen):
         engine.report({"INFO"}, remark)
 
 
-def _note_statistics(given, near_s, image):
-    """Keeps what `last_statistics` tells. `near_s`: the seconds that other frames took, where they were asked."""
-    snapshot, near = given.snapshot, {"near_frames": 1000 * near_s} if near_s else {}
-    stages = {"ingest": 1000 * given.seconds, **image.statistics["stages"], **near}
+def _note_statistics(found, image, near_s):
+    """Keeps what `last_statistics` tells of the Image of what was Gathered. `near_s`: the seconds that other frames
+    took, if any were asked."""
+    snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}
+    if near_s:
+        stages["near_frames"] = 1000 * near_s
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]

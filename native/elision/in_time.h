@@ -1,32 +1,49 @@
-// Elision smoothed in time. Lines of surfaces keep their ids from frame to frame, so a place on one is found again, and
-// what elision leaves of it can be a mean over the frames before and after.
+// Elision smoothed in time. Lines of surfaces are at the same places of their meshes in every frame, so what elision
+// leaves of them can be a mean over the frames before and after.
 #pragma once
 
 #include "atlas/runs.h"
 #include "path/paths.h"
+#include "scene/scene.h"
 
 namespace fovea {
 
-/// What elision leaves, in one frame, of the lines that are told apart by their ids: not those of the view
-/// (Paths::of_view), and none that shares its id with another. Places are shares of the whole path's length in object
-/// space, so they stay where they are on what moves or bends.
+/// What elision leaves, in one frame, of the lines that no view makes (Paths::of_view). Paths may be longer or shorter
+/// in another frame, where a line set before theirs takes edges away from them. So a place is told by the edge of the
+/// mesh that it lies on, which only one path has, and what share of that edge is before it; on a line across triangles,
+/// which is always whole, by the path's id, and what share of its length in object space. Either stays where it is on
+/// what moves or bends.
 struct ShownLines {
     static constexpr float unseen = -1.0f;
 
-    /// Per stretch, which is a run's samples: the path's id, ascending, and whether surfaces hide it.
-    Array<std::uint64_t> id;
+    /// What tells places: an edge of a placement, or a path across triangles; ascending.
+    using Key = std::uint64_t;
+    /// Where it lies on a path of the frame: from .. to in arc length, object units. By key.
+    struct Part {
+        Key key;
+        Index path;
+        double from, to;
+    };
+    struct Sample {
+        Index number;  ///< in the atlas
+        Key key;
+        double share;  ///< in [0,1], of what the key tells
+        double arc;    ///< length from the path's start, object units; ascending along a stretch
+        double reach;  ///< how far before and after it the sample speaks for the line, object units
+        float shown;   ///< factor for opacity in [0,1]; `unseen` outside of the picture
+    };
+
+    Array<Part> parts;
+    /// Per stretch, which is a run: its path, ascending, whether surfaces hide it, and its samples.
+    Array<Index> path;
     Array<std::uint8_t> hidden;
-    /// Samples of stretch s: samples.begin(s) .. samples.end(s) of the arrays below.
-    Rows samples;
-    Array<Index> sample;  ///< number in the atlas
-    Array<double> place;  ///< in [0,1], ascending along a stretch
-    Array<double> reach;  ///< how far before and after its place the sample speaks for the line
-    Array<float> shown;   ///< factor for opacity in [0,1]; `unseen` outside of the picture
+    Rows rows;
+    Array<Sample> samples;
 };
 
 /// `shown`: per atlas sample, as of elision/opacity.h. Width and height in pixels, of the picture.
-ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Runs& runs, In<float> shown, int width,
-                       int height);
+ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
+                       In<float> shown, int width, int height);
 
 /// Another frame, so many frames later or, below 0, earlier; its lines are there for as long as this is.
 struct FrameNear {

@@ -18,6 +18,15 @@ emphasis, near_frames, session = part("emphasis"), part("blender.near_frames"), 
 FRAMES = range(1, 6)
 
 
+def set_elision(scene, name, value):
+    setattr(scene.fovea, "elision" if name == "enabled" else f"elision_{name}", value)
+
+
+def key_spacing(scene, frame, value):
+    scene.fovea.pen_spacing = value
+    scene.fovea.keyframe_insert("pen_spacing", frame=frame)
+
+
 @pytest.fixture
 def fence():
     """Posts in a row and a camera that goes along them, whose lines crowd each other more and more."""
@@ -36,7 +45,9 @@ def fence():
     scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
     fovea = scene.fovea
     fovea.style, fovea.backend, fovea.visibility = "plain", "CPU", "EXACT"
-    fovea.elision, fovea.pen_spacing, fovea.pen_width, fovea.elision_frames = True, 90, 4, 2
+    fovea.pen_spacing, fovea.pen_width = 90, 4
+    set_elision(scene, "enabled", True)
+    set_elision(scene, "frames", 2)
     return scene
 
 
@@ -60,7 +71,7 @@ def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
     for frame in FRAMES:
         np.testing.assert_array_equal(backwards[frame], forwards[frame])
     assert np.abs(forwards[3] - forwards[4]).max() > 0.3
-    fence.fovea.elision_frames = 0
+    set_elision(fence, "frames", 0)
     assert np.abs(at(fence, 3, tmp_path) - alone).max() > 0.05
 
 
@@ -70,24 +81,32 @@ def test_frames_beyond_the_range_count_as_well(fence, tmp_path):
     np.testing.assert_array_equal(at(fence, 1, tmp_path), alone)
 
 
-def test_the_scene_is_left_at_its_frame(fence, tmp_path):
+def test_the_scene_is_left_at_its_frame(fence, tmp_path, monkeypatch):
     at(fence, 3, tmp_path)
     assert fence.frame_current == 3 and fence.frame_subframe == 0
     assert session.last_statistics()["stages"]["near_frames"] > 0
+    asked = []
+
+    def broken(*_arguments, **_options):
+        asked.append(fence.frame_current)
+        raise ValueError("ink ran out")
+
+    monkeypatch.setattr(session.pipeline, "shown_lines", broken)
+    with pytest.raises(RuntimeError, match="ink ran out"):
+        at(fence, 3, tmp_path)
+    assert asked == [1] and fence.frame_current == 3 and fence.frame_subframe == 0
 
 
 def test_what_is_keyed_has_its_own_value_at_every_frame(fence, tmp_path):
     """Spacing changes in a jump: the frames before it, as they were, count for those after it."""
     fence.camera.animation_data_clear()
-    settings = fence.fovea
     for frame, spacing in ((3, 0), (4, 160)):
-        settings.pen_spacing = spacing
-        settings.keyframe_insert("pen_spacing", frame=frame)
+        key_spacing(fence, frame, spacing)
     amounts = [ink(at(fence, frame, tmp_path)).sum() for frame in range(0, 8)]
     assert amounts[0] == pytest.approx(amounts[1]) and amounts[6] == pytest.approx(amounts[7])
     steps = -np.diff(amounts[1:7])
     assert (steps > 0).all() and steps.max() < 0.5 * (amounts[0] - amounts[7])
-    settings.elision_frames = 0
+    set_elision(fence, "frames", 0)
     assert ink(at(fence, 3, tmp_path)).sum() == pytest.approx(amounts[0])
     assert ink(at(fence, 4, tmp_path)).sum() == pytest.approx(amounts[7])
 
@@ -95,7 +114,7 @@ def test_what_is_keyed_has_its_own_value_at_every_frame(fence, tmp_path):
 def test_where_nothing_moves_nothing_changes(fence, tmp_path):
     fence.camera.animation_data_clear()
     smooth = at(fence, 3, tmp_path)
-    fence.fovea.elision_frames = 0
+    set_elision(fence, "frames", 0)
     np.testing.assert_array_equal(at(fence, 3, tmp_path), smooth)
 
 
@@ -110,13 +129,16 @@ def test_a_cut_to_another_camera_is_one(fence, tmp_path):
     np.testing.assert_array_equal(at(fence, 4, tmp_path), cut)
 
 
-@pytest.mark.parametrize("name, value", [("visibility", "SPINE"), ("elision", False), ("elision_frames", 0)])
+@pytest.mark.parametrize("name, value", [("visibility", "SPINE"), ("enabled", False), ("frames", 0)])
 def test_other_frames_are_asked_only_where_they_count(fence, tmp_path, monkeypatch, name, value):
     def asked(*_arguments):
         raise AssertionError("another frame was asked")
 
     monkeypatch.setattr(near_frames, "shown_lines", asked)
-    setattr(fence.fovea, name, value)
+    if name == "visibility":
+        fence.fovea.visibility = value
+    else:
+        set_elision(fence, name, value)
     at(fence, 3, tmp_path)
     assert "near_frames" not in session.last_statistics()["stages"]
 
@@ -136,7 +158,7 @@ def test_lines_come_and_go_more_slowly(fence, tmp_path, monkeypatch, backend):
     monkeypatch.setattr(emphasis, "thinned", keeping)
     largest = {}
     for frames in (0, 1, 3):
-        fence.fovea.elision_frames = frames
+        set_elision(fence, "frames", frames)
         kept.clear()
         for frame in FRAMES:
             at(fence, frame, tmp_path)

@@ -38,7 +38,9 @@ struct Frame {
         runs.push(0, glm::mix(begin, end, from), glm::mix(begin, end, to), hidden_by);
         return *this;
     }
-    ShownLines told() const { return shown_lines(clipped, lines.paths, runs, shown, view.width, view.height); }
+    ShownLines told() const {
+        return shown_lines(clipped, lines.paths, lines.scene, runs, shown, view.width, view.height);
+    }
 };
 
 const std::vector<dvec3> across{{-0.6, 0.1, -1.0}, {0.6, 0.1, -1.0}};
@@ -126,38 +128,52 @@ TEST(ElisionInTime, WhatLiesOutsideOfThePictureSaysNothing) {
 TEST(ElisionInTime, ThePlaceIsFoundWhereverTheLineIsAndHoweverItIsSampled) {
     // Opacity is a function of the place: the mean over frames is that function, up to steps of samples.
     const std::vector<dvec3> bent{{-0.5, -0.2, -1.0}, {0.1, 0.1, -1.6}, {0.4, -0.3, -1.2}};
+    const double length = glm::distance(bent[0], bent[1]) + glm::distance(bent[1], bent[2]);
     const auto seen = [&](dmat4 to_world, double step_px) {
         Frame frame({bent}, to_world, step_px);
-        const ShownLines places = frame.told();
-        for (std::size_t i = 0; i < places.sample.size(); ++i) frame.shown[places.sample[i]] = float(places.place[i]);
+        for (const ShownLines::Sample& at : frame.told().samples) frame.shown[at.number] = float(at.arc / length);
         return frame;
     };
     const dmat4 nearer = glm::translate(dmat4(1.0), dvec3(0.05, -0.03, 0.2));
     const dmat4 turned = glm::rotate(dmat4(1.0), 0.1, dvec3(0, 1, 0));
     const Frame now = seen(dmat4(1.0), 2.0);
-    const Array<float> smooth = middle_of({seen(nearer, 3.1), now, seen(turned, 0.7)}, 1);
-    const ShownLines places = now.told();
-    ASSERT_EQ(places.sample.size(), smooth.size());
-    for (std::size_t i = 2; i + 2 < smooth.size(); ++i) EXPECT_NEAR(smooth[places.sample[i]], places.place[i], 1e-5);
-    EXPECT_LT(smooth.front(), 0.01f);
-    EXPECT_GT(smooth.back(), 0.99f);
+    for (const bool across_triangles : {false, true}) {
+        std::vector<Frame> frames{seen(nearer, 3.1), now, seen(turned, 0.7)};
+        if (across_triangles)
+            for (Frame& frame : frames) std::ranges::fill(frame.lines.paths.place, Index(1000));
+        const Array<float> smooth = middle_of(frames, 1);
+        ASSERT_EQ(smooth.size(), now.shown.size());
+        EXPECT_NE(smooth, now.shown);
+        for (std::size_t i = 2; i + 2 < smooth.size(); ++i) EXPECT_NEAR(smooth[i], now.shown[i], 1e-5);
+        EXPECT_LT(smooth.front(), 0.01f);
+        EXPECT_GT(smooth.back(), 0.99f);
+    }
 }
 
-TEST(ElisionInTime, LinesThatHaveNoIdOfTheirOwnStay) {
-    const std::vector<std::vector<dvec3>> three{
-        across, {{-0.6, 0.2, -1}, {0.6, 0.2, -1}}, {{-0.6, 0.3, -1}, {0.6, 0.3, -1}}};
-    for (const bool by_view : {false, true}) {
-        Frame now = Frame(three), other = Frame(three).with(0.0f);
-        for (Frame* frame : {&now, &other}) {
-            if (by_view)
-                frame->lines.paths.of_view = {1, 2, 0};
-            else
-                frame->lines.paths.id = {7, 7, 9};
-        }
-        const Array<float> smooth = middle_of({other, now, other}, 1);
-        for (std::size_t s = 0; s < smooth.size(); ++s)
-            EXPECT_FLOAT_EQ(smooth[s], s < 2 * smooth.size() / 3 ? 1.0f : 0.5f) << s;
+TEST(ElisionInTime, ThePlaceIsFoundOnPathsThatBeginElsewhereOrGoTheOtherWay) {
+    const std::vector<dvec3> all{{-0.6, 0.1, -1.0}, {0.0, 0.2, -1.0}, {0.6, 0.1, -1.0}};
+    Frame now({all}), later({{all[1], all[2]}}), earlier({{all[2], all[1]}});
+    // These have the second edge alone, one from its second vertex.
+    std::ranges::fill(later.lines.paths.place, Index(1));
+    earlier.lines.paths.place = later.lines.paths.place;
+    earlier.lines.paths.edge_t = {1.0f, 0.0f};
+    for (Frame* frame : {&now, &later, &earlier}) {
+        frame->lines.scene = now.lines.scene;
+        for (const ShownLines::Sample& at : frame->told().samples)
+            frame->shown[at.number] = frame == &now ? 1.0f : float(at.share);
     }
+    const Array<float> smooth = middle_of({earlier, now, later}, 1);
+    for (const ShownLines::Sample& at : now.told().samples) {
+        const bool first_edge = at.arc < glm::distance(all[0], all[1]);
+        EXPECT_NEAR(smooth[at.number], first_edge ? 1.0 : 0.5 + 0.5 * at.share, 5e-3) << at.arc;
+    }
+}
+
+TEST(ElisionInTime, LinesOfTheViewStay) {
+    Frame now({across, {{-0.6, 0.2, -1}, {0.6, 0.2, -1}}}), other = Frame(now).with(0.0f);
+    now.lines.paths.of_view = other.lines.paths.of_view = {1, 0};
+    const Array<float> smooth = middle_of({other, now, other}, 1);
+    for (std::size_t s = 0; s < smooth.size(); ++s) EXPECT_FLOAT_EQ(smooth[s], s < smooth.size() / 2 ? 1.0f : 0.5f);
 }
 
 TEST(ElisionInTime, TheSameForAnyNumberOfThreads) {
@@ -184,6 +200,7 @@ TEST(ElisionInTime, RefusesWhatMakesNoSense) {
     EXPECT_THROW(smoothed_in_time(frame.shown, told, std::vector<FrameNear>{{0, told}}, 1), std::invalid_argument);
     EXPECT_THROW(smoothed_in_time(frame.shown, told, std::vector<FrameNear>{{-2, told}}, 1), std::invalid_argument);
     EXPECT_THROW(smoothed_in_time(std::vector<float>{1.0f}, told, {}, 1), std::invalid_argument);
-    EXPECT_THROW(shown_lines(frame.clipped, frame.lines.paths, frame.runs, std::vector<float>{1.0f}, 10, 10),
-                 std::invalid_argument);
+    EXPECT_THROW(
+        shown_lines(frame.clipped, frame.lines.paths, frame.lines.scene, frame.runs, std::vector<float>{1.0f}, 10, 10),
+        std::invalid_argument);
 }
