@@ -7,7 +7,7 @@ import numpy as np
 from .. import native
 from ..stages import Emphasis
 
-UNSET = 0xFFFFFFFF
+_HANDS_OVER = 12.0  # reference pixels before its end that a line begins to hand over to one that goes on
 
 
 def trace(scene, view):
@@ -124,6 +124,11 @@ def smoothed_in_time(shown, now, near, frames):
     """(samples,) what elision leaves, smoothed over so many frames to each side; `now`: the frame's ShownLines, `near`:
     pairs of how many frames later another is and its ShownLines."""
     return native.load().smoothed_in_time(shown, now, list(near), frames)
+
+
+def bands(frame, runs, ranks, half_width_px):
+    """The native Elision of Runs: what they want for themselves; see `elide` of the backends."""
+    return native.load().Elision(frame.clipped, runs, ranks, half_width_px, _HANDS_OVER * frame.view.reference_scale)
 
 
 def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
@@ -248,7 +253,7 @@ class Backend:
     def elide(self, frame, runs, ranks, half_width_px, cancel=None, **options):
         """(samples,) float32 in [0, 1]: what elision leaves of the opacity of Runs, given their `ranks` and half the
         distance in pixels that they want to keep from others at each sample; options of native Elision.opacities."""
-        elision = native.load().Elision(frame.clipped, runs, ranks, half_width_px)
+        elision = bands(frame, runs, ranks, half_width_px)
         crowding = elision.crowding(frame.view.width, frame.view.height, cancel)
         return elision.opacities(frame.clipped, crowding, **options)
 

@@ -128,9 +128,10 @@ class Frame {
 ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
                        In<float> shown, int width, int height) {
     check(shown.size() == clipped.samples, "smoothing in time: one opacity per atlas sample expected");
+    // Of their bands only which samples they have, and where, matters.
     const Array<Index> ranks(runs.size(), 0);
     const Array<float> widths(clipped.samples, 0.0f);
-    const OwnBands own = own_bands(clipped, runs, ranks, widths);
+    const OwnBands own = own_bands(clipped, runs, ranks, widths, 1.0f);
     const Array<OnPath> places = places_of_samples(clipped, paths);
     const Keys keys(paths, scene);
 
