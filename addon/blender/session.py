@@ -116,22 +116,21 @@ class Gathered:
     seconds: float  # that reading it took
 
 
-def gather(engine, depsgraph, chosen, viewport=None, near_frame=None):
-    """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render.
-    `near_frame`: the evaluated scene at another frame than that of the picture, of which colours are not asked."""
-    start, core, scene_ = time.perf_counter(), native.load(), near_frame or depsgraph.scene
+def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
+    """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
+    start, core = time.perf_counter(), native.load()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
-    colors = color_sources.Gathering(core, colors_cache) if chosen.has_color() and near_frame is None else None
+    colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
     noted = notes.Gathering(core, colors_cache, chosen)
     beside = {"colors": colors, "notes": noted}
     snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
     if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     placed = scene.placed(core, snapshot)
-    sources = colors and colors.sources(scene_, snapshot.surface_of_placement)
-    told = noted.notes(scene_, snapshot)
+    sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
+    told = noted.notes(depsgraph.scene_eval, snapshot)
     seconds = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
@@ -171,13 +170,12 @@ def _draw(engine, depsgraph, view, viewport=None):
 
 def _shown_lines(engine, depsgraph, backend, options, cancel):
     """What elision leaves of the lines of the frame at which a final render's depsgraph is now, in its own style."""
-    there = depsgraph.scene_eval  # only here is what is keyed as it is at that frame
-    chosen = properties.style_of(there)
-    found = gather(engine, depsgraph, chosen, near_frame=there)
+    chosen = properties.style_of(depsgraph.scene_eval)  # only this has what is keyed as it is at that frame
+    found = gather(engine, depsgraph, chosen, with_colors=False)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):
-        engine.update_stats("Fovea", f"frame {there.frame_current}: {stage}")
+        engine.update_stats("Fovea", f"frame {depsgraph.scene.frame_current}: {stage}")
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
     return pipeline.shown_lines(found.placed, seen, chosen, backend, options, **beside)
