@@ -36,7 +36,7 @@ def annotations():
         "focus_model": EnumProperty(name="Focus", items=MODELS, update=redraw),
         "focus_combine": EnumProperty(name="Combine", items=COMBINATIONS, update=redraw),
         "focus_attribute": attribute_name(
-            "Attribute", "Of meshes: white (1) is in focus, black (0) out of it; half way where meshes have none", "focus"
+            "Attribute", "Of meshes: white (1) is in focus, black (0) out of it; half way where there is none", "focus"
         ),
         **_point_annotations(),
         "focus_points": bpy.props.CollectionProperty(

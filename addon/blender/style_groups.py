@@ -111,11 +111,12 @@ def _color():
         default=(1.0, 1.0, 1.0),
         update=redraw,
     )
-    return {"on_paper": BoolProperty(name=label, description=told, default=True, update=redraw), "background": background}
+    on_paper = BoolProperty(name=label, description=told, default=True, update=redraw)
+    return {"on_paper": on_paper, "background": background}
 
 
 def _elision():
-    told = "Image over the camera's frame: lines are four times as dense where it is white, a quarter where it is black"
+    told = "Image over the frame: lines are four times as dense where it is white, a quarter as dense where black"
     image = PointerProperty(type=bpy.types.Image, name="Density Map", description=told, update=redraw)
     return {"density_image": image}
 
@@ -172,7 +173,7 @@ def register():
     _groups[LineSet] = _add("FoveaLineSet", "Lines drawn alike.", _plain(LineSet) | _line_set(kinds))
     _groups[Paper] = _add("FoveaPaper", "The paper.", _plain(Paper))
     _groups[Color] = _add("FoveaColor", "The colours under the lines.", _plain(Color) | _color())
-    _groups[Elision] = _add("FoveaElision", "Which of the lines that crowd each other stay.", _plain(Elision) | _elision())
+    _groups[Elision] = _add("FoveaElision", "Which of crowding lines stay.", _plain(Elision) | _elision())
     for cls, told in ((Effects, "What answers to focus."), (Distance, "What answers to distance.")):
         _groups[cls] = _add(f"Fovea{cls.__name__}", told, _plain(cls) | _transfers(cls))
     bpy.types.NodeTree.fovea = PointerProperty(type=_add("FoveaStyle", "A style.", _style()))

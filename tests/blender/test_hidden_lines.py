@@ -6,7 +6,18 @@ import pytest
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 from pictures import drawn, ink
-from the_addon import add_camera, add_hidden, box_mesh, empty_scene, lines_of, new_mesh, new_object, only_lines, part, use_style
+from the_addon import (
+    add_camera,
+    add_hidden,
+    box_mesh,
+    empty_scene,
+    lines_of,
+    new_mesh,
+    new_object,
+    only_lines,
+    part,
+    use_style,
+)
 
 SIZE = (480, 270)  # four reference pixels are one
 

@@ -87,8 +87,10 @@ def test_choosing_lines_keeps_those_a_line_set_has_and_the_last_one_draws_the_re
 def blenders_names():
     """What of the add-on Blender knows: classes, handlers and places for settings."""
     types = sorted(name for name in dir(bpy.types) if "fovea" in name.lower())
-    owners = [t.__name__ for t in (bpy.types.Scene, bpy.types.Object, bpy.types.Material, bpy.types.NodeTree) if hasattr(t, "fovea")]
-    handlers = {name: len(found) for name in dir(bpy.app.handlers) if isinstance(found := getattr(bpy.app.handlers, name), list)}
+    places = ("Scene", "Object", "Material", "NodeTree")
+    owners = [name for name in places if hasattr(getattr(bpy.types, name), "fovea")]
+    lists = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
+    handlers = {name: len(found) for name, found in lists.items() if isinstance(found, list)}
     return types, owners, handlers, "FOVEA" in bpy.types.DATA_PT_lens.COMPAT_ENGINES
 
 

@@ -10,7 +10,8 @@ from pictures import box_scene, drawn, ink, pixels_of
 from the_addon import empty_scene, lines_of, own_style, part, use_style
 
 catalogue, focus, properties, style = part("catalogue"), part("focus"), part("blender.properties"), part("style")
-style_curves, style_data, style_read = (part(f"blender.{name}") for name in ("style_curves", "style_data", "style_read"))
+style_curves, style_data = part("blender.style_curves"), part("blender.style_data")
+style_read = part("blender.style_read")
 
 
 @pytest.fixture
@@ -71,7 +72,10 @@ def test_what_is_not_known_is_kept_with_the_line_set_it_was_said_of(scene):
     assert paths == {("new",), ("line_sets", 0, "pen", "x"), ("line_sets", 1, "later")}
 
 
-@pytest.mark.parametrize("points", [(), ((0.0, 1.0), (1.0, 0.0)), ((0.25, 0.5), (0.5, 0.75)), tuple((i / 31, (i % 5) / 4) for i in range(32))])
+CURVES = [(), ((0.0, 1.0), (1.0, 0.0)), ((0.25, 0.5), (0.5, 0.75)), tuple((i / 31, (i % 5) / 4) for i in range(32))]
+
+
+@pytest.mark.parametrize("points", CURVES)
 def test_a_curves_points_are_those_of_its_file(scene, points):
     tree = bpy.data.node_groups.new("Curve", "ShaderNodeTree")
     for _ in range(2):  # a node that is there is written over

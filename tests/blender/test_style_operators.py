@@ -80,9 +80,10 @@ def test_a_hostile_file_is_refused_in_a_sentence_and_nothing_changes(scene, tmp_
     before, trees = drawn(scene), len(bpy.data.node_groups)
     path = tmp_path / "styles" / "bad.json"
     path.write_text(words)
-    for call in (lambda: bpy.ops.fovea.style_import(filepath=str(path)), lambda: bpy.ops.fovea.style_apply(style="bad")):
+    calls = ((bpy.ops.fovea.style_import, {"filepath": str(path)}), (bpy.ops.fovea.style_apply, {"style": "bad"}))
+    for call, given in calls:
         with pytest.raises(RuntimeError) as refused:
-            call()
+            call(**given)
         assert len(str(refused.value)) < 700 and "Traceback" not in str(refused.value)
         assert drawn(scene) == before and len(bpy.data.node_groups) == trees
 

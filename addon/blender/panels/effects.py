@@ -20,7 +20,7 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
         elision = style_data.of(context.scene).fovea.elision
         layout.active = elision.enabled
         if context.scene.fovea.visibility == "SPINE":
-            layout.label(text="The spine test does not know what is seen before it draws: nothing is thinned", icon="INFO")
+            layout.label(text="The spine test knows too late what is seen to thin it", icon="INFO")
         names = [name for name, _ in plain_fields(Elision) if name != "enabled"]
         for name in names:
             draw_properties(layout, elision, (name,), name != "painted" or bool(elision.priority_attribute))

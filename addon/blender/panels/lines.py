@@ -1,4 +1,4 @@
-"""Panel: the line sets of the style, and the one that is edited: its kinds of lines, from the registry, and its pens."""
+"""Panel: the line sets of the style, and of the one that is edited its pens and its kinds, from the registry."""
 
 import bpy
 

@@ -2,9 +2,9 @@
 
 import bpy
 
-from ... import catalogue, native
+from ... import catalogue, native, style
 from .. import style_data, style_files
-from .common import FoveaPanel
+from .common import FoveaPanel, fold
 from .thumbnails import icon_of
 
 
@@ -22,8 +22,7 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
         row.operator("fovea.style_import", text="Import")
         row.operator("fovea.style_export", text="Export")
         row.operator("fovea.style_save", text="Save")
-        _, gallery = layout.panel("fovea_gallery", default_closed=True)
-        _.label(text="Gallery")
+        gallery = fold(layout, "gallery", "Gallery")
         if gallery:
             draw_gallery(gallery)
 
@@ -31,19 +30,17 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
 def draw_style(layout, context):
     """The style, with what makes and copies one."""
     settings = context.scene.fovea
-    layout.template_ID(settings, "style", new="fovea.style_new")
-    if style_data.of(context.scene) is None:
-        layout.label(text="Draws with the default style, Pen And Ink", icon="INFO")
-    else:
-        layout.operator("fovea.style_duplicate", text="Duplicate")
+    own = style_data.of(context.scene) is not None
+    layout.template_ID(settings, "style", new="fovea.style_duplicate" if own else "fovea.style_new")
+    if not own:
+        layout.label(text=f"Draws with the default style, {style_data.title(style.DEFAULT)}", icon="INFO")
 
 
 def draw_gallery(layout):
     grid = layout.grid_flow(columns=0, even_columns=True, even_rows=True)
     for name in style_files.names():
         column, icon = grid.column(align=True), icon_of(name)
-        if icon:
-            column.template_icon(icon_value=icon, scale=6.0)
+        column.template_icon(icon_value=icon, scale=6.0)
         column.operator("fovea.style_apply", text=style_data.title(name)).style = name
     if style_files.user_names():
         layout.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")

@@ -1,5 +1,6 @@
 """Pictures of styles, as icons."""
 
+import bpy
 import bpy.utils.previews
 
 from .. import style_files
@@ -8,12 +9,13 @@ _kept = {}  # "styles": the collection, while there is an interface to show it
 
 
 def icon_of(name):
-    """The icon of a style's picture; 0 where it has none."""
+    """The icon of a style's picture; where it has none, one of Blender's."""
     path = style_files.picture(name)
     if path is None:
-        return 0
-    pictures = _kept.setdefault("styles", None) or bpy.utils.previews.new()
-    _kept["styles"] = pictures
+        return bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items["FILE_IMAGE"].value
+    if "styles" not in _kept:
+        _kept["styles"] = bpy.utils.previews.new()
+    pictures = _kept["styles"]
     if name not in pictures:
         pictures.load(name, str(path), "IMAGE")
     return pictures[name].icon_id
