@@ -5,7 +5,7 @@ from bpy.props import EnumProperty
 
 from .. import style
 from ..style_parts import Hidden, LineSet
-from . import style_data, style_read, style_write
+from . import style_animation, style_data, style_read, style_write
 
 MOST = 64  # line sets of a style
 DIRECTIONS = (("UP", "Up", "Draws its lines before"), ("DOWN", "Down", "Draws what is left after"))
@@ -79,7 +79,7 @@ class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
         made = held.line_sets.add()
         style_write.write_line_set(made, wanted)
         made.name, made.kept = name, kept
-        held.line_sets.move(len(held.line_sets) - 1, held.line_set_index + 1)
+        move(held, len(held.line_sets) - 1, held.line_set_index + 1)
         held.line_set_index += 1
 
 
@@ -93,7 +93,9 @@ class FOVEA_OT_line_set_remove(_Edit, bpy.types.Operator):
         return super().hindrance_of(held) or ("A style needs a line set" if len(held.line_sets) < 2 else None)
 
     def act(self, held):
-        held.line_sets.remove(held.line_set_index)
+        count, gone = len(held.line_sets), held.line_set_index
+        held.line_sets.remove(gone)
+        style_animation.follow(held.id_data, [None if i == gone else i - (i > gone) for i in range(count)])
         held.line_set_index = min(held.line_set_index, len(held.line_sets) - 1)
 
 
@@ -107,7 +109,7 @@ class FOVEA_OT_line_set_move(_Edit, bpy.types.Operator):
     def act(self, held):
         to = held.line_set_index + (-1 if self.direction == "UP" else 1)
         if 0 <= to < len(held.line_sets):
-            held.line_sets.move(held.line_set_index, to)
+            move(held, held.line_set_index, to)
             held.line_set_index = to
 
 
@@ -140,6 +142,14 @@ class FOVEA_OT_hidden_pen_remove(_Edit, bpy.types.Operator):
         line_set = edited(held)
         line_set.hidden.remove(line_set.hidden_index)
         line_set.hidden_index = max(min(line_set.hidden_index, len(line_set.hidden) - 1), 0)
+
+
+def move(held, source, to):
+    """Moves a line set to another place, with what animates it."""
+    order = list(range(len(held.line_sets)))
+    order.insert(to, order.pop(source))
+    held.line_sets.move(source, to)
+    style_animation.follow(held.id_data, [order.index(i) for i in range(len(order))])
 
 
 def _free_name(held, wanted):

@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from .. import style
-from . import focus_settings, style_data, style_files, style_read
+from . import focus_settings, style_animation, style_data, style_files, style_read
 from .line_kinds import definitions
 
 _items = {}  # kept for Blender, which does not keep what enums are made of
@@ -92,7 +92,9 @@ class FOVEA_OT_style_duplicate(_OnStyle, bpy.types.Operator):
     bl_idname, bl_label = "fovea.style_duplicate", "Duplicate Style"
 
     def act(self, context):
-        context.scene.fovea.style = style_data.of(context.scene).copy()
+        copy = style_data.of(context.scene).copy()
+        style_animation.own_action(copy)
+        context.scene.fovea.style = copy
 
 
 class FOVEA_OT_style_import(_StyleOperator, bpy.types.Operator, ImportHelper):

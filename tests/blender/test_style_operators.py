@@ -147,3 +147,49 @@ def test_a_saved_style_is_json_that_anyone_can_read(scene):
     bpy.ops.fovea.style_save(name="plain words")
     data = json.loads((files.user_folder() / "plain_words.json").read_text())
     assert data["line_sets"][0]["pen"]["width"] == 4.2 and data["schema"] == style.SCHEMA
+
+
+def animated(scene):
+    """technical, whose line sets are each as wide as their number, keyed, and with halos driven to be three times that."""
+    held = use_style(scene, "technical")
+    for i, line_set in enumerate(held.line_sets):
+        line_set.pen.width = i + 1
+        line_set.pen.keyframe_insert("width", frame=1)
+        line_set.driver_add("halo").driver.expression = str(3 * (i + 1))
+    return held
+
+
+def numbers(scene):
+    """{name: (width, halo)} that the keys and drivers say."""
+    held = own_style(scene)
+    for line_set in held.line_sets:
+        line_set.pen.width, line_set.halo = 99, 99
+    scene.frame_set(2)
+    return {line_set.name: (line_set.pen.width, line_set.halo) for line_set in held.line_sets}
+
+
+def test_what_is_keyed_and_driven_follows_its_line_set(scene):
+    held = animated(scene)
+    assert numbers(scene) == {"outline": (1, 3), "marks": (2, 6), "lines": (3, 9)}
+    held.line_set_index = 0
+    bpy.ops.fovea.line_set_move(direction="DOWN")
+    assert names(scene) == ["marks", "outline", "lines"]
+    assert numbers(scene) == {"outline": (1, 3), "marks": (2, 6), "lines": (3, 9)}
+    bpy.ops.fovea.line_set_remove()
+    assert numbers(scene) == {"marks": (2, 6), "lines": (3, 9)}
+    held.line_set_index = 0
+    bpy.ops.fovea.line_set_duplicate()
+    assert numbers(scene) == {"marks": (2, 6), "marks.001": (99, 99), "lines": (3, 9)}
+
+
+def test_a_copy_of_a_style_is_animated_by_itself(scene):
+    animated(scene)
+    first = scene.fovea.style
+    bpy.ops.fovea.style_duplicate()
+    copy = scene.fovea.style
+    assert copy != first and copy.animation_data.action != first.animation_data.action
+    own_style(scene).line_sets[0].pen.width = 20
+    own_style(scene).line_sets[0].pen.keyframe_insert("width", frame=1)
+    assert numbers(scene)["outline"] == (20, 3)
+    scene.fovea.style = first
+    assert numbers(scene)["outline"] == (1, 3)
