@@ -130,7 +130,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     placed = scene.placed(core, snapshot)
     sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
-    told = noted.notes(depsgraph.scene_eval, snapshot)
+    told = noted.notes(properties.density_map(depsgraph.scene_eval), snapshot)
     seconds = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
@@ -142,7 +142,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
 
 def _draw(engine, depsgraph, view, viewport=None):
     """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
-    core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene)
+    core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     asked = {"with_depth": with_depth, "with_focus": viewport is None}

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import drawn, ink, pixels_of
-from the_addon import add_camera, box_mesh, empty_scene, new_object, part
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, own_style, part, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
@@ -19,12 +19,13 @@ FRAMES = range(1, 6)
 
 
 def set_elision(scene, name, value):
-    setattr(scene.fovea, "elision" if name == "enabled" else f"elision_{name}", value)
+    setattr(own_style(scene).elision, name, value)
 
 
 def key_spacing(scene, frame, value):
-    scene.fovea.pen_spacing = value
-    scene.fovea.keyframe_insert("pen_spacing", frame=frame)
+    pen = lines_of(scene).pen
+    pen.spacing = value
+    pen.keyframe_insert("spacing", frame=frame)
 
 
 @pytest.fixture
@@ -44,8 +45,9 @@ def fence():
         camera.keyframe_insert("location", index=0, frame=frame)
     scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
     fovea = scene.fovea
-    fovea.style, fovea.backend, fovea.visibility = "plain", "CPU", "EXACT"
-    fovea.pen_spacing, fovea.pen_width = 90, 4
+    fovea.backend, fovea.visibility = "CPU", "EXACT"
+    pen = use_style(scene, "plain").line_sets[-1].pen
+    pen.spacing, pen.width = 90, 4
     set_elision(scene, "enabled", True)
     set_elision(scene, "frames", 2)
     return scene
