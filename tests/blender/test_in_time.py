@@ -66,6 +66,15 @@ def animation(scene, path):
 
 
 def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
+    """Also where meshes change their shape, and so their surfaces, from frame to frame."""
+    grown = new_object(box_mesh(0.3, "Grown"), "Grown", (0, -3, 0))
+    grown.shape_key_add(name="Basis")
+    tall = grown.shape_key_add(name="Tall")
+    for point in tall.data:
+        point.co.z *= 9
+    for frame, value in ((-4, 0), (10, 1)):
+        tall.value = value
+        tall.keyframe_insert("value", frame=frame)
     alone = at(fence, 3, tmp_path)
     forwards = animation(fence, tmp_path)
     backwards = {frame: at(fence, frame, tmp_path) for frame in reversed(FRAMES)}
