@@ -7,6 +7,7 @@ from .style_values import StyleError, check_keys, check_range, check_text
 TERMS = ("length", "kind", "strength", "depth", "object", "painted")
 ATTRIBUTES = ("priority_attribute", "density_attribute")
 MOST_WEIGHT = 10
+MOST_FRAMES = 8
 
 
 @dataclass(frozen=True)
@@ -16,6 +17,7 @@ class Elision:
     enabled: bool = False
     fade_from: float = 0.35  # share of its room that a line must have to show at all; it is whole where it has all of it
     cut: float = 0.0  # opacity below which a line is left out altogether
+    frames: int = 0  # so many before and after each, over which renders smooth what stays of a line
     length: float = 1.0  # what counts for the priority of a line, and how much: its length in space,
     kind: float = 0.5  # what it is: outlines before creases before lines on smooth surfaces,
     strength: float = 0.25
@@ -39,7 +41,10 @@ def parse(data, where):
     shares = {key: check_range(data[key], (0, 0.99), f"{where}.{key}") for key in ("fade_from", "cut") if key in data}
     weights = {key: check_range(data[key], (0, MOST_WEIGHT), f"{where}.{key}") for key in TERMS if key in data}
     names = {key: check_text(data[key], f"{where}.{key}") for key in ATTRIBUTES if key in data}
-    elision = Elision(enabled, **shares, **weights, **names)
+    frames = check_range(data.get("frames", 0), (0, MOST_FRAMES), f"{where}.frames")
+    if frames != int(frames):
+        raise StyleError(f"{where}.frames is {frames:g}, not a whole number")
+    elision = Elision(enabled, **shares, **weights, frames=int(frames), **names)
     if not any(elision.weights().values()):
         raise StyleError(f"{where}: some of {', '.join(TERMS)} must count")
     return elision

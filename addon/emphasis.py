@@ -16,14 +16,30 @@ def of_lines(frame, style):
     return Emphasis(_focus_of_lines(frame, style), _distance_of_lines(frame, style))
 
 
-def thinned(felt, frame, runs, style, backend, cancel):
-    """An Emphasis with what elision leaves of Runs."""
+def thinned(felt, frame, runs, style, backend, cancel, near=()):
+    """An Emphasis with what elision leaves of Runs, smoothed in time where there is something `near`: pairs of how many
+    frames later another is and its `shown_lines`."""
+    elision = style.elision
+    if not near:
+        return replace(felt, shown=_left(felt, frame, runs, style, backend, cancel, elision.cut))
+    shown = _left(felt, frame, runs, style, backend, cancel)
+    shown = cpu.smoothed_in_time(shown, cpu.shown_lines(frame, runs, shown), near, elision.frames)
+    return replace(felt, shown=np.where(shown < elision.cut, np.float32(0), shown))
+
+
+def shown_lines(felt, frame, runs, style, backend, cancel):
+    """What elision leaves of Runs, for frames near this one."""
+    return cpu.shown_lines(frame, runs, _left(felt, frame, runs, style, backend, cancel))
+
+
+def _left(felt, frame, runs, style, backend, cancel, cut=0.0):
+    """(samples,) what elision leaves of Runs in this frame."""
     elision, scale = style.elision, frame.view.reference_scale
     painted = cpu_focus.values_on_paths(frame, elision.priority_attribute) if elision.priority_attribute else None
     ranks = cpu.ranks(frame, runs, cpu.priorities(frame, elision.weights(), frame.notes.importance, painted))
-    options = {"fade_from": elision.fade_from, "cut": elision.cut, "stub_px": _STUB * scale}
+    options = {"fade_from": elision.fade_from, "cut": cut, "stub_px": _STUB * scale}
     half_width = (0.5 * scale * _spacing(frame, style, felt) / _wanted(frame, elision)).astype(np.float32)
-    return replace(felt, shown=backend.elide(frame, runs, ranks, half_width, cancel, **options))
+    return backend.elide(frame, runs, ranks, half_width, cancel, **options)
 
 
 def of_pixels(frame, style, cancel):

@@ -60,10 +60,9 @@ class _Clock:
         self.done += share
 
 
-def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), progress, cancel):
-    """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend. `colors`: the color.Sources
-    of the scene, where the style has a colour layer. `notes`: what the artist says of its placements."""
-    clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
+def _seen(scene, view, style, backend, options, notes, clock, cancel):
+    """A Frame; the Runs of its lines; the samples by which they fade, or None; and their Emphasis, before elision."""
+    scale, method = view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
     with clock.stage("lines", 0.1):
@@ -81,11 +80,20 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), pr
         small = (length * scale for length in (options.beside, options.least_hidden, options.fold))
         parts = cpu.parts(frame, tidied, levels, *small, cancel)
         felt = emphasis.of_lines(frame, style)
-        runs = cpu.at_ends(frame, parts, style, scale, emphasis.mix(style.effects.overshoot, felt.focus))
-    if style.elision.enabled and method.knows:
+    return frame, parts, samples, felt
+
+
+def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), near=(), progress, cancel):
+    """The Image of a native Scene as a native View sees it, drawn in a Style by a Backend. `colors`: the color.Sources
+    of the scene, where the style has a colour layer. `notes`: what the artist says of its placements. `near`: where
+    `frames_near` asks for them, pairs of how many frames later another is and its `shown_lines`."""
+    clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
+    frame, parts, samples, felt = _seen(scene, view, style, backend, options, notes, clock, cancel)
+    if _thins(style, options):
         with clock.stage("elision", 0.05):
-            felt = emphasis.thinned(felt, frame, parts, style, backend, cancel)
+            felt = emphasis.thinned(felt, frame, parts, style, backend, cancel, near)
     with clock.stage("shape", 0.05):
+        runs = cpu.at_ends(frame, parts, style, scale, emphasis.mix(style.effects.overshoot, felt.focus))
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
         strokes = cpu.shape(frame, runs, style, pens, samples, felt)
@@ -94,20 +102,37 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), pr
     layer = focus = None
     if colors is not None and style.has_color():
         with clock.stage("color", 0.05):
-            layer = cpu.color_layer(tracer, colors, style.color, cancel)
+            layer = cpu.color_layer(frame.tracer, colors, style.color, cancel)
     with clock.stage("focus", 0.05):
         if options.with_focus or emphasis.colors_answer(layer, style):
             focus = emphasis.of_pixels(frame, style, cancel)
         if layer is not None:
             layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
-        combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), tracer, cancel)
-        depth = cpu.depth_image(tracer, cancel) if options.with_depth else None
+        combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), frame.tracer, cancel)
+        depth = cpu.depth_image(frame.tracer, cancel) if options.with_depth else None
     statistics = {
         "stages": clock.stages,
         "strokes": strokes.count,
-        "samples": clipped.samples,
+        "samples": frame.clipped.samples,
         "backend": backend.name,
         "visibility": method.told(frame),
     }
     return Image(combined, lines, depth, layer, focus, statistics)
+
+
+def frames_near(style, options):
+    """Over how many frames before and after it a frame is smoothed in time."""
+    return style.elision.frames if _thins(style, options) else 0
+
+
+def shown_lines(scene, view, style, backend, options, *, notes=Notes(), progress, cancel):
+    """What frames near by need to know of a frame: what elision leaves of its lines. None where it thins nothing."""
+    if not _thins(style, options):
+        return None
+    frame, parts, _, felt = _seen(scene, view, style, backend, options, notes, _Clock(progress), cancel)
+    return emphasis.shown_lines(felt, frame, parts, style, backend, cancel)
+
+
+def _thins(style, options):
+    return style.elision.enabled and METHODS[options.visibility].knows

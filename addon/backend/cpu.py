@@ -114,6 +114,18 @@ def ranks(frame, runs, priority):
     return native.load().rank_runs(frame.clipped, runs, priority, frame.paths.ids)
 
 
+def shown_lines(frame, runs, shown):
+    """The native ShownLines of a Frame: `shown` (samples,), what elision leaves of Runs."""
+    view = frame.view
+    return native.load().ShownLines(frame.clipped, frame.paths, frame.scene, runs, shown, view.width, view.height)
+
+
+def smoothed_in_time(shown, now, near, frames):
+    """(samples,) what elision leaves, smoothed over so many frames to each side; `now`: the frame's ShownLines, `near`:
+    pairs of how many frames later another is and its ShownLines."""
+    return native.load().smoothed_in_time(shown, now, list(near), frames)
+
+
 def bands(frame, runs, ranks, half_width_px):
     """The native Elision of Runs: what they want for themselves; see `elide` of the backends."""
     return native.load().Elision(frame.clipped, runs, ranks, half_width_px, _HANDS_OVER * frame.view.reference_scale)

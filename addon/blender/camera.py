@@ -9,7 +9,7 @@ from .problem import CannotDraw
 
 def of_render(engine, depsgraph):
     """The View of a final render, border and resolution percentage included."""
-    camera = _checked(engine.camera_override or depsgraph.scene.camera).evaluated_get(depsgraph)
+    camera = chosen(engine, depsgraph).evaluated_get(depsgraph)
     return _of_frame(camera, engine_matrix(engine, camera), depsgraph, engine.resolution_x, engine.resolution_y)
 
 
@@ -39,6 +39,11 @@ def _of_frame(camera, camera_to_world, depsgraph, width, height):
         reference_scale=height / REFERENCE_HEIGHT,
         frame=(-left, -bottom, width, height),
     )
+
+
+def chosen(engine, depsgraph):
+    """The camera of a final render."""
+    return _checked(engine.camera_override or depsgraph.scene.camera)
 
 
 def engine_matrix(engine, camera):

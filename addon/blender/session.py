@@ -8,6 +8,7 @@ import logging
 import threading
 import time
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 
 import bpy
@@ -16,7 +17,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
 from ..backend import gpu_viewport
-from . import camera, color_sources, methods, notes, properties, scene, subdivision, surfaces
+from . import camera, color_sources, methods, near_frames, notes, properties, scene, subdivision, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -104,49 +105,80 @@ def _reported(tell):
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
 
 
-def _draw(engine, depsgraph, view, viewport=None):
-    """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
-    core, chosen = native.load(), properties.style_of(depsgraph.scene)
-    start = time.perf_counter()
+@dataclass(frozen=True)
+class Gathered:
+    """A scene as it is drawn, whatever the view."""
+
+    snapshot: scene.Snapshot
+    placed: object  # native Scene
+    colors: object  # color.Sources, or None where there is no colour layer to draw
+    notes: object  # stages.Notes
+    seconds: float  # that reading it took
+
+
+def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
+    """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
+    start, core = time.perf_counter(), native.load()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
-    colors = color_sources.Gathering(core, colors_cache) if chosen.has_color() else None
+    colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
     noted = notes.Gathering(core, colors_cache, chosen)
     beside = {"colors": colors, "notes": noted}
     snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
     if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
-    placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
+    placed = scene.placed(core, snapshot)
     sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
-    ingest = time.perf_counter() - start
+    told = noted.notes(properties.density_map(depsgraph.scene_eval), snapshot)
+    seconds = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
     _report_unknown(engine, chosen)
     if colors and (remark := colors.remark()):
         engine.report({"INFO"}, remark)
-    chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
+    return Gathered(snapshot, placed, sources, told, seconds)
+
+
+def _draw(engine, depsgraph, view, viewport=None):
+    """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
+    core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
+    backend, visibility = methods.choose(engine, settings, in_viewport=viewport is not None)
     with_depth = viewport is None and depsgraph.view_layer.use_pass_z
     asked = {"with_depth": with_depth, "with_focus": viewport is None}
-    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(depsgraph.scene.fovea))
-    cancel = core.Cancel()
+    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(settings))
+    frames = pipeline.frames_near(chosen, options) if viewport is None else 0
+    cancel, near, near_s = core.Cancel(), (), 0.0
     with _watched(engine, cancel):
         try:
+            if frames:
+                start, look = time.perf_counter(), partial(_shown_lines, engine, depsgraph, backend, options, cancel)
+                near = near_frames.shown_lines(engine, depsgraph, frames, look)
+                near_s = time.perf_counter() - start
+            # After the others: surfaces that move are as they were gathered last.
+            found = gather(engine, depsgraph, chosen, viewport)
+            seen, beside = scene.seen(core, view), {"colors": found.colors, "notes": found.notes, "near": near}
+            progress = partial(_progress, engine)
             image = pipeline.draw(
-                placed,
-                seen,
-                chosen,
-                chosen_backend,
-                options,
-                colors=sources,
-                notes=noted.notes(depsgraph.scene, snapshot),
-                progress=partial(_progress, engine),
-                cancel=cancel,
+                found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel
             )
         except core.Cancelled:
             return None
-    _note_statistics(ingest, snapshot, image)
+    _note_statistics(found, image, near_s)
     return image
+
+
+def _shown_lines(engine, depsgraph, backend, options, cancel):
+    """What elision leaves of the lines of the frame at which a final render's depsgraph is now, in its own style."""
+    chosen = properties.style_of(depsgraph.scene_eval)  # only this has what is keyed as it is at that frame
+    found = gather(engine, depsgraph, chosen, with_colors=False)
+    seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
+
+    def progress(_, stage):
+        engine.update_stats("Fovea", f"frame {depsgraph.scene.frame_current}: {stage}")
+
+    beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
+    return pipeline.shown_lines(found.placed, seen, chosen, backend, options, **beside)
 
 
 @contextmanager
@@ -192,9 +224,12 @@ def _report_unknown(engine, chosen):
         engine.report({"INFO"}, remark)
 
 
-def _note_statistics(ingest, snapshot, image):
-    """Keeps what `last_statistics` tells."""
-    stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
+def _note_statistics(found, image, near_s):
+    """Keeps what `last_statistics` tells of the Image of what was Gathered. `near_s`: the seconds that other frames
+    took, if any were asked."""
+    snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}
+    if near_s:
+        stages["near_frames"] = 1000 * near_s
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]

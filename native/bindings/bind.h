@@ -15,6 +15,7 @@ void bind_compaction(pybind11::module_& m);
 void bind_filters(pybind11::module_& m);
 void bind_focus(pybind11::module_& m);
 void bind_elision(pybind11::module_& m);
+void bind_in_time(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
 void bind_spine(pybind11::module_& m);
 void bind_color(pybind11::module_& m);

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_native, m) {
     bind_filters(m);
     bind_compaction(m);
     bind_elision(m);
+    bind_in_time(m);
     bind_stroke(m);
     bind_spine(m);
     bind_color(m);

@@ -75,17 +75,23 @@ def test_frames_that_do_not_change_are_steady():
 
     def work(place):
         drawn = place.draw(world.evenly_spaced(20.0))
-        watch = coherence.Watch(10.0)
-        for _ in range(2):
-            watch.see(place.draw(world.evenly_spaced(20.0)))
-        return density.rows("boxes:3", drawn, 20.0), coherence.rows("boxes:3", watch), drawn.places()
+        alone, smooth, of_view = coherence.Static(10.0), coherence.Static(10.0), coherence.OfView(10.0)
+        in_time = coherence.InTime(1, smooth)
+        for _ in range(4):
+            again = place.draw(world.evenly_spaced(20.0))
+            for watch in (alone, in_time, of_view):
+                watch.see(again)
+        told = coherence.rows("boxes:3", alone, {1: smooth}, of_view)
+        return density.rows("boxes:3", drawn, 20.0), told, drawn.places()
 
     crowded, steady, places = world.measure(work, SIZE)
     value = {row["figure"]: row["value"] for row in crowded + steady}
     assert value["samples drawn"] > value["samples fully drawn"] > 100 and value["samples left out, share"] > 0
     assert value["fully drawn samples nearer than d / 2, share"] < 0.01
     assert value["static lines: places a frame"] > 0.9 * len(places.shown)
-    assert value["static lines: largest change of opacity"] < 1e-6
+    for how in ("", ", smoothed over 1 to each side"):
+        assert value[f"static lines: places a frame{how}"] == value["static lines: places a frame"]
+        assert value[f"static lines: largest change of opacity{how}"] < 1e-6
     for what in ("ink", "share of ink taken"):
         assert value[f"lines of the view: {what}, mean difference, soft"] == pytest.approx(0, abs=1e-6)
 

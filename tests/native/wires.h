@@ -44,9 +44,12 @@ struct Wires {
             for (const dvec3& point : line) mesh.positions.push_back(vec3(point));
             const int first_edge = static_cast<int>(mesh.edge_verts.size());
             for (std::size_t i = 0; i + 1 < line.size(); ++i) mesh.edge(begin + int(i), begin + int(i) + 1);
+            double arc = 0.0;
             for (std::size_t i = 0; i < line.size(); ++i) {
                 const int last_edge = static_cast<int>(mesh.edge_verts.size()) - 1;
                 paths.points_obj.push_back(vec3(line[i]));
+                arc = i > 0 ? arc + glm::distance(line[i - 1], line[i]) : 0.0;
+                paths.arc_obj.push_back(arc);
                 paths.place.push_back(Index(std::max(0, std::min(first_edge + int(i), last_edge))));
                 paths.edge_t.push_back(i + 1 == line.size() && i > 0 ? 1.0f : 0.0f);
                 paths.kinds.push_back(1);

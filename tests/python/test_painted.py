@@ -45,6 +45,9 @@ OTHERS = {term: 0 for term in elision.TERMS if term != "painted"}
         ({"elision": {"priority_attribute": None}}, "elision.priority_attribute must be text of at most 63 letters"),
         ({"elision": {"density_attribute": "\0"}}, "elision.density_attribute must be text of at most 63 letters"),
         ({"elision": {"painted": 11}}, "elision.painted is 11, outside 0 to 10"),
+        ({"elision": {"frames": 9}}, "elision.frames is 9, outside 0 to 8"),
+        ({"elision": {"frames": 1.5}}, "elision.frames is 1.5, not a whole number"),
+        ({"elision": {"frames": True}}, "elision.frames is True, not a finite number"),
         ({"elision": OTHERS}, "elision: some of length, kind, strength, depth, object, painted must count"),
     ],
 )

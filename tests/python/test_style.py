@@ -96,6 +96,13 @@ def test_focus_and_its_effects_survive():
     assert style.parse(style.dump(read)) == read
 
 
+def test_elision_over_frames_survives():
+    read = style.parse(json.dumps(minimal() | {"elision": {"enabled": True, "frames": 2}}))
+    assert read.elision.frames == 2 and isinstance(read.elision.frames, int)
+    assert style.parse(style.dump(read)) == read
+    assert style.parse(json.dumps(minimal())).elision.frames == 0
+
+
 def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
     plain = style.parse(json.dumps(minimal())).line_sets[0]
     assert (plain.hidden, plain.overshoot, plain.halo) == ((), 0.0, 0.0)

@@ -17,6 +17,7 @@ SCENES = {  # of each part
 }
 PARTS = tuple(SCENES)
 QUICK_FRAMES, FRAMES = 10, 40
+MOST_FRAMES = 8  # of addon/elision.py
 
 
 def parse(words):
@@ -26,10 +27,17 @@ def parse(words):
     add("--scenes", type=peers.scene_list, metavar="A,B", help="instead of those of each part")
     add("--size", type=peers.frame_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
     add("--distance", type=float, default=10.0, metavar="PX", help="that lines keep, of 1080 pixels (10)")
+    add("--smoothed", type=some_frames, default=[1, 2, 3], metavar="A,B", help="frames to each side, in time (1,2,3)")
     add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames, not {FRAMES}; one place to look at, not three")
     add("--timeout", type=float, default=3600, metavar="S", help="seconds a part of a scene may take (3600)")
     add("--json", action="store_true", help="print JSON instead of a table")
     return parser.parse_args(words)
+
+
+def some_frames(text):
+    """Numbers of frames to each side over which elision is smoothed in time."""
+    known = [str(frames) for frames in range(1, MOST_FRAMES + 1)]
+    return sorted({int(word) for word in peers.some_of(known)(text)})
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
@@ -42,7 +50,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
             asked = {
                 "part": part, "scene": spec, "size": options.size, "distance": options.distance,
                 "frames": QUICK_FRAMES if options.quick else FRAMES, "places": 1 if options.quick else 3,
-                "shared": str(shared or ""),
+                "smoothed": options.smoothed, "shared": str(shared or ""),
             }  # fmt: skip
             gpu = {"FOVEA_BACKEND": "gpu"} if part == "cost" else {}
             found, problem = peers.measured(WORKER, asked, blender, environment | gpu, options.timeout)

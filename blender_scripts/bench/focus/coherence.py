@@ -1,13 +1,15 @@
 """How steady elision is from frame to frame.
 
 Static lines: places on them, matched by the path's id and arc length in space, that are visible in both frames: what
-changes there is elision alone. Visibility explains it where, within NEAR times the distance that lines keep, another
-static line appears or goes: farther than that distance from any end of a run, or a run as a whole.
+changes there is elision alone, each frame for itself, or smoothed in time. Visibility explains it where, within NEAR
+times the distance that lines keep, another static line appears or goes: farther than that distance from any end of a
+run, or a run as a whole.
 
 Lines of the view have no such places: their ink is compared with that of the frame before, brought over by depth, and
 so is the share of it that elision takes, both also with elision switched to a hard cut."""
 
-from dataclasses import dataclass
+from collections import deque
+from dataclasses import dataclass, replace
 
 import numpy as np
 from bl_ext.user_default.fovea.backend import cpu
@@ -135,20 +137,32 @@ def taken(inks, name, reach):
         return np.where(whole > LEAST_INK, 1 - reproject.mean_around(inks[name], reach) / whole, np.nan)
 
 
-class Watch:
-    """Follows frames of lines that keep `distance` pixels from each other; keeps no more than the last frame."""
+class Static:
+    """Follows the static lines of frames whose lines keep `distance` pixels from each other; keeps no more than the
+    last frame."""
 
     def __init__(self, distance):
         self.distance, self.last, self.changes, self.matched = distance, None, [], []
+
+    def see(self, drawn):
+        last, self.last = self.last, on_paths(drawn)
+        if last is not None:
+            self.changes.append(changes(last, self.last, self.distance))
+            self.matched.append(len(self.changes[-1][0]) / max(len(last.id), 1))
+
+
+class OfView:
+    """The same of lines of the view."""
+
+    def __init__(self, distance):
+        self.distance, self.last = distance, None
         self.differences = {"soft": [], "hard": [], "none": []}
         self.taken = {"soft": [], "hard": []}
 
     def see(self, drawn):
-        now = on_paths(drawn), of_view(drawn), reproject.Seen(drawn.view, drawn.image.depth)
+        now = of_view(drawn), reproject.Seen(drawn.view, drawn.image.depth)
         if self.last is not None:
-            (lines, inks, seen), (lines_now, inks_now, seen_now) = self.last, now
-            self.changes.append(changes(lines, lines_now, self.distance))
-            self.matched.append(len(self.changes[-1][0]) / max(len(lines.id), 1))
+            (inks, seen), (inks_now, seen_now) = self.last, now
             over, reach = seen_now.brought_over(seen), round(self.distance / 2)
             for name, found in self.differences.items():
                 found.append(over.difference(inks_now[name], inks[name]))
@@ -157,18 +171,47 @@ class Watch:
         self.last = now
 
 
-def rows(scene, watch):
+class InTime:
+    """Hands frames on with their elision smoothed over so many frames to each side, once it knows these."""
+
+    def __init__(self, frames, watch):
+        self.frames, self.watch, self._known = frames, watch, deque(maxlen=2 * frames + 1)
+
+    def see(self, drawn):
+        """The first and the last so many are not handed on."""
+        self._known.append((replace(drawn, image=None), cpu.shown_lines(drawn.frame, drawn.parts, drawn.shown)))
+        if len(self._known) == self._known.maxlen:
+            here, lines = self._known[self.frames]
+            near = [(k - self.frames, known) for k, (_, known) in enumerate(self._known) if k != self.frames]
+            shown = cpu.smoothed_in_time(here.shown, lines, near, self.frames) if near else here.shown
+            self.watch.see(replace(here, felt=replace(here.felt, shown=shown)))
+
+
+def rows(scene, alone, smoothed, of_view):
+    """Of a Static, {frames to each side: the same, smoothed over them}, and an OfView."""
+    told = static_rows(alone, "", wanted=True)
+    told += [("static lines: places found again, share", np.mean(alone.matched), None)]
+    for frames, watch in smoothed.items():
+        told += static_rows(watch, f", smoothed over {frames} to each side", wanted=False)
+    return [{"figure": f, "scene": scene, "value": float(v), "wanted": w} for f, v, w in told + view_rows(of_view)]
+
+
+def static_rows(watch, how, wanted):
     every, unexplained = (np.concatenate(parts) for parts in zip(*watch.changes))
     told = []
-    for words, found, wanted in (("", every, False), (", beyond visibility", unexplained, True)):
-        found = found if len(found) else np.zeros(1)
+    for words, found, asked in (("", every, False), (", beyond visibility", unexplained, wanted)):
+        found, words = found if len(found) else np.zeros(1), words + how
         told += [
-            (f"static lines: mean change of opacity{words}", found.mean(), "<= .02" if wanted else None),
-            (f"static lines: largest change of opacity{words}", found.max(), "<= .35" if wanted else None),
-            (f"static lines: changes above .35, share{words}", (found > 0.35).mean(), "0" if wanted else None),
+            (f"static lines: mean change of opacity{words}", found.mean(), "<= .02" if asked else None),
+            (f"static lines: largest change of opacity{words}", found.max(), "<= .35" if asked else None),
+            (f"static lines: changes above .35, share{words}", (found > 0.35).mean(), "0" if asked else None),
             (f"static lines: places a frame{words}", len(found) / len(watch.changes), None),
         ]
-    told += [("static lines: places found again, share", np.mean(watch.matched), None)]
+    return told
+
+
+def view_rows(watch):
+    told = []
     for what, values in (("ink", watch.differences), ("share of ink taken", watch.taken)):
         mean, square = ({name: np.mean([pair[k] for pair in v]) for name, v in values.items()} for k in (0, 1))
         told += [(f"lines of the view: {what}, mean difference, {LABEL[name]}", mean[name], None) for name in mean]
@@ -177,4 +220,4 @@ def rows(scene, watch):
         # A fade sums up to as much change as a cut, in smaller steps: these show in squares.
         ratio = square["soft"] / square["hard"] if square["hard"] else 1.0
         told += [(f"lines of the view: {what}, root mean square, soft / hard", ratio, None)]
-    return [{"figure": f, "scene": scene, "value": float(value), "wanted": wanted} for f, value, wanted in told]
+    return told

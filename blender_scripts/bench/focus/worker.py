@@ -42,11 +42,19 @@ def coherence_rows(asked):
     pivot = middle(bpy.context.scene)
 
     def work(place):
-        watch = coherence.Watch(asked["distance"] * place.view.reference_scale)
-        style = world.evenly_spaced(asked["distance"])
-        for view in orbit(place.view, pivot, asked["frames"], STEP):
-            watch.see(place.draw(style, view))
-        return coherence.rows(asked["scene"], watch)
+        distance, most = asked["distance"] * place.view.reference_scale, max(asked["smoothed"], default=0)
+        watches = {frames: coherence.Static(distance) for frames in (0, *asked["smoothed"])}
+        in_time = [coherence.InTime(frames, watch) for frames, watch in watches.items()]
+        of_view, style = coherence.OfView(distance), world.evenly_spaced(asked["distance"])
+        # Frames before and after those that are told of, which the longest mean asks for.
+        for k, view in enumerate(orbit(place.view, pivot, asked["frames"], STEP, most), start=-most):
+            drawn = place.draw(style, view)
+            for each in in_time:
+                if -each.frames <= k < asked["frames"] + each.frames:
+                    each.see(drawn)
+            if 0 <= k < asked["frames"]:
+                of_view.see(drawn)
+        return coherence.rows(asked["scene"], watches.pop(0), watches, of_view)
 
     return world.measure(work, asked["size"], named="pen_and_ink")
 

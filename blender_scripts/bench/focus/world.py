@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import catalogue, focus, native, pipeline, style
+from bl_ext.user_default.fovea import catalogue, emphasis, focus, native, pipeline, style
 from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import camera, scene
+from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from bl_ext.user_default.fovea.textures import Textures
 
 from .places import places_of
@@ -25,6 +25,7 @@ class Drawn:
     pens: list
     samples: object
     felt: object  # Emphasis
+    parts: object = None  # the Runs that elision thinned: before haloes and overshoot
 
     @property
     def shown(self):
@@ -50,12 +51,12 @@ class World:
 
     def draw(self, style_, view=None, backend=None):
         """Drawn, in a Style, from a stages.View or the scene's own."""
-        view, kept = view or self.view, []
+        view, kept, thinned = view or self.view, [], []
         seen = scene.seen(native.load(), view)
-        with kept_calls(cpu, "shape", kept):
+        with kept_calls(cpu, "shape", kept), kept_calls(emphasis, "thinned", thinned):
             image = self._draw(self._placed, seen, style_, backend or cpu.Backend(), self._options, **self._given)
         (frame, runs, _, pens, samples, felt), _ = kept[-1]
-        return Drawn(image, view, style_, frame, runs, pens, samples, felt)
+        return Drawn(image, view, style_, frame, runs, pens, samples, felt, thinned[-1][0][2] if thinned else runs)
 
 
 def measure(work, size, named="watercolor"):
@@ -70,7 +71,8 @@ def measure(work, size, named="watercolor"):
     render = bpy.context.scene.render
     render.engine, (render.resolution_x, render.resolution_y) = "FOVEA", size
     render.resolution_percentage = 100
-    bpy.context.scene.fovea.style, bpy.context.scene.fovea.backend = named, "CPU"
+    bpy.context.scene.fovea.backend = "CPU"
+    style_data.use(bpy.context.scene, named)
     of_render = camera.of_render
 
     def of_render_kept(*arguments):

@@ -15,9 +15,9 @@ import bpy
 import numpy as np
 import scenes
 from bench.visibility import methods, quality
-from bl_ext.user_default.fovea import catalogue, native, pipeline
+from bl_ext.user_default.fovea import native, pipeline
 from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import camera, scene
+from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from mathutils import Matrix, Vector
 
 STEP = math.radians(1)
@@ -75,14 +75,13 @@ def set_drawing(scene_, size):
     scene_.render.engine = "FOVEA"
     scene_.render.resolution_x, scene_.render.resolution_y = size
     scene_.render.resolution_percentage = 100
-    for definition in catalogue.definitions():
-        setattr(scene_.fovea, definition["name"], definition["name"] in LINES)
+    style_data.choose_lines(style_data.own(scene_), LINES)
 
 
-def orbit(view, pivot, frames, step=STEP):
-    """Views, `step` apart, turning about the vertical axis through the pivot."""
+def orbit(view, pivot, frames, step=STEP, more=0):
+    """Views, `step` apart, turning about the vertical axis through the pivot; `more`: before and after them."""
     views = []
-    for k in range(frames):
+    for k in range(-more, frames + more):
         turn = np.array(Matrix.Rotation(k * step, 4, "Z"))
         turn[:3, 3] = pivot - turn[:3, :3] @ pivot
         views.append(replace(view, world_to_view=view.world_to_view @ turn))

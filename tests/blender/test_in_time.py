@@ -1,0 +1,180 @@
+"""Elision smoothed in time: every frame is the same alone and in an animation, and lines come and go more slowly."""
+
+import math
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from pictures import drawn, ink, pixels_of
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, own_style, part, use_style
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+from bench.focus import coherence, world
+
+emphasis, near_frames, session = part("emphasis"), part("blender.near_frames"), part("blender.session")
+FRAMES = range(1, 6)
+
+
+def set_elision(scene, name, value):
+    setattr(own_style(scene).elision, name, value)
+
+
+def key_spacing(scene, frame, value):
+    pen = lines_of(scene).pen
+    pen.spacing = value
+    pen.keyframe_insert("spacing", frame=frame)
+
+
+@pytest.fixture
+def fence():
+    """Posts in a row and a camera that goes along them, whose lines crowd each other more and more."""
+    scene = empty_scene()
+    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 320, 180
+    scene.render.dither_intensity = 0.0
+    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "PNG", "16"
+    scene.view_settings.view_transform = "Standard"
+    mesh = box_mesh(0.3)
+    for k in range(14):
+        new_object(mesh, f"Post{k:02}", (0.9 * k - 6, 0.5 * k, 0)).scale.z = 6
+    camera = add_camera((-3, -16, 3), (0, 0, 0))
+    for frame, x in ((-4, -4.5), (10, 4.5)):
+        camera.location.x = x
+        camera.keyframe_insert("location", index=0, frame=frame)
+    scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
+    fovea = scene.fovea
+    fovea.backend, fovea.visibility = "CPU", "EXACT"
+    pen = use_style(scene, "plain").line_sets[-1].pen
+    pen.spacing, pen.width = 90, 4
+    set_elision(scene, "enabled", True)
+    set_elision(scene, "frames", 2)
+    return scene
+
+
+def at(scene, frame, path):
+    scene.frame_set(frame)
+    return drawn(scene, path / f"{frame}.png")
+
+
+def animation(scene, path):
+    """Pictures of all frames, by one call of Blender."""
+    scene.render.filepath = str(path / "run_####.png")
+    bpy.ops.render.render(animation=True)
+    return {frame: pixels_of(path / f"run_{frame:04}.png") for frame in FRAMES}
+
+
+def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
+    """Also where meshes change their shape, and so their surfaces, from frame to frame."""
+    grown = new_object(box_mesh(0.3, "Grown"), "Grown", (0, -3, 0))
+    grown.shape_key_add(name="Basis")
+    tall = grown.shape_key_add(name="Tall")
+    for point in tall.data:
+        point.co.z *= 9
+    for frame, value in ((-4, 0), (10, 1)):
+        tall.value = value
+        tall.keyframe_insert("value", frame=frame)
+    alone = at(fence, 3, tmp_path)
+    forwards = animation(fence, tmp_path)
+    backwards = {frame: at(fence, frame, tmp_path) for frame in reversed(FRAMES)}
+    np.testing.assert_array_equal(alone, forwards[3])
+    for frame in FRAMES:
+        np.testing.assert_array_equal(backwards[frame], forwards[frame])
+    assert np.abs(forwards[3] - forwards[4]).max() > 0.3
+    set_elision(fence, "frames", 0)
+    assert np.abs(at(fence, 3, tmp_path) - alone).max() > 0.05
+
+
+def test_frames_beyond_the_range_count_as_well(fence, tmp_path):
+    alone = at(fence, 1, tmp_path)
+    fence.frame_start = -10
+    np.testing.assert_array_equal(at(fence, 1, tmp_path), alone)
+
+
+def test_the_scene_is_left_at_its_frame(fence, tmp_path, monkeypatch):
+    at(fence, 3, tmp_path)
+    assert fence.frame_current == 3 and fence.frame_subframe == 0
+    assert session.last_statistics()["stages"]["near_frames"] > 0
+    asked = []
+
+    def broken(*_arguments, **_options):
+        asked.append(fence.frame_current)
+        raise ValueError("ink ran out")
+
+    monkeypatch.setattr(session.pipeline, "shown_lines", broken)
+    with pytest.raises(RuntimeError, match="ink ran out"):
+        at(fence, 3, tmp_path)
+    assert asked == [1] and fence.frame_current == 3 and fence.frame_subframe == 0
+
+
+def test_what_is_keyed_has_its_own_value_at_every_frame(fence, tmp_path):
+    """Spacing changes in a jump: the frames before it, as they were, count for those after it."""
+    fence.camera.animation_data_clear()
+    for frame, spacing in ((3, 0), (4, 160)):
+        key_spacing(fence, frame, spacing)
+    amounts = [ink(at(fence, frame, tmp_path)).sum() for frame in range(0, 8)]
+    assert amounts[0] == pytest.approx(amounts[1]) and amounts[6] == pytest.approx(amounts[7])
+    steps = -np.diff(amounts[1:7])
+    assert (steps > 0).all() and steps.max() < 0.5 * (amounts[0] - amounts[7])
+    set_elision(fence, "frames", 0)
+    assert ink(at(fence, 3, tmp_path)).sum() == pytest.approx(amounts[0])
+    assert ink(at(fence, 4, tmp_path)).sum() == pytest.approx(amounts[7])
+
+
+def test_where_nothing_moves_nothing_changes(fence, tmp_path):
+    fence.camera.animation_data_clear()
+    smooth = at(fence, 3, tmp_path)
+    set_elision(fence, "frames", 0)
+    np.testing.assert_array_equal(at(fence, 3, tmp_path), smooth)
+
+
+def test_a_cut_to_another_camera_is_one(fence, tmp_path):
+    first = fence.camera
+    other = add_camera((6, -14, 9), (0, 0, 0))
+    for frame, camera in ((-10, first), (4, other)):
+        fence.timeline_markers.new(f"at {frame}", frame=frame).camera = camera
+    cut = at(fence, 4, tmp_path)
+    first.animation_data_clear()
+    first.location.x += 2.0  # seen by no frame from 4 on
+    np.testing.assert_array_equal(at(fence, 4, tmp_path), cut)
+
+
+@pytest.mark.parametrize("name, value", [("visibility", "SPINE"), ("enabled", False), ("frames", 0)])
+def test_other_frames_are_asked_only_where_they_count(fence, tmp_path, monkeypatch, name, value):
+    def asked(*_arguments):
+        raise AssertionError("another frame was asked")
+
+    monkeypatch.setattr(near_frames, "shown_lines", asked)
+    if name == "visibility":
+        fence.fovea.visibility = value
+    else:
+        set_elision(fence, name, value)
+    at(fence, 3, tmp_path)
+    assert "near_frames" not in session.last_statistics()["stages"]
+
+
+@pytest.mark.parametrize("backend", ["CPU", "GPU"])
+def test_lines_come_and_go_more_slowly(fence, tmp_path, monkeypatch, backend):
+    if backend == "GPU" and part("blender.preferences").gl_renderer() is None:
+        pytest.skip("OpenGL is unusable here")
+    fence.fovea.backend = backend
+    thinned, kept = emphasis.thinned, []
+
+    def keeping(felt, frame, runs, style, *others):
+        found = thinned(felt, frame, runs, style, *others)
+        kept.append(coherence.on_paths(world.Drawn(None, frame.view, style, frame, runs, None, None, found)))
+        return found
+
+    monkeypatch.setattr(emphasis, "thinned", keeping)
+    largest = {}
+    for frames in (0, 1, 3):
+        set_elision(fence, "frames", frames)
+        kept.clear()
+        for frame in FRAMES:
+            at(fence, frame, tmp_path)
+        changes = [coherence.changes(a, b, math.inf)[0] for a, b in zip(kept, kept[1:])]
+        largest[frames] = max(found.max() for found in changes)
+        assert min(len(found) for found in changes) > 500
+    assert largest[0] > 0.3
+    assert largest[3] < largest[1] < largest[0] and largest[3] < 0.6 * largest[0]
