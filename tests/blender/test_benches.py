@@ -71,7 +71,7 @@ def test_lines_that_cross_or_go_elsewhere_are_not_crowded():
 
 def test_frames_that_do_not_change_are_steady():
     """And what the bench counts is there."""
-    new_scene("boxes:3")
+    new_scene("boxes:6")
 
     def work(place):
         drawn = place.draw(world.evenly_spaced(20.0))
@@ -81,8 +81,8 @@ def test_frames_that_do_not_change_are_steady():
             again = place.draw(world.evenly_spaced(20.0))
             for watch in (alone, in_time, of_view):
                 watch.see(again)
-        told = coherence.rows("boxes:3", alone, {1: smooth}, of_view)
-        return density.rows("boxes:3", drawn, 20.0), told, drawn.places()
+        told = coherence.rows("boxes:6", alone, {1: smooth}, of_view)
+        return density.rows("boxes:6", drawn, 20.0), told, drawn.places()
 
     crowded, steady, places = world.measure(work, SIZE)
     value = {row["figure"]: row["value"] for row in crowded + steady}
