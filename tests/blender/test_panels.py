@@ -39,6 +39,9 @@ class RecordingLayout:
         assert hasattr(bpy.types, kind)
         self.prop(owner, items), self.prop(active_owner, active)
 
+    def prop_search(self, owner, name, *_where):
+        self.prop(owner, name)
+
     def template_icon(self, **_options):
         pass
 
