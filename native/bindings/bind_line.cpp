@@ -115,8 +115,8 @@ void bind_line(py::module_& m) {
         },
         py::arg("tracer"), py::arg("line_sets"), py::arg("cancel") = py::none(),
         R"(Paths of everything the line sets find. line_sets: list of ({definition: {parameter: value}},
-corner angle in degrees[, for each placement whether its lines are for the set; None: all]); an edge belongs to the first
-set that finds it.)");
+corner angle in degrees[, for each placement whether its lines are for the set; None: all]); an edge belongs to the
+first set that finds it.)");
 }
 
 }  // namespace fovea::bindings
