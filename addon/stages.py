@@ -130,6 +130,7 @@ class Notes:
     painted: dict = field(default_factory=dict)  # {attribute: n arrays (C,) float32 at the mesh's corners, or None}
     objects: tuple = ()  # n tuples of names: of the object, and of what made an instance of it
     density_map: object = None  # native ColorTexture over the camera's frame; None: there is none
+    members: tuple = ()  # per line set n times whether its lines are for it, or None for all; (): all, for all
 
 
 @dataclass(frozen=True)

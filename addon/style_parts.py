@@ -39,6 +39,8 @@ class LineSet:
 
     name: str = "lines"
     kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
+    collection: str = ""  # of Blender: only its objects have these lines; none: all have
+    outside: bool = False  # only what is not in it has them
     corner_angle: float = 60.0  # degrees of turn at which a path is split
     least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
     overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends

@@ -15,10 +15,10 @@ def trace(scene, view):
     return native.load().Tracer(scene, view)
 
 
-def extract(tracer, style, cancel):
-    """Paths of everything the style's line sets find; none where it draws no lines."""
-    drawn = style.effects.lines != "none"
-    sets = [(line_set.kinds if drawn else {}, line_set.corner_angle) for line_set in style.line_sets]
+def extract(tracer, style, cancel, members=()):
+    """Paths of everything the style's line sets find; none where it draws no lines. `members`: as Notes have them."""
+    drawn, members = style.effects.lines != "none", members or [None] * len(style.line_sets)
+    sets = [(s.kinds if drawn else {}, s.corner_angle, own) for s, own in zip(style.line_sets, members, strict=True)]
     return native.load().extract_paths(tracer, sets, cancel)
 
 

@@ -1,5 +1,7 @@
 """What the artist has said of a scene's placements: priorities, what is painted on meshes, and a map of density."""
 
+import bpy
+
 from ..stages import Notes
 from .color_corners import Corners
 
@@ -9,7 +11,7 @@ class Gathering:
     in the scene's order."""
 
     def __init__(self, core, cache, style):
-        self._core, self._cache = core, cache
+        self._core, self._cache, self._line_sets = core, cache, style.line_sets
         self._painted = {name: [] for name in attributes(style)}
 
     def add_surface(self, obj, mesh, surface, cage, repaired):
@@ -26,7 +28,17 @@ class Gathering:
         surfaces = snapshot.surface_of_placement
         painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
         density = image and self._cache.images.texture(image)
-        return Notes(snapshot.importance, painted, tuple(snapshot.owners), density)
+        members = tuple(_members(line_set, snapshot.owners) for line_set in self._line_sets)
+        return Notes(snapshot.importance, painted, tuple(snapshot.owners), density, members)
+
+
+def _members(line_set, owners):
+    """Of each placement whether its object, or what made an instance of it, is where a LineSet draws; None: of all."""
+    if not line_set.collection:
+        return None
+    collection = bpy.data.collections.get(line_set.collection)
+    inside = {obj.name_full for obj in collection.all_objects} if collection else set()
+    return [inside.isdisjoint(names) == line_set.outside for names in owners]
 
 
 def attributes(style):

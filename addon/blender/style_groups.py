@@ -22,11 +22,12 @@ from bpy.props import (
 from .. import style
 from ..color import Color
 from ..elision import Elision
-from ..focus import Distance, Effects, Transfer
+from ..focus import MOST_NAME, Distance, Effects, Transfer
 from ..stages import Pen
 from ..style_parts import Hidden, LineSet, Paper
+from ..style_values import MOST_ATTRIBUTE
 from . import line_kinds, style_words
-from .property_kinds import attribute_name, file_names, redraw
+from .property_kinds import file_names, redraw
 
 PARTS = {  # dataclass: what the words call it
     Transfer: "transfer",
@@ -40,6 +41,7 @@ PARTS = {  # dataclass: what the words call it
     Distance: "distance",
 }
 FILES = {"pen.texture": style.textures, "paper.texture": style.papers}
+NAMES = ("line_set.collection",)  # of Blender's datablocks
 AWAY = ("Pen out of Focus", "Lines out of focus are drawn with a pen of their own")
 
 _groups = {}  # dataclass: its group, once they are registered
@@ -71,7 +73,7 @@ def _property(part, name, default):
     if key in style_words.CHOICES:
         return EnumProperty(items=style_words.CHOICES[key], default=default.upper(), **text)
     if isinstance(default, str):
-        return attribute_name(label, told, default)
+        return StringProperty(default=default, maxlen=MOST_NAME if key in NAMES else MOST_ATTRIBUTE, **text)
     if isinstance(default, tuple):
         return FloatVectorProperty(default=default, **options, **text)
     if isinstance(default, int):

@@ -75,6 +75,8 @@ WORDS = {
     ),
     "hidden.first": ("From", "Draw lines that at least so many surfaces hide", {}),
     "hidden.last": ("To", "Draw lines that at most so many surfaces hide; 0: any number", {}),
+    "line_set.collection": ("Collection", "Only objects of this collection have the lines of this set; none: all", {}),
+    "line_set.outside": ("Outside", "Only objects that are not in the collection have the lines of this set", {}),
     "line_set.corner_angle": ("Corner Angle", "Strokes end where a line turns by more than this", {"subtype": "ANGLE"}),
     "line_set.least_length": (
         "Least Length",

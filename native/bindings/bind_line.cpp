@@ -49,6 +49,7 @@ std::vector<LineSet> line_sets(const py::sequence& sets) {
     for (const auto& item : sets) {
         const auto pair = item.cast<py::tuple>();
         result.push_back(line_set(pair[0].cast<py::dict>(), pair[1].cast<double>()));
+        if (pair.size() > 2 && !pair[2].is_none()) result.back().placements = pair[2].cast<std::vector<std::uint8_t>>();
     }
     return result;
 }
@@ -108,7 +109,8 @@ void bind_line(py::module_& m) {
         },
         py::arg("tracer"), py::arg("line_sets"), py::arg("cancel") = py::none(),
         R"(Paths of everything the line sets find. line_sets: list of ({definition: {parameter: value}},
-corner angle in degrees); an edge belongs to the first set that finds it.)");
+corner angle in degrees[, for each placement whether its lines are for the set; None: all]); an edge belongs to the
+first set that finds it.)");
 }
 
 }  // namespace fovea::bindings

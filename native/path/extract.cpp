@@ -38,6 +38,14 @@ std::uint64_t hash_sets(const std::vector<LineSet>& sets) {
     return hash;
 }
 
+/// As one placement has them: those that are not for it ask for nothing.
+std::vector<LineSet> sets_for(Index placement, const std::vector<LineSet>& sets) {
+    std::vector<LineSet> own = sets;
+    for (LineSet& set : own)
+        if (!set.is_for(placement)) set.kinds.clear();
+    return own;
+}
+
 bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
     for (const LineSet& set : sets)
         for (const LineSet::Kind& kind : set.kinds)
@@ -202,7 +210,9 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     Paths paths;
     if (sets.empty()) return paths;
     tracer.check_current();
-    const std::uint64_t sets_hash = hash_sets(sets);
+    for (const LineSet& set : sets)
+        check(set.placements.empty() || set.placements.size() == scene.placements.size(),
+              "a line set must say of each placement whether its lines are for it");
     const bool view_dependent = any_of_scope(sets, Scope::view);
     std::vector<Index> drawn;
     for (Index i = 0; i < scene.placements.size(); ++i)
@@ -213,8 +223,9 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         cancel.poll();
         const Placement& placed = scene.placements[drawn[i]];
         const auto surface = as_placed(placed.surface, placed.object_to_world);
-        const std::uint64_t asked = hash_numbers(sets_hash, hash_of(surface->field_options()));
-        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), sets, asked, view_dependent);
+        const std::vector<LineSet> own = sets_for(drawn[i], sets);
+        const std::uint64_t asked = hash_numbers(hash_sets(own), hash_of(surface->field_options()));
+        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), own, asked, view_dependent);
     });
 
     const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);

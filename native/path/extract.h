@@ -10,6 +10,7 @@ namespace fovea {
 
 /// Every edge that a line set finds, once (the first set that finds it has it), chained into paths. What depends on
 /// the surface alone is found and chained once and kept with it. Placements outside the frame are left out.
+/// An intersection is for the sets of the placement that it is reported of.
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
                     const Cancel& cancel);
 

@@ -1,5 +1,6 @@
 #include "path/find_curves.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "base/parallel.h"
@@ -21,6 +22,12 @@ struct Job {
     Values values;
     Index line_set, number;  // none, none: for nobody
 };
+
+/// Whether a set before number `s` has the lines of a definition on a placement.
+bool is_taken(const std::vector<LineSet>& sets, std::size_t s, Index definition, Index placement) {
+    return std::any_of(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(s),
+                       [&](const LineSet& set) { return set.is_for(placement) && set.has(definition); });
+}
 
 std::vector<Job> jobs_of(const std::vector<LineSet>& sets, bool of_surface) {
     std::vector<Job> jobs;
@@ -77,9 +84,10 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const Kinds bit = Kinds(1) << kind.definition;
             if (!definition.find_in_scene || (done & bit)) continue;
-            done |= bit;
+            if (sets[s].placements.empty()) done |= bit;
             for (const SceneCurves& part : definition.find_in_scene(scene, drawn, kind.values, cancel)) {
-                if (part.curves->pieces.empty()) continue;
+                if (part.curves->pieces.empty() || !sets[s].is_for(part.placement)) continue;
+                if (is_taken(sets, s, kind.definition, part.placement)) continue;
                 const auto chains =
                     part.curves->derived.get<CurveChains>(0, [&] { return chain_curves(part.curves->pieces); });
                 found.push_back({part.placement, {static_cast<std::uint8_t>(s), kind.definition, chains, part.other}});
@@ -97,7 +105,7 @@ std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, 
         for (const LineSet::Kind& kind : sets[s].kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const Kinds bit = Kinds(1) << kind.definition;
-            if (!definition.find_in_image || (done & bit)) continue;
+            if (!definition.find_in_image || !sets[s].placements.empty() || (done & bit)) continue;
             done |= bit;
             const FrameView frame{tracer, cancel, shared};
             CurveChains chains = chain_curves(definition.find_in_image(frame, kind.values));

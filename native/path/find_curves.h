@@ -25,7 +25,7 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
                                                                 const std::vector<LineSet>& sets,
                                                                 const Cancel& cancel);
 
-/// Of the frame, in view space.
+/// Of the frame, in view space. They are of no placement: sets that are for some only have none.
 std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,
                                               const Cancel& cancel);
 

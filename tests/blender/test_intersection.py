@@ -6,7 +6,7 @@ import pytest
 from native_frames import core, cpu, frame_of, room, style, view_of
 from pictures import SIZE, drawn, ink
 from test_gpu_visibility import both
-from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, only_lines, part, use_style
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, only_lines, use_style
 
 
 

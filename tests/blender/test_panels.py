@@ -39,6 +39,12 @@ class RecordingLayout:
         assert hasattr(bpy.types, kind)
         self.prop(owner, items), self.prop(active_owner, active)
 
+    def separator(self):
+        pass
+
+    def prop_search(self, owner, name, *_where):
+        self.prop(owner, name)
+
     def template_icon(self, **_options):
         pass
 
@@ -100,7 +106,8 @@ def shown_by(*classes):
 
 
 def drawn_panels():
-    return [cls for cls in panels.CLASSES if hasattr(cls, "show") and cls.poll(context())]
+    shown = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
+    return [cls for cls in shown if cls.poll(context())]
 
 
 def test_panels_draw_with_the_engine_and_for_a_style(scene):
@@ -113,6 +120,15 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert any("default style" in title for title in shown_by().titles)
     scene.render.engine = "BLENDER_WORKBENCH"
     assert drawn_panels() == []
+
+
+def test_a_menu_has_every_operator_so_that_it_is_found():
+    layout, operators = RecordingLayout(), []
+    menu = part("blender.panels.menu").TOPBAR_MT_fovea
+    menu.show(menu, layout)
+    for module in ("style_operators", "line_set_operators"):
+        operators += [cls.bl_idname for cls in part(f"blender.{module}").CLASSES]
+    assert sorted(layout.operators) == sorted(operators)
 
 
 def leaves(group, path=""):

@@ -89,9 +89,10 @@ def blenders_names():
     types = sorted(name for name in dir(bpy.types) if "fovea" in name.lower())
     places = ("Scene", "Object", "Material", "NodeTree")
     owners = [name for name in places if hasattr(getattr(bpy.types, name), "fovea")]
+    drawn = len(bpy.types.TOPBAR_MT_render._dyn_ui_initialize())
     lists = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
     handlers = {name: len(found) for name, found in lists.items() if isinstance(found, list)}
-    return types, owners, handlers, "FOVEA" in bpy.types.DATA_PT_lens.COMPAT_ENGINES
+    return types, owners, (handlers, drawn), "FOVEA" in bpy.types.DATA_PT_lens.COMPAT_ENGINES
 
 
 def test_registering_again_and_again_leaves_nothing_behind(scene):

@@ -150,7 +150,7 @@ def test_a_saved_style_is_json_that_anyone_can_read(scene):
 
 
 def animated(scene):
-    """technical, whose line sets are each as wide as their number, keyed, and with halos driven to be three times that."""
+    """technical, with line sets as wide as their number, keyed, and halos of three times that, driven."""
     held = use_style(scene, "technical")
     for i, line_set in enumerate(held.line_sets):
         line_set.pen.width = i + 1

@@ -65,6 +65,47 @@ TEST(Extract, TheFirstLineSetThatFindsAnEdgeHasIt) {
     EXPECT_TRUE(labels({LineSet{}}).empty()) << "a line set without kinds";
 }
 
+TEST(Extract, ALineSetMayBeForSomePlacementsAlone) {
+    const auto surface = box().surface();
+    const Scene scene({{surface, moved({-1.5, 0, 0}), 1}, {surface, moved({1.5, 0, 0}), 2}});
+    const auto edges = [&](const std::vector<LineSet>& sets) {
+        const Paths paths = extract(scene, corner_view, sets);
+        std::map<std::pair<int, int>, int> found;  // (placement, line set): edges
+        for (Index p = 0; p < paths.count(); ++p)
+            found[{paths.placement[p], paths.line_set[p]}] += paths.rows.size(p) - 1;
+        return found;
+    };
+    LineSet of_second = line_set({"crease"});
+    of_second.placements = {0, 1};
+    using Found = std::map<std::pair<int, int>, int>;
+    EXPECT_EQ(edges({of_second}), (Found{{{1, 0}, 12}}));
+    EXPECT_EQ(edges({of_second, line_set({"crease"})}), (Found{{{0, 1}, 12}, {{1, 0}, 12}}));
+    EXPECT_EQ(edges({line_set({"crease"}), of_second}), (Found{{{0, 0}, 12}, {{1, 0}, 12}}));
+    of_second.placements = {1};
+    EXPECT_THROW(edges({of_second}), std::invalid_argument);
+}
+
+TEST(Extract, IntersectionsAreForTheSetsOfTheirPlacement) {
+    const auto surface = box().surface();
+    const Scene scene({{surface, dmat4(1.0), 1}, {surface, moved({0.7, 0.6, 0.5}), 2}});
+    const auto lines = [&](const std::vector<LineSet>& sets) {
+        const Paths paths = extract(scene, corner_view, sets);
+        std::map<int, int> found;
+        for (Index p = 0; p < paths.count(); ++p) found[paths.line_set[p]] += paths.rows.size(p) - 1;
+        return found;
+    };
+    LineSet first = line_set({"intersection"}), second = first;
+    first.placements = {1, 0};
+    second.placements = {0, 1};
+    const LineSet all = line_set({"intersection"});
+    const int count = lines({all}).at(0);
+    ASSERT_GT(count, 0);
+    const auto shared = lines({first, second});
+    EXPECT_EQ((shared.contains(0) ? shared.at(0) : 0) + (shared.contains(1) ? shared.at(1) : 0), count);
+    const auto left = lines({first, all});
+    EXPECT_EQ((left.contains(0) ? left.at(0) : 0) + (left.contains(1) ? left.at(1) : 0), count);
+}
+
 TEST(Extract, KindsAreThoseOfTheSetThatHasTheEdge) {
     const Drawing drawing({place(box())}, corner_view, {line_set({"contour"}), line_set({"crease", "contour"})});
     for (Index p = 0; p < drawing.paths.count(); ++p)

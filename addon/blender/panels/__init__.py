@@ -2,13 +2,13 @@
 
 import bpy
 
-from . import effects, lines, method, paper, sidebar, style, things, thumbnails
+from . import effects, lines, menu, method, paper, sidebar, style, things, thumbnails
 from .common import ENGINE
 
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
 ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
 NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
-MODULES = (style, lines, effects, paper, method, things, sidebar)
+MODULES = (style, lines, effects, paper, method, things, sidebar, menu)
 CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 
@@ -23,6 +23,7 @@ def _blender_panels():
 def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
+    bpy.types.TOPBAR_MT_render.append(menu.append)
     for panel in _blender_panels():
         panel.COMPAT_ENGINES.add(ENGINE)
 
@@ -30,6 +31,7 @@ def register():
 def unregister():
     for panel in _blender_panels():
         panel.COMPAT_ENGINES.discard(ENGINE)
+    bpy.types.TOPBAR_MT_render.remove(menu.append)
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
     thumbnails.forget()

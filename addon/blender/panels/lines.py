@@ -34,6 +34,7 @@ class RENDER_PT_fovea_lines(StylePanel, bpy.types.Panel):
         draw_list(layout, held)
         line_set = edited(held)
         if line_set:
+            draw_filter(layout, line_set)
             draw_kinds(layout, held, line_set)
             draw_pens(layout, context.scene, line_set)
 
@@ -47,6 +48,14 @@ def draw_list(layout, held):
     side.operator("fovea.line_set_duplicate", text="", icon="DUPLICATE")
     side.operator("fovea.line_set_move", text="", icon="TRIA_UP").direction = "UP"
     side.operator("fovea.line_set_move", text="", icon="TRIA_DOWN").direction = "DOWN"
+
+
+def draw_filter(layout, line_set):
+    """Which objects have these lines."""
+    row = layout.row()
+    row.alert = bool(line_set.collection) and line_set.collection not in bpy.data.collections
+    row.prop_search(line_set, "collection", bpy.data, "collections")
+    draw_properties(layout, line_set, ("outside",), bool(line_set.collection))
 
 
 def draw_kinds(layout, held, line_set):
