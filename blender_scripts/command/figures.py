@@ -71,4 +71,4 @@ def draw_pages(target, name):
     script = PROJECT / "blender_scripts" / "pages.py"
     actions.in_blender(target, f"drawing the pictures {name}", script, [str(DOCS), *wanted])
     for picture in wanted:
-        print(DOCS / f"{picture}.png")
+        print(DOCS / pages.file_of(picture))

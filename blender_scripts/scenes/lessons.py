@@ -1,5 +1,5 @@
 """Small models for the documentation, each with what one kind of line needs: borders, materials, marks, crossings,
-inflections, folds, a relief."""
+inflections, folds."""
 
 import math
 
@@ -115,16 +115,6 @@ def crossings():
     bpy.context.object.location = (0.5, 0, -0.05)
 
 
-def relief():
-    """A round plate with petals, a rim, and a boss in the middle."""
-    radius, angle = np.meshgrid(np.linspace(0, 1.5, 150), np.linspace(0, 2 * math.pi, 300, endpoint=False), indexing="ij")
-    petals = 0.16 * np.exp(-(((radius - 0.75) / 0.3) ** 2)) * np.cos(3 * angle) ** 2
-    boss = 0.22 * np.exp(-((radius / 0.22) ** 2))
-    rim = 0.14 * np.exp(-(((radius - 1.33) / 0.09) ** 2))
-    points = np.stack([radius * np.cos(angle), radius * np.sin(angle), petals + boss + rim], axis=-1)
-    stage.link("Relief", shapes.sheet("Relief", points, wrap_columns=True))
-
-
 def ring():
     """A coarse torus: its faces are seen."""
     bpy.ops.mesh.primitive_torus_add(major_radius=1, minor_radius=0.42, major_segments=28, minor_segments=14)
@@ -141,13 +131,25 @@ def drapery():
     stage.link("Drapery", cloth)
 
 
+def pebble():
+    """A round body with bulges and hollows, smooth all over."""
+    ball = shapes.ball("Pebble", 1.0, 160)
+    points = np.empty(3 * len(ball.vertices), np.float32)
+    ball.vertices.foreach_get("co", points)
+    x, y, z = points.reshape(-1, 3).T
+    radius = 1 + 0.16 * np.sin(2.6 * x + 0.4) * np.cos(2.2 * z + 0.5) + 0.1 * np.sin(2.9 * y + 1.7 * z)
+    ball.vertices.foreach_set("co", (points.reshape(-1, 3) * radius[:, None] * (1.35, 1, 0.9)).astype(np.float32).ravel())
+    ball.update()
+    stage.link("Pebble", ball)
+
+
 MODELS = {
     "cloth": cloth,
     "balls": balls,
     "vase": vase,
     "marked-vase": marked_vase,
     "crossings": crossings,
-    "relief": relief,
     "ring": ring,
     "drapery": drapery,
+    "pebble": pebble,
 }
