@@ -86,7 +86,7 @@ WAY = {  # stage: how it is shown; in the order of the data
     ),
     "2_lines": Stage((*_LINES, "--hidden"), _PEN | _SOLID),
     "3_visible": Stage((*_LINES, "--hidden-by", "1"), _PEN | _DASHES),
-    "4_elided": Stage((*_LINES, "--elision"), _PEN | {"pen_spacing": 26.0}),
+    "4_elided": Stage((*_LINES, "--elision"), _PEN | {"pen_spacing": 18.0}),
     "5_strokes": Stage((*_FOCUS, "--without", "colors")),
     "6_picture": Stage(_FOCUS),
 }

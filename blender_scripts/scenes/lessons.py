@@ -12,10 +12,6 @@ SEGMENTS = 96  # of what is turned
 MEANDER = "uuuuuuuuuu" + "rrr" + "dddddddddd" + "rrr"  # steps of a wave along edges: up, right, down
 
 
-def names():
-    return list(MODELS)
-
-
 def build(name):
     """The model alone in the open file."""
     stage.clear()
