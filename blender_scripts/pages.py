@@ -41,7 +41,7 @@ def line(name, picture):
     shown = pages.LINES[name]
     open_model(shown.model)
     faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, picture)
-    both = np.minimum(faint, draw_lines(shown, (name,), shown.params, BOLD, picture))
+    both = np.minimum(faint, draw_lines(shown, (name,), (), BOLD, picture))
     return np.round(both * (GREYS - 1)) / (GREYS - 1)
 
 

@@ -16,11 +16,10 @@ class Picture:
     camera: tuple  # words of `fovea draw`
     beneath: tuple = SHAPE  # line definitions
     beneath_params: tuple = ()  # words
-    params: tuple = ()  # words
 
 
-def _seen(azimuth, elevation, *more):
-    return ("--azimuth", str(azimuth), "--elevation", str(elevation), *more)
+def _seen(azimuth, elevation):
+    return "--azimuth", str(azimuth), "--elevation", str(elevation)
 
 
 def _params(*given):
@@ -41,7 +40,7 @@ LINES = {  # definition: how it is shown
     "border": Picture(LESSON + "cloth", _seen(30, 30), ("contour",)),
     "material_boundary": Picture(LESSON + "balls", _seen(20, 18)),
     "edge_mark": Picture(LESSON + "marked-vase", _seen(30, 18)),
-    "smooth_contour": Picture(LESSON + "ring", _seen(20, 35), *EVERY_EDGE),
+    "smooth_contour": Picture(LESSON + "ring", _seen(20, 58), *EVERY_EDGE),
     "smooth_silhouette": Picture("suzanne:3", _seen(25, 8), ("smooth_contour",)),
     "suggestive_contour": Picture(*MONKEY),
     "suggestive_highlight": Picture(*MONKEY),
@@ -70,7 +69,7 @@ class Stage:
     settings: dict = field(default_factory=dict)  # {property of the scene's settings: value}
 
 
-STAGE_SIZE = "640x360"
+STAGE_SIZE = "560x315"
 STAGE_VIEW = 0.53, 0.62, 1.8  # the part of the frame that is shown: its middle, and how much larger than all of it
 _EDGES = "silhouette,contour,crease,border,material_boundary,edge_mark"
 _LINES = ("--style", "plain", "--lines", f"{_EDGES},suggestive_contour,valley")
@@ -106,7 +105,8 @@ TRANSFERS = {  # plot: a transfer function as a style has it
 }
 PLOT = 240  # pixels
 
-GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "transfers": TRANSFERS}  # name: {picture: what it shows}; each a folder of addon/docs
+# Name: {picture: what it shows}; each is a folder of addon/docs.
+GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "transfers": TRANSFERS}
 
 
 def names():

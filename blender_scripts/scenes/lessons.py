@@ -34,8 +34,9 @@ def cloth():
 def balls():
     """A ball in six segments with caps, and one with a band, of two materials each."""
     light, dark = stage.material("Light", (0.9, 0.9, 0.85)), stage.material("Dark", (0.2, 0.3, 0.5))
+    sixth = math.pi / 3
     for name, radius, place, is_dark in (
-        ("Beach Ball", 1.0, (0, 0, 1), lambda x, y, z: (math.atan2(y, x) % (math.pi / 1.5) < math.pi / 3) ^ (abs(z) > 0.93)),
+        ("Segments", 1.0, (0, 0, 1), lambda x, y, z: (math.atan2(y, x) % (2 * sixth) < sixth) ^ (abs(z) > 0.93)),
         ("Band", 0.55, (1.45, -0.6, 0.55), lambda x, y, z: abs(z) < 0.4),
     ):
         ball = shapes.ball(name, radius, SEGMENTS)
@@ -113,7 +114,7 @@ def crossings():
 
 def ring():
     """A coarse torus: its faces are seen."""
-    bpy.ops.mesh.primitive_torus_add(major_radius=1, minor_radius=0.42, major_segments=28, minor_segments=14)
+    bpy.ops.mesh.primitive_torus_add(major_radius=1, minor_radius=0.42, major_segments=36, minor_segments=18)
     bpy.context.object.data.shade_smooth()
 
 
@@ -134,7 +135,8 @@ def pebble():
     ball.vertices.foreach_get("co", points)
     x, y, z = points.reshape(-1, 3).T
     radius = 1 + 0.16 * np.sin(2.6 * x + 0.4) * np.cos(2.2 * z + 0.5) + 0.1 * np.sin(2.9 * y + 1.7 * z)
-    ball.vertices.foreach_set("co", (points.reshape(-1, 3) * radius[:, None] * (1.35, 1, 0.9)).astype(np.float32).ravel())
+    moved = points.reshape(-1, 3) * radius[:, None] * (1.35, 1, 0.9)
+    ball.vertices.foreach_set("co", moved.astype(np.float32).ravel())
     ball.update()
     stage.link("Pebble", ball)
 
