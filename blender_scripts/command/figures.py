@@ -1,15 +1,18 @@
-"""`fovea figures [NAME...]`: draws the pictures of README: hidden lines and haloes by `fovea draw`, focus as sheets."""
+"""`fovea figures [NAME...]`: draws the pictures of README, hidden lines and haloes by `fovea draw`, focus as sheets, and
+those of addon/docs."""
 
 import argparse
 from pathlib import Path
 
 from . import actions
 from . import package as extension
+from . import pages
 from .target import PROJECT, SHARED
 from .variants import SHEETS
 
 FOLDER = PROJECT / "blender_scripts" / "figures"
 CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
+DOCS = PROJECT / "addon" / "docs"
 STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
 SIZE = ["--size", "1280x720"]
 FIGURES = {  # name: the words of `fovea draw`
@@ -30,17 +33,20 @@ FIGURES = {  # name: the words of `fovea draw`
 
 def figures(target, words):
     parser = argparse.ArgumentParser("fovea figures")
-    known = (*FIGURES, *SHEETS, THUMBNAILS)
+    known = (*FIGURES, *SHEETS, THUMBNAILS, *pages.GROUPS)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
     parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder")
     options = parser.parse_args(words)
-    unknown = sorted(set(options.names) - set(known))
+    unknown = sorted(set(options.names) - set(known) - set(pages.names()))
     if unknown:
         parser.error(f"there is no figure {', '.join(unknown)}; there are: {', '.join(known)}")
     options.output.mkdir(parents=True, exist_ok=True)
     for name in options.names or known:
         if name == THUMBNAILS:
             draw_sheet(target, "styles", STYLES, "--tile", "256x144")
+            continue
+        if name.partition("/")[0] in pages.GROUPS:
+            draw_pages(target, name)
             continue
         if name in SHEETS:
             draw_sheet(target, name, options.output.absolute() / f"{name}.jpg")
@@ -55,3 +61,14 @@ def draw_sheet(target, name, picture, *words):
     script = PROJECT / "blender_scripts" / "variants.py"
     actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture), *words])
     print(picture)
+
+
+def draw_pages(target, name):
+    """A group of pages.py, or GROUP/PICTURE."""
+    extension.install(target)
+    wanted = [picture for picture in pages.names() if picture == name or picture.startswith(f"{name}/")]
+    (DOCS / name.partition("/")[0]).mkdir(parents=True, exist_ok=True)
+    script = PROJECT / "blender_scripts" / "pages.py"
+    actions.in_blender(target, f"drawing the pictures {name}", script, [str(DOCS), *wanted])
+    for picture in wanted:
+        print(DOCS / pages.file_of(picture))

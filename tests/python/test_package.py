@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import zipfile
 from pathlib import Path
 
 import addon
@@ -61,6 +62,14 @@ HAS_ENGINE = "bpy.types.RenderEngine.bl_rna_get_subclass_py('FOVEA') is not None
 def test_the_archive_is_valid(blender, archive):
     status, said = blender("--command", "extension", "validate", archive)
     assert status == 0, said
+
+
+def test_the_archive_is_small_and_has_the_documentation(archive):
+    with zipfile.ZipFile(archive) as packed:
+        names = {name.partition("docs/")[2] for name in packed.namelist() if "docs/" in name}
+    docs = Path(addon.__file__).parent / "docs"
+    assert names - {""} >= {str(path.relative_to(docs)) for path in docs.rglob("*.*")} >= {"README.md", "lines/ridge.png"}
+    assert archive.stat().st_size < 4 << 20
 
 
 def test_installed_it_is_enabled_at_every_start(blender, installed):

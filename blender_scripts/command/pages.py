@@ -1,0 +1,119 @@
+"""The pictures of addon/docs: which model shows what, how it is seen, and what lies faintly beneath."""
+
+from dataclasses import dataclass, field
+
+LESSON = "lesson:"  # a model of scenes/lessons.py
+SIZE = "640x480"
+SHAPE = ("contour", "border")  # drawn faintly, so that one sees what lines lie on
+MESH = ("contour", "crease")  # with crease.angle=0: every edge of the mesh
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One line definition, as `fovea draw` would draw it."""
+
+    model: str  # a scene, a model of the shared folder (.obj), or a lesson
+    camera: tuple  # words of `fovea draw`
+    beneath: tuple = SHAPE  # line definitions
+    beneath_params: tuple = ()  # words
+
+
+def _seen(azimuth, elevation):
+    return "--azimuth", str(azimuth), "--elevation", str(elevation)
+
+
+def _params(*given):
+    return tuple(word for param in given for word in ("--param", param))
+
+
+MONKEY = "suzanne:4", _seen(25, 8)
+BUNNY = "organic/stanford-bunny.obj", _seen(-55, 12)
+SPOT = "organic/spot.obj", _seen(-135, 12)
+VASE = LESSON + "vase", _seen(30, 18)
+DRAPERY = LESSON + "drapery", _seen(25, 12)
+EVERY_EDGE = MESH, _params("crease.angle=0")
+
+LINES = {  # definition: how it is shown
+    "contour": Picture("suzanne:1", _seen(25, 8), *EVERY_EDGE),
+    "silhouette": Picture("cad/crank-arm.obj", _seen(35, 25), ("contour", "crease")),
+    "crease": Picture("cad/fandisk.obj", _seen(35, 25)),
+    "border": Picture(LESSON + "cloth", _seen(30, 30), ("contour",)),
+    "material_boundary": Picture(LESSON + "balls", _seen(20, 18)),
+    "edge_mark": Picture(LESSON + "marked-vase", _seen(30, 18)),
+    "smooth_contour": Picture(LESSON + "ring", _seen(20, 58), *EVERY_EDGE),
+    "smooth_silhouette": Picture("suzanne:3", _seen(25, 8), ("smooth_contour",)),
+    "suggestive_contour": Picture(*MONKEY),
+    "suggestive_highlight": Picture(*MONKEY),
+    "principal_highlight_ridge": Picture(*DRAPERY),
+    "principal_highlight_valley": Picture(*DRAPERY),
+    "ridge": Picture(*MONKEY),
+    "valley": Picture(*MONKEY),
+    "apparent_ridge": Picture(*MONKEY),
+    "demarcating_curve": Picture(*MONKEY),
+    "laplacian_line": Picture(*MONKEY),
+    "parabolic": Picture(*VASE),
+    "zero_mean_curvature": Picture(*VASE),
+    "isophote": Picture(LESSON + "pebble", _seen(30, 15)),
+    "topographic": Picture(*SPOT),
+    "intersection": Picture(LESSON + "crossings", _seen(5, 40)),
+    "image_edge": Picture(*MONKEY),
+    "abstracted_shading": Picture(*BUNNY),
+}
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What one stage makes of the demo scene, as `fovea draw` would draw it."""
+
+    words: tuple
+    settings: dict = field(default_factory=dict)  # {property of the scene's settings: value}
+
+
+STAGE_SIZE = "560x315"
+STAGE_VIEW = 0.53, 0.62, 1.8  # the part of the frame that is shown: its middle, and how much larger than all of it
+_EDGES = "silhouette,contour,crease,border,material_boundary,edge_mark"
+_LINES = ("--style", "plain", "--lines", f"{_EDGES},suggestive_contour,valley")
+_PEN = {"pen_width": 3.0}
+_DASHES = {"hidden_pen_width": 2.0, "hidden_pen_opacity": 0.5}
+_SOLID = {"hidden_pen_width": 3.0, "hidden_pen_opacity": 1.0, "hidden_pen_texture": "solid"}
+_FOCUS = ("--style", "watercolor", "--focus", "0.5,0.55", "--focus-radii", "0.2,1.0")
+
+WAY = {  # stage: how it is shown; in the order of the data
+    "1_surfaces": Stage(
+        ("--style", "plain", "--lines", "contour,border,crease", *_params("crease.angle=0")),
+        {"pen_width": 1.4, "pen_opacity": 0.6, "color_shading": "SMOOTH"},
+    ),
+    "2_lines": Stage((*_LINES, "--hidden"), _PEN | _SOLID),
+    "3_visible": Stage((*_LINES, "--hidden-by", "1"), _PEN | _DASHES),
+    "4_elided": Stage((*_LINES, "--elision"), _PEN | {"pen_spacing": 18.0}),
+    "5_strokes": Stage((*_FOCUS, "--without", "colors")),
+    "6_picture": Stage(_FOCUS),
+}
+
+_WATERCOLOR = ("--style", "watercolor")
+FOCUS = {  # where one shall look
+    "image": Stage((*_WATERCOLOR, "--focus", "0.1,0.7", "--focus-radii", "0.1,0.8")),
+    "scene": Stage((*_WATERCOLOR, "--focus", "0,-2.3,1.2", "--focus-radii", "1,4")),
+    "object": Stage((*_WATERCOLOR, "--focus", "Bicycle", "--focus-radii", "0.2,3")),
+}
+TRANSFERS = {  # plot: a transfer function as a style has it
+    "straight": {},
+    "start_end": {"start": 0.25, "end": 0.75},
+    "strength": {"start": 0.25, "end": 0.75, "strength": 0.5},
+    "reversed": {"start": 0.75, "end": 0.25},
+    "curve": {"curve": [[0, 0], [0.3, 0.75], [0.7, 0.85], [1, 1]]},
+}
+PLOT = 240  # pixels
+
+# Name: {picture: what it shows}; each is a folder of addon/docs.
+GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "transfers": TRANSFERS}
+
+
+def names():
+    """GROUP/PICTURE of all."""
+    return [f"{group}/{name}" for group, pictures in GROUPS.items() for name in pictures]
+
+
+def file_of(name):
+    """Of a GROUP/PICTURE, relative to addon/docs: grey ones as PNG, others as JPEG."""
+    return f"{name}.png" if name.startswith(("lines/", "transfers/")) else f"{name}.jpg"

@@ -1,0 +1,119 @@
+"""Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of the model that
+shows it, the demo scene at each stage of the method and with several places in focus, plots of transfer functions."""
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+import numpy as np
+from bl_ext.user_default.fovea import focus
+from bl_ext.user_default.fovea.backend import cpu
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import draw
+import sheet
+from command import draw_options, pages
+from command.target import SHARED
+from scenes import lessons
+
+FAINT = {"pen_width": 2.8, "pen_color": (0.4, 0.4, 0.4), "pen_taper": 0.0}
+BOLD = {"pen_width": 7.5, "pen_color": (0.0, 0.0, 0.0), "pen_taper": 0.0, "pen_strength_width": 0.5}
+GREYS = 16  # fewer make smaller files
+
+
+def main(words):
+    parser = argparse.ArgumentParser()
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("names", nargs="+")
+    options = parser.parse_args(words)
+    with tempfile.TemporaryDirectory() as folder:
+        for name in options.names:
+            group, _, shown = name.partition("/")
+            made = DRAWN_BY[group](shown, Path(folder) / "part.png")
+            sheet.save(made, options.folder / pages.file_of(name))
+
+
+def line(name, picture):
+    """(H, W) of one line definition."""
+    shown = pages.LINES[name]
+    open_model(shown.model)
+    faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, picture)
+    both = np.minimum(faint, draw_lines(shown, (name,), (), BOLD, picture))
+    return np.round(both * (GREYS - 1)) / (GREYS - 1)
+
+
+def stage(name, picture):
+    """(H, W, 3) of the demo scene at one stage, or with one focus, drawn at twice the size and averaged down."""
+    shown = (pages.WAY | pages.FOCUS)[name]
+    draw.open_scene("demo")
+    scene = bpy.context.scene
+    width, height = draw_options.frame_size(pages.STAGE_SIZE)
+    words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(picture)]
+    set_drawing(scene, draw_options.parse(words), shown.settings)
+    magnify(scene, *pages.STAGE_VIEW)
+    draw.still(scene, picture)
+    return sheet.pixels(picture)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+
+
+def plot(name, picture):
+    """(N, N) of a transfer function over focus: a frame with quarters in grey, the curve in black."""
+    transfer = focus.parse_transfer(pages.TRANSFERS[name], name, focus.Transfer())
+    size, margin, fine = pages.PLOT, 0.06, 8
+    place = np.arange(size * fine) / (size * fine - 1) * (1 + 2 * margin) - margin  # 0 and 1: the frame
+    value = cpu.transfer(transfer)(place.clip(0, 1).astype(np.float32))
+    steep = np.abs(np.gradient(value, place))
+    off = np.abs(place[:, None] - value[None, :]) / np.sqrt(1 + steep**2)  # rows: upwards; columns: focus
+    curve = (off < 0.011) & (place >= 0) & (place <= 1)
+    lines = np.abs(place[:, None] - np.linspace(0, 1, 5)).min(axis=1) < 0.003
+    inside = (place >= -0.003) & (place <= 1.003)
+    grid = (lines[:, None] | lines[None, :]) & inside[:, None] & inside[None, :]
+    grey = np.where(curve, 0.0, np.where(grid, 0.75, 1.0))
+    return grey.reshape(size, fine, size, fine).mean(axis=(1, 3))
+
+
+DRAWN_BY = {"lines": line, "way": stage, "focus": stage, "transfers": plot}
+
+
+def magnify(scene, u, v, times):
+    """Shows the part of the camera's frame around (u, v), from the left and the top, so many times as large."""
+    camera, render = scene.camera.data, scene.render
+    camera.lens *= times
+    camera.shift_x = (camera.shift_x + u - 0.5) * times
+    camera.shift_y = (camera.shift_y + (0.5 - v) * render.resolution_y / render.resolution_x) * times
+
+
+def open_model(model):
+    if model.startswith(pages.LESSON):
+        bpy.ops.wm.read_homefile(use_empty=True)
+        lessons.build(model.removeprefix(pages.LESSON))
+    else:
+        draw.open_scene(str(SHARED / "models" / model) if model.endswith(".obj") else model)
+
+
+def draw_lines(shown, lines, params, pen, picture):
+    """(H, W) of some lines of the model, drawn with one pen."""
+    scene = bpy.context.scene
+    chosen = ["--size", pages.SIZE, "--style", "plain", "--lines", ",".join(lines), *params, "-o", str(picture)]
+    set_drawing(scene, draw_options.parse([*shown.camera, *chosen]), pen)
+    draw.still(scene, picture)
+    return sheet.grey(picture)
+
+
+def set_drawing(scene, options, settings):
+    """All that `fovea draw` would set, then properties of the scene's settings."""
+    draw.set_size(scene, options)
+    draw.set_camera(scene, options)
+    draw.set_drawing(scene, options)
+    draw.set_output(scene, options)
+    for name, value in settings.items():
+        setattr(scene.fovea, name, value)
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[sys.argv.index("--") + 1 :])
+    except (ValueError, RuntimeError) as error:  # what the user can mend; anything else keeps its traceback
+        sys.exit(f"Error: {str(error).removeprefix('Error: ').strip()}")

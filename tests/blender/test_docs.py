@@ -1,0 +1,26 @@
+"""The examples of the page on scripting, run in their order as a reader would paste them."""
+
+import re
+from pathlib import Path
+
+import bpy
+from the_addon import empty_scene, fovea
+
+PAGE = Path(__file__).parents[2] / "addon" / "docs" / "scripting.md"
+
+
+def test_the_examples_run(capsys):
+    examples = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    assert len(examples) >= 8
+    empty_scene()
+    console = {}
+    for number, example in enumerate(examples):
+        code = example.replace("bl_ext.user_default.fovea", fovea.__name__)
+        exec(compile(code, f"{PAGE.name}, example {number + 1}", "exec"), console)
+    said = capsys.readouterr().out
+    # What the page says of it.
+    assert "(4608, 3)" in said and "(9216, 3)" in said and "True" in said.splitlines()[-1]
+    assert abs(console["fields"]["k1"]).max() < 2.6 and len(console["found"]["closed"]) == 2
+    assert console["svg"].read_text().count("<polyline") == len(console["shapes"]) > 1
+    assert {0, 1} <= set(console["runs"]["invisibility"].tolist())
+    assert bpy.context.scene.fovea.style == "pencil"
