@@ -59,7 +59,7 @@ PARTS = {
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
-LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|blender/(api|scene|session))\.py"
+LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|blender/(api|preferences|scene|session))\.py"
 
 
 def violations(root):

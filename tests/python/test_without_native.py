@@ -82,5 +82,5 @@ def test_a_render_says_it_too(case, tmp_path):
     _, blender = case
     picture = tmp_path / "picture.png"
     status, said = blender("-b", "--python-exit-code", "1", "--python-expr", RENDER, "--", picture)
-    assert status == 0 and "Traceback" not in said, said
+    assert status == 1 and "Traceback" not in said, said
     assert "native module" in answer(said) and not picture.exists()
