@@ -16,8 +16,8 @@ def pens_of(frame, runs, ranges):
     return core.pens_of_runs(frame.clipped, runs, frame.paths.line_set, rows)
 
 
-def at_points(frame, compacted, samples):
-    """(M,) float32 at the points of CompactRuns: (samples,) values along a Frame's lines."""
+def of_runs(frame, compacted, samples):
+    """(R,) float32 means over CompactRuns of (samples,) values along a Frame's lines."""
     clipped = frame.clipped
     count = clipped.sample_count.astype(np.intp)
     segment = np.repeat(np.arange(len(count)), count)
@@ -27,8 +27,14 @@ def at_points(frame, compacted, samples):
     # Pieces one after the other, far apart, so that one search finds the place on all.
     apart = 4 * max(1.0, float(np.abs(clipped.arc_px).max(initial=1.0)))
     piece_of_point = np.repeat(np.arange(len(clipped.path)), np.diff(clipped.offsets.astype(np.intp)))
-    wanted = np.repeat(compacted.piece, np.diff(compacted.offsets.astype(np.intp))) * apart + compacted.arc_px
-    places, sample = piece_of_point[segment] * apart + arc, clipped.sample_start[segment] + step
+    places = piece_of_point[segment] * apart + arc
     order = np.argsort(places, kind="stable")
-    return np.interp(wanted, places[order], samples[sample[order]]).astype(np.float32)
-
+    places, values = places[order], samples[(clipped.sample_start[segment] + step)[order]].astype(np.float64)
+    start, end = (compacted.piece * apart + px for px in (compacted.start_px, compacted.end_px))
+    first, last = np.searchsorted(places, start), np.searchsorted(places, end)
+    sums = np.concatenate([[0.0], np.cumsum(values)])
+    means = (sums[last] - sums[first]) / np.maximum(last - first, 1)
+    # Between two samples: as there.
+    short = last == first
+    means[short] = np.interp((start + end)[short] / 2, places, values)
+    return means.astype(np.float32)

@@ -8,7 +8,7 @@ from .. import emphasis, line_arrays, native, pipeline
 from ..backend import cpu, cpu_lines
 from . import scene
 
-_LEAST = 0.02  # opacity below which elision has taken a line away
+_LEAST = 0.02  # share of a line that elision must leave
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,7 @@ class DrawnLines:
     offsets: np.ndarray  # (R + 1,) int64
     points: np.ndarray  # (M, 3) float64, world space
     strength: np.ndarray  # (M,) float32 in [0, 1]
-    opacity: np.ndarray  # (M,) float32 in [0, 1], of the pen and of what elision leaves
+    opacity: np.ndarray  # (M,) float32 in [0, 1], of the pen and of what elision leaves of the polyline
     radius: np.ndarray  # (M,) float32, units of the scene: half the pen's width, as the camera sees it there
     kinds: np.ndarray  # (M,) uint32, bit i: the registry's definition i, of the segment from the point
     closed: np.ndarray  # (R,) bool, the last point is the first again
@@ -49,17 +49,16 @@ def of(read, view, style, options):
 
 
 def _left(frame, found, felt):
-    """(M,) what elision leaves at the points."""
+    """(R,) what elision leaves of the polylines."""
     if felt.shown is None:
-        return np.ones(len(found.strength), np.float32)
-    return cpu_lines.at_points(frame, found, felt.shown)
+        return np.ones(len(found.path), np.float32)
+    return cpu_lines.of_runs(frame, found, felt.shown)
 
 
 def _drawn(found, pen, left, view, style):
     """DrawnLines of those of CompactRuns that a pen draws and elision leaves."""
     count = np.diff(found.offsets.astype(np.int64))
-    most = np.maximum.reduceat(left, found.offsets[:-1].astype(np.intp)) if len(count) else left
-    kept = (pen != native.UNSET) & (most > _LEAST)
+    kept = (pen != native.UNSET) & (left > _LEAST)
     at = np.repeat(kept, count)
     pens, pen_of_point = style.pens(), np.repeat(pen, count)[at]
     widths = np.array([style.width_px(p, view.reference_scale) for p in pens], np.float32)
@@ -69,7 +68,7 @@ def _drawn(found, pen, left, view, style):
         offsets=np.concatenate([[0], np.cumsum(count[kept])]),
         points=line_arrays.placed(position, np.linalg.inv(view.world_to_view)),
         strength=found.strength[at],
-        opacity=opacity[pen_of_point] * left[at],
+        opacity=opacity[pen_of_point] * np.repeat(left, count)[at],
         radius=(0.5 * widths[pen_of_point] * _unit(view, position)).astype(np.float32),
         kinds=found.kinds[at],
         closed=found.closed[kept].astype(bool),

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 import pytest
-from pictures import SIZE, box_scene, layered
+from pictures import SIZE, box_scene, drawn, ink, layered
 from the_addon import box_mesh, empty_scene, new_mesh, new_object, part
 
 report, drawn_lines = part("blender.report"), part("blender.drawn_lines")
@@ -105,20 +105,23 @@ def test_closed_lines_are_baked_closed(scene):
     assert len(obj.data.edges) == len(obj.data.vertices) >= 24
 
 
-def test_what_elision_takes_away_is_not_baked(scene):
-    def strokes():
+def test_what_elision_takes_away_is_not_baked(scene, tmp_path):
+    def baked_ink():
         bpy.ops.fovea.bake_strokes(kind="MESH")
         (obj,) = baked()
-        count = len(obj.data.edges)
+        ends, opacity = np.empty(2 * len(obj.data.edges), np.int32), np.empty(len(obj.data.vertices), np.float32)
+        obj.data.edges.foreach_get("vertices", ends)
+        obj.data.attributes["opacity"].data.foreach_get("value", opacity)
         bpy.data.collections.remove(bpy.data.collections["Lines"])
-        return count
+        return opacity[ends].mean() * len(ends)
 
-    scene.fovea.pen_width = 2
+    scene.fovea.pen_width, scene.fovea.pen_spacing = 2, 120
     for step in range(12):
         new_object(box_mesh(0.9), f"Sheet{step}", (0, 0, 1.5 + 0.02 * step))
-    whole = strokes()
-    scene.fovea.elision, scene.fovea.pen_spacing = True, 120
-    assert strokes() < 0.8 * whole
+    whole, drawn_whole = baked_ink(), ink(drawn(scene, tmp_path / "whole.png")).sum()
+    scene.fovea.elision = True
+    thinned, drawn_thinned = baked_ink(), ink(drawn(scene, tmp_path / "thinned.png")).sum()
+    assert drawn_thinned < 0.6 * drawn_whole and thinned < 0.6 * whole
 
 
 def test_the_report_names_what_was_left_out_and_why():
