@@ -87,7 +87,8 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
 
     def told(self, place, model):
         value, label = getattr(place, self.name(model)), place.bl_rna.properties[self.name(model)].name
-        return f"{label}: {value:.3f}" if isinstance(value, float) else f"{label}: {', '.join(f'{v:.3f}' for v in value)}"
+        numbers = (value,) if isinstance(value, float) else value
+        return f"{label}: {', '.join(f'{v:.3f}' for v in numbers)}"
 
     def exit(self, context, cancel):
         context.area.header_text_set(None)

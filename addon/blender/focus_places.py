@@ -76,8 +76,8 @@ def move(obj, at):
 
 
 class Look:
-    """Places as a 3D viewport shows them, in pixels of its region. `frame`: left, lower, width and height of the camera's
-    frame there."""
+    """Places as a 3D viewport shows them, in pixels of its region. `frame`: left, lower, width and height of the
+    camera's frame there."""
 
     def __init__(self, region, view, frame):
         self.region, self.view, self.frame = region, view, frame

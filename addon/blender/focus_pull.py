@@ -88,7 +88,7 @@ def in_frame(scene, at):
 
 
 class FOVEA_OT_focus_pull(bpy.types.Operator):
-    """Lead the focus from where it is to another place, over some frames: keyframes of the place and of its two radii"""
+    """Lead the focus from where it is to another place, over some frames: keys the place and its two radii"""
 
     bl_idname = "fovea.focus_pull"
     bl_label = "Focus Pull"

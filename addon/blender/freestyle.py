@@ -30,18 +30,16 @@ def style_of(scene, layer):
         if not line_set.show_render:
             continue
         told += [f"'{line_set.name}': {what}" for what in _unmatched(line_set)]
-        kinds = _kinds(line_set, settings, scene)
+        kinds = _kinds(line_set, settings)
         if kinds:
             sets.append(_line_set(line_set, kinds, scene))
     return style_parts.Style(line_sets=tuple(sets)), told
 
 
-def _kinds(line_set, settings, scene):
+def _kinds(line_set, settings):
     """{definition: parameters} of a line set; Freestyle's crease angle is that between faces, ours between normals."""
-    parameters = {"crease": {"angle": 180 - math.degrees(settings.crease_angle)}} if line_set.select_by_edge_types else {}
-    wanted = [word for word in KINDS if getattr(line_set, f"select_{word}")]
-    if not line_set.select_by_edge_types:
-        wanted = list(KINDS)
+    parameters = {"crease": {"angle": 180 - math.degrees(settings.crease_angle)}}
+    wanted = [word for word in KINDS if getattr(line_set, f"select_{word}") or not line_set.select_by_edge_types]
     names = dict.fromkeys(name for word in wanted for name in KINDS[word])
     if "contour" in names and "silhouette" in names:
         del names["silhouette"]  # the contour has it

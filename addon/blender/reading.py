@@ -45,7 +45,8 @@ def draw(read, view, chosen, options, progress):
 
 
 def focus_of_pixels(read, view, focus, scale):
-    """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; None: all is in it."""
+    """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; or None: all is in
+    focus."""
     core = native.load()
     seen = scene.seen(core, _smaller(view, scale))
     tracer = cpu.trace(read.placed, seen)

@@ -54,7 +54,8 @@ def times(statistics):
         yield "No picture has been drawn yet"
         return
     stages = statistics["stages"]
-    yield f"{sum(stages.values()):.0f} ms, {statistics['strokes']} strokes, {statistics['visibility']} visibility, by the {statistics['backend']}"
+    how = f"{statistics['visibility']} visibility, by the {statistics['backend']}"
+    yield f"{sum(stages.values()):.0f} ms, {statistics['strokes']} strokes, {how}"
     for name, duration in stages.items():
         yield f"    {name:12} {duration:8.1f} ms"
 
