@@ -90,4 +90,5 @@ def objects(lines, chosen, kind, frame):
         else:
             data = grease_pencil(name, found, chosen.pens(), frame)
         made.append(bpy.data.objects.new(name, data))
+        made[-1].fovea.usage = "IGNORE"  # the drawing is not drawn again
     return made

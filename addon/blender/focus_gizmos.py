@@ -18,7 +18,7 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
     """One ring, or the middle, of one place."""
 
     bl_idname = "FOVEA_GT_focus_handle"
-    __slots__ = ("index", "part", "before", "off")
+    __slots__ = ("index", "part", "before")
 
     def place(self, context):
         """The place, or None where it has been removed or this part of it cannot be dragged."""
@@ -73,8 +73,10 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
 
     def invoke(self, context, event):
         place, model = self.place(context), context.scene.fovea.focus_model
-        value = getattr(place, self.name(model))
-        self.before = value if isinstance(value, float) else tuple(value)
+        # A radius may take the other with it.
+        names = (self.name(model),) if self.part == "middle" else focus_places.RADII[model]
+        values = {name: getattr(place, name) for name in names}
+        self.before = {name: v if isinstance(v, float) else tuple(v) for name, v in values.items()}
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event, tweak):
@@ -92,15 +94,16 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
 
     def exit(self, context, cancel):
         context.area.header_text_set(None)
-        place, name = self.place(context), self.name(context.scene.fovea.focus_model)
+        place = self.place(context)
         if place is None:
             return
-        if cancel:
-            setattr(place, name, self.before)
-            return
-        if context.scene.tool_settings.use_keyframe_insert_auto:
-            place.keyframe_insert(name)
-        bpy.ops.ed.undo_push(message="Drag Focus")
+        for name, value in self.before.items():
+            if cancel:
+                setattr(place, name, value)
+            else:
+                focus_places.key(context.scene, place, name)
+        if not cancel:
+            bpy.ops.ed.undo_push(message="Drag Focus")
 
 
 def drag(look, place, model, part, middle, event, slow=False):

@@ -36,6 +36,7 @@ def put(scene, at, *, add=False):
         scene.collection.objects.link(mark)
     move(mark, at)
     place.focus_object = mark
+    key(scene, mark, "location")
     return place
 
 
@@ -52,7 +53,14 @@ def put_in_image(scene, at, *, add=False):
     settings = scene.fovea
     place = _another(settings, "IMAGE") if add else settings
     place.focus_place = at
+    key(scene, place, "focus_place")
     return place
+
+
+def key(scene, owner, name):
+    """Keys a property that has just been set, where the scene keys by itself."""
+    if scene.tool_settings.use_keyframe_insert_auto:
+        owner.keyframe_insert(name)
 
 
 def _another(settings, model):

@@ -84,7 +84,7 @@ def report(read, depsgraph):
     curvature = session.last_statistics().get("curvature", {})
     parts = {
         "Drawn": list(drawn(read)),
-        "Left out": left_out,
+        "Left out, or looks wrong": left_out,
         "Last picture": list(times(session.last_statistics())),
         "Curvature": [f"'{name}': {reason}" for name, reason in curvature.items()],
         "Memory": list(memory()),

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix, Vector
-from the_addon import add_camera, box_mesh, empty_scene, new_object, part
+from the_addon import add_camera, box_mesh, empty_scene, fovea, new_object, part
 
 places, gizmos, overlay = part("blender.focus_places"), part("blender.focus_gizmos"), part("blender.focus_overlay")
 operators, pulls = part("blender.focus_operators"), part("blender.focus_pull")
@@ -87,6 +87,20 @@ def test_there_is_a_most_of_places(scene):
     assert len(places.places(scene.fovea)) == focus.MOST_POINTS
     assert bpy.ops.fovea.pick_focus(location=(9, 9, 9), add=True) == {"CANCELLED"}
     assert len(places.places(scene.fovea)) == focus.MOST_POINTS
+
+
+def test_picks_are_keyed_where_the_scene_keys_by_itself(scene):
+    bpy.ops.fovea.pick_focus(location=(1, 2, 3))
+    assert scene.fovea.focus_object.animation_data is None
+    scene.tool_settings.use_keyframe_insert_auto = True
+    try:
+        for frame in (1, 20):
+            scene.frame_set(frame)
+            bpy.ops.fovea.pick_focus(location=(frame, 0, 0))
+    finally:
+        scene.tool_settings.use_keyframe_insert_auto = False
+    first, _, last = values(scene, "location", scene.fovea.focus_object)
+    assert first == pytest.approx((1, 0, 0)) and last == pytest.approx((20, 0, 0))
 
 
 def test_a_deleted_mark_comes_back(scene):
@@ -298,3 +312,26 @@ def test_pulls_and_picks_are_undone(scene):
     assert scene.fovea.focus_object.animation_data is None and places.location(scene.fovea) == Vector((1, 2, 3))
     bpy.ops.ed.undo()
     assert bpy.context.scene.fovea.focus_model == "NONE"
+
+
+def leftovers():
+    """What the tools put into Blender, apart from their operators."""
+    kept = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
+    handlers = {name: len(functions) for name, functions in kept.items() if isinstance(functions, list)}
+    menus = [bpy.types.TOPBAR_MT_render, bpy.types.VIEW3D_PT_overlay]
+    drawn = [len(menu._dyn_ui_initialize()) for menu in menus]
+    return handlers, drawn, hasattr(bpy.types.WindowManager, "fovea_show_focus"), overlay._handle is None
+
+
+def test_registered_and_unregistered_again_and_again_they_leave_nothing(scene):
+    tools = [part(f"blender.{name}") for name in fovea.TOOLS]
+    before = leftovers()
+    for _ in range(20):
+        for module in reversed(tools):
+            module.unregister()
+        without = leftovers()
+        for module in tools:
+            module.register()
+    assert leftovers() == before
+    assert without != before and without[2:] == (False, True)
+    assert bpy.ops.fovea.pick_focus(location=(1, 2, 3)) == {"FINISHED"}

@@ -69,6 +69,14 @@ def test_baked_as_a_mesh_it_is_the_box(scene):
     assert (kinds != 0).all()
 
 
+def test_what_was_baked_is_not_drawn(scene, tmp_path):
+    before = drawn(scene, tmp_path / "before.png")
+    bpy.ops.fovea.bake_strokes(kind="MESH")
+    assert len(baked()[0].data.edges) == 9
+    scene.objects["Box"].fovea.usage = "OCCLUDE"
+    assert ink(drawn(scene, tmp_path / "after.png")).max() == 0 < ink(before).max()
+
+
 def test_baked_widths_are_those_of_the_pen(scene):
     scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 16.0  # a pixel is 1/10
     bpy.ops.fovea.bake_strokes(kind="MESH")
