@@ -1,15 +1,18 @@
 """The focus tools under the pointer, in a window; see inside.py. What a scenario returns is for the tests to judge."""
 
+import sys
 import time
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1] / "blender"))
 
 import bpy
 import numpy as np
 import scenes
-import screen
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Quaternion, Vector
 from the_addon import add_camera, box_mesh, new_object, part
+from window import screen
 
 places, overlay = part("blender.focus_places"), part("blender.focus_overlay")
 operators = part("blender.focus_operators")
@@ -25,10 +28,7 @@ def opened(engine="FOVEA"):
     new_object(box_mesh(), "Box")
     new_object(box_mesh(), "Far", (4, 0, 0))
     add_camera((0, 0, 20), (0, 0, 0))
-    yield from screen.rest(0.2)
-    with screen.override():
-        bpy.ops.screen.screen_full_area(use_hide_panels=True)
-    yield from screen.rest(0.2)
+    yield from filled()
     space = screen.space()
     space.shading.type, space.overlay.show_floor = "SOLID", False
     view = space.region_3d
@@ -38,6 +38,12 @@ def opened(engine="FOVEA"):
     with screen.override():
         bpy.ops.ed.undo_push(message="start")
     return scene
+
+
+def filled():
+    """A 3D viewport over the whole window, with overlays and gizmos."""
+    yield from screen.fill()
+    screen.space().overlay.show_overlays = screen.space().show_gizmo = True
 
 
 def pixel(at):
@@ -112,8 +118,7 @@ def picking(folder):
     yield from click(pixel((4, 0, 1)), shift=True)
     told["added"] = state()
     yield from invoke_pick()
-    event(type="ESC", value="PRESS", x=400, y=400)
-    yield from screen.rest(0.2)
+    yield from key("ESC", 200, 200)
     told["left"] = state()
     yield from click((30, 30))
     with screen.override():
@@ -229,7 +234,7 @@ def heat(folder):
     manager.fovea_show_focus = False
     yield from screen.rest(0.3)
     screen.swap()
-    told["off"] = float(np.abs(screen.picture()[:400, :400] - plain[:400, :400]).mean())
+    told["off"] = float(np.abs(screen.picture()[50:200, 50:200] - plain[50:200, 50:200]).mean())
     told["kept"] = len(overlay._shown) + len(overlay._readers)
     return told
 
@@ -272,15 +277,12 @@ def rendered(folder, spec="office"):
     scenes.build(spec, SHARED if SHARED.is_dir() else None)
     scene = bpy.context.scene
     scene.render.engine = "FOVEA"
-    yield from screen.rest(0.2)
-    with screen.override():
-        bpy.ops.screen.screen_full_area(use_hide_panels=True)
-    yield from screen.rest(0.5)
+    yield from filled()
     space, took = screen.space(), []
     space.region_3d.view_perspective, space.shading.type = "CAMERA", "RENDERED"
     yield from screen.rest(0.5)
     with screen.override():
-        bpy.ops.fovea.pick_focus(x=640, y=400)
+        bpy.ops.fovea.pick_focus(x=screen.region().width // 2, y=screen.region().height // 2)
     bpy.context.window_manager.fovea_show_focus = True
     old = overlay._Shown.update
 
