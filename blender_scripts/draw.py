@@ -6,7 +6,8 @@ from pathlib import Path
 
 import bpy
 from bl_ext.user_default.fovea import catalogue, focus, style, style_values
-from bl_ext.user_default.fovea.blender import focus_settings, properties
+from bl_ext.user_default.fovea.blender import focus_settings, line_kinds, style_data
+from bl_ext.user_default.fovea.blender import style_read, style_words, style_write
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -81,48 +82,43 @@ def set_drawing(scene, options):
     for name in ("probes", "depth_scale", "layers"):
         if getattr(options, name):
             setattr(fovea, name, getattr(options, name))
-    if options.style:
-        choose_style(fovea, options.style)
+    held = style_data.use(scene, options.style) if options.style else style_data.own(scene)
     if options.lines:
-        choose_lines(fovea, catalogue.named(options.lines))
-    set_parameters(fovea, options.param)
-    set_hidden(fovea, options)
+        style_data.choose_lines(held, catalogue.named(options.lines))
+    set_parameters(held, options.param)
+    set_hidden(held, options)
     set_focus(scene, options)
+    set_effects(held.effects, options)
     if options.elision is not None:
-        fovea.elision = options.elision
+        held.elision.enabled = options.elision
 
 
-def choose_style(fovea, name):
-    if name not in style.names():
-        raise ValueError(f"there is no style '{name}'; there are: {', '.join(style.names())}")
-    fovea.style = name
-
-
-def choose_lines(fovea, names):
-    for definition in catalogue.definitions():
-        setattr(fovea, definition["name"], definition["name"] in names)
-
-
-def set_parameters(fovea, given):
+def set_parameters(held, given):
     """What `--param DEFINITION.NAME=VALUE` says."""
     for words, value in given:
         name, dot, parameter = words.partition(".")
         if not dot:
             raise ValueError(f"--param {words}: a parameter is named DEFINITION.NAME")
         checked = style.parameters(name, {parameter: value}, "definition", catalogue.definitions())
-        if not getattr(fovea, name):
+        if name not in style_data.drawn_kinds(held):
             raise ValueError(f"--param {words}: {name} is not drawn; name it in --lines")
-        properties.set_parameters(fovea, name, checked)
+        for line_set in held.line_sets:
+            line_kinds.set_parameters(line_set.kinds, name, checked)
 
 
-def set_hidden(fovea, options):
-    fovea.hidden = fovea.hidden or options.hidden or options.hidden_by is not None
-    if options.hidden_by:
-        fovea.hidden_from, fovea.hidden_to = options.hidden_by[0], options.hidden_by[1] or 0
-    for name in ("halo", "overshoot"):
-        given = getattr(options, name)
-        if given is not None:
-            setattr(fovea, name, style_values.check_range(given, style_values.RANGES[name], f"--{name}"))
+def set_hidden(held, options):
+    """Styles with hidden pens keep them; others get dashes."""
+    dashes = style.dashed(style_read.pen(held.line_sets[-1].pen))
+    if (options.hidden or options.hidden_by) and not any(line_set.hidden for line_set in held.line_sets):
+        for line_set in held.line_sets:
+            style_write.write_hidden(line_set.hidden.add(), style.Hidden(dashes))
+    for line_set in held.line_sets:
+        if options.hidden_by and line_set.hidden:
+            line_set.hidden[0].first, line_set.hidden[0].last = options.hidden_by[0], options.hidden_by[1] or 0
+        for name in ("halo", "overshoot"):
+            given = getattr(options, name)
+            if given is not None:
+                setattr(line_set, name, style_values.check_range(given, style_values.RANGES[name], f"--{name}"))
 
 
 def set_focus(scene, options):
@@ -131,13 +127,21 @@ def set_focus(scene, options):
         focus_settings.set_focus(fovea, focus_of(scene, options.focus, options.focus_radii))
     if options.focus_painted:
         focus_settings.set_focus(fovea, focus.Focus("painted", attribute=options.focus_painted))
-    if options.effects:
-        focus_settings.keep_effects(fovea, options.effects)
+
+
+def set_effects(effects, options):
+    """Lets only those answer that are asked for."""
+    known = style_words.EFFECTS
+    unknown = sorted(set(options.effects or ()) - set(known))
+    if unknown:
+        raise ValueError(f"there is no effect '{unknown[0]}'; there are: {', '.join(known)}")
+    for name in known.keys() - set(options.effects or known):
+        getattr(effects, name).strength = 0.0
     for what in ("lines", "colors"):
         if options.uniform in (what, "both"):
-            setattr(fovea, f"effect_{what}", "UNIFORM")
+            setattr(effects, what, "UNIFORM")
         if options.without == what:
-            setattr(fovea, f"effect_{what}", "NONE")
+            setattr(effects, what, "NONE")
 
 
 def focus_of(scene, where, radii):

@@ -6,17 +6,20 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+from bl_ext.user_default.fovea.blender import style_data
 
 ASPECT = 16 / 9  # that the columns of a sheet aim for
 LABEL, LETTERS = 0.12, 0.06  # height of the strip beneath a tile and of its letters, shares of the tile's height
 SHAPE = "contour"  # drawn thinly in every tile, so that one sees what the lines lie on
-SHAPE_PEN = {"pen_width": 1.6, "pen_color": (0.25, 0.25, 0.25), "pen_taper": 0.0}
-PEN = {"pen_width": 5.0, "pen_color": (0.0, 0.0, 0.0), "pen_taper": 0.0}
+SHAPE_PEN = {"width": 1.6, "color": (0.25, 0.25, 0.25), "taper": 0.0}
+PEN = {"width": 5.0, "color": (0.0, 0.0, 0.0), "taper": 0.0}
 
 
 def render(scene, definitions, path, still):
     """Writes the sheet of the definitions that are on to `path`, an 8-bit grey PNG. `still(path)` renders the scene."""
-    shown = [definition for definition in definitions if getattr(scene.fovea, definition["name"])]
+    held = style_data.own(scene)
+    drawn = style_data.drawn_kinds(held)
+    shown = [definition for definition in definitions if definition["name"] in drawn]
     size = scene.render.resolution_x, scene.render.resolution_y
     columns = columns_for(len(shown), size)
     rows = -(-len(shown) // columns)
@@ -24,10 +27,9 @@ def render(scene, definitions, path, still):
         picture = Path(folder) / "tile.png"
 
         def draw(kinds, pen):
-            for definition in definitions:
-                setattr(scene.fovea, definition["name"], definition["name"] in kinds)
+            style_data.choose_lines(held, kinds)
             for name, value in pen.items():
-                setattr(scene.fovea, name, value)
+                setattr(held.line_sets[-1].pen, name, value)
             still(picture)
             return grey(picture)
 
@@ -77,7 +79,7 @@ def draw_labels(labels, columns, rows, size, picture):
         written.is_holdout = True
         scene.collection.objects.link(written)
     _look_down(scene, wide, rows * high)
-    scene.fovea.paper_color = (1, 1, 1)
+    style_data.own(scene).paper.color = (1, 1, 1)
     scene.render.filepath = str(picture)
     scene.render.image_settings.file_format, scene.render.image_settings.color_mode = "PNG", "RGBA"
     bpy.ops.render.render(scene=scene.name, write_still=True)

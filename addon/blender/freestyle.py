@@ -6,7 +6,7 @@ import bpy
 
 from .. import style_parts
 from ..stages import REFERENCE_HEIGHT, Pen
-from . import freestyle_apply, properties
+from . import properties, style_data
 
 # Freestyle's word for an edge type -> our lines.
 KINDS = {
@@ -133,7 +133,7 @@ class FOVEA_OT_match_freestyle(bpy.types.Operator):
         if not chosen.line_sets:
             self.report({"ERROR"}, "The Freestyle line sets select no edge types that Fovea draws")
             return {"CANCELLED"}
-        told += freestyle_apply.apply(context.scene, chosen)
+        style_data.use(context.scene, chosen, "Freestyle")
         if told:
             self.report({"WARNING"}, f"Not taken over: {'; '.join(told)}")
         return {"FINISHED"}

@@ -21,9 +21,9 @@ class Gathering:
         for name, found in self._painted.items():
             found.append(corners and corners.values(name))
 
-    def notes(self, scene, snapshot):
-        """The Notes on a scene whose placements are those of a Snapshot."""
-        surfaces, image = snapshot.surface_of_placement, scene.fovea.elision_density_image
+    def notes(self, image, snapshot):
+        """The Notes on a Snapshot's placements; `image`: Blender's, of the density, or None."""
+        surfaces = snapshot.surface_of_placement
         painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
         density = image and self._cache.images.texture(image)
         return Notes(snapshot.importance, painted, tuple(snapshot.owners), density)

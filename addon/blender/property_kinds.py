@@ -1,10 +1,10 @@
-"""Properties that several groups of settings have: colours, numbers of a style, and names of files."""
+"""Properties that several groups of settings have, and numbers as they come back from them."""
 
 import zlib
 
-from bpy.props import FloatProperty, FloatVectorProperty, StringProperty
+from bpy.props import StringProperty
 
-from ..style_values import MOST_ATTRIBUTE, RANGES
+from ..style_values import MOST_ATTRIBUTE
 
 
 def redraw(settings, _context):
@@ -17,16 +17,10 @@ def file_names(stems):
     return [(n, n.replace("_", " ").title(), "", "NONE", zlib.crc32(n.encode()) & 0x7FFFFFFF) for n in stems]
 
 
-def number(name, field, default, description):
-    low, high = RANGES[field]
-    return FloatProperty(name=name, default=default, min=low, max=high, description=description, update=redraw)
-
-
 def attribute_name(name, description, default=""):
     return StringProperty(name=name, description=description, default=default, maxlen=MOST_ATTRIBUTE, update=redraw)
 
 
-def color(name, default, description):
-    return FloatVectorProperty(
-        name=name, subtype="COLOR", size=3, min=0.0, max=1.0, default=default, description=description, update=redraw
-    )
+def neat(value):
+    """The short number that a property, of single precision, was set to."""
+    return float(f"{value:.7g}")

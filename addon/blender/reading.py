@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from .. import emphasis, native, pipeline, style_parts
 from ..backend import cpu
 from ..stages import Notes
-from . import color_sources, notes, scene, surfaces
+from . import color_sources, notes, properties, scene, surfaces
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Reader:
         with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
         noted = notes.Gathering(core, self._colors, chosen)
         found = scene.gather(depsgraph, self._surfaces, with_marks=with_marks, viewport=viewport, notes=noted)
-        placed, told = scene.placed(core, found), noted.notes(depsgraph.scene, found)
+        placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
         return Read(found, placed, told, tuple(self._surfaces.remarks))
 
 

@@ -106,7 +106,7 @@ def _reported(tell):
 
 def _draw(engine, depsgraph, view, viewport=None):
     """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
-    core, chosen = native.load(), properties.style_of(depsgraph.scene)
+    core, chosen = native.load(), properties.style_of(depsgraph.scene_eval)
     start = time.perf_counter()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
@@ -139,7 +139,7 @@ def _draw(engine, depsgraph, view, viewport=None):
                 chosen_backend,
                 options,
                 colors=sources,
-                notes=noted.notes(depsgraph.scene, snapshot),
+                notes=noted.notes(properties.density_map(depsgraph.scene_eval), snapshot),
                 progress=partial(_progress, engine),
                 cancel=cancel,
             )

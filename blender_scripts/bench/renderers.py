@@ -102,13 +102,13 @@ class Fovea(Picture):
 
     def __init__(self, scene):
         super().__init__(scene)
-        settings = scene.fovea
-        settings.backend = self.backend
-        from bl_ext.user_default.fovea import catalogue
+        scene.fovea.backend = self.backend
+        from bl_ext.user_default.fovea.blender import style_data
 
-        for definition in catalogue.definitions():
-            setattr(settings, definition["name"], definition["name"] in LINES)
-        settings.crease_angle = CREASE
+        held = style_data.own(scene)
+        style_data.choose_lines(held, LINES)
+        for line_set in held.line_sets:
+            line_set.kinds.crease_angle = CREASE
 
     def told(self):
         from bl_ext.user_default.fovea.blender import session

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 import bpy
-from the_addon import add_camera, box_mesh, empty_scene, mark_edges, new_mesh, new_object, part
+from the_addon import add_camera, box_mesh, empty_scene, mark_edges, new_mesh, new_object, part, use_style
 
 PROJECT = Path(__file__).parents[2]
 sys.path.insert(0, str(PROJECT / "blender_scripts"))
@@ -42,7 +42,7 @@ def styled(name):
     new_object(tiles(), "Floor", (0, 0.2, -0.02))
     add_camera((1.5, -7, 3.4), (0.1, 0.1, 0.55)).data.lens = 34 / 4
     frame(4)
-    bpy.context.scene.fovea.style = name
+    use_style(bpy.context.scene, name)
 
 
 def tiles():

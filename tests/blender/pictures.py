@@ -4,7 +4,7 @@ import subprocess
 
 import bpy
 import numpy as np
-from the_addon import add_camera, box_mesh, empty_scene, new_object
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, use_style
 
 SIZE = (160, 90)
 
@@ -18,8 +18,8 @@ def box_scene():
     render.engine, render.resolution_x, render.resolution_y = "FOVEA", *SIZE
     render.dither_intensity = 0.0
     scene.view_settings.view_transform = "Standard"
-    scene.fovea.style = "technical"
-    scene.fovea.backend, scene.fovea.pen_width, scene.fovea.elision = "CPU", 30.0, False
+    style = use_style(scene, "technical")
+    scene.fovea.backend, lines_of(scene).pen.width, style.elision.enabled = "CPU", 30.0, False
     return scene
 
 

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import SIZE, box_scene, drawn, ink, layered, pixels_of
-from the_addon import add_camera, box_mesh, new_object, part
+from the_addon import add_camera, box_mesh, new_object, own_style, part
 
 session = part("blender.session")
 
@@ -102,7 +102,7 @@ def test_passes_in_a_multilayer_exr(scene, tmp_path):
     scene.view_layers[0].use_pass_z = True
     scene.camera.data.type = "ORTHO"
     scene.camera.location, scene.camera.rotation_euler = (0, 0, 10), (0, 0, 0)
-    scene.fovea.paper_color = (0.5, 0.25, 0.75)
+    own_style(scene).paper.color = (0.5, 0.25, 0.75)
     channels = layered(scene, tmp_path / "passes.exr")
     named = {name.partition(".")[2]: values for name, values in channels.items()}
     assert {f"{p}.{c}" for p in ("Combined", "Lines") for c in "RGBA"} | {"Depth.Z"} == set(named)

@@ -8,7 +8,7 @@ import landscape
 import numpy as np
 import pytest
 from pictures import ink, pixels_of
-from the_addon import add_camera, box_mesh, empty_scene, mark_edges, new_mesh, new_object, part
+from the_addon import add_camera, box_mesh, empty_scene, mark_edges, new_mesh, new_object, part, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
@@ -39,7 +39,7 @@ def blend(tmp_path_factory):
     new_object(box_mesh(0.4), "Box", (1.1, -1.0, 0.2)).rotation_euler.z = 0.4
     add_camera((3.4, -5, 3.6), (0, -0.1, 0))
     scene.render.resolution_x, scene.render.resolution_y = 320, 200
-    scene.fovea.style, scene.fovea.pen_width = "plain", 10.0
+    use_style(scene, "plain").line_sets[-1].pen.width = 10.0
     path = tmp_path_factory.mktemp("every") / "scene.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     return path

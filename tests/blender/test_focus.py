@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
 from pictures import drawn, ink
-from the_addon import add_camera, box_mesh, empty_scene, new_object, part
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, own_style, part, use_style
 
 style, properties = part("style"), part("blender.properties")
 SIZE = (480, 270)
@@ -23,8 +23,9 @@ def row():
         new_object(mesh, f"Box{x}").location = (0.8 * x, 0.4 * x, 0)
     add_camera((3, -16, 6), (0, 0, 0))
     fovea = scene.fovea
-    fovea.style, fovea.backend, fovea.visibility = "plain", "CPU", "EXACT"
-    fovea.pen_width, fovea.away, fovea.away_pen_width, fovea.away_pen_opacity = 8, True, 8, 0
+    fovea.backend, fovea.visibility = "CPU", "EXACT"
+    lines = use_style(scene, "plain").line_sets[-1]
+    lines.pen.width, lines.away, lines.pen_away.width, lines.pen_away.opacity = 8, True, 8, 0
     return scene
 
 
@@ -81,17 +82,18 @@ def test_several_places(row, tmp_path):
 
 
 def test_uniform_lines_do_not_answer(row, tmp_path):
-    row.fovea.focus_model, row.fovea.effect_lines, row.fovea.effect_uniform = "IMAGE", "UNIFORM", 0.5
+    effects = own_style(row).effects
+    row.fovea.focus_model, effects.lines, effects.uniform = "IMAGE", "UNIFORM", 0.5
     row.fovea.focus_place = place_of(row, "Box5")
     uniform = drawn(row, tmp_path / "here.png")
     row.fovea.focus_place = place_of(row, "Box-5")
     np.testing.assert_array_equal(drawn(row, tmp_path / "there.png"), uniform)
-    row.fovea.effect_uniform = 0.0
+    effects.uniform = 0.0
     assert ink(drawn(row, tmp_path / "in_focus.png")).sum() > 1.5 * ink(uniform).sum()
 
 
 def test_lines_or_colors_may_be_left_out(row, tmp_path):
-    row.fovea.color_shading = "FLAT"
+    own_style(row).color.shading = "FLAT"
     material = bpy.data.materials.new("Red")
     material.use_nodes = True
     material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.8, 0.1, 0.1, 1)
@@ -100,9 +102,10 @@ def test_lines_or_colors_may_be_left_out(row, tmp_path):
             obj.data.materials.clear()
             obj.data.materials.append(material)
     both = drawn(row, tmp_path / "both.png")
-    row.fovea.effect_lines = "NONE"
+    effects = own_style(row).effects
+    effects.lines = "NONE"
     colors = drawn(row, tmp_path / "colors.png")
-    row.fovea.effect_lines, row.fovea.effect_colors = "EMPHASIZED", "NONE"
+    effects.lines, effects.colors = "EMPHASIZED", "NONE"
     lines = drawn(row, tmp_path / "lines.png")
 
     def red(picture):
@@ -134,9 +137,10 @@ def test_a_frame_alone_is_that_of_the_animation(row, tmp_path):
     for frame, name in ((1, "Box-5"), (10, "Box5")):
         row.fovea.focus_place = place_of(row, name)
         row.fovea.keyframe_insert("focus_place", frame=frame)
-    row.fovea.keyframe_insert("pen_width", frame=1)
-    row.fovea.pen_width = 12
-    row.fovea.keyframe_insert("pen_width", frame=10)
+    pen = lines_of(row).pen
+    pen.keyframe_insert("width", frame=1)
+    pen.width = 12
+    pen.keyframe_insert("width", frame=10)
 
     def at(frame):
         row.frame_set(frame)
@@ -153,16 +157,17 @@ def test_effects_of_distance(row, tmp_path):
     view = row.camera.matrix_world.inverted()
     depth = {name: -(view @ bpy.data.objects[name].matrix_world.translation).z for name in ("Box-5", "Box5")}
     near, far = min(depth, key=depth.get), max(depth, key=depth.get)
-    row.fovea.distance_near, row.fovea.distance_far = depth[near], depth[far]
+    distance = own_style(row).distance
+    distance.near, distance.far = depth[near], depth[far]
     before = inks(row, tmp_path)
-    row.fovea.distance_opacity_strength = 1.0
+    distance.opacity.strength = 1.0
     found = inks(row, tmp_path)
     assert found[near] > 0.7 * before[near] and found[far] < 0.4 * before[far]
 
 
 @pytest.mark.parametrize("name", style.names())
 def test_a_style_chosen_in_the_panel_draws_as_its_file_says(row, name):
-    row.fovea.style = name
+    use_style(row, name)
     chosen, file = properties.style_of(row), style.load(name)
     assert len(chosen.pens()) == len(file.pens())
     assert chosen.away() == file.away()
@@ -174,10 +179,11 @@ def test_a_style_chosen_in_the_panel_draws_as_its_file_says(row, name):
 
 def test_the_spine_test_thins_nothing(row, tmp_path):
     """It does not know what is seen before it draws, and what is hidden must not crowd what is seen."""
-    row.fovea.visibility, row.fovea.pen_spacing = "SPINE", 120
-    row.fovea.elision = False
+    elision = own_style(row).elision
+    row.fovea.visibility, lines_of(row).pen.spacing = "SPINE", 120
+    elision.enabled = False
     whole = drawn(row, tmp_path / "whole.png")
-    row.fovea.elision = True
+    elision.enabled = True
     np.testing.assert_array_equal(drawn(row, tmp_path / "spine.png"), whole)
     row.fovea.visibility = "EXACT"
     assert ink(drawn(row, tmp_path / "exact.png")).sum() < 0.95 * ink(whole).sum()

@@ -6,15 +6,24 @@ import pytest
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 from pictures import drawn, ink
-from the_addon import add_camera, box_mesh, empty_scene, new_mesh, new_object, part
+from the_addon import (
+    add_camera,
+    add_hidden,
+    box_mesh,
+    empty_scene,
+    lines_of,
+    new_mesh,
+    new_object,
+    only_lines,
+    part,
+    use_style,
+)
 
-catalogue = part("catalogue")
 SIZE = (480, 270)  # four reference pixels are one
 
 
 def only(scene, *names):
-    for definition in catalogue.definitions():
-        setattr(scene.fovea, definition["name"], definition["name"] in names)
+    only_lines(scene, *names)
 
 
 def empty_paper():
@@ -24,10 +33,16 @@ def empty_paper():
     scene.render.dither_intensity = 0.0
     scene.view_settings.view_transform = "Standard"
     fovea = scene.fovea
-    fovea.style, fovea.backend, fovea.visibility, fovea.hidden = "plain", "CPU", "EXACT", False
-    fovea.pen_width = fovea.hidden_pen_width = 8
-    fovea.hidden_pen_opacity = 1
+    fovea.backend, fovea.visibility = "CPU", "EXACT"
+    use_style(scene, "plain").line_sets[-1].pen.width = 8
     return scene
+
+
+def draw_hidden(scene):
+    """An opaque hidden pen, 2 px wide."""
+    hidden = add_hidden(lines_of(scene))
+    hidden.pen.width, hidden.pen.opacity = 8, 1
+    return hidden
 
 
 @pytest.fixture
@@ -68,7 +83,7 @@ def test_hidden_edges_are_dashed_and_nothing_else_is_drawn(box, tmp_path, backen
     scene, edges = box
     scene.fovea.backend, scene.fovea.visibility = backend, visibility
     without = ink(drawn(scene, tmp_path / "without.png"))
-    scene.fovea.hidden = True
+    draw_hidden(scene)
     added = ink(drawn(scene, tmp_path / "hidden.png")) - without
     assert part("blender.session").last_statistics()["backend"] == backend.lower()
     assert added.min() > -0.02, "hidden lines lie below visible ones"
@@ -84,8 +99,8 @@ def test_hidden_edges_are_dashed_and_nothing_else_is_drawn(box, tmp_path, backen
 
 def test_the_hidden_pen_is_another_one(box, tmp_path):
     scene, edges = box
-    scene.fovea.hidden, scene.fovea.hidden_pen_texture = True, "solid"
-    scene.fovea.hidden_pen_color, scene.fovea.hidden_pen_opacity = (1, 0, 0), 0.5
+    pen = draw_hidden(scene).pen
+    pen.texture, pen.color, pen.opacity = "solid", (1, 0, 0), 0.5
     picture = drawn(scene, tmp_path / "red.png")
     a, b = (in_pixels(scene, end) for end in edges[2])
     red, green = (along(picture[..., channel], a + 0.1 * (b - a), a + 0.9 * (b - a)) for channel in (0, 1))
@@ -94,7 +109,7 @@ def test_the_hidden_pen_is_another_one(box, tmp_path):
 
 def test_objects_that_are_hidden_altogether_are_drawn(box, tmp_path):
     scene, _ = box
-    scene.fovea.hidden = True
+    draw_hidden(scene)
     without = ink(drawn(scene, tmp_path / "without.png"))
     new_object(box_mesh(0.3), "Inside", (0.2, -0.2, 0.1))
     added = ink(drawn(scene, tmp_path / "inside.png")) - without
@@ -102,7 +117,7 @@ def test_objects_that_are_hidden_altogether_are_drawn(box, tmp_path):
         for axis in range(3):
             ends = [(0.2, -0.2, 0.1) + 0.3 * start, (0.2, -0.2, 0.1) + 0.3 * start * (1 - 2 * np.eye(3)[axis])]
             assert along(added, *(in_pixels(scene, end) for end in ends)).max() > 0.3
-    scene.fovea.hidden = False
+    lines_of(scene).hidden.clear()
     off = ink(drawn(scene, tmp_path / "off.png"))
     bpy.data.objects.remove(bpy.data.objects["Inside"])
     assert np.array_equal(off, ink(drawn(scene, tmp_path / "none.png")))
@@ -129,7 +144,7 @@ def stack():
     for level in range(3):
         card(f"Cover {level}", 0, 0, -2 * level, 20, 20)
         card("ABC"[level], 4 * level - 4, 0, -2 * level - 1, 1, 1)
-    scene.fovea.hidden = True
+    draw_hidden(scene)
     return scene
 
 
@@ -147,7 +162,9 @@ def stack():
     ],
 )
 def test_a_range_of_hiding_surfaces_is_drawn(stack, tmp_path, visibility, first, last, shown):
-    stack.fovea.visibility, stack.fovea.hidden_from, stack.fovea.hidden_to = visibility, first, last
+    stack.fovea.visibility = visibility
+    hidden = lines_of(stack).hidden[0]
+    hidden.first, hidden.last = first, last
     picture = ink(drawn(stack, tmp_path / "stack.png"))
     found = "".join(name for i, name in enumerate("ABC") if picture[:, 80 + 120 * i : 160 + 120 * i].max() > 0.5)
     assert found == shown
@@ -170,7 +187,7 @@ def border_across(picture):
 
 def test_a_halo_is_a_gap_before_what_crosses_in_front(crossing, tmp_path):
     without = ink(drawn(crossing, tmp_path / "without.png"))
-    crossing.fovea.halo = 40  # 10 px
+    lines_of(crossing).halo = 40  # 10 px
     picture = ink(drawn(crossing, tmp_path / "halo.png"))
     before, after = border_across(without), border_across(picture)
     assert before[62:208].min() > 0.9 and before[272:418].min() > 0.9
@@ -179,16 +196,16 @@ def test_a_halo_is_a_gap_before_what_crosses_in_front(crossing, tmp_path):
     outside = np.ones(SIZE[0], bool)
     outside[190:210] = outside[270:290] = False
     assert np.array_equal(without[:, outside], picture[:, outside]), "nothing else changes"
-    crossing.fovea.halo = 0
+    lines_of(crossing).halo = 0
     assert np.array_equal(without, ink(drawn(crossing, tmp_path / "again.png")))
 
 
 def test_overshoot_goes_on_beyond_ends_and_behind_what_hides(crossing, tmp_path):
     without = ink(drawn(crossing, tmp_path / "without.png"))
-    crossing.fovea.overshoot = 40  # 10 px
+    lines_of(crossing).overshoot = 40  # 10 px
     before, after = border_across(without), border_across(ink(drawn(crossing, tmp_path / "overshoot.png")))
     assert before[214:266].max() < 0.1 and before[40:58].max() < 0.1
     assert after[212:218].min() > 0.9 and after[262:268].min() > 0.9 and after[224:256].max() < 0.1
     assert after[52:58].min() > 0.9 and after[30:46].max() < 0.1 and after[422:428].min() > 0.9
-    crossing.fovea.overshoot = 0
+    lines_of(crossing).overshoot = 0
     assert np.array_equal(without, ink(drawn(crossing, tmp_path / "again.png")))

@@ -7,15 +7,9 @@ import numpy as np
 import pytest
 from native_frames import ball, box, core, cpu, frame_of, moved, scene_of, style, view_of
 from pictures import box_scene, drawn, ink
-from the_addon import part
+from the_addon import only_lines, part
 
 DEFINITIONS = ("image_edge", "abstracted_shading")
-
-
-def only(scene, name):
-    """Switches every line off but one."""
-    for definition in part("catalogue").definitions():
-        setattr(scene.fovea, definition["name"], definition["name"] == name)
 
 
 def disc_scene(name):
@@ -26,7 +20,7 @@ def disc_scene(name):
     camera = scene.camera
     camera.data.type, camera.data.ortho_scale = "ORTHO", 160 / 18
     camera.location, camera.rotation_euler = (0, -10, 0), (math.pi / 2, 0, 0)
-    only(scene, name)
+    only_lines(scene, name)
     return scene
 
 

@@ -6,14 +6,12 @@ import pytest
 from native_frames import core, cpu, frame_of, room, style, view_of
 from pictures import SIZE, drawn, ink
 from test_gpu_visibility import both
-from the_addon import add_camera, box_mesh, empty_scene, new_mesh, new_object, part
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, only_lines, part, use_style
 
-catalogue = part("catalogue")
 
 
 def only(scene, *names):
-    for definition in catalogue.definitions():
-        setattr(scene.fovea, definition["name"], definition["name"] in names)
+    only_lines(scene, *names)
 
 
 @pytest.fixture
@@ -29,8 +27,8 @@ def scene():
     scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", *SIZE
     scene.render.dither_intensity = 0.0
     scene.view_settings.view_transform = "Standard"
-    scene.fovea.style = "technical"
-    scene.fovea.backend, scene.fovea.pen_width = "CPU", 30.0
+    use_style(scene, "technical")
+    scene.fovea.backend, lines_of(scene).pen.width = "CPU", 30.0
     only(scene, "intersection")
     return scene
 

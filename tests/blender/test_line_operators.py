@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import SIZE, box_scene, drawn, ink, layered
-from the_addon import box_mesh, empty_scene, new_mesh, new_object, part
+from the_addon import box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, part, use_style
 
 report, drawn_lines = part("blender.report"), part("blender.drawn_lines")
 
@@ -12,8 +12,8 @@ report, drawn_lines = part("blender.report"), part("blender.drawn_lines")
 @pytest.fixture
 def scene():
     scene = box_scene()
-    scene.fovea.style = "plain"  # one line set
-    scene.fovea.pen_width, scene.fovea.elision = 30.0, False
+    style = use_style(scene, "plain")  # one line set
+    style.line_sets[-1].pen.width, style.elision.enabled = 30.0, False
     return scene
 
 
@@ -83,7 +83,7 @@ def test_baked_widths_are_those_of_the_pen(scene):
     (obj,) = baked()
     radius = np.empty(len(obj.data.vertices), np.float32)
     obj.data.attributes["radius"].data.foreach_get("value", radius)
-    width = scene.fovea.pen_width * SIZE[1] / 1080
+    width = lines_of(scene).pen.width * SIZE[1] / 1080
     np.testing.assert_allclose(radius, 0.5 * width * 0.1, rtol=1e-4)
 
 
@@ -100,7 +100,7 @@ def test_baked_as_grease_pencil(scene):
     radius = np.empty(len(positions), np.float32)
     drawing.attributes["radius"].data.foreach_get("value", radius)
     assert (radius > 0).all()
-    np.testing.assert_allclose(obj.data.materials[0].grease_pencil.color[:3], scene.fovea.pen_color, atol=1e-6)
+    np.testing.assert_allclose(obj.data.materials[0].grease_pencil.color[:3], lines_of(scene).pen.color, atol=1e-6)
 
 
 def test_closed_lines_are_baked_closed(scene):
@@ -123,11 +123,12 @@ def test_what_elision_takes_away_is_not_baked(scene, tmp_path):
         bpy.data.collections.remove(bpy.data.collections["Lines"])
         return opacity[ends].mean() * len(ends)
 
-    scene.fovea.pen_width, scene.fovea.pen_spacing = 2, 120
+    pen = lines_of(scene).pen
+    pen.width, pen.spacing = 2, 120
     for step in range(12):
         new_object(box_mesh(0.9), f"Sheet{step}", (0, 0, 1.5 + 0.02 * step))
     whole, drawn_whole = baked_ink(), ink(drawn(scene, tmp_path / "whole.png")).sum()
-    scene.fovea.elision = True
+    own_style(scene).elision.enabled = True
     thinned, drawn_thinned = baked_ink(), ink(drawn(scene, tmp_path / "thinned.png")).sum()
     assert drawn_thinned < 0.6 * drawn_whole and thinned < 0.6 * whole
 

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import drawn, ink, layered
-from the_addon import add_camera, box_mesh, empty_scene, new_mesh, new_object
+from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, use_style
 
 SIZE = (320, 180)
 PIXELS = 40  # per unit
@@ -21,8 +21,9 @@ def scene():
     camera.rotation_euler = (0, 0, 0)
     camera.data.type, camera.data.ortho_scale = "ORTHO", SIZE[0] / PIXELS
     fovea = made.fovea
-    fovea.style, fovea.backend, fovea.visibility = "plain", "CPU", "EXACT"
-    fovea.pen_width, fovea.away, fovea.away_pen_width, fovea.away_pen_opacity = 12, True, 12, 0
+    fovea.backend, fovea.visibility = "CPU", "EXACT"
+    lines = use_style(made, "plain").line_sets[-1]
+    lines.pen.width, lines.away, lines.pen_away.width, lines.pen_away.opacity = 12, True, 12, 0
     return made
 
 
@@ -85,7 +86,8 @@ def test_what_is_not_painted_is_half_in_focus(scene, tmp_path):
     new_object(tiles(), "Tiles")
     scene.fovea.focus_model = "PAINTED"
     bare = drawn(scene, tmp_path / "bare.png")
-    scene.fovea.focus_model, scene.fovea.effect_lines, scene.fovea.effect_uniform = "NONE", "UNIFORM", 0.5
+    effects = own_style(scene).effects
+    scene.fovea.focus_model, effects.lines, effects.uniform = "NONE", "UNIFORM", 0.5
     np.testing.assert_array_equal(bare, drawn(scene, tmp_path / "uniform.png"))
 
 
@@ -164,7 +166,8 @@ def test_without_a_surface_an_objects_origin_is_the_place(scene, tmp_path):
 @pytest.fixture
 def crowded(scene):
     """Two squares whose sides, six pixels apart, want to be twenty: left and right."""
-    scene.fovea.away, scene.fovea.pen_width, scene.fovea.pen_spacing, scene.fovea.elision = False, 12, 120, True
+    lines, elision = lines_of(scene), own_style(scene).elision
+    lines.away, lines.pen.width, lines.pen.spacing, elision.enabled = False, 12, 120, True
     gap = 3 / PIXELS
     left = new_mesh([(x, y, 0) for x, y in ((-3, -1.5), (-gap, -1.5), (-gap, 1.5), (-3, 1.5))], [], [(0, 1, 2, 3)])
     right = new_mesh([(x, y, 0) for x, y in ((gap, -1.5), (3, -1.5), (3, 1.5), (gap, 1.5))], [], [(0, 1, 2, 3)])
@@ -184,8 +187,8 @@ def test_of_lines_that_crowd_those_painted_white_stay(crowded, tmp_path, favoure
     scene, *meshes = crowded
     for side, mesh in enumerate(meshes):
         paint(mesh, lambda x, y: float(side == favoured), name="wanted")
-    scene.fovea.elision_priority_attribute = "wanted"
-    scene.fovea.elision_painted = 5
+    own_style(scene).elision.priority_attribute = "wanted"
+    own_style(scene).elision.painted = 5
     found = sides(scene, tmp_path)
     assert found[favoured] > 0.3 and found[1 - favoured] < 0.1
 
@@ -199,7 +202,7 @@ def test_lines_are_as_dense_as_is_painted(crowded, tmp_path):
     bare = sides(scene, tmp_path)
     inks = {}
     for name in ("black", "grey", "white"):
-        scene.fovea.elision_density_attribute = name
+        own_style(scene).elision.density_attribute = name
         inks[name] = sides(scene, tmp_path)
     assert min(inks["white"]) > 0.3 and min(inks["black"]) < 0.1
     assert inks["grey"] == bare
@@ -209,12 +212,12 @@ def test_lines_are_as_dense_as_an_image_says(crowded, tmp_path):
     scene, *_ = crowded
     bare = sides(scene, tmp_path)
     image = bpy.data.images.new("Map", 4, 4, float_buffer=True)
-    scene.fovea.elision_density_image = image
+    own_style(scene).elision.density_image = image
     inks = {}
     for value in (0.0, 1.0):
         image.pixels.foreach_set(np.array([value, value, value, 1] * 16, np.float32))
         image.update()
         inks[value] = sides(scene, tmp_path)
     assert min(inks[1.0]) > 0.3 and min(inks[0.0]) < 0.1
-    scene.fovea.elision_density_image = None
+    own_style(scene).elision.density_image = None
     assert sides(scene, tmp_path) == bare

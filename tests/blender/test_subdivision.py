@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 from snapshots import NATIVE, capture_engine, fresh_scene, in_render, in_viewport, new_cache
-from the_addon import box_mesh, mark_edges, new_mesh, new_object, part
+from the_addon import box_mesh, lines_of, mark_edges, new_mesh, new_object, part
 
 subdivision = part("blender.subdivision")
 pytestmark = pytest.mark.usefixtures("fresh_scene")
@@ -241,6 +241,6 @@ def test_changes_of_the_user_are_no_echo():
     change(lambda: setattr(obj.fovea, "refine", True))
     change(lambda: setattr(modifier, "levels", 1))
     change(lambda: setattr(obj, "location", (1, 0, 0)))
-    change(lambda: setattr(bpy.context.scene.fovea, "pen_width", 3))
+    change(lambda: setattr(lines_of(bpy.context.scene).pen, "width", 3))
     bpy.app.handlers.depsgraph_update_post.remove(handler)
     assert len(seen) >= 3 and not any(seen)

@@ -16,6 +16,34 @@ def part(name):
     return importlib.import_module(f"{fovea.__name__}.{name}")
 
 
+def own_style(scene):
+    """The properties of a scene's own style, the default if it has none."""
+    return part("blender.style_data").own(scene)
+
+
+def use_style(scene, wanted):
+    """Draws with a Style, or a shipped one; its properties."""
+    return part("blender.style_data").use(scene, wanted)
+
+
+def lines_of(scene):
+    """The last line set of a scene's own style."""
+    return own_style(scene).line_sets[-1]
+
+
+def only_lines(scene, *names):
+    """Draws these kinds of lines alone."""
+    part("blender.style_data").choose_lines(own_style(scene), names)
+
+
+def add_hidden(line_set, first=1, last=None):
+    """A hidden pen of dashes; its properties."""
+    style = part("style")
+    dashes = style.dashed(part("blender.style_read").pen(line_set.pen))
+    part("blender.style_write").write_hidden(line_set.hidden.add(), style.Hidden(dashes, first, last))
+    return line_set.hidden[-1]
+
+
 def empty_scene():
     """A scene of the file without objects."""
     bpy.ops.wm.read_homefile(use_empty=True)

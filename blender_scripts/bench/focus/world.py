@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 from bl_ext.user_default.fovea import catalogue, focus, native, pipeline, style
 from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import camera, scene
+from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from bl_ext.user_default.fovea.textures import Textures
 
 from .places import places_of
@@ -70,7 +70,8 @@ def measure(work, size, named="watercolor"):
     render = bpy.context.scene.render
     render.engine, (render.resolution_x, render.resolution_y) = "FOVEA", size
     render.resolution_percentage = 100
-    bpy.context.scene.fovea.style, bpy.context.scene.fovea.backend = named, "CPU"
+    bpy.context.scene.fovea.backend = "CPU"
+    style_data.use(bpy.context.scene, named)
     of_render = camera.of_render
 
     def of_render_kept(*arguments):

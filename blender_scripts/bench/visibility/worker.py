@@ -15,9 +15,9 @@ import bpy
 import numpy as np
 import scenes
 from bench.visibility import methods, quality
-from bl_ext.user_default.fovea import catalogue, native, pipeline
+from bl_ext.user_default.fovea import native, pipeline
 from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import camera, scene
+from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from mathutils import Matrix, Vector
 
 STEP = math.radians(1)
@@ -75,8 +75,7 @@ def set_drawing(scene_, size):
     scene_.render.engine = "FOVEA"
     scene_.render.resolution_x, scene_.render.resolution_y = size
     scene_.render.resolution_percentage = 100
-    for definition in catalogue.definitions():
-        setattr(scene_.fovea, definition["name"], definition["name"] in LINES)
+    style_data.choose_lines(style_data.own(scene_), LINES)
 
 
 def orbit(view, pivot, frames, step=STEP):

@@ -1,0 +1,80 @@
+"""The kinds of lines of a line set, as properties made from the native registry, which declares them.
+
+Per line definition a switch named as it, and its parameters as `<definition>_<parameter>`; angles are stored in
+radians, as Blender shows them.
+"""
+
+import math
+
+import bpy
+from bpy.props import BoolProperty, FloatProperty
+
+from .. import catalogue, native
+from .property_kinds import neat, redraw
+
+
+def definitions():
+    """The line definitions; none where the native module is missing, so that files keep their other settings."""
+    try:
+        return catalogue.definitions()
+    except native.Unavailable:
+        return ()
+
+
+def read(kinds):
+    """{definition: {parameter: value in the registry's unit}} of the kinds that are on."""
+    return {d["name"]: _values(kinds, d) for d in definitions() if getattr(kinds, d["name"])}
+
+
+def write(kinds, wanted):
+    """Switches on what `wanted` has, as `read` gives it, with the registry's defaults where it says nothing."""
+    for definition in definitions():
+        name = definition["name"]
+        defaults = {parameter["name"]: parameter["default"] for parameter in definition["parameters"]}
+        setattr(kinds, name, name in wanted)
+        set_parameters(kinds, name, defaults | wanted.get(name, {}))
+
+
+def set_parameters(kinds, name, values):
+    """Sets parameters of the named definition; values in the registry's units."""
+    units = {p["name"]: p["unit"] for d in definitions() if d["name"] == name for p in d["parameters"]}
+    for parameter, value in values.items():
+        setattr(kinds, f"{name}_{parameter}", _stored(value, units[parameter]))
+
+
+def _values(kinds, definition):
+    found = {}
+    for parameter in definition["parameters"]:
+        value = float(getattr(kinds, f"{definition['name']}_{parameter['name']}"))
+        found[parameter["name"]] = neat(math.degrees(value) if parameter["unit"] == "degrees" else value)
+    return found
+
+
+def _stored(value, unit):
+    """A parameter's value as its property keeps it."""
+    if unit == "bool":
+        return bool(value)
+    return math.radians(value) if unit == "degrees" else value
+
+
+def _parameter_property(parameter):
+    text = {"name": parameter["label"], "description": parameter["meaning"], "update": redraw}
+    if parameter["unit"] == "bool":
+        return BoolProperty(default=bool(parameter["default"]), **text)
+    low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
+    subtype = "ANGLE" if parameter["unit"] == "degrees" else "NONE"
+    fine = {"precision": 3, "step": 1} if 0 < default < 0.1 else {}
+    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **fine, **text)
+
+
+def group():
+    """The PropertyGroup, by the registry."""
+    found = {}
+    for definition in definitions():
+        name = definition["name"]
+        text = {"name": definition["label"], "description": f"{definition['description']}.\n{definition['source']}"}
+        found[name] = BoolProperty(update=redraw, **text)
+        for parameter in definition["parameters"]:
+            found[f"{name}_{parameter['name']}"] = _parameter_property(parameter)
+    contents = {"__annotations__": found, "__module__": __name__, "__doc__": "Kinds of lines and their parameters."}
+    return type("FoveaLineKinds", (bpy.types.PropertyGroup,), contents)

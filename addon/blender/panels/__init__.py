@@ -1,0 +1,35 @@
+"""Panels, and Blender's own that make sense with this engine."""
+
+import bpy
+
+from . import effects, lines, method, paper, sidebar, style, things, thumbnails
+from .common import ENGINE
+
+# Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
+ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
+NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
+MODULES = (style, lines, effects, paper, method, things, sidebar)
+CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
+
+
+def _blender_panels():
+    """Blender's panels to show with this engine: those that every engine without own ones shows."""
+    for panel in bpy.types.Panel.__subclasses__():
+        engines = getattr(panel, "COMPAT_ENGINES", ())
+        if panel.__name__ in ALSO or ("BLENDER_RENDER" in engines and panel.__name__ not in NOT):
+            yield panel
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    for panel in _blender_panels():
+        panel.COMPAT_ENGINES.add(ENGINE)
+
+
+def unregister():
+    for panel in _blender_panels():
+        panel.COMPAT_ENGINES.discard(ENGINE)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)
+    thumbnails.forget()

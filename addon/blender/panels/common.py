@@ -1,0 +1,65 @@
+"""What all panels have in common, and properties shown in several of them."""
+
+from ...stages import Pen
+from .. import style_data
+from ..style_groups import plain_fields
+
+ENGINE = "FOVEA"
+PEN_ORDER = (
+    *("color", "opacity", "width", "width_unit", "texture", "texture_anchor", "length_scale", "cap", "taper"),
+    *("strength_width", "wobble", "wobble_length", "seed", "pressure", "spacing"),
+)
+HEEDED = {  # of a pen: when it makes a difference
+    "texture_anchor": lambda pen: pen.texture != "solid",
+    "length_scale": lambda pen: pen.texture != "solid",
+    "wobble_length": lambda pen: pen.wobble > 0,
+    "seed": lambda pen: pen.wobble > 0,
+}
+
+
+class FoveaPanel:
+    """In the render tab."""
+
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "render"
+    COMPAT_ENGINES = {ENGINE}
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine in cls.COMPAT_ENGINES
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = True
+        self.show(self.layout, context)
+
+
+class StylePanel(FoveaPanel):
+    """Of what the scene's own style says."""
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and style_data.of(context.scene) is not None
+
+
+def draw_properties(layout, group, names, heeded=True):
+    """Greyed out where they make no difference."""
+    column = layout.column()
+    column.active = heeded
+    for name in names:
+        column.prop(group, name)
+    return column
+
+
+def draw_pen(layout, pen):
+    names = [name for name, _ in plain_fields(Pen)]
+    for name in sorted(names, key=lambda name: PEN_ORDER.index(name) if name in PEN_ORDER else len(PEN_ORDER)):
+        draw_properties(layout, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+
+
+def fold(layout, name, title, closed=True):
+    """The body of a part that can be folded, or None where it is."""
+    header, body = layout.panel(f"fovea_{name}", default_closed=closed)
+    header.label(text=title)
+    return body

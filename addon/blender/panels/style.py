@@ -1,0 +1,49 @@
+"""Panel: which style the scene draws with, and those there are."""
+
+import bpy
+
+from ... import catalogue, native, style
+from .. import style_data, style_files
+from .common import FoveaPanel, fold
+from .thumbnails import icon_of
+
+
+class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
+    bl_label = "Style"
+
+    def show(self, layout, context):
+        try:
+            catalogue.definitions()
+        except native.Unavailable as error:
+            layout.label(text=str(error), icon="ERROR")
+            return
+        draw_style(layout, context)
+        row = layout.row(align=True)
+        row.operator("fovea.style_import", text="Import")
+        row.operator("fovea.style_export", text="Export")
+        row.operator("fovea.style_save", text="Save")
+        gallery = fold(layout, "gallery", "Gallery")
+        if gallery:
+            draw_gallery(gallery)
+
+
+def draw_style(layout, context):
+    """The style, with what makes and copies one."""
+    settings = context.scene.fovea
+    own = style_data.of(context.scene) is not None
+    layout.template_ID(settings, "style", new="fovea.style_duplicate" if own else "fovea.style_new")
+    if not own:
+        layout.label(text=f"Draws with the default style, {style_data.title(style.DEFAULT)}", icon="INFO")
+
+
+def draw_gallery(layout):
+    grid = layout.grid_flow(columns=0, even_columns=True, even_rows=True)
+    for name in style_files.names():
+        column, icon = grid.column(align=True), icon_of(name)
+        column.template_icon(icon_value=icon, scale=6.0)
+        column.operator("fovea.style_apply", text=style_data.title(name)).style = name
+    if style_files.user_names():
+        layout.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")
+
+
+CLASSES = (RENDER_PT_fovea_style,)

@@ -1,0 +1,27 @@
+"""Pictures of styles, as icons."""
+
+import bpy
+import bpy.utils.previews
+
+from .. import style_files
+
+_kept = {}  # "styles": the collection, while there is an interface to show it
+
+
+def icon_of(name):
+    """The icon of a style's picture; where it has none, one of Blender's."""
+    path = style_files.picture(name)
+    if path is None:
+        return bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items["FILE_IMAGE"].value
+    if "styles" not in _kept:
+        _kept["styles"] = bpy.utils.previews.new()
+    pictures = _kept["styles"]
+    if name not in pictures:
+        pictures.load(name, str(path), "IMAGE")
+    return pictures[name].icon_id
+
+
+def forget():
+    pictures = _kept.pop("styles", None)
+    if pictures is not None:
+        bpy.utils.previews.remove(pictures)

@@ -1,0 +1,48 @@
+"""Keyed and driven numbers of line sets: their paths say the line set's place, so they follow it when it moves."""
+
+import re
+
+LINE_SET = re.compile(r"(fovea\.line_sets\[)(\d+)(\].*)")
+
+
+def follow(tree, places):
+    """Line set i of a style is now at places[i]; None: it is gone, and with it what animates it."""
+    for owner in _owners(tree):
+        for channel in list(owner):
+            found = LINE_SET.fullmatch(channel.data_path)
+            if not found or int(found[2]) >= len(places):
+                continue
+            place = places[int(found[2])]
+            if place is None:
+                owner.remove(channel)
+            elif place != int(found[2]):
+                channel.data_path = f"{found[1]}{place}{found[3]}"
+
+
+def own_action(tree):
+    """A copy of a style shall be animated by itself."""
+    data = tree.animation_data
+    if data and data.action:
+        slot = getattr(data, "action_slot", None)
+        name = slot and slot.identifier
+        data.action = data.action.copy()
+        if name:
+            data.action_slot = data.action.slots[name]
+
+
+def _owners(tree):
+    """The collections of its curves: those of its drivers, and those of its action."""
+    data = tree.animation_data
+    if data is None:
+        return
+    yield data.drivers
+    if data.action is None:
+        return
+    if not hasattr(data, "action_slot"):  # before Blender 4.4
+        yield data.action.fcurves
+        return
+    for layer in data.action.layers:
+        for strip in layer.strips:
+            bag = strip.channelbag(data.action_slot) if data.action_slot else None
+            if bag:
+                yield bag.fcurves

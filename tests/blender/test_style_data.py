@@ -1,0 +1,202 @@
+"""A style in a datablock: all of it goes in and comes out, is undone, keyed, driven, saved, appended and linked."""
+
+import json
+from dataclasses import replace
+
+import bpy
+import numpy as np
+import pytest
+from pictures import box_scene, drawn, ink, pixels_of
+from the_addon import empty_scene, lines_of, own_style, part, use_style
+
+catalogue, focus, properties, style = part("catalogue"), part("focus"), part("blender.properties"), part("style")
+style_curves, style_data = part("blender.style_curves"), part("blender.style_data")
+style_read = part("blender.style_read")
+
+
+@pytest.fixture
+def scene():
+    return empty_scene()
+
+
+def told(chosen):
+    """A Style with every parameter of its lines, as datablocks have it."""
+    defaults = {d["name"]: {p["name"]: p["default"] for p in d["parameters"]} for d in catalogue.definitions()}
+    sets = (replace(s, kinds={k: defaults[k] | v for k, v in s.kinds.items()}) for s in chosen.line_sets)
+    return replace(chosen, line_sets=tuple(sets))
+
+
+def through(chosen):
+    """A Style that went into a datablock and came out."""
+    return style_read.read(style_data.new("Style", chosen), chosen.focus)
+
+
+@pytest.mark.parametrize("name", style.names())
+def test_a_shipped_style_comes_out_as_it_went_in(scene, name):
+    chosen = style.load(name, catalogue.definitions())
+    assert through(chosen) == told(chosen)
+
+
+def rich():
+    """A Style with something in every field that may be missing."""
+    curve, pen = ((0.0, 0.125), (0.3, 0.9), (0.55, 0.2), (1.0, 1.0)), style.Pen(width=0.35, width_unit="millimetres")
+    bent = focus.Transfer(0.9, 0.1, 0.7, curve)
+    hidden = (style.Hidden(pen, 1, 2, replace(pen, color=(3.0, 0.2, 0.1))), style.Hidden(style.Pen(cap="butt"), 4))
+    sets = (
+        style.LineSet("first", {"crease": {"angle": 33.0}}, 12.5, 7.0, 3.0, 4.0, 9.0, pen, style.Pen(), hidden),
+        style.LineSet("second", {}, overshoot_away=2.0),
+    )
+    base = style.Style(paper=style.Paper(texture=style.papers()[-1], transparent=True, height_mm=148.0), line_sets=sets)
+    colored = replace(base, color=replace(base.color, shading="toon", bands=5, background=(0.1, 0.2, 0.3)))
+    effects = replace(base.effects, width=bent, blur=bent, colors="uniform", uniform=0.3)
+    thinned = replace(base.elision, enabled=True, density_attribute="dense", painted=2.5)
+    return replace(colored, effects=effects, distance=focus.Distance(2.0, 30.0, opacity=bent), elision=thinned)
+
+
+def test_everything_that_a_style_may_have_comes_out_as_it_went_in(scene):
+    chosen = rich()
+    found = through(chosen)
+    second = found.line_sets[1]
+    # A number that differs out of focus brings a pen; that it is the same one is no difference.
+    assert (second.overshoot_away, second.pen_away) == (2.0, None)
+    assert found == told(chosen)
+
+
+def test_what_is_not_known_is_kept_with_the_line_set_it_was_said_of(scene):
+    words = {"schema": 1, "new": {"a": [1]}, "line_sets": [{"name": "a", "later": 1}, {"name": "b", "pen": {"x": "y"}}]}
+    chosen = style.parse(json.dumps(words), catalogue.definitions())
+    tree = style_data.new("Style", chosen)
+    assert sorted(style_read.read(tree).kept, key=str) == sorted(chosen.kept, key=str)
+    tree.fovea.line_sets.move(0, 1)
+    paths = {path for path, _ in style_read.read(tree).kept}
+    assert paths == {("new",), ("line_sets", 0, "pen", "x"), ("line_sets", 1, "later")}
+
+
+CURVES = [(), ((0.0, 1.0), (1.0, 0.0)), ((0.25, 0.5), (0.5, 0.75)), tuple((i / 31, (i % 5) / 4) for i in range(32))]
+
+
+@pytest.mark.parametrize("points", CURVES)
+def test_a_curves_points_are_those_of_its_file(scene, points):
+    tree = bpy.data.node_groups.new("Curve", "ShaderNodeTree")
+    for _ in range(2):  # a node that is there is written over
+        style_curves.write(tree, "effects", "width", points)
+        found = style_curves.read(tree, "effects", "width")
+        assert len(found) == len(points) and np.allclose(found, points, atol=1e-6)
+    assert len(tree.nodes) == 1
+
+
+def test_a_single_point_holds_everywhere(scene):
+    tree = bpy.data.node_groups.new("Curve", "ShaderNodeTree")
+    style_curves.write(tree, "effects", "width", ((0.4, 0.3),))
+    assert np.allclose(style_curves.read(tree, "effects", "width"), ((0.0, 0.3), (1.0, 0.3)))
+
+
+def test_what_blender_shows_of_vector_handles_is_what_is_drawn(scene):
+    tree = bpy.data.node_groups.new("Curve", "ShaderNodeTree")
+    style_curves.write(tree, "effects", "width", ((0.0, 0.0), (0.5, 0.9), (1.0, 1.0)))
+    mapping = tree.nodes["effects.width"].mapping
+    for point in mapping.curves[0].points:
+        point.handle_type = "VECTOR"
+    mapping.update()
+    found = np.array(style_curves.read(tree, "effects", "width"))
+    assert len(found) == focus.MOST_CURVE_POINTS
+    assert np.allclose(found[:, 1], np.interp(found[:, 0], (0, 0.5, 1), (0, 0.9, 1)), atol=0.01)
+
+
+def test_a_style_survives_without_its_curves_and_with_odd_numbers(scene):
+    held = use_style(scene, rich())
+    tree = scene.fovea.style
+    tree.nodes.clear()
+    held.distance.near, held.distance.far = 50.0, 10.0
+    for term in part("elision").TERMS:
+        setattr(held.elision, term, 0.0)
+    hidden = held.line_sets[0].hidden
+    hidden[0].first, hidden[0].last, hidden[1].first, hidden[1].last = 2, 0, 3, 1
+    found = properties.style_of(scene)
+    assert style.parse(style.dump(replace(found, kept=())), catalogue.definitions())
+    assert found.effects.width.curve == () and found.distance.far > found.distance.near
+    assert [(h.first, h.last) for h in found.line_sets[0].hidden] == [(2, 2), (3, 3)]
+
+
+def test_a_style_brings_its_focus_and_one_without_leaves_the_scenes(scene):
+    looked = focus.Focus("image", (focus.Point((0.25, 0.75, 0.0), 0.2, 0.4),))
+    use_style(scene, replace(rich(), focus=looked))
+    use_style(scene, "pencil")
+    assert scene.fovea.focus_model == "IMAGE"
+    assert properties.style_of(scene).focus.points[0].at == pytest.approx((0.25, 0.75, 0))
+
+
+def test_only_what_nobody_misses_goes_when_another_style_comes(scene):
+    use_style(scene, "pencil")
+    use_style(scene, "charcoal")
+    assert len(bpy.data.node_groups) == 1
+    lines_of(scene).pen.width = 9.5
+    edited = scene.fovea.style
+    use_style(scene, "technical")
+    assert set(bpy.data.node_groups) == {edited, scene.fovea.style}
+
+
+def test_edits_are_undone_and_redone(scene):
+    use_style(scene, "pencil")
+    bpy.ops.ed.undo_push(message="style")
+    widths = [lines_of(scene).pen.width]
+    for step in range(3):
+        lines_of(bpy.context.scene).pen.width = widths[0] + 1 + step
+        bpy.ops.ed.undo_push(message="width")
+        widths.append(lines_of(bpy.context.scene).pen.width)
+    for width in widths[-2::-1]:
+        bpy.ops.ed.undo()
+        assert lines_of(bpy.context.scene).pen.width == width
+    for width in widths[1:]:
+        bpy.ops.ed.redo()
+        assert lines_of(bpy.context.scene).pen.width == width
+
+
+def test_keyed_and_driven_numbers_arrive_in_the_pictures_of_an_animation(tmp_path):
+    scene = box_scene()
+    pen, tree = lines_of(scene).pen, scene.fovea.style
+    for frame, width in ((1, 10.0), (3, 50.0)):
+        pen.width = width
+        pen.keyframe_insert("width", frame=frame)
+    for channel in range(3):
+        driver = tree.driver_add("fovea.paper.color", channel).driver
+        driver.expression = "frame / 4"
+    scene.frame_set(1)
+    scene.frame_start, scene.frame_end = 1, 3
+    scene.render.image_settings.file_format, scene.render.image_settings.color_mode = "PNG", "RGBA"
+    scene.render.filepath = str(tmp_path / "frame_")
+    bpy.ops.render.render(animation=True)
+    pictures = [pixels_of(tmp_path / f"frame_{frame:04}.png") for frame in (1, 2, 3)]
+    grey = [picture[0, 0, 0] for picture in pictures]
+    linear = [((v + 0.055) / 1.055) ** 2.4 for v in grey]
+    assert linear == pytest.approx([0.25, 0.5, 0.75], abs=0.01)
+    covered = [np.mean(ink(p) > 0.5 * (1 + ink(p)[0, 0])) for p in pictures]
+    assert covered[0] < 0.75 * covered[1] < 0.7 * covered[2]
+    scene.frame_set(2)
+    np.testing.assert_array_equal(drawn(scene, tmp_path / "alone.png"), pictures[1])
+
+
+@pytest.mark.parametrize("link", [False, True])
+def test_a_style_of_another_file_draws_as_it_did_there(scene, tmp_path, link):
+    use_style(scene, rich())
+    scene.fovea.style.name = "Rich"
+    expected = style_read.read(scene.fovea.style)
+    path = str(tmp_path / "library.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    scene = empty_scene()
+    with bpy.data.libraries.load(path, link=link) as (_, wanted):
+        wanted.node_groups = ["Rich"]
+    scene.fovea.style = bpy.data.node_groups["Rich"]
+    assert style_read.read(scene.fovea.style) == expected
+    assert bool(scene.fovea.style.library) == link
+    assert bpy.ops.fovea.line_set_add.poll() == (not link)
+    assert bpy.ops.fovea.style_duplicate() == {"FINISHED"}
+    assert scene.fovea.style.library is None and style_read.read(scene.fovea.style) == expected
+
+
+def test_other_node_trees_are_no_styles(scene):
+    other = bpy.data.node_groups.new("Other", "GeometryNodeTree")
+    assert not style_data.is_style(other)
+    scene.fovea.style = other
+    assert properties.style_of(scene) == style.load(style.DEFAULT)
+    assert own_style(scene) and scene.fovea.style != other
