@@ -31,13 +31,14 @@ class _Shown:
     def update(self, context):
         """Evaluates focus anew where something has changed."""
         depsgraph = context.evaluated_depsgraph_get()
-        chosen, view = properties.style_of(depsgraph.scene), camera.of_region(context, depsgraph)
-        seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
-        if self.read is None or self.key[0] != chosen.focus:
-            self.read = _reader().read(depsgraph, chosen, context.space_data)
-        elif self.key == (chosen.focus, seen):
+        chosen, view = properties.style_of(depsgraph.scene_eval), camera.of_region(context, depsgraph)
+        key = (chosen.focus, view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
+        if self.key == key:
             return
-        self.key = (chosen.focus, seen)
+        # A place in the image is there whatever the scene holds; painted or an object's, focus asks more of a scene.
+        if chosen.focus.model != "image" and (self.read is None or self.key[0] != chosen.focus):
+            self.read = _reader().read(depsgraph, chosen, context.space_data)
+        self.key = key
         values = reading.focus_of_pixels(self.read, view, chosen.focus, SCALE)
         self.veil = None if values is None else gpu_overlay.Veil(colors(values))
 

@@ -68,7 +68,7 @@ class FOVEA_OT_render_lines(bpy.types.Operator):
     def execute(self, context):
         with reported(self), progress(context) as tell:
             depsgraph = context.evaluated_depsgraph_get()
-            chosen = properties.style_of(depsgraph.scene)
+            chosen = properties.style_of(depsgraph.scene_eval)
             options = pipeline.Options(**methods.quality(context.scene.fovea))
             view = camera.of_scene(depsgraph)
             drawn = reading.draw(read(depsgraph, chosen), view, chosen, options, tell)
@@ -112,7 +112,7 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
     def execute(self, context):
         with reported(self):
             depsgraph, scene = context.evaluated_depsgraph_get(), context.scene
-            chosen, options = properties.style_of(depsgraph.scene), pipeline.Options()
+            chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.Options()
             lines = drawn_lines.of(read(depsgraph, chosen), camera.of_scene(depsgraph), chosen, options)
             made = baking.objects(lines, chosen, self.kind, scene.frame_current)
             if not made:

@@ -46,11 +46,11 @@ def draw(read, view, chosen, options, progress):
 
 def focus_of_pixels(read, view, focus, scale):
     """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; or None: all is in
-    focus."""
+    focus. `read`: what was Read, None where focus is a place in the image."""
     core = native.load()
     seen = scene.seen(core, _smaller(view, scale))
-    tracer = cpu.trace(read.placed, seen)
-    frame = pipeline.Frame(read.placed, seen, tracer, None, None, depth_scale=1, probes=1, notes=read.notes)
+    placed, tracer, noted = (read.placed, cpu.trace(read.placed, seen), read.notes) if read else (None, None, Notes())
+    frame = pipeline.Frame(placed, seen, tracer, None, None, depth_scale=1, probes=1, notes=noted)
     return emphasis.of_pixels(frame, style_parts.Style(focus=focus), core.Cancel())
 
 

@@ -119,7 +119,7 @@ class FOVEA_OT_report(bpy.types.Operator):
     def execute(self, context):
         with line_operators.reported(self):
             depsgraph = context.evaluated_depsgraph_get()
-            read = line_operators.read(depsgraph, properties.style_of(depsgraph.scene))
+            read = line_operators.read(depsgraph, properties.style_of(depsgraph.scene_eval))
             text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
             text.from_string("\n".join(report(read, depsgraph)) + "\n")
             return {"FINISHED"}

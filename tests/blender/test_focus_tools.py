@@ -284,7 +284,7 @@ def test_the_overlay_evaluates_the_focus_of_a_view(scene, model):
     depsgraph = bpy.context.evaluated_depsgraph_get()
     chosen = part("blender.properties").style_of(depsgraph.scene)
     view = camera.of_scene(depsgraph)
-    read = reading.Reader().read(depsgraph, chosen)
+    read = None if model == "IMAGE" else reading.Reader().read(depsgraph, chosen)
     found = reading.focus_of_pixels(read, view, chosen.focus, 0.25)
     assert found.shape == (50, 100)
     seen = np.array(view.view_to_clip @ view.world_to_view @ (*box.location, 1))
