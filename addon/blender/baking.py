@@ -7,7 +7,7 @@ import numpy as np
 NUMBERS = {"strength": "FLOAT", "opacity": "FLOAT", "radius": "FLOAT", "kinds": "INT", "invisibility": "INT"}
 
 
-def parts(lines, chosen, index):
+def parts(lines, index):
     """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, NUMBERS (M,), and per polyline size,
     closed and pen. The point at which a closed one ends is not there twice."""
     size = np.diff(lines.offsets)
@@ -81,7 +81,7 @@ def objects(lines, chosen, kind, frame):
     """New objects, one per line set that draws something, in no collection yet."""
     made = []
     for index, line_set in enumerate(chosen.line_sets):
-        found = parts(lines, chosen, index)
+        found = parts(lines, index)
         if not len(found["size"]):
             continue
         name = line_set.name.title()
