@@ -2,7 +2,7 @@
 
 import pytest
 
-FILE = "focus_scenarios.py"
+FILE, OVERLAY = "focus_scenarios.py", "overlay_scenarios.py"
 
 
 def test_focus_is_picked_by_a_click(play):
@@ -33,7 +33,7 @@ def test_rings(play):
 
 
 def test_focus_as_colours(play):
-    found = play("heat", file=FILE)
+    found = play("heat", file=OVERLAY)
     assert found["here"] > 0.2 and found["there"] < -0.1 and abs(found["plain"]) < 0.05
     assert found["idle"] == 0
     here, there = found["moved"]
@@ -49,7 +49,7 @@ def test_what_search_finds(play):
 
 
 def test_focus_over_the_drawing(play):
-    found = play("rendered", file=FILE, words=["demo"])
+    found = play("rendered", file=OVERLAY, words=["demo"])
     assert found["model"] == "SCENE" and 0 < found["radii"][0] < found["radii"][1]
     # Far less than a frame of the drawing itself.
     assert found["turning_ms"] < 200
