@@ -6,10 +6,14 @@ Importable without Blender: only `register` touches what needs it.
 import importlib
 
 MODULES = ("preferences", "properties", "style_operators", "line_set_operators", "panels", "engine")
+TOOLS = (
+    *("focus_operators", "focus_pull", "focus_gizmos", "focus_overlay"),
+    *("line_operators", "report", "freestyle", "tools_panel"),
+)
 
 
 def _modules():
-    return [importlib.import_module(f".blender.{name}", __package__) for name in MODULES]
+    return [importlib.import_module(f".blender.{name}", __package__) for name in MODULES + TOOLS]
 
 
 def register():

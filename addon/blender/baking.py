@@ -1,0 +1,94 @@
+"""Drawn lines as objects of Blender: meshes of edges, or Grease Pencil strokes."""
+
+import bpy
+import numpy as np
+
+# Attribute -> type, of points.
+NUMBERS = {"strength": "FLOAT", "opacity": "FLOAT", "radius": "FLOAT", "kinds": "INT", "invisibility": "INT"}
+
+
+def parts(lines, index):
+    """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, NUMBERS (M,), and per polyline size,
+    closed and pen. The point at which a closed one ends is not there twice."""
+    size = np.diff(lines.offsets)
+    wanted = lines.line_set == index
+    last = np.zeros(len(lines.points), bool)
+    last[lines.offsets[1:][lines.closed] - 1] = True
+    at = np.repeat(wanted, size) & ~last
+    found = {name: getattr(lines, name)[at] for name in ("strength", "opacity", "radius")}
+    found["kinds"] = lines.kinds[at].view(np.int32)
+    found["invisibility"] = np.repeat(lines.invisibility, size)[at].astype(np.int32)
+    found["points"] = lines.points[at].astype(np.float32)
+    found |= {"size": (size - lines.closed)[wanted], "closed": lines.closed[wanted], "pen": lines.pen[wanted]}
+    return found
+
+
+def mesh(name, found):
+    """A mesh of edges."""
+    data, count = bpy.data.meshes.new(name), len(found["points"])
+    edges = _edges(found["size"], found["closed"])
+    data.vertices.add(count)
+    data.vertices.foreach_set("co", found["points"].ravel())
+    data.edges.add(len(edges))
+    data.edges.foreach_set("vertices", edges.ravel())
+    for attribute, kind in NUMBERS.items():
+        data.attributes.new(attribute, kind, "POINT").data.foreach_set("value", found[attribute])
+    data.update()
+    return data
+
+
+def _edges(size, closed):
+    """(E, 2) int32 between the points of polylines, one after the other."""
+    start = np.cumsum(size) - size
+    following = np.arange(size.sum()) + 1
+    ends = start + size - 1
+    following[ends] = np.where(closed, start, -1)
+    first = np.flatnonzero(following >= 0)
+    return np.stack([first, following[first]], axis=1).astype(np.int32)
+
+
+def grease_pencil(name, found, pens, frame):
+    """Grease Pencil strokes, on one layer, at a frame; a material per pen."""
+    kept = bpy.data.grease_pencils_v3 if hasattr(bpy.data, "grease_pencils_v3") else bpy.data.grease_pencils
+    data = kept.new(name)
+    used = np.unique(found["pen"])
+    for pen in used:
+        data.materials.append(_material(name, pens[pen]))
+    drawing = data.layers.new(name).frames.new(frame).drawing
+    drawing.add_strokes(found["size"].tolist())
+    attributes = drawing.attributes
+    attributes["position"].data.foreach_set("vector", found["points"].ravel())
+    for attribute in ("radius", "opacity", "strength"):
+        _attribute(attributes, attribute, "FLOAT", "POINT").data.foreach_set("value", found[attribute])
+    _attribute(attributes, "cyclic", "BOOLEAN", "CURVE").data.foreach_set("value", found["closed"])
+    index = np.searchsorted(used, found["pen"]).astype(np.int32)
+    _attribute(attributes, "material_index", "INT", "CURVE").data.foreach_set("value", index)
+    return data
+
+
+def _attribute(attributes, name, kind, domain):
+    return attributes.get(name) or attributes.new(name, kind, domain)
+
+
+def _material(name, pen):
+    material = bpy.data.materials.new(name)
+    bpy.data.materials.create_gpencil_data(material)
+    material.grease_pencil.color = (*pen.color, 1.0)
+    return material
+
+
+def objects(lines, chosen, kind, frame):
+    """New objects, one per line set that draws something, in no collection yet."""
+    made = []
+    for index, line_set in enumerate(chosen.line_sets):
+        found = parts(lines, index)
+        if not len(found["size"]):
+            continue
+        name = line_set.name.title()
+        if kind == "MESH":
+            data = mesh(name, found)
+        else:
+            data = grease_pencil(name, found, chosen.pens(), frame)
+        made.append(bpy.data.objects.new(name, data))
+        made[-1].fovea.usage = "IGNORE"  # the drawing is not drawn again
+    return made

@@ -1,0 +1,84 @@
+"""The lines of a picture as polylines in space: what the pens draw of them, visible and hidden."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import emphasis, line_arrays, native, pipeline
+from ..backend import cpu, cpu_lines
+from . import scene
+
+_LEAST = 0.02  # share of a line that elision must leave
+
+
+@dataclass(frozen=True)
+class DrawnLines:
+    """R polylines of M points: those of polyline i are offsets[i] to offsets[i + 1]."""
+
+    offsets: np.ndarray  # (R + 1,) int64
+    points: np.ndarray  # (M, 3) float64, world space
+    strength: np.ndarray  # (M,) float32 in [0, 1]
+    opacity: np.ndarray  # (M,) float32 in [0, 1], of the pen and of what elision leaves of the polyline
+    radius: np.ndarray  # (M,) float32, units of the scene: half the pen's width, as the camera sees it there
+    kinds: np.ndarray  # (M,) uint32, bit i: the registry's definition i, of the segment from the point
+    closed: np.ndarray  # (R,) bool, the last point is the first again
+    invisibility: np.ndarray  # (R,) uint8, how many surfaces hide it
+    line_set: np.ndarray  # (R,) uint8, index into the style's
+    pen: np.ndarray  # (R,) uint32, index into the style's `pens`
+
+
+def of(read, view, style, options):
+    """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot."""
+    core = native.load()
+    seen, cancel, scale = scene.seen(core, view), core.Cancel(), view.reference_scale
+    tracer = cpu.trace(read.placed, seen)
+    paths = cpu.extract(tracer, style, cancel)
+    clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
+    quality = {"depth_scale": options.depth_scale, "probes": options.probes, "notes": read.notes}
+    frame = pipeline.Frame(read.placed, seen, tracer, paths, clipped, **quality)
+    runs = cpu.exact(frame, cancel)
+    small = (options.gap, options.spur, options.contour_spur, options.fold)
+    runs = cpu.tidy(frame, runs, *(length * scale for length in small))
+    small = (options.beside, options.least_hidden, options.fold)
+    runs = cpu.parts(frame, runs, style.counted(), *(length * scale for length in small), cancel)
+    felt = emphasis.of_lines(frame, style)
+    if style.elision.enabled:
+        felt = emphasis.thinned(felt, frame, runs, style, cpu.Backend(), cancel)
+    found = cpu_lines.compact(frame, runs)
+    return _drawn(found, cpu_lines.pens_of(frame, runs, style.pen_ranges()), _left(frame, found, felt), view, style)
+
+
+def _left(frame, found, felt):
+    """(R,) what elision leaves of the polylines."""
+    if felt.shown is None:
+        return np.ones(len(found.path), np.float32)
+    return cpu_lines.of_runs(frame, found, felt.shown)
+
+
+def _drawn(found, pen, left, view, style):
+    """DrawnLines of those of CompactRuns that a pen draws and elision leaves."""
+    count = np.diff(found.offsets.astype(np.int64))
+    kept = (pen != native.UNSET) & (left > _LEAST)
+    at = np.repeat(kept, count)
+    pens, pen_of_point = style.pens(), np.repeat(pen, count)[at]
+    widths = np.array([style.width_px(p, view.reference_scale) for p in pens], np.float32)
+    opacity = np.array([p.opacity for p in pens], np.float32)
+    position = found.position_view[at].astype(np.float64)
+    return DrawnLines(
+        offsets=np.concatenate([[0], np.cumsum(count[kept])]),
+        points=line_arrays.placed(position, np.linalg.inv(view.world_to_view)),
+        strength=found.strength[at],
+        opacity=opacity[pen_of_point] * np.repeat(left, count)[at],
+        radius=(0.5 * widths[pen_of_point] * _unit(view, position)).astype(np.float32),
+        kinds=found.kinds[at],
+        closed=found.closed[kept].astype(bool),
+        invisibility=found.invisibility[kept],
+        line_set=found.line_set[kept],
+        pen=pen[kept],
+    )
+
+
+def _unit(view, position):
+    """(M,) units of the scene that a pixel covers at places in view space."""
+    across = 2 / (view.view_to_clip[1, 1] * view.height)
+    return np.full(len(position), across) if view.orthographic else across * -position[:, 2]

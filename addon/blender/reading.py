@@ -1,0 +1,60 @@
+"""A scene read outside of renders, as viewports show it: for operators and overlays."""
+
+from dataclasses import dataclass, replace
+
+from .. import emphasis, native, pipeline, style_parts
+from ..backend import cpu
+from ..stages import Notes
+from . import color_sources, notes, properties, scene, surfaces
+
+
+@dataclass(frozen=True)
+class Read:
+    """What a Style draws of a scene; nothing in it is Blender's."""
+
+    snapshot: scene.Snapshot
+    placed: object  # native Scene
+    notes: Notes
+    remarks: tuple  # sentences about meshes that could not be taken as they are
+
+
+class Reader:
+    """Reads scenes; keeps what has not changed from one time to the next."""
+
+    def __init__(self):
+        core = native.load()
+        self._surfaces, self._colors = surfaces.SurfaceCache(core), color_sources.ColorCache(core)
+
+    def read(self, depsgraph, chosen, viewport=None):
+        """`viewport`: the SpaceView3D whose local view counts, or None."""
+        core = native.load()
+        with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+        noted = notes.Gathering(core, self._colors, chosen)
+        found = scene.gather(depsgraph, self._surfaces, with_marks=with_marks, viewport=viewport, notes=noted)
+        placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
+        return Read(found, placed, told, tuple(self._surfaces.remarks))
+
+
+def draw(read, view, chosen, options, progress):
+    """The Image of what was Read, by the CPU."""
+    core = native.load()
+    seen = scene.seen(core, view)
+    return pipeline.draw(
+        read.placed, seen, chosen, cpu.Backend(), options, notes=read.notes, progress=progress, cancel=core.Cancel()
+    )
+
+
+def focus_of_pixels(read, view, focus, scale):
+    """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; or None: all is in
+    focus. `read`: what was Read, None where focus is a place in the image."""
+    core = native.load()
+    seen = scene.seen(core, _smaller(view, scale))
+    placed, tracer, noted = (read.placed, cpu.trace(read.placed, seen), read.notes) if read else (None, None, Notes())
+    frame = pipeline.Frame(placed, seen, tracer, None, None, depth_scale=1, probes=1, notes=noted)
+    return emphasis.of_pixels(frame, style_parts.Style(focus=focus), core.Cancel())
+
+
+def _smaller(view, scale):
+    width, height = (max(1, round(side * scale)) for side in (view.width, view.height))
+    frame = tuple(side * scale for side in view.frame)
+    return replace(view, width=width, height=height, reference_scale=view.reference_scale * scale, frame=frame)

@@ -1,0 +1,97 @@
+"""Match Freestyle: what its line sets and line styles say is what Fovea's say then."""
+
+import math
+
+import bpy
+import pytest
+from pictures import box_scene, drawn, ink
+from the_addon import part
+
+freestyle, properties = part("blender.freestyle"), part("blender.properties")
+
+
+@pytest.fixture
+def scene():
+    scene = box_scene()
+    scene.render.use_freestyle = True
+    settings = scene.view_layers[0].freestyle_settings
+    while settings.linesets:
+        settings.linesets.remove(settings.linesets[0])
+    return scene
+
+
+def add_set(scene, name="Set", edges=("silhouette", "crease", "border"), **line_style):
+    found = scene.view_layers[0].freestyle_settings.linesets.new(name)
+    if found.linestyle is None:
+        found.linestyle = bpy.data.linestyles.new(name)
+    for word in freestyle.KINDS:
+        setattr(found, f"select_{word}", word in edges)
+    for key, value in line_style.items():
+        setattr(found.linestyle, key, value)
+    return found
+
+
+def matched(scene):
+    return freestyle.style_of(scene, scene.view_layers[0])
+
+
+def test_edge_types(scene):
+    add_set(scene, edges=("silhouette", "crease", "edge_mark", "ridge_valley"))
+    scene.view_layers[0].freestyle_settings.crease_angle = math.radians(150)
+    chosen, told = matched(scene)
+    kinds = chosen.line_sets[0].kinds
+    assert set(kinds) == {"contour", "border", "crease", "edge_mark", "ridge", "valley"} and told == []
+    assert kinds["crease"]["angle"] == pytest.approx(30, abs=1e-4)
+
+
+def test_pens(scene):
+    add_set(scene, color=(0.8, 0.1, 0.2), alpha=0.5, thickness=4.0, caps="BUTT")
+    scene.render.line_thickness_mode = "RELATIVE"
+    pen = matched(scene)[0].line_sets[0].pen
+    assert pen.color == pytest.approx((0.8, 0.1, 0.2)) and pen.opacity == 0.5 and pen.cap == "butt"
+    assert (pen.width, pen.width_unit) == (9.0, "reference")  # 4 pixels of an image 480 high
+    scene.render.line_thickness_mode, scene.render.line_thickness = "ABSOLUTE", 1.5
+    pen = matched(scene)[0].line_sets[0].pen
+    assert (pen.width, pen.width_unit) == (6.0, "pixels")
+
+
+@pytest.mark.parametrize(
+    "visibility, visible, hidden",
+    [("VISIBLE", True, None), ("HIDDEN", False, (1, None)), ("RANGE", True, (1, 3))],
+)
+def test_visibility(scene, visibility, visible, hidden):
+    line_set = add_set(scene, alpha=0.5)
+    line_set.select_by_visibility, line_set.visibility = True, visibility
+    line_set.qi_start, line_set.qi_end = 0, 3
+    found = matched(scene)[0].line_sets[0]
+    assert (found.pen.opacity > 0) == visible
+    assert [(h.first, h.last) for h in found.hidden] == ([hidden] if hidden else [])
+
+
+def test_what_is_not_taken_over_is_told(scene):
+    line_set = add_set(scene)
+    line_set.edge_type_negation = "EXCLUSIVE"
+    line_set.linestyle.thickness_modifiers.new("Along", "ALONG_STROKE")
+    told = matched(scene)[1]
+    assert "'Set': thickness modifiers" in told and "'Set': lines that are not of its edge types" in told
+
+
+def test_the_scene_draws_with_it(scene, tmp_path):
+    add_set(scene, edges=("crease",), color=(1, 0, 0), thickness=6.0)
+    scene.render.line_thickness_mode = "RELATIVE"
+    assert bpy.ops.fovea.match_freestyle() == {"FINISHED"}
+    chosen = properties.style_of(scene)
+    (last,) = chosen.line_sets
+    assert set(last.kinds) == {"crease"} and last.pen.width == pytest.approx(13.5)
+    assert last.kinds["crease"]["angle"] == pytest.approx(180 - math.degrees(
+        scene.view_layers[0].freestyle_settings.crease_angle), abs=1e-3)
+    scene.render.use_freestyle = False
+    picture = drawn(scene, tmp_path / "matched.png")
+    lined = ink(picture) > 0.5
+    assert lined.any() and (picture[lined][:, 0] > 0.9).all() and (picture[lined][:, 1] < 0.4).all()
+
+
+def test_without_line_sets_it_says_so(scene):
+    assert not bpy.ops.fovea.match_freestyle.poll()
+    with pytest.raises(RuntimeError, match="no Freestyle line set"):
+        bpy.ops.fovea.match_freestyle()

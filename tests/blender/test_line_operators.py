@@ -1,0 +1,166 @@
+"""Lines as an image and as objects, and the report: from scripts, on scenes whose lines are known."""
+
+import bpy
+import numpy as np
+import pytest
+from pictures import SIZE, box_scene, drawn, ink, layered
+from the_addon import box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, part, use_style
+
+report, drawn_lines = part("blender.report"), part("blender.drawn_lines")
+
+
+@pytest.fixture
+def scene():
+    scene = box_scene()
+    style = use_style(scene, "plain")  # one line set
+    style.line_sets[-1].pen.width, style.elision.enabled = 30.0, False
+    return scene
+
+
+def test_the_image_is_the_lines_pass(scene, tmp_path):
+    assert bpy.ops.fovea.render_lines(name="Inked") == {"FINISHED"}
+    image = bpy.data.images["Inked"]
+    assert tuple(image.size) == SIZE and image.packed_file
+    pixels = np.empty(4 * SIZE[0] * SIZE[1], np.float32)
+    image.pixels.foreach_get(pixels)
+    channels = layered(scene, tmp_path / "layers.exr")
+    alpha = next(values for name, values in channels.items() if "Lines" in name and name.endswith("A"))
+    assert alpha.max() > 0.9
+    np.testing.assert_allclose(pixels.reshape(*SIZE[::-1], 4)[..., 3], alpha, atol=2e-3)
+
+
+def test_the_scene_may_use_another_engine(scene):
+    scene.render.engine = "BLENDER_WORKBENCH"
+    assert bpy.ops.fovea.render_lines() == {"FINISHED"}
+    assert scene.render.engine == "BLENDER_WORKBENCH" and bpy.data.images["Lines"].has_data
+
+
+def test_without_a_camera_or_lines_it_says_so(scene):
+    scene.camera = None
+    for operator in (bpy.ops.fovea.render_lines, bpy.ops.fovea.bake_strokes):
+        assert not operator.poll()
+        with pytest.raises(RuntimeError, match="no camera"):
+            operator()
+    scene = box_scene()
+    bpy.data.objects.remove(bpy.data.objects["Box"])
+    with pytest.raises(RuntimeError, match="nothing in the scene"):
+        bpy.ops.fovea.bake_strokes()
+
+
+def baked():
+    return list(bpy.data.collections["Lines"].objects)
+
+
+def test_baked_as_a_mesh_it_is_the_box(scene):
+    assert bpy.ops.fovea.bake_strokes(kind="MESH") == {"FINISHED"}
+    (obj,) = baked()
+    mesh = obj.data
+    points = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", points)
+    points = points.reshape(-1, 3)
+    # On the edges of the box two coordinates are +-1; three of its nine visible edges meet at the nearest corner.
+    assert (np.sort(np.abs(points), axis=1)[:, 1:] > 0.99).all() and np.abs(points).max() < 1.01
+    ends = np.array([edge.vertices[:] for edge in mesh.edges])
+    length = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1).sum()
+    assert length == pytest.approx(18, rel=0.02)
+    assert mesh.attributes["strength"].domain == "POINT"
+    kinds = np.empty(len(points), np.int32)
+    mesh.attributes["kinds"].data.foreach_get("value", kinds)
+    assert (kinds != 0).all()
+
+
+def test_what_was_baked_is_not_drawn(scene, tmp_path):
+    before = drawn(scene, tmp_path / "before.png")
+    bpy.ops.fovea.bake_strokes(kind="MESH")
+    assert len(baked()[0].data.edges) == 9
+    scene.objects["Box"].fovea.usage = "OCCLUDE"
+    assert ink(drawn(scene, tmp_path / "after.png")).max() == 0 < ink(before).max()
+
+
+def test_baked_widths_are_those_of_the_pen(scene):
+    scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 16.0  # a pixel is 1/10
+    bpy.ops.fovea.bake_strokes(kind="MESH")
+    (obj,) = baked()
+    radius = np.empty(len(obj.data.vertices), np.float32)
+    obj.data.attributes["radius"].data.foreach_get("value", radius)
+    width = lines_of(scene).pen.width * SIZE[1] / 1080
+    np.testing.assert_allclose(radius, 0.5 * width * 0.1, rtol=1e-4)
+
+
+def test_baked_as_grease_pencil(scene):
+    assert bpy.ops.fovea.bake_strokes(kind="GREASE_PENCIL") == {"FINISHED"}
+    (obj,) = baked()
+    assert obj.type == "GREASEPENCIL" and obj.show_in_front
+    drawing = obj.data.layers[0].frames[0].drawing
+    positions = drawing.attributes["position"].data
+    points = np.empty(3 * len(positions), np.float32)
+    positions.foreach_get("vector", points)
+    assert np.abs(points).max() < 1.01 and len(drawing.strokes) >= 3
+    assert sum(len(stroke.points) for stroke in drawing.strokes) == len(positions)
+    radius = np.empty(len(positions), np.float32)
+    drawing.attributes["radius"].data.foreach_get("value", radius)
+    assert (radius > 0).all()
+    np.testing.assert_allclose(obj.data.materials[0].grease_pencil.color[:3], lines_of(scene).pen.color, atol=1e-6)
+
+
+def test_closed_lines_are_baked_closed(scene):
+    bpy.data.objects.remove(bpy.data.objects["Box"])
+    angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    ring = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)
+    new_object(new_mesh(ring.tolist(), [], [range(24)]), "Disc")
+    bpy.ops.fovea.bake_strokes(kind="MESH")
+    (obj,) = baked()
+    assert len(obj.data.edges) == len(obj.data.vertices) >= 24
+
+
+def test_what_elision_takes_away_is_not_baked(scene, tmp_path):
+    def baked_ink():
+        bpy.ops.fovea.bake_strokes(kind="MESH")
+        (obj,) = baked()
+        ends, opacity = np.empty(2 * len(obj.data.edges), np.int32), np.empty(len(obj.data.vertices), np.float32)
+        obj.data.edges.foreach_get("vertices", ends)
+        obj.data.attributes["opacity"].data.foreach_get("value", opacity)
+        bpy.data.collections.remove(bpy.data.collections["Lines"])
+        return opacity[ends].mean() * len(ends)
+
+    pen = lines_of(scene).pen
+    pen.width, pen.spacing = 2, 120
+    for step in range(12):
+        new_object(box_mesh(0.9), f"Sheet{step}", (0, 0, 1.5 + 0.02 * step))
+    whole, drawn_whole = baked_ink(), ink(drawn(scene, tmp_path / "whole.png")).sum()
+    own_style(scene).elision.enabled = True
+    thinned, drawn_thinned = baked_ink(), ink(drawn(scene, tmp_path / "thinned.png")).sum()
+    assert drawn_thinned < 0.6 * drawn_whole and thinned < 0.6 * whole
+
+
+def test_the_report_names_what_was_left_out_and_why():
+    scene = empty_scene()
+    new_object(box_mesh(), "Box")
+    ignored = new_object(box_mesh(), "Ignored")
+    ignored.fovea.usage = "IGNORE"
+    hidden = new_object(box_mesh(), "Hidden")
+    hidden.hide_viewport = True
+    unseen = new_object(box_mesh(), "Unseen")
+    unseen.visible_camera = False
+    new_object(bpy.data.meshes.new("Nothing"), "Nothing")
+    flat = new_mesh([(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0)], [], [(0, 1, 2), (0, 1, 3)], "Flat")
+    new_object(flat, "Flat")
+    bpy.context.view_layer.update()
+    assert bpy.ops.fovea.report() == {"FINISHED"}
+    text = bpy.data.texts[report.TEXT].as_string()
+    told = {line.split("'")[1]: line for line in text.splitlines() if line.startswith("  '")}
+    assert "is ignored" in told["Ignored"] and "hidden in viewports" in told["Hidden"]
+    assert "invisible to cameras" in told["Unseen"] and "no faces" in told["Nothing"]
+    assert "1 faces have no area" in told["Flat"] and "Box" not in told
+    assert "2 objects and instances of 2 meshes" in text
+    assert "MB" in text and scene.objects
+
+
+def test_the_report_has_the_last_pictures_times(scene):
+    bpy.ops.render.render()
+    bpy.ops.fovea.report()
+    bpy.ops.fovea.report()
+    assert [text.name for text in bpy.data.texts].count(report.TEXT) == 1
+    lines = bpy.data.texts[report.TEXT].as_string().splitlines()
+    assert any(line.split()[0] == "visibility" and line.endswith("ms") for line in lines)
+    assert "  Nothing was left out" in lines

@@ -1,0 +1,94 @@
+"""Focus as colours, in a window; see inside.py. What a scenario returns is for the tests to judge."""
+
+import time
+from pathlib import Path
+
+import bpy
+import numpy as np
+import scenes
+from focus_scenarios import filled, opened, pixel, state
+from mathutils import Quaternion
+from the_addon import part
+from window import screen
+
+overlay, camera = part("blender.focus_overlay"), part("blender.camera")
+SHARED = Path(__file__).parents[3] / "shared"
+
+
+def heat(folder):
+    """Focus as colours: warm at the place, cool beside it, follows the view and the place; nothing is done at rest."""
+    scene = yield from opened()
+    manager = bpy.context.window_manager
+    scene.fovea.focus_model, scene.fovea.focus_location = "SCENE", (0, 0, 1)
+    scene.fovea.focus_near_distance, scene.fovea.focus_far_distance = 1.2, 2.0
+    screen.space().show_gizmo = False
+    yield from screen.rest(0.3)
+    screen.swap()
+    plain = screen.picture()
+    manager.fovea_show_focus = True
+    yield from screen.rest(0.3)
+    screen.swap()
+    shown = screen.picture()
+    np.save(folder / "heat.npy", shown)
+
+    def warmth(picture, at):
+        x, y = (round(v) for v in pixel(at))
+        return float((picture[y - 3 : y + 4, x - 3 : x + 4, 0] - picture[y - 3 : y + 4, x - 3 : x + 4, 2]).mean())
+
+    told = {"here": warmth(shown, (0.4, 0.4, 1)), "there": warmth(shown, (4, 0, 1)), "plain": warmth(plain, (4, 0, 1))}
+    calls, old = [], camera.of_region
+    camera.of_region = lambda *words: calls.append(1) or old(*words)
+    for _ in range(10):  # Blender draws a few times by itself after it has started
+        calls.clear()
+        yield from screen.rest(1.0)
+        if not calls:
+            break
+    told["idle"] = len(calls)
+    camera.of_region = old
+    scene.fovea.focus_location = (4, 0, 1)
+    yield from screen.rest(0.3)
+    screen.swap()
+    told["moved"] = [warmth(screen.picture(), (0.4, 0.4, 1)), warmth(screen.picture(), (4.4, 0.4, 1))]
+    bpy.data.objects["Far"].location.z = -8
+    yield from screen.rest(0.3)
+    screen.swap()
+    told["sunk"] = warmth(screen.picture(), (4.4, 0.4, -7))
+    manager.fovea_show_focus = False
+    yield from screen.rest(0.3)
+    screen.swap()
+    told["off"] = float(np.abs(screen.picture()[50:200, 50:200] - plain[50:200, 50:200]).mean())
+    told["kept"] = len(overlay._shown) + len(overlay._readers)
+    return told
+
+
+def rendered(folder, spec="office"):
+    """Focus as colours over Fovea's own picture of a scene, and what a draw of it costs while the view turns."""
+    scenes.build(spec, SHARED if SHARED.is_dir() else None)
+    scene = bpy.context.scene
+    scene.render.engine = "FOVEA"
+    yield from filled()
+    space, took = screen.space(), []
+    space.region_3d.view_perspective, space.shading.type = "CAMERA", "RENDERED"
+    yield from screen.rest(0.5)
+    with screen.override():
+        bpy.ops.fovea.pick_focus(x=screen.region().width // 2, y=screen.region().height // 2)
+    bpy.context.window_manager.fovea_show_focus = True
+    old = overlay._Shown.update
+
+    def update(self, context):
+        start = time.perf_counter()
+        old(self, context)
+        took.append(1000 * (time.perf_counter() - start))
+
+    overlay._Shown.update = update
+    yield from screen.rest(4)
+    screen.swap()
+    np.save(folder / "rendered.npy", screen.picture())
+    first, took[:] = max(took), []
+    space.region_3d.view_perspective = "PERSP"
+    for _ in range(5):
+        space.region_3d.view_rotation = Quaternion((0, 0, 1), 0.03) @ space.region_3d.view_rotation
+        screen.swap()
+        yield
+    overlay._Shown.update = old
+    return {"first_ms": first, "turning_ms": sorted(took)[len(took) // 2], **state()}
