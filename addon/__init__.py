@@ -5,7 +5,7 @@ Importable without Blender: only `register` touches what needs it.
 
 import importlib
 
-MODULES = ("preferences", "properties", "panels", "engine")
+MODULES = ("preferences", "properties", "viewport_settings", "panels", "engine")
 
 
 def _modules():

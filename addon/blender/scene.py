@@ -168,6 +168,18 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
     return gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
 
 
+def placements(depsgraph, viewport):
+    """What is placed where in a viewport (its SpaceView3D), cameras aside; to be compared."""
+    shown = []
+    for instance in depsgraph.object_instances:
+        owner = (instance.parent if instance.is_instance else None) or instance.object
+        told = owner.name_full, instance.object.name_full, instance.show_self, owner.visible_in_viewport_get(viewport)
+        shown.append(None if instance.object.type == "CAMERA" else told)
+    arrays = _instance_arrays(depsgraph.object_instances)
+    kept = np.array([told is not None for told in shown], np.bool_)
+    return shown, *(array[kept].tobytes() for array in arrays)
+
+
 def _instance_arrays(instances):
     """(k, 4, 4) float64 object to world and (k, 8) int32 persistent ids, in the order they are walked over."""
     count = len(instances)

@@ -1,13 +1,15 @@
-"""Renders and viewport redraws: what is kept between them, and what the user hears when one cannot be drawn.
+"""Renders, and what they share with viewports: what is kept between pictures, and what the user hears when one cannot
+be drawn.
 
 Surfaces are kept per kind of depsgraph (final renders and viewports may hold different meshes and run side by side) and
-told apart by content. A viewport's picture is kept until its view changes or Blender reports an update.
+told apart by content.
 """
 
 import logging
 import threading
 import time
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 
 import bpy
@@ -15,8 +17,7 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
-from ..backend import gpu_viewport
-from . import camera, color_sources, methods, notes, properties, scene, subdivision, surfaces
+from . import camera, color_sources, methods, notes, properties, scene, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -63,7 +64,7 @@ def _style_of(scene_):
 
 def render(engine, depsgraph):
     """Draws one view layer of a final render. Without a result Blender writes no file."""
-    with _reported(lambda message: engine.report({"ERROR"}, message)):
+    with reported(lambda message: engine.report({"ERROR"}, message)):
         image = _draw(engine, depsgraph, camera.of_render(engine, depsgraph))
         if image is not None:
             passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
@@ -72,28 +73,8 @@ def render(engine, depsgraph):
             _hand_over(engine, depsgraph.view_layer, passes)
 
 
-def view_update(engine, depsgraph):
-    """Something in the scene changed, unless it was us who read a cage (subdivision.py): that changes nothing."""
-    if not subdivision.is_echo(depsgraph.updates):
-        engine.drawing = None
-
-
-def view_draw(engine, context, depsgraph):
-    """Draws a viewport, at once and in full."""
-    with _reported(lambda message: engine.update_stats("Fovea", message)):
-        view = camera.of_region(context, depsgraph)
-        seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
-        if engine.drawing is None or engine.drawing[0] != seen:
-            image = _draw(engine, depsgraph, view, context.space_data)
-            if image is None:
-                return
-            engine.drawing = (seen, gpu_viewport.Picture(image.combined))
-            engine.update_stats("", "")
-        engine.drawing[1].show(engine, depsgraph.scene)
-
-
 @contextmanager
-def _reported(tell):
+def reported(tell):
     """Turns what goes wrong into one sentence for the user."""
     try:
         yield
@@ -104,10 +85,21 @@ def _reported(tell):
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
 
 
-def _draw(engine, depsgraph, view, viewport=None):
-    """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
-    core, chosen = native.load(), properties.style_of(depsgraph.scene)
-    start = time.perf_counter()
+@dataclass(frozen=True)
+class Gathered:
+    """A scene as it is drawn, whatever the view; nothing in it is Blender's."""
+
+    snapshot: scene.Snapshot
+    placed: object  # native Scene
+    colors: object  # color.Sources, or None where the style has no colour layer
+    notes: object  # stages.Notes
+    changed: bool  # surfaces were made or moved for it
+    seconds: float  # that reading it took
+
+
+def gather(engine, depsgraph, chosen, viewport=None):
+    """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
+    start, core = time.perf_counter(), native.load()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
@@ -117,35 +109,38 @@ def _draw(engine, depsgraph, view, viewport=None):
     snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
     if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
-    placed, seen = scene.placed(core, snapshot), scene.seen(core, view)
+    placed = scene.placed(core, snapshot)
     sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
-    ingest = time.perf_counter() - start
+    told = noted.notes(depsgraph.scene, snapshot)
+    seconds = time.perf_counter() - start
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
     _report_unknown(engine, chosen)
     if colors and (remark := colors.remark()):
         engine.report({"INFO"}, remark)
-    chosen_backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=viewport is not None)
-    with_depth = viewport is None and depsgraph.view_layer.use_pass_z
-    asked = {"with_depth": with_depth, "with_focus": viewport is None}
+    return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)
+
+
+def draw(found, view, chosen, backend, options, progress, cancel):
+    """The Image of what was Gathered; touches nothing of Blender's unless the backend does."""
+    seen, beside = scene.seen(native.load(), view), {"colors": found.colors, "notes": found.notes}
+    return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
+
+
+def _draw(engine, depsgraph, view):
+    """The Image of a View of the depsgraph's scene for a final render, or None when the user stopped it."""
+    core, chosen = native.load(), properties.style_of(depsgraph.scene)
+    found = gather(engine, depsgraph, chosen)
+    backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=False)
+    asked = {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.Options(visibility=visibility, **asked, **methods.quality(depsgraph.scene.fovea))
     cancel = core.Cancel()
     with _watched(engine, cancel):
         try:
-            image = pipeline.draw(
-                placed,
-                seen,
-                chosen,
-                chosen_backend,
-                options,
-                colors=sources,
-                notes=noted.notes(depsgraph.scene, snapshot),
-                progress=partial(_progress, engine),
-                cancel=cancel,
-            )
+            image = draw(found, view, chosen, backend, options, partial(_progress, engine), cancel)
         except core.Cancelled:
             return None
-    _note_statistics(ingest, snapshot, image)
+    note_statistics(found, image)
     return image
 
 
@@ -192,9 +187,9 @@ def _report_unknown(engine, chosen):
         engine.report({"INFO"}, remark)
 
 
-def _note_statistics(ingest, snapshot, image):
-    """Keeps what `last_statistics` tells."""
-    stages = {"ingest": 1000 * ingest, **image.statistics["stages"]}
+def note_statistics(found, image):
+    """Keeps what `last_statistics` tells of the Image of what was Gathered."""
+    snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]

@@ -54,11 +54,12 @@ PARTS = {
     "visibility": "backend/cpu",
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
-    "blender": "blender backend catalogue color elision focus native pipeline stages style textures",
+    "budget": "focus",
+    "blender": "blender backend budget catalogue color elision focus native pipeline stages style textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
-LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|blender/(scene|session))\.py"
+LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|blender/(scene|session|viewport))\.py"
 
 
 def violations(root):

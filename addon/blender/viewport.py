@@ -1,0 +1,251 @@
+"""A 3D viewport in Rendered shading: drawn within a budget while something changes, refined when it rests.
+
+Pictures are drawn beside the interface (worker.py) from what was read of the scene, which is read again only when Blender
+reports that something of it has changed (changes.py). A draw of the region waits a little for its picture, then shows
+the last one there is. A timer looks after what is under way; where nothing is, there is no timer. The gpu backend needs
+Blender's context, so it draws while the region is drawn.
+"""
+
+import time
+from dataclasses import dataclass
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .. import budget, native, pipeline
+from ..backend import gpu_viewport
+from . import camera, changes, methods, session, viewport_settings, worker
+
+PATIENCE = 0.25  # seconds that draws of the region wait for a picture
+REST = 0.2  # seconds without a change after which a picture is refined
+TICK = 0.02  # seconds between looks at what is under way
+WORD = 0.3  # seconds between words about it in the header
+
+_pending = {}  # Viewport that has something under way -> its engine
+_changed_at = 0.0  # when a viewport last had to show something else
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    """What a viewport is to show; with equal keys it looks the same."""
+
+    key: tuple
+    view: object  # stages.View
+    scene: changes.Scene
+    options: pipeline.Options
+    backend: object
+
+
+@dataclass(frozen=True)
+class _Picture:
+    """What it shows, or is about to."""
+
+    wanted: _Wanted
+    quality: int  # index of budget.QUALITIES
+    image: object  # stages.Image, later a gpu_viewport.Picture
+
+
+def update(engine, depsgraph):
+    """Blender has updated the scene that a viewport shows."""
+    _viewport(engine).changes.note(depsgraph.updates)
+
+
+def draw(engine, context, depsgraph):
+    """Blender draws the region of a viewport."""
+    viewport = _viewport(engine)
+    with session.reported(lambda message: engine.update_stats("Fovea", message)):
+        try:
+            viewport.draw(engine, context, depsgraph)
+        except Exception:
+            viewport.forget()
+            raise
+
+
+def _viewport(engine):
+    if engine.viewport is None:
+        engine.viewport = Viewport()
+    return engine.viewport
+
+
+class Viewport:
+    """What is kept for one viewport."""
+
+    def __init__(self):
+        self.changes = changes.Changes()
+        self.budget = budget.Budget()
+        self.wanted = self.shown = self.job = None
+        self.playing = False
+        self._said_at = 0.0
+
+    def draw(self, engine, context, depsgraph):
+        """Draws the region."""
+        view = camera.of_region(context, depsgraph)
+        job = worker.running()
+        # A draft that takes its time is let finish: else nothing new would be seen before all comes to rest.
+        if job is None or not job.draft or _waited(job):
+            self._take(engine)
+            self._want(engine, context, depsgraph, view)
+            self._draw(engine, viewport_settings.budget_ms(depsgraph.scene))
+        if not self.is_final():
+            _look_after(self, engine)
+        if self.shown:
+            self.shown.image.show(engine, depsgraph.scene, context.region.width, context.region.height)
+
+    def is_final(self):
+        """Whether nothing better can be shown for now."""
+        return self._is_current() and (self.playing or self.shown.quality == 0)
+
+    def forget(self):
+        """Lets go of what is shown and wanted."""
+        self.wanted = self.shown = None
+
+    def _is_current(self):
+        return self.shown is not None and self.wanted is not None and self.shown.wanted.key == self.wanted.key
+
+    def _want(self, engine, context, depsgraph, view):
+        """Finds out what is to be seen."""
+        self.playing = context.screen.is_animation_playing
+        scene = self.changes.read(engine, depsgraph, context.space_data)
+        backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
+        options = pipeline.Options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
+        seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
+        key = (scene.version, seen, options, backend.name)
+        if self.wanted is None or self.wanted.key != key:
+            self.wanted = _Wanted(key, view, scene, options, backend)
+            _change()
+
+    def _draw(self, engine, budget_ms):
+        """Begins what is to be drawn next, and takes it where it is made at once."""
+        if not self._is_current():
+            self._start(self.budget.choose(budget_ms, self.shown and self.shown.quality), draft=True)
+            if _waited(self.job):
+                self._take(engine)
+        elif self.job is None and not self._in_thread() and not self.is_final() and _rests():
+            self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
+            self._take(engine)
+
+    def _in_thread(self):
+        return self.wanted.backend.name == "cpu"
+
+    def _start(self, quality, *, draft):
+        core, wanted = native.load(), self.wanted
+        cancel = core.Cancel()
+        self.job = worker.Job(lambda tell: _made(wanted, quality, tell, cancel), cancel, core.Cancelled, draft=draft)
+        if self._in_thread():
+            worker.start(self.job)
+        else:
+            worker.stop()
+            self.job.run()
+
+    def _take(self, engine):
+        """Shows what the job has made, if it is done."""
+        if self.job is None or not self.job.done:
+            return
+        job, self.job = self.job, None
+        if job.error is not None:
+            raise job.error
+        if job.result is not None:
+            start, made = time.perf_counter(), job.result
+            self.shown = _Picture(made.wanted, made.quality, gpu_viewport.Picture(made.image.combined))
+            show = 1000 * (time.perf_counter() - start)
+            self.budget.note(made.quality, {**made.image.statistics["stages"], "show": show})
+            session.note_statistics(made.wanted.scene.gathered, made.image)
+            engine.update_stats("", "")
+
+    def look_after(self, engine):
+        """What is to be done between draws of the region; whether to come again."""
+        job = self.job
+        if job is None:
+            if worker.running() or (self._is_current() and not _rests()):
+                return True
+            if self._is_current() and self._in_thread():
+                self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
+                return True
+        elif not job.done:
+            self._tell(engine, job)
+            return True
+        elif job.result is None and job.error is None:
+            self.job = None  # stopped
+            return True
+        engine.tag_redraw()
+        return False
+
+    def _tell(self, engine, job):
+        """A word to the user now and then."""
+        now = time.monotonic()
+        if now > max(job.started, self._said_at) + WORD:
+            share, text = job.told
+            engine.update_stats("Fovea", f"{text} {100 * share:.0f}%")
+            engine.tag_redraw()
+            self._said_at = now
+
+    def stop(self):
+        """The viewport is no more."""
+        if self.job:
+            self.job.stop()
+
+
+def _made(wanted, quality, tell, cancel):
+    """The _Picture that is wanted, in this quality."""
+    chosen = budget.QUALITIES[quality]
+    view, options = budget.smaller(wanted.view, chosen.scale), budget.coarser(wanted.options, chosen)
+    style = budget.simplified(wanted.scene.style, chosen)
+    image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
+    return _Picture(wanted, quality, image)
+
+
+def _change():
+    global _changed_at
+    _changed_at = time.monotonic()
+
+
+def _rests():
+    """Whether nothing changes in any viewport."""
+    return time.monotonic() > _changed_at + REST
+
+
+def _waited(job):
+    """Waits for a job while it is young; whether it is done."""
+    return job.wait(job.started + PATIENCE - time.monotonic())
+
+
+def _look_after(viewport, engine):
+    _pending[viewport] = engine
+    if not bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.register(_tick, first_interval=TICK)
+
+
+def _tick():
+    for viewport, engine in list(_pending.items()):
+        if not _exists(engine):
+            viewport.stop()
+        elif viewport.look_after(engine):
+            continue
+        del _pending[viewport]
+    return TICK if _pending else None
+
+
+def _exists(engine):
+    """Whether Blender still has the engine of a viewport."""
+    try:
+        return engine.is_preview is not None
+    except ReferenceError:
+        return False
+
+
+@persistent
+def _stop(*_arguments):
+    """Ends all that is under way: another file comes, or the add-on goes."""
+    worker.stop()
+    _pending.clear()
+    if bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.unregister(_tick)
+
+
+def register():
+    bpy.app.handlers.load_pre.append(_stop)
+
+
+def unregister():
+    bpy.app.handlers.load_pre.remove(_stop)
+    _stop()
