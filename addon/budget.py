@@ -105,10 +105,15 @@ class Budget:
         self._cost = {}  # (stage, what of the quality changes it) -> ms
 
     def note(self, index, stages):
-        """What the stages {name: ms} of a picture in the quality of that index took."""
+        """What the stages {name: ms} of a picture in the quality of that index took. Where a stage takes longer than it
+        used to, the machine has more to do or the scene has more in it: so it will in the other qualities, too."""
         for stage, ms in stages.items():
             key = self._key(stage, QUALITIES[index])
-            self._cost[key] = 0.5 * (self._cost.get(key, ms) + ms)
+            before = self._cost.setdefault(key, ms)
+            now = 0.5 * (before + ms)
+            for other in [key for key in self._cost if key[0] == stage]:
+                self._cost[other] *= now / before if before > 0 else 1.0
+            self._cost[key] = now
 
     def known(self):
         return bool(self._cost)

@@ -1,7 +1,7 @@
 """What a viewport knows of the scene, and whether it has to read it again.
 
-Blender reports which of its data changed. Selections, cameras and styles change nothing that is read of the scene: of
-them, too, Blender tells no more than "the scene", so that what is placed where is compared.
+Blender reports which of its data changed. Selections, cameras and styles change nothing that is read of the scene; but
+what hides an object may be reported in the same way, so that what is placed where is compared.
 """
 
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ class Changes:
         if subdivision.is_echo(updates):
             return
         self._told = True
-        self._must_read = self._must_read or not len(updates) or not all(_is_harmless(u.id) for u in updates)
+        self._must_read = self._must_read or not len(updates) or not all(map(_is_harmless, updates))
 
     def read(self, engine, depsgraph, space):
         """The Scene as it is now, for a SpaceView3D."""
@@ -58,8 +58,11 @@ class Changes:
         return self._scene
 
 
-def _is_harmless(data):
-    return isinstance(data, HARMLESS) or isinstance(data, bpy.types.Object) and data.type == "CAMERA"
+def _is_harmless(update):
+    data = update.id
+    if isinstance(data, bpy.types.Object):
+        return data.type == "CAMERA" or not (update.is_updated_geometry or update.is_updated_transform)
+    return isinstance(data, HARMLESS)
 
 
 def _needs(style, scene_):

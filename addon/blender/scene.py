@@ -169,12 +169,17 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
 
 
 def placements(depsgraph, viewport):
-    """What is placed where in a viewport (its SpaceView3D), cameras aside; to be compared."""
+    """What is placed where in a viewport (its SpaceView3D), of which material, cameras aside; to be compared."""
     shown = []
     for instance in depsgraph.object_instances:
-        owner = (instance.parent if instance.is_instance else None) or instance.object
-        told = owner.name_full, instance.object.name_full, instance.show_self, owner.visible_in_viewport_get(viewport)
-        shown.append(None if instance.object.type == "CAMERA" else told)
+        obj = instance.object
+        if obj.type == "CAMERA":
+            shown.append(None)
+            continue
+        owner = (instance.parent if instance.is_instance else None) or obj
+        worn = [slot.material and slot.material.name_full for slot in obj.material_slots]
+        seen = instance.show_self and owner.visible_in_viewport_get(viewport)
+        shown.append((owner.name_full, obj.name_full, seen, worn))
     arrays = _instance_arrays(depsgraph.object_instances)
     kept = np.array([told is not None for told in shown], np.bool_)
     return shown, *(array[kept].tobytes() for array in arrays)

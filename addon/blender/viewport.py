@@ -18,11 +18,13 @@ from . import camera, changes, methods, session, viewport_settings, worker
 
 PATIENCE = 0.25  # seconds that draws of the region wait for a picture
 REST = 0.2  # seconds without a change after which a picture is refined
+MOST_REST = 1.0  # seconds between two changes of one movement
 TICK = 0.02  # seconds between looks at what is under way
 WORD = 0.3  # seconds between words about it in the header
 
 _pending = {}  # Viewport that has something under way -> its engine
 _changed_at = 0.0  # when a viewport last had to show something else
+_rest = REST  # seconds after which it counts as resting; longer where changes come slowly
 
 
 @dataclass(frozen=True)
@@ -84,8 +86,11 @@ class Viewport:
         # A draft that takes its time is let finish: else nothing new would be seen before all comes to rest.
         if job is None or not job.draft or _waited(job):
             self._take(engine)
+            before = self.wanted
             self._want(engine, context, depsgraph, view)
             self._draw(engine, viewport_settings.budget_ms(depsgraph.scene))
+            if self.wanted is not before:
+                _change()
         if not self.is_final():
             _look_after(self, engine)
         if self.shown:
@@ -112,7 +117,6 @@ class Viewport:
         key = (scene.version, seen, options, backend.name)
         if self.wanted is None or self.wanted.key != key:
             self.wanted = _Wanted(key, view, scene, options, backend)
-            _change()
 
     def _draw(self, engine, budget_ms):
         """Begins what is to be drawn next, and takes it where it is made at once."""
@@ -195,13 +199,14 @@ def _made(wanted, quality, tell, cancel):
 
 
 def _change():
-    global _changed_at
-    _changed_at = time.monotonic()
+    global _changed_at, _rest
+    gap, _changed_at = time.monotonic() - _changed_at, time.monotonic()
+    _rest = max(REST, 1.5 * gap) if gap < MOST_REST else REST
 
 
 def _rests():
     """Whether nothing changes in any viewport."""
-    return time.monotonic() > _changed_at + REST
+    return time.monotonic() > _changed_at + _rest
 
 
 def _waited(job):

@@ -4,8 +4,10 @@ A scenario is a generator function of the file: it does something, then yields, 
 events and drawn. What it returns is written as JSON; so is what goes wrong. A timer drives it, as a timer is where
 Blender is between two pictures; a window's state must never be asked for in background mode."""
 
+import faulthandler
 import importlib
 import json
+import os
 import sys
 import traceback
 from pathlib import Path
@@ -16,6 +18,8 @@ sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1] / "ble
 sys.path.append(str(Path(__file__).parents[2] / "blender_scripts"))
 bpy.context.preferences.view.show_splash = False
 bpy.context.preferences.use_preferences_save = False
+
+faulthandler.dump_traceback_later(float(os.environ["FOVEA_SECONDS"]), exit=True)  # where it hangs, if it does
 
 TICK = 0.01  # seconds
 

@@ -1,0 +1,72 @@
+"""The viewport in a real window."""
+
+import pytest
+
+
+def test_camera_view_is_the_final_render(play):
+    played = play("camera_view")
+    found, complaints = played.result, played.complaints()
+    wider = found.pop("wider")
+    assert found.pop("outside") < 0.1, "the passepartout is there"
+    for name, told in found.items():
+        assert told["frame"][2:] == pytest.approx([640, 360], abs=0.05), name
+        assert told["ink"][1] > 0.002, f"{name}: there is hardly a line"
+        assert told["mean"] < 5e-4 and told["apart"] < 1e-3, (name, told)
+    # So that the tolerance is no blindness.
+    assert wider["apart"] > 1.5e-3, wider
+    assert not complaints
+
+
+def test_orbiting_keeps_the_scene_and_the_budget(play):
+    played = play("orbit")
+    found = played.result
+    assert found["moving"]["read"] == 0, "a camera that moves changes nothing of the scene"
+    assert found["moving"]["draws"] >= 30
+    assert found["moving"]["changed"] >= 10, "pictures keep coming, however slow the machine"
+    full = found["moving"]["qualities"][2:].count(0)
+    assert full <= 3, "the office takes longer than the budget in full quality"
+    assert found["refined"] == 0
+    assert found["idle"] == {"draws": 0, "timer": False, "threads": []}
+    assert found["back"] < 1e-3, "from where it was seen before it looks as before"
+    assert not played.complaints()
+
+
+def test_operators(play):
+    played = play("operators")
+    found = played.result
+    for pair, difference in found["same"].items():
+        assert difference < 1e-5, (pair, difference)
+    for pair, difference in found["other"].items():
+        assert difference > 1e-4, (pair, difference)
+    assert found["read of a selection"] == 0
+    assert found["calm"]
+    assert not played.complaints()
+
+
+def test_shapes_styles_playback_and_two_viewports(play):
+    played = play("shapes")
+    found = played.result
+    assert all(difference > 1e-4 for difference in found["differences"].values()), found
+    assert found["read of a style"] == 0
+    assert found["played"]["draws"] > 3 and found["played"]["read"] > 3
+    assert found["two"] == [0, 0]
+    assert found["calm"]
+    assert not played.complaints()
+
+
+def test_switching_engines_keeps_no_memory(play):
+    played = play("switching", timeout=180)
+    before, after = played.result["memory"]
+    assert after - before < 20
+    assert played.result["calm"]
+    assert not played.complaints()
+
+
+def test_disabling_while_it_draws_leaves_nothing(play):
+    played = play("disabling")
+    found = played.result
+    assert found["engine"] != "FOVEA"
+    assert found["off"] == {"timer": False, "threads": []}
+    assert found["left"] == {} and found["names"] == []
+    assert found["again"] > 0
+    assert not played.complaints()
