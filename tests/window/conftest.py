@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).parent
-SCREEN = "1280x800"
+SCREEN = "960x600"
 COMPLAINTS = re.compile(r"Traceback|^\s*\w*(Error|Exception)\b|: error:|failed|SIGSEGV|Segmentation", re.M)
 # What this Blender says without us: software OpenGL, no sound, and another add-on's network.
 HARMLESS = re.compile(r"EGL_|AL lib|libGL|ALSA|pulse|jack|XDG_RUNTIME", re.I)
@@ -35,7 +35,7 @@ def play(tmp_path):
     if not shutil.which("xvfb-run"):
         pytest.skip("there is no xvfb-run here to make a screen")
 
-    def run(scenario, *words, simulate=False, timeout=120):
+    def run(scenario, *words, simulate=False, timeout=150):
         """`simulate`: the scenario makes events of its own; Blender does not sleep then."""
         out = tmp_path / "out.json"
         geometry = ["--window-geometry", "0", "0", *SCREEN.split("x")]

@@ -30,7 +30,7 @@ def opened(spec=None):
     with screen.override():
         bpy.ops.screen.screen_full_area(use_hide_panels=True)
     yield from screen.rest(0.2)
-    bpy.context.window_manager.windows[0].cursor_warp(1279, 0)  # the pointer is seen, too: below the part that is compared
+    bpy.context.window_manager.windows[0].cursor_warp(959, 0)  # the pointer is seen, too: below the part that is compared
     watch, space = Watch(), screen.space()
     space.overlay.show_overlays = space.show_gizmo = space.show_region_hud = False
     space.shading.type = "RENDERED"
@@ -306,10 +306,10 @@ def memory():
 
 
 def switching(folder):
-    """Engines and shadings, back and forth; memory after the first rounds, and after twenty more."""
-    watch = yield from opened("suzanne:4")
+    """Engines and shadings, back and forth, in part while they are refined; MB of memory after each of 20 rounds."""
+    watch = yield from opened("suzanne:3")
     scene, told = bpy.context.scene, []
-    for turn_number in range(25):
+    for turn_number in range(20):
         scene.render.engine = "BLENDER_WORKBENCH"
         yield from screen.rest(0.1)
         scene.render.engine = "FOVEA"
@@ -318,12 +318,10 @@ def switching(folder):
         yield from screen.rest(0.1)
         screen.space().shading.type = "RENDERED"
         turn(5)
-        yield  # some are left while they are refined
+        yield
         if turn_number % 2:
             yield from watch.refined()
-        if turn_number in (4, 24):
-            yield from screen.rest(0.5)
-            told.append(memory())
+        told.append(memory())
     return {"memory": told, "calm": is_calm()}
 
 

@@ -53,7 +53,7 @@ def _screen():
     return rows[:, : 4 * width].reshape(height, width, 4)[:, :, 2::-1].astype(np.float32) / 255
 
 
-def until(done, seconds=30.0):
+def until(done, seconds=60.0):
     """Lets Blender work until something holds: `yield from` it."""
     end = time.monotonic() + seconds
     while not done():

@@ -55,9 +55,10 @@ def test_shapes_styles_playback_and_two_viewports(play):
 
 
 def test_switching_engines_keeps_no_memory(play):
-    played = play("switching", timeout=180)
-    before, after = played.result["memory"]
-    assert after - before < 20
+    played = play("switching")
+    memory = played.result["memory"]
+    # What is freed is not always given back at once: the least of five rounds.
+    assert min(memory[15:]) - min(memory[:5]) < 20, memory
     assert played.result["calm"]
     assert not played.complaints()
 
