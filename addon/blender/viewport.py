@@ -81,14 +81,13 @@ class Viewport:
 
     def draw(self, engine, context, depsgraph):
         """Draws the region."""
-        view = camera.of_region(context, depsgraph)
-        job = worker.running()
+        view, job, start = camera.of_region(context, depsgraph), worker.running(), time.monotonic()
         # A draft that takes its time is let finish: else nothing new would be seen before all comes to rest.
-        if job is None or not job.draft or _waited(job):
+        if job is None or not job.draft or job.wait(job.started + PATIENCE - start):
             self._take(engine)
             before = self.wanted
             self._want(engine, context, depsgraph, view)
-            self._draw(engine, viewport_settings.budget_ms(depsgraph.scene))
+            self._draw(engine, viewport_settings.budget_ms(depsgraph.scene), start + PATIENCE)
             if self.wanted is not before:
                 _change()
         if not self.is_final():
@@ -118,11 +117,11 @@ class Viewport:
         if self.wanted is None or self.wanted.key != key:
             self.wanted = _Wanted(key, view, scene, options, backend)
 
-    def _draw(self, engine, budget_ms):
-        """Begins what is to be drawn next, and takes it where it is made at once."""
+    def _draw(self, engine, budget_ms, deadline):
+        """Begins what is to be drawn next, and takes it if it is made before the deadline."""
         if not self._is_current():
             self._start(self.budget.choose(budget_ms, self.shown and self.shown.quality), draft=True)
-            if _waited(self.job):
+            if self.job.wait(deadline - time.monotonic()):
                 self._take(engine)
         elif self.job is None and not self._in_thread() and not self.is_final() and _rests():
             self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
@@ -207,11 +206,6 @@ def _change():
 def _rests():
     """Whether nothing changes in any viewport."""
     return time.monotonic() > _changed_at + _rest
-
-
-def _waited(job):
-    """Waits for a job while it is young; whether it is done."""
-    return job.wait(job.started + PATIENCE - time.monotonic())
 
 
 def _look_after(viewport, engine):

@@ -1,18 +1,19 @@
 """What is done in the window; see inside.py. What a scenario returns is for the tests to judge."""
 
 import math
-import os
+import sys
 import threading
 from pathlib import Path
 
-import addon_utils
+sys.path.append(str(Path(__file__).parents[1] / "blender"))
+
 import bpy
 import numpy as np
 import scenes
-import screen
 from mathutils import Matrix, Quaternion
 from the_addon import box_mesh, fovea, new_object, part
 from watch import Watch
+from window import screen
 
 SHARED = Path(__file__).parents[3] / "shared"
 camera, viewport = part("blender.camera"), part("blender.viewport")
@@ -26,14 +27,9 @@ def opened(spec=None):
     scene.render.engine = "FOVEA"
     scene.view_settings.view_transform = "Standard"
     scene.render.dither_intensity = 0
-    yield from screen.rest(0.2)
-    with screen.override():
-        bpy.ops.screen.screen_full_area(use_hide_panels=True)
-    yield from screen.rest(0.2)
-    bpy.context.window_manager.windows[0].cursor_warp(959, 0)  # the pointer is seen, too: below the part that is compared
-    watch, space = Watch(), screen.space()
-    space.overlay.show_overlays = space.show_gizmo = space.show_region_hud = False
-    space.shading.type = "RENDERED"
+    yield from screen.fill()
+    watch = Watch()
+    screen.space().shading.type = "RENDERED"
     yield from watch.refined()
     return watch
 

@@ -2,8 +2,8 @@
 
 import time
 
-import screen
 from the_addon import part
+from window import screen
 
 viewport, session = part("blender.viewport"), part("blender.session")
 

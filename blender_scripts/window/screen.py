@@ -30,6 +30,18 @@ def override(**more):
     return bpy.context.temp_override(**{**place, **more})
 
 
+def fill():
+    """A 3D viewport over the whole window, and nothing in it but the shading's own picture: `yield from` it."""
+    yield from rest(0.2)
+    with override():
+        bpy.ops.screen.screen_full_area(use_hide_panels=True)
+    yield from rest(0.2)
+    one, size = space(), bpy.context.window_manager.windows[0].width
+    one.overlay.show_overlays = one.show_gizmo = one.show_region_hud = False
+    # The screen shows the pointer, too: in the last rows, at the right.
+    bpy.context.window_manager.windows[0].cursor_warp(size - 1, 0)
+
+
 def swap():
     """Draws the window, so that the screen shows it."""
     with override():

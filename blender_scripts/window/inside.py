@@ -14,8 +14,7 @@ from pathlib import Path
 
 import bpy
 
-sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1] / "blender")]
-sys.path.append(str(Path(__file__).parents[2] / "blender_scripts"))
+sys.path.append(str(Path(__file__).parents[1]))
 bpy.context.preferences.view.show_splash = False
 bpy.context.preferences.use_preferences_save = False
 
