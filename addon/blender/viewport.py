@@ -13,7 +13,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import budget, native, pipeline
-from ..backend import gpu_viewport
+from ..backend import gpu_program, gpu_viewport
 from . import camera, changes, methods, session, viewport_settings, worker
 
 PATIENCE = 0.25  # seconds that draws of the region wait for a picture
@@ -75,6 +75,7 @@ class Viewport:
     def __init__(self):
         self.changes = changes.Changes()
         self.budget = budget.Budget()
+        self._programs = gpu_program.Programs()
         self.wanted = self.shown = self.job = None
         self.playing = False
         self._said_at = 0.0
@@ -93,7 +94,8 @@ class Viewport:
         if not self.is_final():
             _look_after(self, engine)
         if self.shown:
-            self.shown.image.show(engine, depsgraph.scene, context.region.width, context.region.height)
+            size = context.region.width, context.region.height
+            self.shown.image.show(self._programs, engine, depsgraph.scene, *size)
 
     def is_final(self):
         """Whether nothing better can be shown for now."""

@@ -90,6 +90,8 @@ def camera_view(folder):
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 640, 360, 100
     place = obj.matrix_world.copy()
 
+    found["coarse"] = yield from coarse(watch)
+
     def beside(name):
         left, lower, width, height = (round(number) for number in align(640))
         exact = frame()
@@ -120,6 +122,28 @@ def camera_view(folder):
     wider = screen.picture()[lower : lower + height, left : left + width]
     found["wider"] = likeness(wider, before)
     return found
+
+
+def coarse(watch):
+    """A draft of half the size beside the refined picture: how far apart they are where blurred, how much ink each has,
+    and the same when the draft is shifted by two pixels of it."""
+    budget = part("budget")
+    old, budget.Budget.choose = budget.Budget.choose, lambda *_: 4
+    turn(10)
+    screen.swap()
+    chosen = watch.of(screen.area()).shown.quality
+    draft = screen.picture()
+    budget.Budget.choose = old
+    yield from watch.refined()
+    final = screen.picture()
+    apart = [float(np.abs(blurred(np.roll(draft, by, axis)) - blurred(final)).mean()) for by, axis in ((0, 0), (4, 0), (4, 1))]
+    return {"quality": chosen, "apart": apart, "ink": [float((1 - image).mean()) for image in (draft, final)]}
+
+
+def blurred(image):
+    """Means of squares of 4 pixels."""
+    height, width = (size // 4 * 4 for size in image.shape[:2])
+    return image[:height, :width].reshape(height // 4, 4, width // 4, 4, 3).mean(axis=(1, 3))
 
 
 def passepartout(overlay):

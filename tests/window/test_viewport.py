@@ -5,7 +5,10 @@ import pytest
 
 def test_camera_view_is_the_final_render(play):
     found = play("camera_view")
-    wider = found.pop("wider")
+    wider, coarse = found.pop("wider"), found.pop("coarse")
+    assert coarse["quality"] == 4
+    assert coarse["ink"][0] == pytest.approx(coarse["ink"][1], rel=0.5), coarse
+    assert 2 * coarse["apart"][0] < min(coarse["apart"][1:]), coarse
     assert found.pop("outside") < 0.1, "the passepartout is there"
     for name, told in found.items():
         assert told["frame"][2:] == pytest.approx([640, 360], abs=0.05), name
