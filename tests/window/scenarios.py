@@ -319,6 +319,30 @@ def two_viewports(watch):
     return [watch.of(one).shown.quality for one in both]
 
 
+def on_gpu(folder):
+    """Drawn by OpenGL, in the viewport's own context: beside what the CPU draws, while it turns, and at rest."""
+    watch = yield from opened("boxes:3")
+    settings, by_cpu = bpy.context.scene.fovea, screen.picture()
+    settings.backend = "GPU"
+    yield from watch.refined()
+    told = {"apart": float(np.abs(screen.picture() - by_cpu)[16:].mean()), "ink": float((1 - by_cpu[16:]).mean())}
+    settings.visibility = "ATLAS"
+    yield from watch.refined()
+    told["atlas apart"] = float(np.abs(screen.picture() - by_cpu)[16:].mean())
+    for _ in range(5):
+        turn(3)
+        screen.swap()
+        yield
+    yield from watch.refined()
+    told["drawn by"] = part("blender.session").last_statistics()["backend"]
+    settings.backend, settings.visibility = "CPU", "AUTO"
+    turn(-15)
+    yield from watch.refined()
+    told["back"] = float(np.abs(screen.picture() - by_cpu)[16:].mean())
+    told["calm"] = is_calm()
+    return told
+
+
 def memory():
     """MB of this process that are its own."""
     text = Path("/proc/self/smaps_rollup").read_text()

@@ -49,6 +49,15 @@ def test_shapes_styles_playback_and_two_viewports(play):
     assert found["calm"]
 
 
+def test_the_gpu_draws_the_same(play):
+    found = play("on_gpu")
+    assert found["drawn by"] == "gpu"
+    assert found["ink"] > 1e-3
+    assert found["apart"] < 0.1 * found["ink"] and found["atlas apart"] < 0.3 * found["ink"], found
+    assert found["back"] < 1e-5
+    assert found["calm"]
+
+
 def test_switching_engines_keeps_no_memory(play):
     found = play("switching")
     memory = found["memory"]
