@@ -4,6 +4,8 @@ import importlib
 import sys
 from pathlib import Path
 
+UNSET = 0xFFFFFFFF  # an index that is none
+
 
 class Unavailable(RuntimeError):
     """Why the native module cannot be used, in words for the user."""

@@ -128,11 +128,9 @@ def set_hidden(fovea, options):
 def set_focus(scene, options):
     fovea = scene.fovea
     if options.focus:
-        in_scene = len(options.focus) == 3
-        near, far = options.focus_radii or (focus_radii(scene, options.focus) if in_scene else (0.1, 0.6))
-        at = (*options.focus, 0.0)[:3]
-        model = "scene" if in_scene else "image"
-        focus_settings.set_focus(fovea, focus.Focus(model, (focus.Point(at, near, far),)))
+        focus_settings.set_focus(fovea, focus_of(scene, options.focus, options.focus_radii))
+    if options.focus_painted:
+        focus_settings.set_focus(fovea, focus.Focus("painted", attribute=options.focus_painted))
     if options.effects:
         focus_settings.keep_effects(fovea, options.effects)
     for what in ("lines", "colors"):
@@ -140,6 +138,18 @@ def set_focus(scene, options):
             setattr(fovea, f"effect_{what}", "UNIFORM")
         if options.without == what:
             setattr(fovea, f"effect_{what}", "NONE")
+
+
+def focus_of(scene, where, radii):
+    """The Focus that `--focus` means: a place in the image or in space, or an object's surface."""
+    if isinstance(where, str):
+        if where not in scene.objects:
+            raise ValueError(f"--focus {where}: there is no such object in the scene")
+        at = tuple(scene.objects[where].matrix_world.translation)
+        return focus.Focus("object", (focus.Point(at, *(radii or focus_radii(scene, at)), where),))
+    if len(where) == 2:
+        return focus.Focus("image", (focus.Point((*where, 0.0), *(radii or (0.1, 0.6))),))
+    return focus.Focus("scene", (focus.Point(where, *(radii or focus_radii(scene, where))),))
 
 
 def focus_radii(scene, place):

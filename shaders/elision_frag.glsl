@@ -2,8 +2,7 @@
 struct Own {
   vec4 place;       // pixel position, direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
-  vec4 at_ends;     // ranks at the run's ends
-  vec4 meets;       // how much these lines meet it there
+  vec4 at_ends[8];  // around the run's start, then its end: rank and how much that line meets it there, of both layers
   float shortness;  // how much it is a mere tick
 };
 
@@ -12,17 +11,43 @@ bool in_buffer(ivec2 texel)
   return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, textureSize(layer0, 0)));
 }
 
+// How much a line takes over from another, which ends.
+float takes_over(Own line, float u, vec2 across, float size, bool right)
+{
+  float near_end = 2.0 * (1.0 - size);
+  if (near_end <= 0.0) {
+    return 0.0;
+  }
+  float ahead = (line.place.z * across.y - line.place.w * across.x) * (right ? 1.0 : -1.0);
+  float beyond = (ahead > 0.0 ? line.band.w - u : line.band.z + u) - (1.0 - near_end) * reach;
+  return min(1.0, 3.0 * near_end) * smoothstep(0.0, reach, beyond);
+}
+
+// How much one of the run's ends lies in the band of a line.
+float meets(Own line, float rank, int end)
+{
+  float share = 0.0;
+  for (int k = end; k < end + 4; k++) {
+    vec4 there = line.at_ends[k];
+    share += there.x == rank ? there.y : 0.0;
+    share += there.z == rank ? there.w : 0.0;
+  }
+  return share;
+}
+
 // The part of a pixel that another line takes away.
-float lost(vec4 other, Own line, float own, vec2 away)
+float lost(vec4 other, Own line, float own, float u, vec2 away)
 {
   if (other.x <= line.band.y) {
     return 0.0;
   }
-  float cosine = dot(away, other.zw), squared = cosine * cosine;
-  vec4 meets = line.meets * vec4(equal(line.at_ends, vec4(other.x)));
-  float met = max(max(meets.x, meets.y), max(meets.z, meets.w));
+  float size = length(other.zw), covered = abs(other.y);
+  vec2 across = other.zw / size;
+  float cosine = dot(away, across), squared = cosine * cosine;
+  float met = max(meets(line, other.x, 0), meets(line, other.x, 4));
   float weight = mix(smoothstep(0.25, 0.75, squared), smoothstep(0.8214, 0.9698, squared), met);
-  float both = cosine < 0.0 ? max(0.0, own + other.y - 1.0) : min(own, other.y);
+  weight *= 1.0 - takes_over(line, u, across, size, other.y < 0.0);
+  float both = cosine < 0.0 ? max(0.0, own + covered - 1.0) : min(own, covered);
   return max(weight, line.shortness) * both;
 }
 
@@ -38,16 +63,28 @@ vec2 window_pixel(vec2 at, Own line)
   float inside = clamp(u + line.band.z + 0.5, 0.0, 1.0) * clamp(line.band.w - u + 0.5, 0.0, 1.0);
   float own = clamp(line.band.x + 0.5 - abs(v), 0.0, 1.0);
   vec2 away = v < 0.0 ? -left : left;
-  float first = lost(texelFetch(layer0, texel, 0), line, own, away);
-  float second = lost(texelFetch(layer1, texel, 0), line, own, away);
+  float first = lost(texelFetch(layer0, texel, 0), line, own, u, away);
+  float second = lost(texelFetch(layer1, texel, 0), line, own, u, away);
   return inside * vec2(max(first, second), own);
 }
 
-// Rank and coverage of both layers at a pixel position.
-vec4 bands_at(vec2 px)
+// Rank and coverage of both layers at a pixel.
+vec4 bands_at(vec2 pixel)
 {
-  ivec2 texel = ivec2(floor(px)) - ivec2(buffer_origin);
+  ivec2 texel = ivec2(pixel - buffer_origin);
   return in_buffer(texel) ? vec4(texelFetch(layer0, texel, 0).xy, texelFetch(layer1, texel, 0).xy) : vec4(0.0);
+}
+
+// One of the four pixels around an end of the run.
+vec4 at_end(vec2 end, int k, float near)
+{
+  if (near == 0.0) {
+    return vec4(0.0);
+  }
+  vec2 corner = floor(end - 0.5), t = end - 0.5 - corner, ahead = vec2(k % 2, k / 2);
+  vec2 weight = mix(1.0 - t, t, ahead);
+  vec4 found = bands_at(corner + ahead);
+  return vec4(found.x, abs(found.y) * near * weight.x * weight.y, found.z, abs(found.w) * near * weight.x * weight.y);
 }
 
 void main()
@@ -62,10 +99,15 @@ void main()
     discard;
   }
   float shortness = 1.0 - smoothstep(band.x, 3.0 * band.x, band.z + band.w);
-  vec4 start_bands = bands_at(end.xy), end_bands = bands_at(end.zw);
   vec2 near = 1.0 - smoothstep(vec2(0.5 * end_reach * band.x), vec2(end_reach * band.x), band.zw);
-  vec4 meets = vec4(start_bands.yw * near.x, end_bands.yw * near.y);
-  Own line = Own(place, band, vec4(start_bands.xz, end_bands.xz), meets, shortness);
+  Own line;
+  line.place = place;
+  line.band = band;
+  line.shortness = shortness;
+  for (int k = 0; k < 4; k++) {
+    line.at_ends[k] = at_end(end.xy, k, near.x);
+    line.at_ends[4 + k] = at_end(end.zw, k, near.y);
+  }
   float width = 2.0 * band.x + 1.0;
   int rows = min(most_rows, int(ceil(2.0 * width)));
   vec2 left = vec2(-place.w, place.z);

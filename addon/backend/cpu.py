@@ -7,7 +7,7 @@ import numpy as np
 from .. import native
 from ..stages import Emphasis
 
-UNSET = 0xFFFFFFFF
+_HANDS_OVER = 12.0  # reference pixels before its end that a line begins to hand over to one that goes on
 
 
 def trace(scene, view):
@@ -112,6 +112,11 @@ def priorities(frame, weights=None, object=None, painted=None):
 def ranks(frame, runs, priority):
     """(R,) uint32: the order in which Runs go before each other, given the priority of each path."""
     return native.load().rank_runs(frame.clipped, runs, priority, frame.paths.ids)
+
+
+def bands(frame, runs, ranks, half_width_px):
+    """The native Elision of Runs: what they want for themselves; see `elide` of the backends."""
+    return native.load().Elision(frame.clipped, runs, ranks, half_width_px, _HANDS_OVER * frame.view.reference_scale)
 
 
 def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
@@ -236,7 +241,7 @@ class Backend:
     def elide(self, frame, runs, ranks, half_width_px, cancel=None, **options):
         """(samples,) float32 in [0, 1]: what elision leaves of the opacity of Runs, given their `ranks` and half the
         distance in pixels that they want to keep from others at each sample; options of native Elision.opacities."""
-        elision = native.load().Elision(frame.clipped, runs, ranks, half_width_px)
+        elision = bands(frame, runs, ranks, half_width_px)
         crowding = elision.crowding(frame.view.width, frame.view.height, cancel)
         return elision.opacities(frame.clipped, crowding, **options)
 

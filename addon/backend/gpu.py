@@ -4,7 +4,7 @@ import gpu
 import numpy as np
 
 from .. import native
-from .cpu import depth_layouts, strokes_reach
+from .cpu import bands, depth_layouts, strokes_reach
 from .gpu_atlas import Atlas
 from .gpu_clock import Clock
 from .gpu_elision import ElisionPass, border_of
@@ -109,7 +109,7 @@ class Backend:
     def elide(self, frame, runs, ranks, half_width_px, cancel=None, **options):
         """(samples,) float32 in [0, 1]: what elision leaves of the opacity of Runs; as the cpu backend's."""
         self.clock.start()
-        elision = native.load().Elision(frame.clipped, runs, ranks, half_width_px)
+        elision = bands(frame, runs, ranks, half_width_px)
         self.clock.mark("bands")
         passes = ElisionPass(self._programs, elision, self.batch_samples)
         for box in boxes(frame.view.width, frame.view.height, self._elision_side(elision)):

@@ -22,7 +22,7 @@ class ElisionPass:
     """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that they hold."""
 
     def __init__(self, programs, elision, batch_samples):
-        self._programs, self._border = programs, border_of(elision)
+        self._programs, self._border, self._reach = programs, border_of(elision), elision.reach_px
         owners = elision.owner
         self._most_rank = float(owners[:, 2].max(initial=0.0))
         self._bands = None
@@ -58,6 +58,7 @@ class ElisionPass:
                     most_rows=native.load().ELISION_ROWS,
                     window_length=native.load().ELISION_LENGTH_PX,
                     end_reach=native.load().ELISION_END_REACH,
+                    reach=self._reach,
                 )
         clock.mark("samples", self._batches[-1].target)
 

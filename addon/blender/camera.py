@@ -9,16 +9,27 @@ from .problem import CannotDraw
 
 def of_render(engine, depsgraph):
     """The View of a final render, border and resolution percentage included."""
+    camera = _checked(engine.camera_override or depsgraph.scene.camera).evaluated_get(depsgraph)
+    return _of_frame(camera, engine_matrix(engine, camera), depsgraph, engine.resolution_x, engine.resolution_y)
+
+
+def of_scene(depsgraph, camera=None):
+    """The View of what a final render would show from a camera, the scene's where none is named."""
     render = depsgraph.scene.render
-    width, height = engine.resolution_x, engine.resolution_y
-    camera = engine.camera_override or depsgraph.scene.camera
-    camera = _checked(camera).evaluated_get(depsgraph)
+    camera = _checked(camera or depsgraph.scene.camera).evaluated_get(depsgraph)
+    size = (render.resolution_x, render.resolution_y)
+    width, height = (side * render.resolution_percentage // 100 for side in size)
+    return _of_frame(camera, camera.matrix_world.normalized(), depsgraph, width, height)
+
+
+def _of_frame(camera, camera_to_world, depsgraph, width, height):
+    render = depsgraph.scene.render
     full = camera.calc_matrix_camera(
         depsgraph, x=width, y=height, scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y
     )
     left, bottom, right, top = _border(render, width, height)
     return View(
-        world_to_view=np.linalg.inv(np.array(engine_matrix(engine, camera), np.float64)),
+        world_to_view=np.linalg.inv(np.array(camera_to_world, np.float64)),
         view_to_clip=_crop(width, height, left, bottom, right, top) @ np.array(full, np.float64),
         width=right - left,
         height=top - bottom,

@@ -7,9 +7,10 @@ Blender's context, so it draws while the region is drawn.
 """
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import bpy
+import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import budget, native, pipeline
@@ -114,8 +115,7 @@ class Viewport:
         scene = self.changes.read(engine, depsgraph, context.space_data)
         backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
         options = pipeline.Options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
-        seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
-        key = (scene.version, seen, options, backend.name)
+        key = (scene.version, _seen(view), options, backend.name)
         if self.wanted is None or self.wanted.key != key:
             self.wanted = _Wanted(key, view, scene, options, backend)
 
@@ -197,6 +197,12 @@ def _made(wanted, quality, tell, cancel):
     style = budget.simplified(wanted.scene.style, chosen)
     image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
     return _Picture(wanted, quality, image)
+
+
+def _seen(view):
+    """A View, to be compared."""
+    plain = {field.name: getattr(view, field.name) for field in fields(view)}
+    return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in plain.values())
 
 
 def _change():

@@ -65,7 +65,10 @@ def _parser():
     add("--hidden-by", type=_surfaces, metavar="A-B", help="of hidden lines, those that A to B surfaces hide: 1, 2-3, 4-")
     add("--halo", type=_pixels, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
     add("--overshoot", type=_pixels, metavar="PX", help="how far lines go on beyond their ends, alike")
-    add("--focus", type=_focus, metavar="U,V|X,Y,Z", help="where to look: 0..1 from the left and the top, or in space")
+    focus = parser.add_mutually_exclusive_group()
+    where = "where to look: 0..1 from the left and the top, or in space, or an object's surface, by its name"
+    focus.add_argument("--focus", type=_focus, metavar="U,V|X,Y,Z|OBJECT", help=where)
+    focus.add_argument("--focus-painted", metavar="ATTRIBUTE", help="what is in focus is painted on the meshes")
     add("--focus-radii", type=_radii, metavar="NEAR,FAR", help="in focus up to, out of it from: heights, or units")
     add("--effects", type=lambda text: text.split(","), metavar="A,B", help="only these effects answer to focus")
     add("--uniform", choices=("lines", "colors", "both"), help="what is the same all over, wherever one looks")
@@ -101,7 +104,7 @@ def _check_sheet(options):
     options.size = options.size or TILE
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
-    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "focus", "elision")
+    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "focus", "focus_painted", "elision")
     for other in others:
         if getattr(options, other):
             raise ValueError(f"a sheet has no --{other.replace('_', '-')}")
@@ -135,7 +138,10 @@ def _numbers(text, counts, what):
 
 
 def _focus(text):
-    return _numbers(text, (2, 3), "U,V in the image or X,Y,Z in space")
+    """Two or three numbers; what is no number is a name."""
+    if re.search(r"[^\W\d]", re.sub(r"(?<=[\d.])[eE](?=[-+\d])", "", text)):
+        return text
+    return _numbers(text, (2, 3), "U,V in the image, X,Y,Z in space, or an object's name")
 
 
 def _radii(text):

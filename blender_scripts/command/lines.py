@@ -10,9 +10,6 @@ import numpy as np
 from . import assignment, draw_options, eye, obj, package
 from .target import say
 
-UNSET = 0xFFFFFFFF
-MOST_SURFACES = 255  # that are told apart
-
 
 def lines(target, words):
     options = parse(words)
@@ -65,9 +62,10 @@ def extract(native, options):
     tracer, view_to_object = _look(native, surface, polygons.positions, options)
     paths = native.extract_paths(tracer, [(kinds, options.corner_angle)])
     if options.visible:
-        arrays = _seen(native, paths, tracer, view_to_object, options.hidden)
+        arrays = importlib.import_module("addon.line_arrays").seen(paths, tracer, view_to_object, options.hidden)
     else:
         arrays = _whole(paths, surface, polygons.positions, view_to_object)
+    del arrays["path"]  # one model, one definition: its number tells nothing that path_id does not
     return arrays | {"definition": np.array(options.definition)}, surface.report, surface.fields_reason
 
 
@@ -116,44 +114,10 @@ def _look(native, surface, positions, options):
 
 
 def _whole(paths, surface, positions, view_to_object):
-    """What the file holds of paths; points on edges in the model's own double precision, from where they lie on them.
-    Lines of the image come in view space."""
-    points = paths.points_obj.astype(np.float64)
+    """What the file holds of paths; points on edges in the model's own double precision, from where they lie on them."""
+    found = importlib.import_module("addon.line_arrays").whole(paths, view_to_object)
     on_edge = paths.place < len(surface.edges)
     ends = positions[surface.edges[paths.place[on_edge]]]
     t = paths.edge_t[on_edge, None].astype(np.float64)
-    points[on_edge] = (1 - t) * ends[:, 0] + t * ends[:, 1]
-    in_image = np.repeat(paths.placement == UNSET, np.diff(paths.offsets))
-    points[in_image] = _placed(points[in_image], view_to_object)
-    return {
-        "points": points,
-        "offsets": paths.offsets.astype(np.int64),
-        "closed": paths.closed.astype(bool),
-        "path_id": paths.ids,
-        "strength": paths.strength,
-    }
-
-
-def _seen(native, paths, tracer, view_to_object, with_hidden):
-    """What the file holds of visible runs, and of hidden ones: those that some surfaces hide, by how many."""
-    clipped = native.project(paths, tracer)
-    runs = native.exact_visibility(clipped, paths, tracer)
-    if with_hidden:
-        parts = native.with_hidden(clipped, runs, paths)
-        runs = native.count_invisibility(clipped, paths, tracer, parts, MOST_SURFACES)
-    found = native.compact(clipped, paths, runs)
-    return {
-        "points": _placed(found.position_view.astype(np.float64), view_to_object),
-        "px": found.px,
-        "offsets": found.offsets.astype(np.int64),
-        "closed": found.closed.astype(bool),
-        "path_id": found.path_id,
-        "invisibility": found.invisibility,
-        "arc_px": found.arc_px,
-        "strength": found.strength,
-        "kinds": found.kinds,
-    }
-
-
-def _placed(points, matrix):
-    return points @ matrix[:3, :3].T + matrix[:3, 3]
+    found["points"][on_edge] = (1 - t) * ends[:, 0] + t * ends[:, 1]
+    return found

@@ -18,12 +18,12 @@ struct Elision {
 };
 
 std::shared_ptr<Elision> prepare(const ClippedPaths& clipped, const Runs& runs, const Arg<Index>& rank_of_run,
-                                 const Arg<float>& half_width_px) {
+                                 const Arg<float>& half_width_px, float reach_px) {
     const auto ranks = borrow<Index>(rank_of_run, "ranks");
     const auto half_width = borrow<float>(half_width_px, "half_width_px");
     py::gil_scoped_release release;
     auto elision = std::make_shared<Elision>();
-    elision->own = own_bands(clipped, runs, ranks, half_width);
+    elision->own = own_bands(clipped, runs, ranks, half_width, reach_px);
     elision->bands = draw_bands(clipped, runs, ranks, elision->own);
     return elision;
 }
@@ -108,14 +108,17 @@ void bind_elision(py::module_& m) {
     };
     py::class_<Elision, std::shared_ptr<Elision>>(
         m, "Elision", "Bands of runs, of V corners, and the D atlas samples that runs cover; see native/elision.")
-        .def(py::init(&prepare), py::arg("clipped"), py::arg("runs"), py::arg("ranks"), py::arg("half_width_px"),
-             "ranks (R,) uint32 of rank_runs; half_width_px (samples,) float32, half the distance to others.")
+        .def(py::init(&prepare), py::arg("clipped"), py::arg("runs"), py::arg("ranks"), py::arg("half_width_px"), py::arg("reach_px"),
+             "ranks (R,) uint32 of rank_runs; half_width_px (samples,) float32, half the distance to others; reach_px: "
+             "how far before its end a line hands over to one that goes on.")
         .def_property_readonly("place", own(&OwnBands::place), "(D, 4) float32: pixel position, direction")
         .def_property_readonly("band", own(&OwnBands::band),
                                "(D, 4) float32: half width, rank, pixels to the run's ends")
         .def_property_readonly("ends", own(&OwnBands::ends), "(D, 4) float32: where the run starts, and where it ends")
+        .def_property_readonly("reach_px", [](const Elision& elision) { return elision.own.reach_px; },
+                               "pixels from its end over which a band hands over to a line that goes on")
         .def_property_readonly("px", bands(&Bands::px), "(V, 2) float32")
-        .def_property_readonly("across", bands(&Bands::across), "(V, 2) float32: pixels across, half width")
+        .def_property_readonly("across", bands(&Bands::across), "(V, 3) float32: pixels across, half width, how near the end is")
         .def_property_readonly("owner", bands(&Bands::owner), "(V, 3) float32: unit vector across, rank")
         .def_property_readonly("triangles", bands(&Bands::triangles), "(T, 3) uint32, the highest rank first")
         .def("crowding", &crowding_of, py::arg("width"), py::arg("height"), py::arg("cancel") = py::none(),

@@ -62,6 +62,9 @@ class Band {
         begin_ = std::max(first, Index(at - arcs) - (at > arcs + first ? 1 : 0));
         find_knots(Index(run));
         if (knots_.empty()) return;
+        run_start_ = start_;
+        run_end_ = end_;
+        reach_ = std::max(1e-6, std::min(double(own_.reach_px), 0.5 * (end_ - start_)));
         pull_back();
         knot_ = 0;
         has_before_ = false;
@@ -94,6 +97,19 @@ class Band {
         return glm::mix(a.half, b.half, (arc - a.arc) / (b.arc - a.arc));
     }
 
+    double near_end(double arc) const {
+        return std::max(0.0, 1.0 - (run_end_ - arc) / reach_) - std::max(0.0, 1.0 - (arc - run_start_) / reach_);
+    }
+
+    /// Where after an arc length, at the latest, something stops being linear.
+    double next_bend(double arc, double last) const {
+        double next = last;
+        if (knot_ + 1 < knots_.size()) next = std::min(next, std::max(knots_[knot_ + 1].arc, arc));
+        for (const double bend : {run_start_ + reach_, run_end_ - reach_})
+            if (bend > arc) next = std::min(next, bend);
+        return next > arc ? next : last;
+    }
+
     void add_segment(Index i, Bands& out) {
         const double from = std::max(start_, clipped_.arc_px[i]), to = std::min(end_, clipped_.arc_px[i + 1]);
         const dvec2 p = clipped_.px[i], way = dvec2(clipped_.px[i + 1]) - p;
@@ -101,44 +117,51 @@ class Band {
         if (!(to > from) || !(length > 0.0)) return;
         const auto place = [&](double arc) { return p + way * ((arc - clipped_.arc_px[i]) / arcs); };
         const dvec2 left = dvec2(-way.y, way.x) / length;
-        double arc = from, half = half_at(arc);
-        if (has_before_) fill_bend(place(arc), left, half, out);
+        double arc = from;
+        Side side{half_at(arc), near_end(arc)};
+        if (has_before_) fill_bend(place(arc), left, side, out);
         while (arc < to) {
-            const double next = knot_ + 1 < knots_.size() ? std::min(to, std::max(knots_[knot_ + 1].arc, arc)) : to;
-            const double begin = arc, half_begin = half;
-            arc = next > arc ? next : to;
-            half = half_at(arc);
-            add_quad(place(begin), place(arc), half_begin, half, left, out);
+            const double begin = arc;
+            const Side before = side;
+            arc = next_bend(arc, to);
+            side = {half_at(arc), near_end(arc)};
+            add_quad(place(begin), place(arc), before, side, left, out);
         }
         left_before_ = left;
         has_before_ = true;
     }
 
-    void corner(const dvec2& px, double v, double half, const dvec2& left, Bands& out) const {
+    /// A band at an arc length.
+    struct Side {
+        double half, near_end;
+    };
+
+    void corner(const dvec2& px, double v, const Side& side, const dvec2& left, Bands& out) const {
         out.px.push_back(vec2(px));
-        out.across.push_back(vec2(v, half));
+        out.across.push_back(vec3(v, side.half, side.near_end));
         out.owner.push_back(vec3(left, rank_));
     }
 
-    void add_quad(const dvec2& a, const dvec2& b, double half_a, double half_b, const dvec2& left, Bands& out) const {
+    void add_quad(const dvec2& a, const dvec2& b, const Side& at_a, const Side& at_b, const dvec2& left,
+                  Bands& out) const {
         const Index base = Index(out.px.size());
         for (const double side : {1.0, -1.0}) {
-            corner(a + left * (side * (half_a + 0.5)), side * (half_a + 0.5), half_a, left, out);
-            corner(b + left * (side * (half_b + 0.5)), side * (half_b + 0.5), half_b, left, out);
+            corner(a + left * (side * (at_a.half + 0.5)), side * (at_a.half + 0.5), at_a, left, out);
+            corner(b + left * (side * (at_b.half + 0.5)), side * (at_b.half + 0.5), at_b, left, out);
         }
         out.triangles.push_back({base, base + 1, base + 2});
         out.triangles.push_back({base + 2, base + 1, base + 3});
     }
 
-    void fill_bend(const dvec2& at, const dvec2& left, double half, Bands& out) const {
-        const double turn = left_before_.x * left.y - left_before_.y * left.x, reach = half + 0.5;
+    void fill_bend(const dvec2& at, const dvec2& left, const Side& here, Bands& out) const {
+        const double turn = left_before_.x * left.y - left_before_.y * left.x, reach = here.half + 0.5;
         if (std::abs(turn) * reach < 0.25 || glm::dot(left, left_before_) < -0.99) return;
         const double side = turn > 0.0 ? -1.0 : 1.0;
         const dvec2 middle = glm::normalize(left + left_before_);
         const Index base = Index(out.px.size());
-        corner(at, 0.0, half, middle, out);
-        corner(at + left_before_ * (side * reach), side * reach, half, middle, out);
-        corner(at + left * (side * reach), side * reach, half, middle, out);
+        corner(at, 0.0, here, middle, out);
+        corner(at + left_before_ * (side * reach), side * reach, here, middle, out);
+        corner(at + left * (side * reach), side * reach, here, middle, out);
         out.triangles.push_back({base, base + 1, base + 2});
     }
 
@@ -147,7 +170,9 @@ class Band {
     In<Index> ranks_;
     const OwnBands& own_;
     Index piece_ = 0, begin_ = 0;
-    double start_ = 0.0, end_ = 0.0;
+    double start_ = 0.0, end_ = 0.0;          // of the band
+    double run_start_ = 0.0, run_end_ = 0.0;  // of the run
+    double reach_ = 0.0;
     float rank_ = 0.0f;
     std::vector<Knot> knots_;
     std::size_t knot_ = 0;

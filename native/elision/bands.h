@@ -11,8 +11,9 @@ namespace fovea {
 /// their width before their run does.
 struct Bands {
     Array<vec2> px;
-    /// v: pixels across, positive to the left of the way, h: half the band's width.
-    Array<vec2> across;
+    /// v: pixels across, positive to the left of the way, h: half the band's width, e: how near the run's end is, from
+    /// 0 at OwnBands::reach_px, or half way along the run, to 1 there; negative towards the start.
+    Array<vec3> across;
     /// x, y: unit vector to the left of the way, z: rank. The same for the corners of a triangle.
     Array<vec3> owner;
     Array<glm::uvec3> triangles;

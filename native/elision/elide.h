@@ -21,7 +21,8 @@ inline constexpr float end_reach = 8.0f;
 /// A pixel is lost, in part where its owner covers it in part, if a line of higher rank has it that goes along: wholly
 /// at up to 30 degrees between the two, not at all from 60 on, so that lines cross. Lines that meet diverge: to the one
 /// in whose band the run ends it loses wholly up to 10 degrees, nothing from 25 on, so that corners stay closed. Ticks,
-/// runs shorter than half their band's width, lose at any angle; runs three times as long no more than others.
+/// runs shorter than half their band's width, lose at any angle; runs three times as long no more than others. A line
+/// that goes on beyond the end of another takes over from it there, so that none of the two is missing in between.
 ///
 /// Cole 2009, section 5.2.2, counts pixels of a square window against those expected; here the window lies along the
 /// line, and its places ask the pixels that they are in, so that it does not matter how the line lies in the grid.

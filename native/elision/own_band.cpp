@@ -106,7 +106,9 @@ void copy_to(const Array<T>& part, std::size_t base, Array<T>& all) {
 
 }  // namespace
 
-OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px) {
+OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
+                   float reach_px) {
+    check(reach_px > 0.0f, "elision: the reach of ends must be positive");
     check(half_width_px.size() == clipped.samples, "elision: one half width per atlas sample expected");
     check(ranks.size() == runs.size(), "elision: one rank per run expected");
     const Rows rows = runs_of_pieces(clipped, runs);
@@ -136,6 +138,7 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
             copy_to(parts[b].ends, bases[b], own.ends);
         },
         1);
+    own.reach_px = reach_px;
     return own;
 }
 

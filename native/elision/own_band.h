@@ -23,11 +23,15 @@ struct OwnBands {
     Array<vec4> band;
     /// Where the run starts (x, y) and ends (z, w) [px].
     Array<vec4> ends;
+    /// How far before its end a line begins to hand over to one that goes on there [px].
+    float reach_px = 0.0f;
 };
 
 /// `ranks`: per run (elision/rank.h). `half_width_px`: per atlas sample, half the width that a line wants there where
 /// it is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below 0, is
-/// 0.
-OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px);
+/// 0. `reach_px`: half again as far as what is left of lines is averaged over, since lines that begin where others end
+/// shall be whole there; above 0.
+OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
+                   float reach_px);
 
 }  // namespace fovea

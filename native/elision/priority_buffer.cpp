@@ -9,10 +9,11 @@
 namespace fovea {
 namespace {
 
-/// Cosine of twice the angle between two lines, given what is across them.
+/// Of the sign of the cosine of twice the angle between two lines.
 float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
-    const float c = (float(a.away_x) * float(b.away_x) + float(a.away_y) * float(b.away_y)) / (32767.0f * 32767.0f);
-    return 2.0f * c * c - 1.0f;
+    const vec2 u(a.away_x, a.away_y), v(b.away_x, b.away_y);
+    const float c = glm::dot(u, v);
+    return 2.0f * c * c - glm::dot(u, u) * glm::dot(v, v);
 }
 
 /// Bands come by falling rank, so that whoever is first stays.
@@ -31,20 +32,22 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
     const FixedTriangle shape(bands.px[c[0]], bands.px[c[1]], bands.px[c[2]]);
     const PixelBox box = intersect(shape.box(), tile);
     if (shape.empty() || box.empty()) return;
-    const OverTriangle<2> across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
+    const OverTriangle<3> across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
     const vec3 owner = bands.owner[c[0]];
-    const auto x = std::int16_t(std::lround(owner.x * 32767.0f)), y = std::int16_t(std::lround(owner.y * 32767.0f));
-    PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0};
+    PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0, 0};
     for (int row = box.y0; row < box.y1; ++row) {
         int begin = box.x0, end = box.x1;
         shape.span(row, begin, end);
         for (int column = begin; column < end; ++column) {
-            const vec2 place = across.at(column, row);
+            const vec3 place = across.at(column, row);
             const float coverage = std::min(1.0f, place.y + 0.5f - std::abs(place.x));
             texel.coverage = std::uint8_t(std::max(0.0f, coverage) * 255.0f + 0.5f);
             if (texel.coverage == 0) continue;
-            texel.away_x = place.x < 0.0f ? std::int16_t(-x) : x;
-            texel.away_y = place.x < 0.0f ? std::int16_t(-y) : y;
+            const float length = 1.0f - 0.5f * std::min(1.0f, std::abs(place.z));
+            const float away = std::copysign(PriorityTexel::away_unit * length, place.x);
+            texel.right = (place.z > 0.0f) == (away > 0.0f);
+            texel.away_x = int(std::lround(owner.x * away));
+            texel.away_y = int(std::lround(owner.y * away));
             put(buffer, std::size_t(row) * buffer.width + column, texel);
         }
     }

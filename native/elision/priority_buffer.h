@@ -11,8 +11,12 @@ struct PriorityTexel {
     std::uint32_t rank : 23;     ///< 0: nobody's; tells the line (elision/rank.h)
     std::uint32_t crossed : 1;   ///< 1 where there is another band in the layer behind
     std::uint32_t coverage : 8;  ///< share of the pixel that the band covers, of 255
-    /// Unit vector across the line, away from its middle towards the pixel's centre, of 32767.
-    std::int16_t away_x, away_y;
+    /// Vector across the line, away from its middle towards the pixel's centre, of `away_unit`; its length is 1, and
+    /// towards the ends of the band falls to .5 (Bands::across).
+    std::int32_t away_x : 15, away_y : 15;
+    std::uint32_t right : 1;  ///< 1 where the nearer end of the band lies to the right of `away`
+
+    static constexpr float away_unit = 16383.0f;
 };
 
 /// Two layers, so that a line that merely crosses does not hide one that goes along: `first` is the band of highest

@@ -50,7 +50,7 @@ struct Sheet {
         }
         return rank_runs(clipped, runs, priority, id);
     }
-    OwnBands own(In<float> half_widths) const { return own_bands(clipped, runs, ranks(), half_widths); }
+    OwnBands own(In<float> half_widths) const { return own_bands(clipped, runs, ranks(), half_widths, 6.0f * step_px); }
     OwnBands own() const { return own(std::vector<float>(clipped.samples, half_width)); }
     PriorityBuffer buffer(const OwnBands& own) const {
         return draw_priorities(draw_bands(clipped, runs, ranks(), own), width, height);

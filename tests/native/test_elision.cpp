@@ -128,6 +128,34 @@ TEST(Elision, OneLineAfterTheOtherDoNotCrowd) {
         }
 }
 
+TEST(Elision, ALineThatGoesOnTakesOverWhereAnotherEnds) {
+    // The higher one ends at the middle, the lower one begins some way before, beside it, and goes on.
+    for (int k = 0; k < 32; ++k)
+        for (const double beside : {0.0, 1.0})
+            for (const double overlap : {0.0, 4.0, 10.0, 20.0}) {
+                const double angle = k * pi / 16.0 + 0.03;
+                const vec2 along(float(std::cos(angle)), float(std::sin(angle)));
+                const vec2 left(-along.y, along.x), end(100.3f, 80.1f), aside = left * float(beside);
+                Sheet sheet;
+                sheet.half_width = 1.5f;
+                sheet.line({end - along * 60.0f, end});
+                sheet.line({end + aside - along * float(overlap), end + aside + along * 60.0f});
+                const std::vector<float> left_of_it = sheet.of(1, sheet.scores());
+                for (std::size_t s = 0; s < left_of_it.size(); ++s) {
+                    const double beyond = (double(s) + 0.5) * (60.0 + overlap) / double(left_of_it.size()) - overlap;
+                    if (beyond < 0.0) continue;
+                    EXPECT_GT(left_of_it[s], 0.9f) << k << " " << beside << " " << overlap << " " << s;
+                }
+            }
+}
+
+TEST(Elision, ALineThatEndsWithAnotherDoesNotTakeOver) {
+    const Sheet sheet = two_lines(0.3, 1.0, 3.0f);
+    const std::vector<float> left = sheet.of(1, sheet.scores());
+    EXPECT_NEAR(left.front(), left[left.size() / 2], 0.1);
+    EXPECT_NEAR(left.back(), left[left.size() / 2], 0.1);
+}
+
 TEST(Elision, HiddenRunsGoBelowVisibleOnes) {
     Sheet sheet;
     sheet.line(Sheet::through({100.0f, 82.0f}, 0.0, 90.0), 1);
@@ -246,8 +274,8 @@ TEST(Elision, TheBufferHoldsTheHighestAndTheNextThatCrossesIt) {
     EXPECT_EQ(buffer.first[0].rank, 0u);
     EXPECT_FALSE(buffer.first[80 * 200 + 80].crossed);
     // Away from the middle of the line is down below it, and up above.
-    EXPECT_LT(buffer.first[78 * 200 + 80].away_y, -32000);
-    EXPECT_GT(buffer.first[82 * 200 + 80].away_y, 32000);
+    EXPECT_LT(buffer.first[78 * 200 + 90].away_y, -0.99f * PriorityTexel::away_unit);
+    EXPECT_GT(buffer.first[82 * 200 + 90].away_y, 0.99f * PriorityTexel::away_unit);
 }
 
 TEST(Elision, LinesThatMeetStayClosedDownToAcuteCorners) {

@@ -39,6 +39,14 @@ def test_hidden_lines_are_chosen_by_what_hides_them(text, surfaces):
     assert draw_options.parse(["--hidden-by", text]).hidden_by == surfaces
 
 
+@pytest.mark.parametrize(
+    "text, where",
+    [("0.4,.5", (0.4, 0.5)), ("1,-2e1,+3", (1.0, -20.0, 3.0)), ("Suzanne", "Suzanne"), ("Box.001", "Box.001"), ("Tür 2", "Tür 2")],
+)
+def test_focus_is_a_place_or_an_object(text, where):
+    assert draw_options.parse([f"--focus={text}"]).focus == where
+
+
 def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
     options = draw_options.parse(["demo"])
     assert (options.visibility, options.probes, options.depth_scale, options.layers) == (None,) * 4
@@ -64,6 +72,10 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
         (["--sheet", "--hidden"], "a sheet has no --hidden"),
         (["--hidden-by", "0"], "not FIRST-LAST"),
         (["--hidden-by", "3-2"], "not FIRST-LAST"),
+        (["--focus", "0.5"], "X,Y,Z in space, or an object's name"),
+        (["--focus", "1,2,3,4"], "X,Y,Z in space, or an object's name"),
+        (["--focus", "0.5,0.5", "--focus-painted", "focus"], "not allowed with"),
+        (["--sheet", "--focus-painted", "focus"], "a sheet has no --focus-painted"),
         (["--halo", "wide"], "'wide' is not a number of pixels"),
     ],
 )

@@ -48,6 +48,7 @@ PARTS = {
     "color": "style",
     "papers": "backend/cpu",
     "catalogue": "native",
+    "line_arrays": "native",
     "textures": "backend/cpu style stages",
     "backend/cpu": "native stages",
     "backend/gpu": "backend/cpu backend/gpu native stages",
@@ -55,11 +56,11 @@ PARTS = {
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
     "budget": "focus",
-    "blender": "blender backend budget catalogue color elision focus native pipeline stages style textures",
+    "blender": "blender backend budget catalogue color elision focus line_arrays native pipeline stages style textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
-LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|blender/(scene|session|viewport))\.py"
+LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|blender/(api|scene|session|viewport))\.py"
 
 
 def violations(root):
