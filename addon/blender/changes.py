@@ -36,7 +36,7 @@ class Changes:
         if subdivision.is_echo(updates):
             return
         self._told = True
-        self._must_read = self._must_read or not len(updates) or not all(map(_is_harmless, updates))
+        self._must_read = self._must_read or not _are_harmless(list(updates))
 
     def read(self, engine, depsgraph, space):
         """The Scene as it is now, for a SpaceView3D."""
@@ -58,10 +58,17 @@ class Changes:
         return self._scene
 
 
-def _is_harmless(update):
+def _are_harmless(updates):
+    """Whether updates leave alone what is read of the scene. With a scene its objects are reported, as shaded anew."""
+    of_scene = any(isinstance(update.id, bpy.types.Scene) for update in updates)
+    return bool(updates) and all(_is_harmless(update, of_scene) for update in updates)
+
+
+def _is_harmless(update, of_scene):
     data = update.id
     if isinstance(data, bpy.types.Object):
-        return data.type == "CAMERA" or not (update.is_updated_geometry or update.is_updated_transform)
+        moved = update.is_updated_geometry or update.is_updated_transform
+        return data.type == "CAMERA" or (of_scene and not moved)
     return isinstance(data, HARMLESS)
 
 

@@ -36,9 +36,9 @@ REMARKS = {  # what a surface's report counts
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, backend, visibility (the method in words), strokes, triangles, curvature {object: how it was estimated, and
-    why; where a line needed it}, and lines_s: the seconds from Blender's evaluated meshes (reading them and building
-    what rays need included) to visible runs."""
+    """Of the last picture: stages {name: ms}, backend, visibility (the method in words), strokes, triangles, curvature
+    {object: how it was estimated, and why; where a line needed it}, and lines_s: the seconds from Blender's evaluated
+    meshes (reading them and building what rays need included) to visible runs."""
     return dict(_statistics)
 
 

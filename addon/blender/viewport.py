@@ -1,9 +1,9 @@
 """A 3D viewport in Rendered shading: drawn within a budget while something changes, refined when it rests.
 
-Pictures are drawn beside the interface (worker.py) from what was read of the scene, which is read again only when Blender
-reports that something of it has changed (changes.py). A draw of the region waits a little for its picture, then shows
-the last one there is. A timer looks after what is under way; where nothing is, there is no timer. The gpu backend needs
-Blender's context, so it draws while the region is drawn.
+Pictures are drawn beside the interface (worker.py) from what was read of the scene, which is read again only when
+Blender reports that something of it has changed (changes.py). A draw of the region waits a little for its picture, then
+shows the last one there is; the rest is up to caretaker.py. The gpu backend needs Blender's context, so it draws while
+the region is drawn.
 """
 
 import time
@@ -15,17 +15,10 @@ from bpy.app.handlers import persistent
 
 from .. import budget, native, pipeline
 from ..backend import gpu_program, gpu_viewport
-from . import camera, changes, methods, session, viewport_settings, worker
+from . import camera, caretaker, changes, methods, session, viewport_settings, worker
 
 PATIENCE = 0.25  # seconds that draws of the region wait for a picture
-REST = 0.2  # seconds without a change after which a picture is refined
-MOST_REST = 1.0  # seconds between two changes of one movement
-TICK = 0.02  # seconds between looks at what is under way
-WORD = 0.3  # seconds between words about it in the header
-
-_pending = {}  # Viewport that has something under way -> its engine
-_changed_at = 0.0  # when a viewport last had to show something else
-_rest = REST  # seconds after which it counts as resting; longer where changes come slowly
+WORD = 0.3  # seconds between words in the header about what is under way
 
 
 @dataclass(frozen=True)
@@ -91,9 +84,9 @@ class Viewport:
             self._want(engine, context, depsgraph, view)
             self._draw(engine, viewport_settings.budget_ms(depsgraph.scene), start + PATIENCE)
             if self.wanted is not before:
-                _change()
+                caretaker.note_change()
         if not self.is_final():
-            _look_after(self, engine)
+            caretaker.look_after(self, engine)
         if self.shown:
             size = context.region.width, context.region.height
             self.shown.image.show(self._programs, engine, depsgraph.scene, *size)
@@ -125,7 +118,7 @@ class Viewport:
             self._start(self.budget.choose(budget_ms, self.shown and self.shown.quality), draft=True)
             if self.job.wait(deadline - time.monotonic()):
                 self._take(engine)
-        elif self.job is None and not self._in_thread() and not self.is_final() and _rests():
+        elif self.job is None and not self._in_thread() and not self.is_final() and caretaker.rests():
             self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
             self._take(engine)
 
@@ -161,7 +154,7 @@ class Viewport:
         """What is to be done between draws of the region; whether to come again."""
         job = self.job
         if job is None:
-            if worker.running() or (self._is_current() and not _rests()):
+            if worker.running() or (self._is_current() and not caretaker.rests()):
                 return True
             if self._is_current() and self._in_thread():
                 self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
@@ -205,48 +198,11 @@ def _seen(view):
     return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in plain.values())
 
 
-def _change():
-    global _changed_at, _rest
-    gap, _changed_at = time.monotonic() - _changed_at, time.monotonic()
-    _rest = max(REST, 1.5 * gap) if gap < MOST_REST else REST
-
-
-def _rests():
-    """Whether nothing changes in any viewport."""
-    return time.monotonic() > _changed_at + _rest
-
-
-def _look_after(viewport, engine):
-    _pending[viewport] = engine
-    if not bpy.app.timers.is_registered(_tick):
-        bpy.app.timers.register(_tick, first_interval=TICK)
-
-
-def _tick():
-    for viewport, engine in list(_pending.items()):
-        if not _exists(engine):
-            viewport.stop()
-        elif viewport.look_after(engine):
-            continue
-        del _pending[viewport]
-    return TICK if _pending else None
-
-
-def _exists(engine):
-    """Whether Blender still has the engine of a viewport."""
-    try:
-        return engine.is_preview is not None
-    except ReferenceError:
-        return False
-
-
 @persistent
 def _stop(*_arguments):
     """Ends all that is under way: another file comes, or the add-on goes."""
     worker.stop()
-    _pending.clear()
-    if bpy.app.timers.is_registered(_tick):
-        bpy.app.timers.unregister(_tick)
+    caretaker.stop()
 
 
 def register():

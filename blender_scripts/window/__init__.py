@@ -23,8 +23,8 @@ class Played:
 
 
 def play(blender, environment, file, scenario, folder, words=(), *, size=(960, 540), simulate=False, timeout=150):
-    """Runs a scenario (a generator function of a Python file; it gets the folder and the words) in a window that fills a
-    screen of that size. `simulate`: it makes events of its own; Blender never sleeps then. Needs xvfb-run."""
+    """Runs a scenario (a generator function of a Python file; it gets the folder and the words) in a window that fills
+    a screen of that size. `simulate`: it makes events of its own; Blender never sleeps then. Needs xvfb-run."""
     out, (width, height) = folder / "out.json", map(str, size)
     # Tests of several Blenders run side by side, each blind to the other's processes.
     number = str(random.SystemRandom().randrange(1000, 30000))

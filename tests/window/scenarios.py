@@ -16,7 +16,7 @@ from watch import Watch
 from window import screen
 
 SHARED = Path(__file__).parents[3] / "shared"
-camera, viewport = part("blender.camera"), part("blender.viewport")
+camera, caretaker = part("blender.camera"), part("blender.caretaker")
 
 
 def opened(spec=None):
@@ -136,7 +136,8 @@ def coarse(watch):
     budget.Budget.choose = old
     yield from watch.refined()
     final = screen.picture()
-    apart = [float(np.abs(blurred(np.roll(draft, by, axis)) - blurred(final)).mean()) for by, axis in ((0, 0), (4, 0), (4, 1))]
+    shifted = (np.roll(draft, by, axis) for by, axis in ((0, 0), (4, 0), (4, 1)))
+    apart = [float(np.abs(blurred(image) - blurred(final)).mean()) for image in shifted]
     return {"quality": chosen, "apart": apart, "ink": [float((1 - image).mean()) for image in (draft, final)]}
 
 
@@ -149,7 +150,8 @@ def blurred(image):
 def passepartout(overlay):
     """Of all overlays only what darkens what the camera does not see."""
     overlay.show_overlays = True
-    for name in ("floor", "axis_x", "axis_y", "cursor", "relationship_lines", "outline_selected", "object_origins", "text"):
+    others = "floor axis_x axis_y cursor relationship_lines outline_selected object_origins text"
+    for name in others.split():
         setattr(overlay, f"show_{name}", False)
     for obj in bpy.context.scene.objects:
         obj.select_set(False)
@@ -184,7 +186,7 @@ def orbit(folder):
     refined = watch.of(screen.area()).shown.quality
     watch.reset()
     yield 2.0
-    idle = {"draws": watch.draws, "timer": bpy.app.timers.is_registered(viewport._tick), "threads": threads()}
+    idle = {"draws": watch.draws, "timer": bpy.app.timers.is_registered(caretaker.tick), "threads": threads()}
     turn(-90)
     yield from watch.refined()
     back = float(np.abs(screen.picture() - at_rest)[16:].mean())
@@ -247,7 +249,7 @@ def operators(folder):
 
 def is_calm():
     """Whether nothing is under way."""
-    return not threads() and not bpy.app.timers.is_registered(viewport._tick)
+    return not threads() and not bpy.app.timers.is_registered(caretaker.tick)
 
 
 def shapes(folder):
@@ -371,14 +373,15 @@ def switching(folder):
 
 def leftovers():
     """What an add-on may leave behind in Blender."""
-    classes = [cls.__name__ for kind in (bpy.types.PropertyGroup, bpy.types.Panel, bpy.types.Operator, bpy.types.RenderEngine)
-               for cls in kind.__subclasses__() if getattr(cls, "is_registered", False)]  # fmt: skip
-    handlers = {name: len(found) for name in dir(bpy.app.handlers) if isinstance(found := getattr(bpy.app.handlers, name), list)}
+    kinds = (bpy.types.PropertyGroup, bpy.types.Panel, bpy.types.Operator, bpy.types.RenderEngine)
+    classes = [cls for kind in kinds for cls in kind.__subclasses__() if getattr(cls, "is_registered", False)]
+    handlers = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
+    owners = [getattr(bpy.types, kind) for kind in ("Scene", "Object", "Material")]
     return {
-        "classes": sorted(classes),
-        "handlers": handlers,
-        "properties": sorted(name for kind in ("Scene", "Object", "Material") for name in dir(getattr(bpy.types, kind))),
-        "timer": bpy.app.timers.is_registered(viewport._tick),
+        "classes": sorted(cls.__name__ for cls in classes),
+        "handlers": {name: len(found) for name, found in handlers.items() if isinstance(found, list)},
+        "properties": sorted(name for owner in owners for name in dir(owner)),
+        "timer": bpy.app.timers.is_registered(caretaker.tick),
         "threads": threads(),
     }
 

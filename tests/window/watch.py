@@ -1,4 +1,4 @@
-"""What the add-on does in its viewports, from inside: how often it draws and reads the scene, and when it is through."""
+"""What the add-on does in its viewports, from inside: how often it draws and reads the scene, when it is through."""
 
 import time
 

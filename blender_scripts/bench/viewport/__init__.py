@@ -1,9 +1,10 @@
 """`fovea bench viewport`: the 3D view in Rendered shading beside Solid, in a window under Xvfb, overlays off.
 
-Both orbit in turns in one process. `first`: from switching to Rendered to the first picture; `refined`: to the final one.
-`solid` and `fovea`: a frame of the orbit, medians. `drawing`: the longest that Fovea held the interface up, and `block`
-the longest frame or turn of Blender's main loop, software OpenGL included, from switching to Rendered until the orbit's
-last picture was refined. `idle`: share of a core at rest, `idle_solid` the same in Solid; and how often the viewport was drawn then."""
+Both orbit in turns in one process. `first`: from switching to Rendered to the first picture; `refined`: to the final
+one. `solid` and `fovea`: a frame of the orbit, medians. `drawing`: the longest that Fovea held the interface up, and
+`block` the longest frame or turn of Blender's main loop, software OpenGL included, from switching to Rendered until the
+orbit's last picture was refined. `idle`: share of a core at rest, `idle_solid` the same in Solid; and how often the
+viewport was drawn then."""
 
 import argparse
 import sys
@@ -39,7 +40,8 @@ def main(words, blender, environment, shared: Path | None) -> int:
     options, rows, failed = parse(words), [], False
     for spec in options.scenes:
         print(f"fovea: {spec}", file=sys.stderr, flush=True)
-        asked, how = (spec, shared or "", options.frames, options.style), {"size": options.size, "timeout": options.timeout}
+        asked = spec, shared or "", options.frames, options.style
+        how = {"size": options.size, "timeout": options.timeout}
         with tempfile.TemporaryDirectory() as folder:
             try:
                 played = window.play(blender, environment, SCENARIO, "measure", Path(folder), asked, **how)

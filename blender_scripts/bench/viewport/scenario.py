@@ -49,11 +49,13 @@ def measure(_folder, spec, shared, frames, style):
     orbit(view, 5)
     yield from refined(clock)
     solid, fovea = (statistics.median(times[shading]) for shading in ("SOLID", "RENDERED"))
-    told |= {"solid_ms": solid, "fovea_ms": fovea, "ratio": fovea / solid, "drawing_ms": clock.drawing, "block_ms": clock.block}
+    told |= {"solid_ms": solid, "fovea_ms": fovea, "ratio": fovea / solid}
+    told |= {"drawing_ms": clock.drawing, "block_ms": clock.block}
     clock.draws = 0
     yield from screen.rest(0.5)
     told |= {"idle": (yield from idle()), "idle_draws": clock.draws}
-    return {name: round(value, 2) if isinstance(value, float) else value for name, value in told.items()} | {"stages": stages}
+    rounded = {name: round(value, 2) if isinstance(value, float) else value for name, value in told.items()}
+    return rounded | {"stages": stages}
 
 
 def orbit(view, frames):
