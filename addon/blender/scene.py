@@ -10,6 +10,7 @@ import numpy as np
 from . import materials, repair, subdivision
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
+VIEWPORTS = 4  # that keep what only they show
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 
@@ -164,7 +165,8 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
             obj.to_mesh_clear()
         elif usage:
             gathering.add(step, obj, obj.data, instance, usage)
-    cache.end(len(depsgraph.scene.view_layers))
+    # View layers and viewports may show different parts of a scene, and take turns.
+    cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
     return gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
 
 

@@ -154,6 +154,8 @@ class Viewport:
         """What is to be done between draws of the region; whether to come again."""
         job = self.job
         if job is None:
+            if self.is_final():
+                return False
             if worker.running() or (self._is_current() and not caretaker.rests()):
                 return True
             if self._is_current() and self._in_thread():

@@ -279,7 +279,9 @@ def shapes(folder):
     told = {"read of a style": watch.read - reads}
     yield from steps.step("top", bpy.ops.view3d.view_axis, type="TOP")
     told["played"] = yield from play(watch, obj)
+    yield from screen.until(lambda: not watch.of(screen.area()).playing)
     yield from watch.refined()
+    told["after playing"] = watch.of(screen.area()).shown.quality
     told["two"] = yield from two_viewports(watch)
     pairs = ("shape", "wide"), ("boned", "posed"), ("posed", "paper"), ("paper", "top")
     told["differences"] = {f"{a}, {b}": steps.differ(a, b) for a, b in pairs}

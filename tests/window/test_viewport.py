@@ -45,6 +45,7 @@ def test_shapes_styles_playback_and_two_viewports(play):
     assert all(difference > 1e-4 for difference in found["differences"].values()), found
     assert found["read of a style"] == 0
     assert found["played"]["draws"] > 3 and found["played"]["read"] > 3
+    assert found["after playing"] == 0
     assert found["two"] == [0, 0]
     assert found["calm"]
 
