@@ -56,7 +56,9 @@ def of_pixels(frame, style, cancel):
 
 def colors_answer(layer, style):
     """Whether a colour layer (None: there is none) needs the focus of each pixel."""
-    return layer is not None and style.effects.colors == "emphasized" and style.focus.active()
+    effects = style.effects
+    strongest = max(effects.desaturation.strength, effects.fade.strength, effects.blur.strength)
+    return layer is not None and effects.colors == "emphasized" and strongest > 0 and style.focus.active()
 
 
 def on_color(layer, focus, frame, style):

@@ -14,12 +14,15 @@ class Picture:
         data = gpu.types.Buffer("FLOAT", flat.size, flat)
         self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=data)
 
-    def show(self, engine, scene):
-        """Fills the region, in the scene's display space."""
+    def show(self, programs, engine, scene, width, height):
+        """Fills a region of that size, in the scene's display space; `programs`: a gpu_program.Programs."""
         gpu.state.blend_set("ALPHA_PREMULT")
-        engine.bind_display_space_shader(scene)
-        draw_texture_2d(self._texture, (0, 0), self._texture.width, self._texture.height)
-        engine.unbind_display_space_shader()
+        if (self._texture.width, self._texture.height) == (width, height):
+            engine.bind_display_space_shader(scene)
+            draw_texture_2d(self._texture, (0, 0), width, height)
+            engine.unbind_display_space_shader()
+        else:
+            programs.cover("magnify", {"picture": self._texture}, region_size=(width, height))
         gpu.state.blend_set("NONE")
 
 

@@ -1,8 +1,8 @@
-"""The render engine: Blender's callbacks, each one call into the session."""
+"""The render engine: Blender's callbacks, each one call into the session or a viewport."""
 
 import bpy
 
-from . import gpu_context, session
+from . import gpu_context, session, viewport
 
 
 class FoveaEngine(bpy.types.RenderEngine):
@@ -13,7 +13,7 @@ class FoveaEngine(bpy.types.RenderEngine):
     bl_use_shading_nodes_custom = False
 
     backend = None  # made when first needed
-    drawing = None  # what this viewport shows
+    viewport = None  # what is kept for the viewport that this draws
 
     def update_render_passes(self, scene=None, renderlayer=None):
         session.register_passes(self, scene, renderlayer)
@@ -22,17 +22,19 @@ class FoveaEngine(bpy.types.RenderEngine):
         session.render(self, depsgraph)
 
     def view_update(self, context, depsgraph):
-        session.view_update(self, depsgraph)
+        viewport.update(self, depsgraph)
 
     def view_draw(self, context, depsgraph):
-        session.view_draw(self, context, depsgraph)
+        viewport.draw(self, context, depsgraph)
 
 
 def register():
     gpu_context.register(FoveaEngine)
     session.register()
+    viewport.register()
 
 
 def unregister():
+    viewport.unregister()
     session.unregister()
     gpu_context.unregister()

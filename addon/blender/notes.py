@@ -47,3 +47,9 @@ def attributes(style):
     if style.elision.enabled:
         wanted |= {style.elision.priority_attribute, style.elision.density_attribute}
     return sorted(wanted - {""})
+
+
+def asked(style, scene):
+    """What is asked of a scene besides its objects' priorities; where this is the same, so are the notes."""
+    image = scene.fovea.elision_density_image
+    return attributes(style), image and image.name_full

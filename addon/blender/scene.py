@@ -10,6 +10,7 @@ import numpy as np
 from . import materials, repair, subdivision
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
+VIEWPORTS = 4  # that keep what only they show
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 
@@ -164,8 +165,26 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
             obj.to_mesh_clear()
         elif usage:
             gathering.add(step, obj, obj.data, instance, usage)
-    cache.end(len(depsgraph.scene.view_layers))
+    # View layers and viewports may show different parts of a scene, and take turns.
+    cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
     return gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
+
+
+def placements(depsgraph, viewport):
+    """What is placed where in a viewport (its SpaceView3D), of which material, cameras aside; to be compared."""
+    shown = []
+    for instance in depsgraph.object_instances:
+        obj = instance.object
+        if obj.type == "CAMERA":
+            shown.append(None)
+            continue
+        owner = (instance.parent if instance.is_instance else None) or obj
+        worn = [slot.material and slot.material.name_full for slot in obj.material_slots]
+        seen = instance.show_self and owner.visible_in_viewport_get(viewport)
+        shown.append((owner.name_full, obj.name_full, seen, worn))
+    arrays = _instance_arrays(depsgraph.object_instances)
+    kept = np.array([told is not None for told in shown], np.bool_)
+    return shown, *(array[kept].tobytes() for array in arrays)
 
 
 def _instance_arrays(instances):

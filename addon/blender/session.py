@@ -1,7 +1,8 @@
-"""Renders and viewport redraws: what is kept between them, and what the user hears when one cannot be drawn.
+"""Renders, and what they share with viewports: what is kept between pictures, and what the user hears when one cannot
+be drawn.
 
 Surfaces are kept per kind of depsgraph (final renders and viewports may hold different meshes and run side by side) and
-told apart by content. A viewport's picture is kept until its view changes or Blender reports an update.
+told apart by content.
 """
 
 import logging
@@ -16,8 +17,7 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
-from ..backend import gpu_viewport
-from . import camera, color_sources, methods, near_frames, notes, properties, scene, subdivision, surfaces
+from . import camera, color_sources, methods, near_frames, notes, properties, scene, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -36,9 +36,9 @@ REMARKS = {  # what a surface's report counts
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, backend, visibility (the method in words), strokes, triangles, curvature {object: how it was estimated, and
-    why; where a line needed it}, and lines_s: the seconds from Blender's evaluated meshes (reading them and building
-    what rays need included) to visible runs."""
+    """Of the last picture: stages {name: ms}, backend, visibility (the method in words), strokes, triangles, curvature
+    {object: how it was estimated, and why; where a line needed it}, and lines_s: the seconds from Blender's evaluated
+    meshes (reading them and building what rays need included) to visible runs."""
     return dict(_statistics)
 
 
@@ -64,7 +64,7 @@ def _style_of(scene_):
 
 def render(engine, depsgraph):
     """Draws one view layer of a final render. Without a result Blender writes no file."""
-    with _reported(lambda message: engine.report({"ERROR"}, message)):
+    with reported(lambda message: engine.report({"ERROR"}, message)):
         image = _draw(engine, depsgraph, camera.of_render(engine, depsgraph))
         if image is not None:
             passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
@@ -73,28 +73,8 @@ def render(engine, depsgraph):
             _hand_over(engine, depsgraph.view_layer, passes)
 
 
-def view_update(engine, depsgraph):
-    """Something in the scene changed, unless it was us who read a cage (subdivision.py): that changes nothing."""
-    if not subdivision.is_echo(depsgraph.updates):
-        engine.drawing = None
-
-
-def view_draw(engine, context, depsgraph):
-    """Draws a viewport, at once and in full."""
-    with _reported(lambda message: engine.update_stats("Fovea", message)):
-        view = camera.of_region(context, depsgraph)
-        seen = (view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
-        if engine.drawing is None or engine.drawing[0] != seen:
-            image = _draw(engine, depsgraph, view, context.space_data)
-            if image is None:
-                return
-            engine.drawing = (seen, gpu_viewport.Picture(image.combined))
-            engine.update_stats("", "")
-        engine.drawing[1].show(engine, depsgraph.scene)
-
-
 @contextmanager
-def _reported(tell):
+def reported(tell):
     """Turns what goes wrong into one sentence for the user."""
     try:
         yield
@@ -107,12 +87,13 @@ def _reported(tell):
 
 @dataclass(frozen=True)
 class Gathered:
-    """A scene as it is drawn, whatever the view."""
+    """A scene as it is drawn, whatever the view; nothing in it is Blender's."""
 
     snapshot: scene.Snapshot
     placed: object  # native Scene
     colors: object  # color.Sources, or None where there is no colour layer to draw
     notes: object  # stages.Notes
+    changed: bool  # surfaces were made or moved for it
     seconds: float  # that reading it took
 
 
@@ -137,17 +118,23 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     _report_unknown(engine, chosen)
     if colors and (remark := colors.remark()):
         engine.report({"INFO"}, remark)
-    return Gathered(snapshot, placed, sources, told, seconds)
+    return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)
 
 
-def _draw(engine, depsgraph, view, viewport=None):
-    """The Image of a View of the depsgraph's scene, or None when the user stopped it."""
+def draw(found, view, chosen, backend, options, progress, cancel, near=()):
+    """The Image of what was Gathered; touches nothing of Blender's unless the backend does. `near`: the lines of the
+    frames around it, for elision smoothed in time."""
+    seen, beside = scene.seen(native.load(), view), {"colors": found.colors, "notes": found.notes, "near": near}
+    return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
+
+
+def _draw(engine, depsgraph, view):
+    """The Image of a View of the depsgraph's scene for a final render, or None when the user stopped it."""
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
-    backend, visibility = methods.choose(engine, settings, in_viewport=viewport is not None)
-    with_depth = viewport is None and depsgraph.view_layer.use_pass_z
-    asked = {"with_depth": with_depth, "with_focus": viewport is None}
+    backend, visibility = methods.choose(engine, settings, in_viewport=False)
+    asked = {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.Options(visibility=visibility, **asked, **methods.quality(settings))
-    frames = pipeline.frames_near(chosen, options) if viewport is None else 0
+    frames = pipeline.frames_near(chosen, options)
     cancel, near, near_s = core.Cancel(), (), 0.0
     with _watched(engine, cancel):
         try:
@@ -156,15 +143,11 @@ def _draw(engine, depsgraph, view, viewport=None):
                 near = near_frames.shown_lines(engine, depsgraph, frames, look)
                 near_s = time.perf_counter() - start
             # After the others: surfaces that move are as they were gathered last.
-            found = gather(engine, depsgraph, chosen, viewport)
-            seen, beside = scene.seen(core, view), {"colors": found.colors, "notes": found.notes, "near": near}
-            progress = partial(_progress, engine)
-            image = pipeline.draw(
-                found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel
-            )
+            found = gather(engine, depsgraph, chosen)
+            image = draw(found, view, chosen, backend, options, partial(_progress, engine), cancel, near)
         except core.Cancelled:
             return None
-    _note_statistics(found, image, near_s)
+    note_statistics(found, image, near_s)
     return image
 
 
@@ -224,7 +207,7 @@ def _report_unknown(engine, chosen):
         engine.report({"INFO"}, remark)
 
 
-def _note_statistics(found, image, near_s):
+def note_statistics(found, image, near_s=0.0):
     """Keeps what `last_statistics` tells of the Image of what was Gathered. `near_s`: the seconds that other frames
     took, if any were asked."""
     snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}

@@ -59,7 +59,7 @@ def scene(target, words):
 
 def bench(target, words):
     """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`,
-    `bench visibility`, `bench focus`."""
+    `bench visibility`, `bench focus`, `bench viewport`."""
     from bench import peers
 
     name, *rest = words or ["peers"]
@@ -69,6 +69,8 @@ def bench(target, words):
         return bench_visibility(target, rest)
     if name == "focus":
         return bench_focus(target, rest)
+    if name == "viewport":
+        return bench_viewport(target, rest)
     if name == "agreement":
         return agreement(target, rest or ["office"])
     if name != "peers":
@@ -92,6 +94,14 @@ def bench_focus(target, words):
     focus.parse(words)
     extension.install(target)
     return focus.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+
+
+def bench_viewport(target, words):
+    from bench import viewport
+
+    viewport.parse(words)
+    extension.install(target)
+    return viewport.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
 
 
 def bench_lines(target, words):

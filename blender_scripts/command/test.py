@@ -1,4 +1,4 @@
-"""Every test on one target: native, native under sanitizers, Python without Blender, and inside Blender."""
+"""Every test on one target: native, native under sanitizers, Python without Blender, inside Blender, and in its window."""
 
 import re
 import shutil
@@ -78,6 +78,12 @@ def _blender(target, report, words):
     return [*command, "--", "-v", f"--junitxml={report}", *words], {"FOVEA_REPORTS": str(target.work / "log")}
 
 
+def _window(target, report, words):
+    package.install(target)
+    command = [sys.executable, "-m", "pytest", TESTS / "window", "-v", f"--junitxml={report}", *words]
+    return command, {"FOVEA_BLENDER": target.blender}
+
+
 def _counts(report):
     """Of a report by pytest or GoogleTest."""
     counts = Counter()
@@ -88,4 +94,4 @@ def _counts(report):
     return counts
 
 
-PARTS = {"native": _native, "python": _python, "blender": _blender, "sanitize": _sanitize}
+PARTS = {"native": _native, "python": _python, "blender": _blender, "window": _window, "sanitize": _sanitize}

@@ -55,11 +55,16 @@ PARTS = {
     "visibility": "backend/cpu",
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
-    "blender": "blender backend catalogue color elision emphasis focus line_arrays native pipeline stages style textures",
+    "budget": "focus",
+    "blender": "blender backend budget catalogue color elision emphasis focus line_arrays native pipeline stages style "
+    "textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
-LOADERS = r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|blender/(api|drawn_lines|preferences|reading|scene|session))\.py"
+LOADERS = (
+    r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|"
+    r"blender/(api|drawn_lines|preferences|reading|scene|session|viewport))\.py"
+)
 
 
 def violations(root):

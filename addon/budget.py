@@ -1,0 +1,155 @@
+"""How good a picture may be when there is little time for it: a ladder of qualities, and which of them to draw in.
+
+While a view moves, each draw should keep within a budget. What the stages cost was measured by the draws before, so
+that one knows what a quality will cost before it is drawn.
+"""
+
+from dataclasses import dataclass, replace
+
+from .focus import OFF
+
+# Lines that must be looked for anew in every view, and what stands for them meanwhile.
+STANDS_FOR = {"silhouette": "contour", "smooth_silhouette": "smooth_contour"}
+CHEAP = frozenset("contour smooth_contour crease border material_boundary edge_mark".split())
+ENOUGH = 1.25  # times the least that any quality costs: what is nearly as fast and better looking is taken
+MARGIN = 0.8  # of the budget: a better quality must keep within it, so that qualities do not alternate
+OVERVIEW = 500.0  # ms: resting views show a better picture in this time, if the best takes twice as long
+
+
+@dataclass(frozen=True)
+class Quality:
+    """What is left out or made coarser; as it is given here, nothing."""
+
+    scale: float = 1.0  # of the picture, along each axis
+    step: float = 1.0  # between visibility samples, times that of the options
+    probes: int = 16  # at most
+    depth_scale: int = 3  # at most
+    effects: bool = True  # what focus does to colours
+    hidden: bool = True  # hidden lines, haloes and overshoot
+    elision: bool = True
+    definitions: bool = True  # lines that must be looked for anew in every view
+
+
+QUALITIES = (
+    Quality(),
+    Quality(probes=4, effects=False),
+    Quality(probes=4, depth_scale=2, step=2.0, effects=False, hidden=False, elision=False),
+    Quality(1.0, 4.0, 1, 1, effects=False, hidden=False, elision=False, definitions=False),
+    Quality(0.5, 4.0, 1, 1, effects=False, hidden=False, elision=False, definitions=False),
+    Quality(0.34, 4.0, 1, 1, effects=False, hidden=False, elision=False, definitions=False),
+)
+UNKNOWN = 3  # what to draw in when nothing has been measured
+
+# Stage -> what of a quality changes what it costs. All other stages cost the same in each.
+DEPENDS = {
+    "lines": ("definitions",),
+    "project": ("definitions", "step"),
+    "visibility": ("definitions", "step", "probes", "depth_scale", "scale"),
+    "runs": ("definitions", "hidden"),
+    "elision": ("elision", "definitions", "step", "scale"),
+    "shape": ("definitions", "hidden"),
+    "strokes": ("definitions", "scale"),
+    "color": ("scale",),
+    "focus": ("scale", "effects"),
+    "paper": ("scale",),
+    "show": ("scale",),
+}
+
+
+def simplified(style, quality):
+    """A Style as a quality draws it."""
+    sets = style.line_sets
+    if not quality.hidden:
+        sets = tuple(replace(s, hidden=(), halo=0.0, overshoot=0.0, overshoot_away=None) for s in sets)
+    if not quality.definitions:
+        drawn = {kind for line_set in sets for kind in line_set.kinds}
+        sets = tuple(replace(s, kinds=_cheap(s.kinds, drawn)) for s in sets)
+    off = {} if quality.effects else {name: OFF for name in ("desaturation", "fade", "blur")}
+    effects = replace(style.effects, **off)
+    elision = replace(style.elision, enabled=style.elision.enabled and quality.elision)
+    return replace(style, line_sets=sets, effects=effects, elision=elision)
+
+
+def _cheap(kinds, drawn):
+    """The kinds of a line set without those that cost much; none of them is drawn in two sets."""
+    kept = {kind: values for kind, values in kinds.items() if kind in CHEAP}
+    return kept | {STANDS_FOR[kind]: {} for kind in kinds if STANDS_FOR.get(kind) and STANDS_FOR[kind] not in drawn}
+
+
+def coarser(options, quality):
+    """The pipeline's Options in a quality."""
+    return replace(
+        options,
+        sample_step=options.sample_step * quality.step,
+        gap=max(options.gap, options.sample_step * quality.step + 1),
+        probes=min(options.probes, quality.probes),
+        depth_scale=min(options.depth_scale, quality.depth_scale),
+    )
+
+
+def smaller(view, scale):
+    """A View of the same in fewer pixels, as many as make a whole picture."""
+    width, height = (max(1, round(side * scale)) for side in (view.width, view.height))
+    if (width, height) == (view.width, view.height):
+        return view
+    shares = (width / view.width, height / view.height) * 2
+    frame = view.frame and tuple(side * share for side, share in zip(view.frame, shares))
+    reference = view.reference_scale * height / view.height
+    return replace(view, width=width, height=height, frame=frame, reference_scale=reference)
+
+
+class Budget:
+    """Chooses among QUALITIES by what their stages cost when they were drawn last."""
+
+    def __init__(self):
+        self._cost = {}  # (stage, what of the quality changes it) -> ms
+
+    def note(self, index, stages):
+        """What the stages {name: ms} of a picture in the quality of that index took. Where a stage takes longer than it
+        used to, the machine has more to do or the scene has more in it: so it will in the other qualities, too."""
+        for stage, ms in stages.items():
+            key = self._key(stage, QUALITIES[index])
+            before = self._cost.setdefault(key, ms)
+            now = 0.5 * (before + ms)
+            for other in [key for key in self._cost if key[0] == stage]:
+                self._cost[other] *= now / before if before > 0 else 1.0
+            self._cost[key] = now
+
+    def known(self):
+        return bool(self._cost)
+
+    def predicted(self, index):
+        """ms that a picture in this quality takes. A stage that was not measured in it costs as much as the dearest
+        way in which it was."""
+        quality, total = QUALITIES[index], 0.0
+        for stage in {stage for stage, _ in self._cost}:
+            if stage == "elision" and not quality.elision:
+                continue
+            exact = self._cost.get(self._key(stage, quality))
+            total += exact if exact is not None else max(ms for key, ms in self._cost.items() if key[0] == stage)
+        return total
+
+    def choose(self, budget_ms, last=None):
+        """Index of the best quality that keeps within the budget, or that is nearly as fast as the fastest. `last`: the
+        one drawn before, which needs no margin."""
+        if not self.known():
+            return UNKNOWN
+        predicted = [self.predicted(i) for i in range(len(QUALITIES))]
+        enough = ENOUGH * min(predicted)
+        for i, ms in enumerate(predicted):
+            better = last is not None and i < last
+            if ms <= max(budget_ms * (MARGIN if better else 1.0), enough):
+                return i
+        return len(QUALITIES) - 1
+
+    def next_at_rest(self, shown):
+        """Index of the quality that comes after that of the picture shown, on the way to the best."""
+        if self.predicted(0) > 2 * OVERVIEW:
+            for i in range(1, shown):
+                if self.predicted(i) <= OVERVIEW:
+                    return i
+        return 0
+
+    @staticmethod
+    def _key(stage, quality):
+        return stage, tuple(getattr(quality, name) for name in DEPENDS.get(stage, ()))

@@ -1,0 +1,65 @@
+"""`fovea bench viewport`: the 3D view in Rendered shading beside Solid, in a window under Xvfb, overlays off.
+
+Both orbit in turns in one process. `first`: from switching to Rendered to the first picture; `refined`: to the final
+one. `solid` and `fovea`: a frame of the orbit, medians. `drawing`: the longest that Fovea held the interface up, and
+`block` the longest frame or turn of Blender's main loop, software OpenGL included, from switching to Rendered until the
+orbit's last picture was refined. `idle`: share of a core at rest, `idle_solid` the same in Solid; and how often the
+viewport was drawn then."""
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+import window
+
+from .. import peers
+
+SCENES = ("office", "boxes:30")
+SCENARIO = Path(__file__).with_name("scenario.py")
+COLUMNS = (
+    "scene", "triangles", "first_ms", "refined_ms", "solid_ms", "fovea_ms", "ratio", "drawing_ms", "block_ms",
+    "idle", "idle_solid", "idle_draws",
+)  # fmt: skip
+
+
+def parse(words):
+    parser = argparse.ArgumentParser("fovea bench viewport", description=__doc__)
+    add = parser.add_argument
+    add("--scenes", type=peers.scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
+    add("--size", type=peers.frame_size, default=(960, 540), metavar="WxH", help="of the view (960x540)")
+    add("--frames", type=int, default=30, help="of the orbit, two degrees apart (30)")
+    add("--style", default="", metavar="NAME", help="instead of the default one")
+    add("--timeout", type=float, default=300, metavar="S", help="seconds a scene may take (300)")
+    add("--json", action="store_true", help="print JSON instead of a table")
+    return parser.parse_args(words)
+
+
+def main(words, blender, environment, shared: Path | None) -> int:
+    """`environment`: of a Blender that has the extension installed."""
+    options, rows, failed = parse(words), [], False
+    for spec in options.scenes:
+        print(f"fovea: {spec}", file=sys.stderr, flush=True)
+        asked = spec, shared or "", options.frames, options.style
+        how = {"size": options.size, "timeout": options.timeout}
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                played = window.play(blender, environment, SCENARIO, "measure", Path(folder), asked, **how)
+                rows.append(played.result)
+            except window.Failed as failure:
+                print(f"{spec}: {failure}", file=sys.stderr)
+                failed = True
+    print(peers.as_json(rows) if options.json else table(rows))
+    return 1 if failed else 0
+
+
+def table(rows):
+    cells = [COLUMNS] + [tuple(str(row[name]) for name in COLUMNS) for row in rows]
+    widths = [max(len(line[k]) for line in cells) for k in range(len(COLUMNS))]
+    lines = ["  ".join(cell.rjust(w) for cell, w in zip(line, widths)) for line in cells]
+    lines += [f"{row['scene']}, ms of the orbit's last draft: {stages(row)}" for row in rows]
+    return "\n".join(lines)
+
+
+def stages(row):
+    return ", ".join(f"{name} {ms:.1f}" for name, ms in row["stages"].items())

@@ -1,0 +1,112 @@
+"""What `fovea bench viewport` does in the window; see ../../window/inside.py."""
+
+import math
+import statistics
+import time
+from pathlib import Path
+
+import bpy
+import scenes
+from bl_ext.user_default.fovea.blender import session, viewport
+from mathutils import Quaternion
+from window import screen
+
+STEP = math.radians(2)
+TURNS = 3  # Solid and Fovea take
+
+
+def measure(_folder, spec, shared, frames, style):
+    scenes.build(spec, Path(shared) if shared else None)
+    bpy.context.scene.render.engine = "FOVEA"
+    if style:
+        bpy.context.scene.fovea.style = style
+    yield from screen.fill()
+    space, view, clock = screen.space(), screen.space().region_3d, Clock()
+    view.view_perspective = "PERSP"
+    view.view_rotation = bpy.context.scene.camera.matrix_world.to_quaternion()
+    with screen.override():
+        bpy.ops.view3d.view_all()
+    yield from screen.rest(1.0)
+    told = {"scene": spec, "triangles": triangles(), "idle_solid": (yield from idle())}
+    orbit(view, 5)
+
+    start = time.perf_counter()
+    space.shading.type = "RENDERED"
+    while not (clock.viewport and clock.viewport.shown):
+        clock.held(screen.swap)
+    told["first_ms"] = 1000 * (time.perf_counter() - start)
+    yield from refined(clock)
+    told["refined_ms"] = 1000 * (time.perf_counter() - start)
+
+    times = {"RENDERED": [], "SOLID": []}
+    for _ in range(TURNS):
+        for shading in times:
+            space.shading.type = shading
+            orbit(view, 2)  # what is compiled or read once
+            times[shading] += orbit(view, int(frames) // TURNS)
+    stages, clock.block = session.last_statistics()["stages"], max(clock.block, *times["RENDERED"])
+    space.shading.type = "RENDERED"
+    orbit(view, 5)
+    yield from refined(clock)
+    solid, fovea = (statistics.median(times[shading]) for shading in ("SOLID", "RENDERED"))
+    told |= {"solid_ms": solid, "fovea_ms": fovea, "ratio": fovea / solid}
+    told |= {"drawing_ms": clock.drawing, "block_ms": clock.block}
+    clock.draws = 0
+    yield from screen.rest(0.5)
+    told |= {"idle": (yield from idle()), "idle_draws": clock.draws}
+    rounded = {name: round(value, 2) if isinstance(value, float) else value for name, value in told.items()}
+    return rounded | {"stages": stages}
+
+
+def orbit(view, frames):
+    """ms that each of so many frames takes."""
+    times = []
+    for _ in range(frames):
+        view.view_rotation = Quaternion((0, 0, 1), STEP) @ view.view_rotation
+        start = time.perf_counter()
+        screen.swap()
+        times.append(1000 * (time.perf_counter() - start))
+    return times
+
+
+def idle():
+    """Share of one core that this process takes while nothing is done."""
+    start, used = time.perf_counter(), time.process_time()
+    yield 3.0
+    return (time.process_time() - used) / (time.perf_counter() - start)
+
+
+def triangles():
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    meshes = (instance.object.data for instance in depsgraph.object_instances if instance.object.type == "MESH")
+    return sum(len(mesh.loop_triangles) for mesh in meshes)
+
+
+def refined(clock):
+    """Waits for the final picture, while Blender does what it likes."""
+    while not clock.viewport.is_final():
+        start = time.perf_counter()
+        yield
+        clock.block = max(clock.block, 1000 * (time.perf_counter() - start))
+    screen.swap()
+
+
+class Clock:
+    """How long the interface was held up, in ms: by Fovea's drawing, and by anything while Fovea drew."""
+
+    def __init__(self):
+        self.viewport, self.draws, self.drawing, self.block = None, 0, 0.0, 0.0
+        self._old, viewport.draw = viewport.draw, self._draw
+
+    def _draw(self, engine, context, depsgraph):
+        self.drawing = max(self.drawing, self._time(self._old, engine, context, depsgraph))
+        self.viewport, self.draws = engine.viewport, self.draws + 1
+
+    def held(self, act):
+        self.block = max(self.block, self._time(act))
+
+    @staticmethod
+    def _time(act, *arguments):
+        start = time.perf_counter()
+        act(*arguments)
+        return 1000 * (time.perf_counter() - start)

@@ -1,0 +1,116 @@
+"""The ladder of qualities: what they leave out, and which is chosen for a budget."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from addon import budget, pipeline, style
+from addon.stages import View
+
+
+def cost(quality):
+    """Stages of a scene whose costs follow simple rules."""
+    stages = {"lines": 70.0 if quality.definitions else 7.0, "visibility": 60.0 / quality.step**0.5}
+    stages |= {"strokes": 20.0 * quality.scale**2, "show": 10.0 * quality.scale**2}
+    return stages | ({"elision": 50.0} if quality.elision else {})
+
+
+def drawn(chooser, budget_ms, times=6):
+    """The qualities chosen one after the other, when each is drawn."""
+    chosen = []
+    for _ in range(times):
+        chosen.append(chooser.choose(budget_ms, chosen[-1] if chosen else None))
+        chooser.note(chosen[-1], cost(budget.QUALITIES[chosen[-1]]))
+    return chosen
+
+
+def test_qualities_get_cheaper():
+    totals = [sum(cost(quality).values()) for quality in budget.QUALITIES]
+    assert totals == sorted(totals, reverse=True) and budget.QUALITIES[0] == budget.Quality()
+
+
+def test_the_first_picture_is_a_draft_and_a_large_budget_leads_to_the_best():
+    chosen = drawn(budget.Budget(), 1000)
+    assert chosen[0] == budget.UNKNOWN and set(chosen[1:]) == {0}
+
+
+@pytest.mark.parametrize("budget_ms", [50, 70, 100, 150, 190])
+def test_a_budget_is_kept_once_costs_are_known(budget_ms):
+    chooser = budget.Budget()
+    for index in (*range(len(budget.QUALITIES)), *reversed(range(len(budget.QUALITIES)))):
+        chooser.note(index, cost(budget.QUALITIES[index]))
+    chosen = drawn(chooser, budget_ms)
+    assert len(set(chosen)) == 1, "one quality, not this and that in turns"
+    assert sum(cost(budget.QUALITIES[chosen[0]]).values()) <= budget_ms
+
+
+def test_where_nothing_keeps_the_budget_what_is_nearly_as_fast_looks_better():
+    chooser = budget.Budget()
+    for index, quality in enumerate(budget.QUALITIES):
+        chooser.note(index, {"visibility": 100.0, "show": 10.0 * quality.scale**2})
+    assert chooser.choose(33) == 0
+
+
+def test_a_slower_machine_slows_all_qualities():
+    chooser = budget.Budget()
+    for index, quality in enumerate(budget.QUALITIES):
+        chooser.note(index, cost(quality))
+    before = [chooser.predicted(i) for i in range(len(budget.QUALITIES))]
+    for _ in range(8):
+        chooser.note(3, {stage: 4 * ms for stage, ms in cost(budget.QUALITIES[3]).items()})
+    after = [chooser.predicted(i) for i in range(len(budget.QUALITIES))]
+    assert after[3] == pytest.approx(4 * before[3], rel=0.05)
+    assert after[0] > 2 * before[0] and after[0] > after[3]
+
+
+def test_resting_leads_to_the_best_by_way_of_an_overview_where_the_best_takes_long():
+    chooser = budget.Budget()
+    for index, quality in enumerate(budget.QUALITIES):
+        chooser.note(index, cost(quality))
+    assert chooser.next_at_rest(4) == 0
+    for index, quality in enumerate(budget.QUALITIES):
+        chooser.note(index, {"slow": 0.0, "elision": 4000.0 if quality.elision else 0.0})
+    first = chooser.next_at_rest(4)
+    assert 0 < first < 4 and not budget.QUALITIES[first].elision
+    assert chooser.next_at_rest(first) == 0
+
+
+@pytest.mark.parametrize("name", style.names())
+def test_simplified_styles_draw_the_same_sets_with_the_same_pens(name):
+    full = style.load(name)
+    assert budget.simplified(full, budget.QUALITIES[0]) == full
+    for quality in budget.QUALITIES:
+        simple = budget.simplified(full, quality)
+        assert [s.pen for s in simple.line_sets] == [s.pen for s in full.line_sets]
+        assert simple.paper == full.paper and simple.color == full.color
+        if not quality.definitions:
+            assert {kind for s in simple.line_sets for kind in s.kinds} <= budget.CHEAP
+
+
+def test_what_stands_for_an_outline_is_drawn_once():
+    outline = style.LineSet(kinds={"silhouette": {}})
+    both = style.Style(line_sets=(outline, style.LineSet(kinds={"contour": {}, "crease": {}})))
+    draft = budget.Quality(definitions=False)
+    assert [list(s.kinds) for s in budget.simplified(both, draft).line_sets] == [[], ["contour", "crease"]]
+    alone = budget.simplified(style.Style(line_sets=(outline,)), draft)
+    assert list(alone.line_sets[0].kinds) == ["contour"]
+
+
+def test_options_never_get_finer():
+    options = pipeline.Options(probes=4, depth_scale=1)
+    for quality in budget.QUALITIES:
+        coarse = budget.coarser(options, quality)
+        assert coarse.probes <= 4 and coarse.depth_scale == 1
+        assert coarse.gap > coarse.sample_step, "samples of one line must join"
+    assert budget.coarser(options, budget.QUALITIES[0]) == options
+
+
+def test_a_smaller_view_shows_the_same_part_of_the_world():
+    view = View(np.eye(4), np.eye(4), 961, 541, True, 0.1, 9.0, reference_scale=0.5, frame=(100.0, 50.0, 700.0, 400.0))
+    half = budget.smaller(view, 0.5)
+    assert (half.width, half.height) == (480, 270)
+    assert np.array_equal(half.view_to_clip, view.view_to_clip)
+    assert half.frame[2] / half.width == pytest.approx(view.frame[2] / view.width)
+    assert half.reference_scale / half.height == pytest.approx(view.reference_scale / view.height)
+    assert budget.smaller(view, 1.0) is view
+    assert budget.smaller(replace(view, frame=None), 0.01).width == 10

@@ -1,0 +1,33 @@
+"""Scenarios in a Blender with a window: `play` runs one of scenarios.py."""
+
+import os
+import re
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent
+sys.path.append(str(HERE.parents[1] / "blender_scripts"))
+
+import window
+
+COMPLAINT = re.compile(r"Traceback|^\s*\w*(Error|Exception)\b|: error:|failed|SIGSEGV|Segmentation")
+SIZE = (960, 600)
+
+
+@pytest.fixture
+def play(tmp_path):
+    """A function from the name of a scenario to what it returned; the console must be free of complaints."""
+    if not shutil.which("xvfb-run"):
+        pytest.skip("there is no xvfb-run here to make a screen")
+
+    def run(scenario, **options):
+        blender, file = os.environ["FOVEA_BLENDER"], HERE / "scenarios.py"
+        played = window.play(blender, dict(os.environ), file, scenario, tmp_path, size=SIZE, **options)
+        complaints = [line for line in played.console.splitlines() if COMPLAINT.search(line)]
+        assert not complaints, played.console
+        return played.result
+
+    return run

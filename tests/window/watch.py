@@ -1,0 +1,48 @@
+"""What the add-on does in its viewports, from inside: how often it draws and reads the scene, when it is through."""
+
+import time
+
+from the_addon import part
+from window import screen
+
+viewport, session = part("blender.viewport"), part("blender.session")
+
+
+class Watch:
+    """Counts, from when it is made, until `end`."""
+
+    def __init__(self):
+        self.kept = {}  # region -> its Viewport, of those drawn
+        self._old = viewport.draw, session.gather
+        viewport.draw, session.gather = self._draw, self._gather
+        self.reset()
+
+    def reset(self):
+        self.draws = self.read = 0
+        self.longest = 0.0  # seconds that a draw took
+        self.qualities = []  # of the pictures shown, by draw; 0 is the best
+
+    def end(self):
+        viewport.draw, session.gather = self._old
+
+    def _draw(self, engine, context, depsgraph):
+        start = time.perf_counter()
+        self._old[0](engine, context, depsgraph)
+        self.draws, self.longest = self.draws + 1, max(self.longest, time.perf_counter() - start)
+        self.kept[context.region.as_pointer()] = engine.viewport
+        self.qualities.append(engine.viewport.shown.quality if engine.viewport.shown else None)
+
+    def _gather(self, *arguments, **options):
+        self.read += 1
+        return self._old[1](*arguments, **options)
+
+    def of(self, area):
+        """The Viewport of an area; None before it was drawn."""
+        return self.kept.get(screen.region(area).as_pointer())
+
+    def refined(self, *areas):
+        """Waits until viewports (the first, when none is named) show their best: `yield from` it."""
+        yield from screen.rest(0.1)  # what was just done is noticed when Blender draws
+        chosen = areas or (screen.area(),)
+        yield from screen.until(lambda: all(self.of(a) and self.of(a).is_final() for a in chosen))
+        screen.swap()
