@@ -43,8 +43,9 @@ class Changes:
         shows = _shows(space)
         if self._scene is not None and not self._told and shows == self._space:
             return self._scene
-        style = properties.style_of(depsgraph.scene)
-        needs, placements = _needs(style, depsgraph.scene), scene.placements(depsgraph, space)
+        style = properties.style_of(depsgraph.scene_eval)
+        needs = _needs(style, properties.density_map(depsgraph.scene_eval))
+        placements = scene.placements(depsgraph, space)
         found, version = self._scene and self._scene.gathered, self._scene.version if self._scene else 0
         if self._scene is None or self._must_read or (needs, placements) != (self._needs, self._placements):
             worker.stop()  # it looks at surfaces that may change now
@@ -72,10 +73,10 @@ def _is_harmless(update, of_scene):
     return isinstance(data, HARMLESS)
 
 
-def _needs(style, scene_):
+def _needs(style, density_map):
     """What a style asks of the scene besides its shapes."""
     marks = any("edge_mark" in line_set.kinds for line_set in style.line_sets)
-    return marks, style.has_color(), notes.asked(style, scene_)
+    return marks, style.has_color(), notes.asked(style, density_map)
 
 
 def _shows(space):

@@ -49,7 +49,8 @@ def attributes(style):
     return sorted(wanted - {""})
 
 
-def asked(style, scene):
-    """What is asked of a scene besides its objects' priorities; where this is the same, so are the notes."""
-    image = scene.fovea.elision_density_image
-    return attributes(style), image and image.name_full
+def asked(style, image):
+    """What is asked of a scene besides its objects' priorities; where this is the same, so are the notes. `image`:
+    Blender's, of the density, or None."""
+    members = [(line_set.collection, line_set.outside) for line_set in style.line_sets]
+    return attributes(style), image and image.name_full, members

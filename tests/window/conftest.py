@@ -1,4 +1,4 @@
-"""Scenarios in a Blender with a window: `play` runs one of scenarios.py."""
+"""Scenarios in a Blender with a window: `play` runs one of a file."""
 
 import os
 import re
@@ -23,9 +23,9 @@ def play(tmp_path):
     if not shutil.which("xvfb-run"):
         pytest.skip("there is no xvfb-run here to make a screen")
 
-    def run(scenario, **options):
-        blender, file = os.environ["FOVEA_BLENDER"], HERE / "scenarios.py"
-        played = window.play(blender, dict(os.environ), file, scenario, tmp_path, size=SIZE, **options)
+    def run(scenario, file="scenarios.py", **options):
+        blender = os.environ["FOVEA_BLENDER"]
+        played = window.play(blender, dict(os.environ), HERE / file, scenario, tmp_path, size=SIZE, **options)
         complaints = [line for line in played.console.splitlines() if COMPLAINT.search(line)]
         assert not complaints, played.console
         return played.result
