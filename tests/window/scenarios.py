@@ -90,7 +90,10 @@ def camera_view(folder):
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 640, 360, 100
     place = obj.matrix_world.copy()
 
-    found["coarse"] = yield from coarse(watch)
+    align(640)
+    yield from watch.refined()
+    found["coarse"] = yield from coarse(watch, obj)
+    obj.matrix_world = place
 
     def beside(name):
         left, lower, width, height = (round(number) for number in align(640))
@@ -124,12 +127,12 @@ def camera_view(folder):
     return found
 
 
-def coarse(watch):
+def coarse(watch, obj):
     """A draft of half the size beside the refined picture: how far apart they are where blurred, how much ink each has,
     and the same when the draft is shifted by two pixels of it."""
     budget = part("budget")
     old, budget.Budget.choose = budget.Budget.choose, lambda *_: 4
-    turn(10)
+    obj.matrix_world = Matrix.Rotation(0.1, 4, "Z") @ obj.matrix_world
     screen.swap()
     chosen = watch.of(screen.area()).shown.quality
     draft = screen.picture()
@@ -348,9 +351,9 @@ def on_gpu(folder):
 
 
 def memory():
-    """MB of this process that are its own."""
-    text = Path("/proc/self/smaps_rollup").read_text()
-    return sum(int(line.split()[1]) for line in text.splitlines() if line.startswith("Private_")) / 1024
+    """MB that this process has allocated. Pages of files are its own or not by what other processes do."""
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return sum(int(line.split()[1]) for line in lines if line.startswith(("RssAnon", "RssShmem"))) / 1024
 
 
 def switching(folder):

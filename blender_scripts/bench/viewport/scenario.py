@@ -24,8 +24,10 @@ def measure(_folder, spec, shared, frames, style):
     space, view, clock = screen.space(), screen.space().region_3d, Clock()
     view.view_perspective = "PERSP"
     view.view_rotation = bpy.context.scene.camera.matrix_world.to_quaternion()
+    for obj in bpy.context.scene.objects:
+        obj.select_set(obj.type == "MESH")
     with screen.override():
-        bpy.ops.view3d.view_all()
+        bpy.ops.view3d.view_selected()
     yield from screen.rest(1.0)
     told = {"scene": spec, "triangles": triangles(), "idle_solid": (yield from idle())}
     orbit(view, 5)
