@@ -120,7 +120,8 @@ def camera_view(folder):
     yield from beside("moved")
     left, lower, width, height = (round(number) for number in frame())
     before = still(folder, "before")
-    scene.fovea.pen_width *= 1.25
+    for line_set in part("blender.style_data").own(scene).line_sets:
+        line_set.pen.width *= 1.25
     yield from watch.refined()
     wider = screen.picture()[lower : lower + height, left : left + width]
     found["wider"] = likeness(wider, before)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 import scenes
-from bl_ext.user_default.fovea.blender import session, viewport
+from bl_ext.user_default.fovea.blender import session, style_data, viewport
 from mathutils import Quaternion
 from window import screen
 
@@ -19,7 +19,7 @@ def measure(_folder, spec, shared, frames, style):
     scenes.build(spec, Path(shared) if shared else None)
     bpy.context.scene.render.engine = "FOVEA"
     if style:
-        bpy.context.scene.fovea.style = style
+        style_data.use(bpy.context.scene, style)
     yield from screen.fill()
     space, view, clock = screen.space(), screen.space().region_3d, Clock()
     view.view_perspective = "PERSP"
