@@ -259,7 +259,7 @@ def is_calm():
 def shapes(folder):
     """Shape keys, an armature, playback, a style, several viewports, orthographic views."""
     watch = yield from opened("boxes:2")
-    steps, scene, layer = Steps(watch), bpy.context.scene, bpy.context.view_layer
+    steps, layer, held = Steps(watch), bpy.context.view_layer, part("blender.style_data").own(bpy.context.scene)
     obj = new_object(box_mesh(1.5), "Shaped", (0, 0, 5))
     obj.shape_key_add(name="Basis")
     key = obj.shape_key_add(name="Wide")
@@ -279,7 +279,7 @@ def shapes(folder):
     yield from steps.step("boned", setattr, bones.pose.bones["Bone"], "location", (0, 0, 0))
     yield from steps.step("posed", setattr, bones.pose.bones["Bone"], "location", (2, 0, 0))
     reads = watch.read
-    yield from steps.step("paper", setattr, scene.fovea, "paper_color", (0.5, 0.5, 0.5))
+    yield from steps.step("paper", setattr, held.paper, "color", (0.5, 0.5, 0.5))
     told = {"read of a style": watch.read - reads}
     yield from steps.step("top", bpy.ops.view3d.view_axis, type="TOP")
     told["played"] = yield from play(watch, obj)
