@@ -251,6 +251,54 @@ def operators(folder):
     return told
 
 
+def events(folder):
+    """The view turned by the mouse, an object grabbed and put down, and that undone by keys."""
+    watch = yield from opened("boxes:2")
+    steps, obj = Steps(watch), next(o for o in bpy.context.scene.objects if o.type == "MESH")
+    bpy.context.view_layer.objects.active = obj
+    bpy.ops.object.select_all(action="DESELECT")
+    obj.select_set(True)
+    yield from steps.step("start", bpy.ops.ed.undo_push, message="start")
+    told = {"reads": watch.read}
+    yield from drag("MIDDLEMOUSE", (400, 300), (520, 340))
+    yield from steps.step("turned", bool)
+    told["read to turn"] = watch.read - told.pop("reads")
+    reads = watch.read
+    yield from press("G", (400, 300))
+    for x in range(400, 480, 10):
+        yield from event("MOUSEMOVE", "NOTHING", (x, 320))
+    yield from press("LEFTMOUSE", (480, 320))
+    yield from steps.step("grabbed", bool)
+    told["read to grab"] = watch.read - reads
+    yield from event("Z", "PRESS", (480, 320), ctrl=True)
+    yield from event("Z", "RELEASE", (480, 320))
+    yield from steps.step("undone", bool)
+    pairs = ("start", "turned"), ("turned", "grabbed"), ("turned", "undone")
+    told["differences"] = [steps.differ(*pair) for pair in pairs]
+    told["calm"] = is_calm()
+    return told
+
+
+def event(kind, value, place, **keys):
+    """One event, and time for Blender to handle it."""
+    bpy.context.window_manager.windows[0].event_simulate(type=kind, value=value, x=place[0], y=place[1], **keys)
+    yield from screen.rest(0.03)
+
+
+def press(kind, place):
+    yield from event(kind, "PRESS", place)
+    yield from event(kind, "RELEASE", place)
+
+
+def drag(button, start, end, steps=10):
+    yield from event("MOUSEMOVE", "NOTHING", start)
+    yield from event(button, "PRESS", start)
+    for i in range(1, steps + 1):
+        place = tuple(round(a + (b - a) * i / steps) for a, b in zip(start, end))
+        yield from event("MOUSEMOVE", "NOTHING", place)
+    yield from event(button, "RELEASE", end)
+
+
 def is_calm():
     """Whether nothing is under way."""
     return not threads() and not bpy.app.timers.is_registered(caretaker.tick)

@@ -40,6 +40,14 @@ def test_operators(play):
     assert found["calm"]
 
 
+def test_mouse_and_keys(play):
+    found = play("events", simulate=True)
+    turned, grabbed, undone = found["differences"]
+    assert turned > 1e-4 and grabbed > 1e-4 and undone < 1e-5
+    assert found["read to turn"] == 0 and found["read to grab"] > 0
+    assert found["calm"]
+
+
 def test_shapes_styles_playback_and_two_viewports(play):
     found = play("shapes")
     assert all(difference > 1e-4 for difference in found["differences"].values()), found

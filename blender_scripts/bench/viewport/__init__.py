@@ -1,10 +1,10 @@
 """`fovea bench viewport`: the 3D view in Rendered shading beside Solid, in a window under Xvfb, overlays off.
 
 Both orbit in turns in one process. `first`: from switching to Rendered to the first picture; `refined`: to the final
-one. `solid` and `fovea`: a frame of the orbit, medians. `drawing`: the longest that Fovea held the interface up, and
-`block` the longest frame or turn of Blender's main loop, software OpenGL included, from switching to Rendered until the
-orbit's last picture was refined. `idle`: share of a core at rest, `idle_solid` the same in Solid; and how often the
-viewport was drawn then."""
+one. `solid` and `fovea`: a frame of the orbit, medians; `new`: share of Fovea's frames whose picture was made in time
+(else the last one stays). `drawing`: the longest that Fovea held the interface up, and `block` the longest frame or turn
+of Blender's main loop, software OpenGL included, from switching to Rendered until the orbit's last picture was refined.
+`idle`: share of a core at rest, `idle_solid` the same in Solid; and how often the viewport was drawn then."""
 
 import argparse
 import sys
@@ -18,7 +18,7 @@ from .. import peers
 SCENES = ("office", "boxes:30")
 SCENARIO = Path(__file__).with_name("scenario.py")
 COLUMNS = (
-    "scene", "triangles", "first_ms", "refined_ms", "solid_ms", "fovea_ms", "ratio", "drawing_ms", "block_ms",
+    "scene", "triangles", "first_ms", "refined_ms", "solid_ms", "fovea_ms", "ratio", "new", "drawing_ms", "block_ms",
     "idle", "idle_solid", "idle_draws",
 )  # fmt: skip
 

@@ -40,18 +40,21 @@ def measure(_folder, spec, shared, frames, style):
     yield from refined(clock)
     told["refined_ms"] = 1000 * (time.perf_counter() - start)
 
-    times = {"RENDERED": [], "SOLID": []}
+    times, pictures = {"SOLID": [], "RENDERED": []}, 0
     for _ in range(TURNS):
         for shading in times:
             space.shading.type = shading
             orbit(view, 2)  # what is compiled or read once
+            clock.pictures = set()
             times[shading] += orbit(view, int(frames) // TURNS)
+        pictures += len(clock.pictures)
     stages, clock.block = session.last_statistics()["stages"], max(clock.block, *times["RENDERED"])
     space.shading.type = "RENDERED"
     orbit(view, 5)
     yield from refined(clock)
     solid, fovea = (statistics.median(times[shading]) for shading in ("SOLID", "RENDERED"))
     told |= {"solid_ms": solid, "fovea_ms": fovea, "ratio": fovea / solid}
+    told |= {"new": pictures / len(times["RENDERED"])}
     told |= {"drawing_ms": clock.drawing, "block_ms": clock.block}
     clock.draws = 0
     yield from screen.rest(0.5)
@@ -98,11 +101,14 @@ class Clock:
 
     def __init__(self):
         self.viewport, self.draws, self.drawing, self.block = None, 0, 0.0, 0.0
+        self.pictures = set()  # keys of those shown
         self._old, viewport.draw = viewport.draw, self._draw
 
     def _draw(self, engine, context, depsgraph):
         self.drawing = max(self.drawing, self._time(self._old, engine, context, depsgraph))
         self.viewport, self.draws = engine.viewport, self.draws + 1
+        if self.viewport.shown:
+            self.pictures.add(self.viewport.shown.wanted.key)
 
     def held(self, act):
         self.block = max(self.block, self._time(act))
