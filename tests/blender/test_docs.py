@@ -23,4 +23,5 @@ def test_the_examples_run(capsys):
     assert abs(console["fields"]["k1"]).max() < 2.6 and len(console["found"]["closed"]) == 2
     assert console["svg"].read_text().count("<polyline") == len(console["shapes"]) > 1
     assert {0, 1} <= set(console["runs"]["invisibility"].tolist())
-    assert bpy.context.scene.fovea.style == "pencil"
+    held = bpy.context.scene.fovea.style.fovea.line_sets["lines"]
+    assert held.pen.width == 2.5 and abs(held.kinds.crease_angle - 0.698) < 1e-3

@@ -47,7 +47,9 @@ class World:
     """What a render handed to `pipeline.draw`."""
 
     def __init__(self, draw, placed, view, options, given):
-        self._draw, self._placed, self.view, self._options, self._given = draw, placed, view, options, given
+        self._draw, self._placed, self.view, self._options = draw, placed, view, options
+        # Styles drawn here have other line sets than the scene's, and none is for a collection alone.
+        self._given = given | {"notes": replace(given["notes"], members=())}
 
     def draw(self, style_, view=None, backend=None):
         """Drawn, in a Style, from a stages.View or the scene's own."""
@@ -66,6 +68,7 @@ def measure(work, size, named="watercolor"):
     def measured(placed, seen, style_, backend, options, **given):
         pipeline.draw = draw
         outcome.append(work(World(draw, placed, views[-1], replace(options, with_depth=True), given)))
+        given["notes"] = replace(given["notes"], members=())
         return draw(placed, seen, plain(), backend, options, **given)
 
     render = bpy.context.scene.render
