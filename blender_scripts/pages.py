@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 from bl_ext.user_default.fovea import focus
 from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea.blender import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -19,8 +20,8 @@ from command import draw_options, pages
 from command.target import SHARED
 from scenes import lessons
 
-FAINT = {"pen_width": 2.8, "pen_color": (0.4, 0.4, 0.4), "pen_taper": 0.0}
-BOLD = {"pen_width": 7.5, "pen_color": (0.0, 0.0, 0.0), "pen_taper": 0.0, "pen_strength_width": 0.5}
+FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
+BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.strength_width": 0.5}
 GREYS = 16  # fewer make smaller files
 
 
@@ -103,13 +104,27 @@ def draw_lines(shown, lines, params, pen, picture):
 
 
 def set_drawing(scene, options, settings):
-    """All that `fovea draw` would set, then properties of the scene's settings."""
+    """All that `fovea draw` would set, then properties of the style, by pages.Stage's names."""
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
     draw.set_drawing(scene, options)
     draw.set_output(scene, options)
-    for name, value in settings.items():
-        setattr(scene.fovea, name, value)
+    held = style_data.own(scene)
+    for words, value in settings.items():
+        part, name = words.split(".")
+        for owner in parts(held, part):
+            if name not in owner.bl_rna.properties:
+                raise ValueError(f"a style has no {words}")
+            setattr(owner, name, value)
+
+
+def parts(held, part):
+    """What of a style's properties a word names."""
+    if part == "pen":
+        return [line_set.pen for line_set in held.line_sets]
+    if part == "hidden":
+        return [hidden.pen for line_set in held.line_sets for hidden in line_set.hidden]
+    return [getattr(held, part)]
 
 
 if __name__ == "__main__":

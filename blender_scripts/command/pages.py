@@ -66,26 +66,26 @@ class Stage:
     """What one stage makes of the demo scene, as `fovea draw` would draw it."""
 
     words: tuple
-    settings: dict = field(default_factory=dict)  # {property of the scene's settings: value}
+    settings: dict = field(default_factory=dict)  # {"pen." or "hidden.", of all line sets, or PART.NAME: value}
 
 
 STAGE_SIZE = "560x315"
 STAGE_VIEW = 0.53, 0.62, 1.8  # the part of the frame that is shown: its middle, and how much larger than all of it
 _EDGES = "silhouette,contour,crease,border,material_boundary,edge_mark"
 _LINES = ("--style", "plain", "--lines", f"{_EDGES},suggestive_contour,valley")
-_PEN = {"pen_width": 3.0}
-_DASHES = {"hidden_pen_width": 2.0, "hidden_pen_opacity": 0.5}
-_SOLID = {"hidden_pen_width": 3.0, "hidden_pen_opacity": 1.0, "hidden_pen_texture": "solid"}
+_PEN = {"pen.width": 3.0}
+_DASHES = {"hidden.width": 2.0, "hidden.opacity": 0.5}
+_SOLID = {"hidden.width": 3.0, "hidden.opacity": 1.0, "hidden.texture": "solid"}
 _FOCUS = ("--style", "watercolor", "--focus", "0.5,0.55", "--focus-radii", "0.2,1.0")
 
 WAY = {  # stage: how it is shown; in the order of the data
     "1_surfaces": Stage(
         ("--style", "plain", "--lines", "contour,border,crease", *_params("crease.angle=0")),
-        {"pen_width": 1.4, "pen_opacity": 0.6, "color_shading": "SMOOTH"},
+        {"pen.width": 1.4, "pen.opacity": 0.6, "color.shading": "SMOOTH"},
     ),
     "2_lines": Stage((*_LINES, "--hidden"), _PEN | _SOLID),
     "3_visible": Stage((*_LINES, "--hidden-by", "1"), _PEN | _DASHES),
-    "4_elided": Stage((*_LINES, "--elision"), _PEN | {"pen_spacing": 18.0}),
+    "4_elided": Stage((*_LINES, "--elision"), _PEN | {"pen.spacing": 18.0}),
     "5_strokes": Stage((*_FOCUS, "--without", "colors")),
     "6_picture": Stage(_FOCUS),
 }
