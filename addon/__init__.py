@@ -5,7 +5,7 @@ Importable without Blender: only `register` touches what needs it.
 
 import importlib
 
-MODULES = ("preferences", "properties", "viewport_settings", "style_operators", "line_set_operators", "panels", "engine")
+MODULES = ("preferences", "properties", "style_operators", "line_set_operators", "panels", "viewport_settings", "engine")
 TOOLS = (
     *("focus_operators", "focus_pull", "focus_gizmos", "focus_overlay"),
     *("line_operators", "report", "freestyle", "tools_panel"),

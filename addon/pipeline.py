@@ -60,8 +60,9 @@ class _Clock:
         self.done += share
 
 
-def _seen(scene, view, style, backend, options, notes, clock, cancel):
+def find_lines(scene, view, style, backend, options, notes, cancel, clock=None):
     """A Frame; the Runs of its lines; the samples by which they fade, or None; and their Emphasis, before elision."""
+    clock = clock or _Clock(lambda *_: None)
     scale, method = view.reference_scale, METHODS[options.visibility]
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
@@ -88,8 +89,8 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
     of the scene, where the style has a colour layer. `notes`: what the artist says of its placements. `near`: where
     `frames_near` asks for them, pairs of how many frames later another is and its `shown_lines`."""
     clock, scale, method = _Clock(progress), view.reference_scale, METHODS[options.visibility]
-    frame, parts, samples, felt = _seen(scene, view, style, backend, options, notes, clock, cancel)
-    if _thins(style, options):
+    frame, parts, samples, felt = find_lines(scene, view, style, backend, options, notes, cancel, clock)
+    if thins(style, options):
         with clock.stage("elision", 0.05):
             felt = emphasis.thinned(felt, frame, parts, style, backend, cancel, near)
     with clock.stage("shape", 0.05):
@@ -123,16 +124,17 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
 
 def frames_near(style, options):
     """Over how many frames before and after it a frame is smoothed in time."""
-    return style.elision.frames if _thins(style, options) else 0
+    return style.elision.frames if thins(style, options) else 0
 
 
 def shown_lines(scene, view, style, backend, options, *, notes=Notes(), progress, cancel):
     """What frames near by need to know of a frame: what elision leaves of its lines. None where it thins nothing."""
-    if not _thins(style, options):
+    if not thins(style, options):
         return None
-    frame, parts, _, felt = _seen(scene, view, style, backend, options, notes, _Clock(progress), cancel)
+    frame, parts, _, felt = find_lines(scene, view, style, backend, options, notes, cancel, _Clock(progress))
     return emphasis.shown_lines(felt, frame, parts, style, backend, cancel)
 
 
-def _thins(style, options):
+def thins(style, options):
+    """Whether a Style's elision can be done in this way of finding what is visible."""
     return style.elision.enabled and METHODS[options.visibility].knows

@@ -30,20 +30,10 @@ class DrawnLines:
 def of(read, view, style, options):
     """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot."""
     core = native.load()
-    seen, cancel, scale = scene.seen(core, view), core.Cancel(), view.reference_scale
-    tracer = cpu.trace(read.placed, seen)
-    paths = cpu.extract(tracer, style, cancel)
-    clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
-    quality = {"depth_scale": options.depth_scale, "probes": options.probes, "notes": read.notes}
-    frame = pipeline.Frame(read.placed, seen, tracer, paths, clipped, **quality)
-    runs = cpu.exact(frame, cancel)
-    small = (options.gap, options.spur, options.contour_spur, options.fold)
-    runs = cpu.tidy(frame, runs, *(length * scale for length in small))
-    small = (options.beside, options.least_hidden, options.fold)
-    runs = cpu.parts(frame, runs, style.counted(), *(length * scale for length in small), cancel)
-    felt = emphasis.of_lines(frame, style)
-    if style.elision.enabled:
-        felt = emphasis.thinned(felt, frame, runs, style, cpu.Backend(), cancel)
+    seen, cancel, backend = scene.seen(core, view), core.Cancel(), cpu.Backend()
+    frame, runs, _, felt = pipeline.find_lines(read.placed, seen, style, backend, options, read.notes, cancel)
+    if pipeline.thins(style, options):
+        felt = emphasis.thinned(felt, frame, runs, style, backend, cancel)
     found = cpu_lines.compact(frame, runs)
     return _drawn(found, cpu_lines.pens_of(frame, runs, style.pen_ranges()), _left(frame, found, felt), view, style)
 

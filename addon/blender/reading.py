@@ -1,8 +1,8 @@
 """A scene read outside of renders, as viewports show it: for operators and overlays."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from .. import emphasis, native, pipeline, style_parts
+from .. import budget, emphasis, native, pipeline, style_parts
 from ..backend import cpu
 from ..stages import Notes
 from . import color_sources, notes, properties, scene, surfaces
@@ -48,13 +48,8 @@ def focus_of_pixels(read, view, focus, scale):
     """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; or None: all is in
     focus. `read`: what was Read, None where focus is a place in the image."""
     core = native.load()
-    seen = scene.seen(core, _smaller(view, scale))
+    seen = scene.seen(core, budget.smaller(view, scale))
     placed, tracer, noted = (read.placed, cpu.trace(read.placed, seen), read.notes) if read else (None, None, Notes())
     frame = pipeline.Frame(placed, seen, tracer, None, None, depth_scale=1, probes=1, notes=noted)
     return emphasis.of_pixels(frame, style_parts.Style(focus=focus), core.Cancel())
 
-
-def _smaller(view, scale):
-    width, height = (max(1, round(side * scale)) for side in (view.width, view.height))
-    frame = tuple(side * scale for side in view.frame)
-    return replace(view, width=width, height=height, reference_scale=view.reference_scale * scale, frame=frame)

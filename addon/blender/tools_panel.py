@@ -14,42 +14,26 @@ class VIEW3D_PT_fovea_tools(bpy.types.Panel):
 
     def draw(self, context):
         column = self.layout.column(align=True)
-        column.operator("fovea.pick_focus", icon="EYEDROPPER")
-        column.operator("fovea.focus_pull", icon="DECORATE_ANIMATE")
-        if context.engine == "FOVEA":
-            self.layout.prop(context.window_manager, "fovea_show_focus")
-        column = self.layout.column(align=True)
         for name in LINES:
             column.operator(name)
 
 
-class VIEW3D_MT_fovea(bpy.types.Menu):
-    bl_label = "Fovea"
-
-    def draw(self, context):
-        self.layout.operator("fovea.pick_focus")
-        self.layout.operator_context = "INVOKE_DEFAULT"
-        self.layout.operator("fovea.focus_pull")
-        self.layout.separator()
-        for name in LINES:
-            self.layout.operator(name)
-
-
 def _in_menu(self, _context):
+    """At the end of Render > Fovea, where F3 finds them."""
     self.layout.separator()
-    self.layout.menu("VIEW3D_MT_fovea")
-
-
-CLASSES = (VIEW3D_PT_fovea_tools, VIEW3D_MT_fovea)
+    self.layout.operator("fovea.pick_focus")
+    self.layout.operator_context = "INVOKE_DEFAULT"
+    self.layout.operator("fovea.focus_pull")
+    self.layout.separator()
+    for name in LINES:
+        self.layout.operator(name)
 
 
 def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.TOPBAR_MT_render.append(_in_menu)
+    bpy.utils.register_class(VIEW3D_PT_fovea_tools)
+    bpy.types.TOPBAR_MT_fovea.append(_in_menu)
 
 
 def unregister():
-    bpy.types.TOPBAR_MT_render.remove(_in_menu)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+    bpy.types.TOPBAR_MT_fovea.remove(_in_menu)
+    bpy.utils.unregister_class(VIEW3D_PT_fovea_tools)

@@ -2,7 +2,10 @@
 those of addon/docs."""
 
 import argparse
+import tempfile
 from pathlib import Path
+
+import window
 
 from . import actions
 from . import package as extension
@@ -15,6 +18,7 @@ CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
 DOCS = PROJECT / "addon" / "docs"
 STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
 SIZE = ["--size", "1280x720"]
+STEPS, WINDOW = "first_drawing", (1280, 800)  # Blender's window, step by step
 FIGURES = {  # name: the words of `fovea draw`
     f"atlas-{probes}x{scale}": [
         "office", "--style", "plain", "--visibility", "atlas", "--probes", probes, "--depth-scale", scale,
@@ -33,7 +37,7 @@ FIGURES = {  # name: the words of `fovea draw`
 
 def figures(target, words):
     parser = argparse.ArgumentParser("fovea figures")
-    known = (*FIGURES, *SHEETS, THUMBNAILS, *pages.GROUPS)
+    known = (*FIGURES, *SHEETS, THUMBNAILS, *pages.GROUPS, STEPS)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
     parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder")
     options = parser.parse_args(words)
@@ -44,6 +48,9 @@ def figures(target, words):
     for name in options.names or known:
         if name == THUMBNAILS:
             draw_sheet(target, "styles", STYLES, "--tile", "256x144")
+            continue
+        if name == STEPS:
+            draw_steps(target)
             continue
         if name.partition("/")[0] in pages.GROUPS:
             draw_pages(target, name)
@@ -61,6 +68,19 @@ def draw_sheet(target, name, picture, *words):
     script = PROJECT / "blender_scripts" / "variants.py"
     actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture), *words])
     print(picture)
+
+
+def draw_steps(target):
+    """Of addon/docs/first_drawing.md; needs xvfb-run."""
+    extension.install(target)
+    output = DOCS / STEPS
+    output.mkdir(parents=True, exist_ok=True)
+    script = PROJECT / "blender_scripts" / f"{STEPS}.py"
+    with tempfile.TemporaryDirectory() as folder:
+        how = {"size": WINDOW, "timeout": 300}
+        window.play(target.blender, target.environment(), script, "steps", Path(folder), (output,), **how)
+    for name in pages.STEPS:
+        print(output / f"{name}.jpg")
 
 
 def draw_pages(target, name):

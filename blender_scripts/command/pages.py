@@ -104,6 +104,7 @@ TRANSFERS = {  # plot: a transfer function as a style has it
     "curve": {"curve": [[0, 0], [0.3, 0.75], [0.7, 0.85], [1, 1]]},
 }
 PLOT = 240  # pixels
+STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # of first_drawing.md
 
 # Name: {picture: what it shows}; each is a folder of addon/docs.
 GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "transfers": TRANSFERS}

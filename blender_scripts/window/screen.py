@@ -51,9 +51,12 @@ def swap():
 def picture(of=None):
     """(H, W, 3) float32 in [0, 1], bottom row first: what the screen shows of a viewport's region."""
     where = region(of)
-    whole = _screen()[::-1]
-    # The window fills the screen.
-    return whole[where.y : where.y + where.height, where.x : where.x + where.width]
+    return whole()[where.y : where.y + where.height, where.x : where.x + where.width]
+
+
+def whole():
+    """(H, W, 3) float32, as `picture`: all of the screen, which the window fills."""
+    return _screen()[::-1]
 
 
 def _screen():

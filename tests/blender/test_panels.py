@@ -93,6 +93,7 @@ def context():
         object=obj,
         material=obj.active_material,
         view_layer=bpy.context.view_layer,
+        window_manager=bpy.context.window_manager,
     )
 
 
@@ -117,7 +118,7 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     scene.fovea.style = None
     labels = {cls.bl_label for cls in drawn_panels()}
     assert {"Style", "Focus", "Visibility", "Performance", "Fovea"} <= labels and "Lines" not in labels
-    assert any("default style" in title for title in shown_by().titles)
+    assert any("as it ships" in title for title in shown_by().titles)
     scene.render.engine = "BLENDER_WORKBENCH"
     assert drawn_panels() == []
 

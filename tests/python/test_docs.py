@@ -73,6 +73,7 @@ def test_the_contents_are_the_registry_in_its_order():
 
 def test_every_picture_is_drawn_by_a_script_and_there_is_no_other():
     drawn = {DOCS / pages.file_of(name) for name in pages.names()}
+    drawn |= {DOCS / figures.STEPS / f"{name}.jpg" for name in pages.STEPS}
     assert {path for path in DOCS.rglob("*") if path.suffix in (".png", ".jpg")} == drawn
     assert list(pages.LINES) == list(DEFINITIONS)
 

@@ -3,7 +3,6 @@
 import bpy
 
 from ..line_set_operators import CLASSES as LINE_SETS
-from .common import ENGINE
 
 
 class TOPBAR_MT_fovea(bpy.types.Menu):
@@ -26,9 +25,8 @@ class TOPBAR_MT_fovea(bpy.types.Menu):
                 layout.operator(cls.bl_idname)
 
 
-def append(menu, context):
-    if context.engine == ENGINE:
-        menu.layout.menu("TOPBAR_MT_fovea")
+def append(menu, _context):
+    menu.layout.menu("TOPBAR_MT_fovea")
 
 
 CLASSES = (TOPBAR_MT_fovea,)

@@ -30,6 +30,10 @@ class VIEW3D_PT_fovea(bpy.types.Panel):
         body = fold(layout, "side_focus", "Focus", closed=False)
         if body:
             draw_focus(body, context.scene.fovea)
+            tools = body.row(align=True)
+            tools.operator("fovea.pick_focus", text="Pick", icon="EYEDROPPER")
+            tools.operator("fovea.focus_pull", text="Pull", icon="DECORATE_ANIMATE")
+            tools.prop(context.window_manager, "fovea_show_focus", text="", icon="HIDE_OFF")
         tree = style_data.of(context.scene)
         body = fold(layout, "side_lines", "Lines", closed=False) if tree else None
         if body:

@@ -33,7 +33,7 @@ def draw_style(layout, context):
     own = style_data.of(context.scene) is not None
     layout.template_ID(settings, "style", new="fovea.style_duplicate" if own else "fovea.style_new")
     if not own:
-        layout.label(text=f"Draws with the default style, {style_data.title(style.DEFAULT)}", icon="INFO")
+        layout.label(text=f"{style_data.title(style.DEFAULT)}, as it ships", icon="INFO")
 
 
 def draw_gallery(layout):
