@@ -1,5 +1,5 @@
 // Laplacian line: zero crossings of the Laplacian of shading by a lamp at the eye.
-// Zhang et al., "Real-time Feature-based Line Drawing with Laplacian Lines", TVCG 2009.
+// Zhang et al., "Laplacian Lines for Real-Time Shape Illustration", I3D 2009.
 // In   curvature and its derivative, the view
 // Out  on the side that faces the viewer, where the Laplacian of n . v is zero and its gradient above the threshold
 #include "line/cluster_trace.h"
