@@ -8,6 +8,7 @@ from dataclasses import replace
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
+from .. import style_mix
 from . import focus_settings, gpu_context, methods, style_data, style_groups, style_read
 from .line_kinds import definitions  # noqa: F401 (part of what this module offers)
 from .property_kinds import redraw
@@ -17,8 +18,10 @@ def style_of(scene):
     """The Style a scene draws with, and where it looks; an evaluated scene's numbers are those of its frame.
 
     Nothing is made here: scenes without a style draw the default one."""
-    tree = style_data.of(scene)
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
     chosen = style_read.read(tree) if tree else style_data.default()
+    if scene.fovea.mix > 0.0 and style_data.is_style(other):
+        chosen = style_mix.mix(chosen, style_read.read(other), scene.fovea.mix)
     transparent = chosen.paper.transparent or scene.render.film_transparent
     paper = replace(chosen.paper, transparent=transparent)
     return replace(chosen, paper=paper, focus=focus_settings.focus_of(scene.fovea))
@@ -70,6 +73,21 @@ def _scene_group():
             name="Style",
             description="How the lines look and what lies under them; none: the default style",
             poll=lambda _settings, tree: style_data.is_style(tree),
+            update=redraw,
+        ),
+        "mixed_style": PointerProperty(
+            type=bpy.types.NodeTree,
+            name="Mix With",
+            description="Another style, into which the drawing may go over: lines of both go from pen to pen, others fade",
+            poll=lambda _settings, tree: style_data.is_style(tree),
+            update=redraw,
+        ),
+        "mix": FloatProperty(
+            name="Mix",
+            description="How far the drawing has gone over into the other style: 0 not at all, 1 wholly",
+            subtype="FACTOR",
+            min=0.0,
+            max=1.0,
             update=redraw,
         ),
         "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),

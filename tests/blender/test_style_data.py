@@ -153,6 +153,28 @@ def test_edits_are_undone_and_redone(scene):
         assert lines_of(bpy.context.scene).pen.width == width
 
 
+def test_a_scene_goes_over_into_another_style_as_keyed(tmp_path):
+    scene = box_scene()
+    use_style(scene, "plain").line_sets[0].pen.opacity = 1.0
+    other = style_data.new("Faint", style.load("plain"))
+    other.fovea.line_sets[0].pen.opacity, other.fovea.paper.color = 0.0, (0.5, 0.5, 0.5)
+    assert properties.style_of(scene) == style_read.read(scene.fovea.style)
+    scene.fovea.mixed_style = other
+    assert properties.style_of(scene).paper.color == (1.0, 1.0, 1.0)
+    for frame, mixed in ((1, 0.0), (3, 1.0)):
+        scene.fovea.mix = mixed
+        scene.fovea.keyframe_insert("mix", frame=frame)
+    ink_left, papers = [], []
+    for frame in (1, 2, 3):
+        scene.frame_set(frame)
+        picture = drawn(scene, tmp_path / f"{frame}.png")
+        papers.append(picture[0, 0, 0])
+        ink_left.append(papers[-1] - picture[..., :3].min())
+    assert papers[0] == 1.0 > papers[1] > papers[2]
+    assert ink_left[0] > 1.5 * ink_left[1] > 0.05 and ink_left[2] < 0.01
+    assert properties.style_of(scene).paper.color == (0.5, 0.5, 0.5)
+
+
 def test_keyed_and_driven_numbers_arrive_in_the_pictures_of_an_animation(tmp_path):
     scene = box_scene()
     pen, tree = lines_of(scene).pen, scene.fovea.style

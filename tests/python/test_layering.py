@@ -45,6 +45,7 @@ PARTS = {
     "focus": "style",
     "elision": "style",
     "style": "color elision focus style stages",
+    "style_mix": "stages style",
     "color": "style",
     "papers": "backend/cpu",
     "catalogue": "native",
@@ -57,7 +58,7 @@ PARTS = {
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
     "budget": "focus",
     "blender": "blender backend budget catalogue color elision emphasis focus line_arrays native pipeline stages style "
-    "textures",
+    "style_mix textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.

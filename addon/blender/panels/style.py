@@ -22,6 +22,12 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
         row.operator("fovea.style_import", text="Import")
         row.operator("fovea.style_export", text="Export")
         row.operator("fovea.style_save", text="Save")
+        mixing = layout.column()
+        mixing.use_property_split = True
+        mixing.prop(context.scene.fovea, "mixed_style")
+        factor = mixing.column()
+        factor.enabled = context.scene.fovea.mixed_style is not None
+        factor.prop(context.scene.fovea, "mix")
         gallery = fold(layout, "gallery", "Gallery")
         if gallery:
             draw_gallery(gallery)

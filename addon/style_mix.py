@@ -1,0 +1,115 @@
+"""A style between two: for changes of style over time.
+
+Numbers and colours go over steadily. Lines that both styles draw go from the one's pen to the other's, lines of one
+alone fade. Words and switches (textures, shading) change half way.
+"""
+
+from dataclasses import fields, is_dataclass, replace
+
+from .stages import Pen
+from .style_parts import Hidden, LineSet, Style
+
+
+def mix(one, other, share):
+    """The Style that is `one` at a share of 0 and `other` at 1. Where to look is said by `one`."""
+    if share <= 0.0:
+        return one
+    if share >= 1.0:
+        return replace(other, focus=one.focus)
+    names = (f.name for f in fields(Style) if f.name not in ("line_sets", "focus", "kept"))
+    mixed = {name: _between(getattr(one, name), getattr(other, name), share) for name in names}
+    return replace(one, line_sets=_line_sets(one, other, share), **mixed)
+
+
+def _between(a, b, share):
+    if is_dataclass(a) and type(a) is type(b):
+        return replace(a, **{f.name: _between(getattr(a, f.name), getattr(b, f.name), share) for f in fields(a)})
+    if isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b):
+        return tuple(_between(x, y, share) for x, y in zip(a, b))
+    if _is_number(a) and _is_number(b):
+        value = a + (b - a) * share
+        return round(value) if isinstance(a, int) and isinstance(b, int) else value
+    return a if share < 0.5 else b
+
+
+def _is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _line_sets(one, other, share):
+    """For each pair of line sets that have kinds in common one for these, and one for the kinds of either set that the
+    other style does not draw. Edges go to the first: they stand as in the style that is nearer."""
+    pairs = []  # (index in `one`, or None; in `other`, or None; kinds)
+    theirs = {kind: j for j, line_set in reversed(list(enumerate(other.line_sets))) for kind in line_set.kinds}
+    ours = {kind for line_set in one.line_sets for kind in line_set.kinds}
+    for i, line_set in enumerate(one.line_sets):
+        for j in sorted({theirs.get(kind, -1) for kind in line_set.kinds}):
+            pairs.append((i, j, [kind for kind in line_set.kinds if theirs.get(kind, -1) == j]))
+    for j, line_set in enumerate(other.line_sets):
+        pairs.append((-1, j, [kind for kind in line_set.kinds if kind not in ours]))
+    last = max(len(one.line_sets), len(other.line_sets))
+
+    def place(pair):
+        order = [last if index < 0 else index for index in pair[:2]]
+        return order if share < 0.5 else order[::-1]
+
+    return tuple(_line_set(one, other, pair, share) for pair in sorted(pairs, key=place) if pair[2]) or (LineSet(kinds={}),)
+
+
+def _line_set(one, other, pair, share):
+    i, j, kinds = pair
+    if j < 0:
+        return _fading(one.line_sets[i], kinds, 1.0 - share)
+    if i < 0:
+        return _fading(other.line_sets[j], kinds, share)
+    a, b = one.line_sets[i], other.line_sets[j]
+    values = {kind: _parameters(a.kinds[kind], b.kinds[kind], share) for kind in kinds}
+    away = None
+    if a.pen_away or b.pen_away:
+        away = _between(a.pen_away or a.pen, b.pen_away or b.pen, share)
+    overshoot_away = None
+    if a.overshoot_away is not None or b.overshoot_away is not None:
+        overshoot_away = _between(*(s.overshoot if s.overshoot_away is None else s.overshoot_away for s in (a, b)), share)
+    plain = ("corner_angle", "least_length", "overshoot", "halo", "pen", "name", "collection", "outside")
+    mixed = {name: _between(getattr(a, name), getattr(b, name), share) for name in plain}
+    hidden = _hidden(a.hidden, b.hidden, share)
+    return LineSet(kinds=values, pen_away=away, overshoot_away=overshoot_away, hidden=hidden, **mixed)
+
+
+def _parameters(a, b, share):
+    """Of a kind of lines; what one of the two leaves at its default goes over half way."""
+    nearer = a if share < 0.5 else b
+    return nearer | {name: _between(a[name], b[name], share) for name in a.keys() & b.keys()}
+
+
+def _hidden(a, b, share):
+    """Pens for what is hidden: those of the same range are mixed; others fade out, then the other style's fade in."""
+    same = [(x, y) for x in a for y in b if (x.first, x.last) == (y.first, y.last)]
+    if len(same) == len(a) == len(b):
+        return tuple(_hidden_pen(x, y, share) for x, y in same)
+    near, opacity = (a, 1.0 - 2.0 * share) if share < 0.5 else (b, 2.0 * share - 1.0)
+    return tuple(_faint_hidden(hidden, opacity) for hidden in near)
+
+
+def _hidden_pen(a, b, share):
+    away = _between(a.pen_away or a.pen, b.pen_away or b.pen, share) if a.pen_away or b.pen_away else None
+    return Hidden(_between(a.pen, b.pen, share), a.first, a.last, away)
+
+
+def _fading(line_set, kinds, opacity):
+    """Some kinds of a line set, so much fainter."""
+    return replace(
+        line_set,
+        kinds={kind: line_set.kinds[kind] for kind in kinds},
+        pen=_faint(line_set.pen, opacity),
+        pen_away=_faint(line_set.pen_away, opacity),
+        hidden=tuple(_faint_hidden(hidden, opacity) for hidden in line_set.hidden),
+    )
+
+
+def _faint_hidden(hidden, opacity):
+    return replace(hidden, pen=_faint(hidden.pen, opacity), pen_away=_faint(hidden.pen_away, opacity))
+
+
+def _faint(pen: Pen | None, opacity):
+    return pen and replace(pen, opacity=pen.opacity * opacity)

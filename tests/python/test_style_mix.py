@@ -1,0 +1,90 @@
+"""Between two styles: what is common goes over steadily, what is not fades, and the ends are the styles themselves."""
+
+from dataclasses import fields, is_dataclass, replace
+
+import pytest
+from addon import catalogue, style, style_mix
+from addon.stages import Pen
+from addon.style_parts import Hidden, LineSet, Paper, Style
+
+NAMES = style.names()
+
+
+def opacity_of(mixed, kind):
+    """How opaque lines of a kind are."""
+    return next((s.pen.opacity for s in mixed.line_sets if kind in s.kinds), 0.0)
+
+
+def kinds(wanted):
+    return [kind for line_set in wanted.line_sets for kind in line_set.kinds]
+
+
+@pytest.mark.parametrize("other", NAMES)
+def test_the_ends_are_the_styles(other):
+    one, two = style.load("pen_and_ink"), style.load(other)
+    assert style_mix.mix(one, two, 0.0) == one and style_mix.mix(one, two, -1.0) == one
+    assert style_mix.mix(one, two, 1.0) == replace(two, focus=one.focus)
+
+
+@pytest.mark.parametrize("share", [0.01, 0.3, 0.5, 0.8, 0.99])
+@pytest.mark.parametrize("name", NAMES)
+def test_between_a_style_and_itself_is_that_style(name, share):
+    one = style.load(name)
+    assert flat(style_mix.mix(one, one, share)) == pytest.approx(flat(one))
+
+
+def flat(data, where=""):
+    """{dotted name: number or word} of nested dataclasses; what a style draws of each kind of lines."""
+    if isinstance(data, Style):
+        parts = {f.name: getattr(data, f.name) for f in fields(data) if f.name not in ("line_sets", "kept")}
+        sets = {kind: replace(s, kinds=s.kinds[kind]) for s in reversed(data.line_sets) for kind in s.kinds}
+        data = parts | sets
+    if is_dataclass(data):
+        data = {f.name: getattr(data, f.name) for f in fields(data)}
+    if isinstance(data, tuple):
+        data = dict(enumerate(data))
+    if isinstance(data, dict):
+        return {key: value for name, part in data.items() for key, value in flat(part, f"{where}.{name}").items()}
+    return {where: data}
+
+
+@pytest.mark.parametrize("one", NAMES)
+@pytest.mark.parametrize("two", NAMES)
+def test_every_line_of_both_is_drawn_once(one, two):
+    a, b = style.load(one), style.load(two)
+    for share in (0.2, 0.7):
+        mixed = style_mix.mix(a, b, share)
+        assert sorted(set(kinds(mixed))) == sorted(set(kinds(a)) | set(kinds(b)))
+        for kind in set(kinds(a)) - set(kinds(b)):
+            assert opacity_of(mixed, kind) == pytest.approx((1 - share) * opacity_of(a, kind))
+        for kind in set(kinds(b)) - set(kinds(a)):
+            assert opacity_of(mixed, kind) == pytest.approx(share * opacity_of(b, kind))
+        for kind in set(kinds(a)) & set(kinds(b)):
+            wanted = (1 - share) * opacity_of(a, kind) + share * opacity_of(b, kind)
+            assert opacity_of(mixed, kind) == pytest.approx(wanted)
+        # What is made is a style: its file can be read again.
+        assert style.parse(style.dump(mixed), catalogue.definitions()).line_sets == mixed.line_sets
+
+
+def test_numbers_and_colours_go_over_steadily():
+    one = Style(paper=Paper(color=(1.0, 1.0, 1.0), scale=1.0), line_sets=(LineSet(kinds={"crease": {"angle": 20.0}}),))
+    two = Style(paper=Paper(color=(0.0, 0.5, 1.0), scale=3.0), line_sets=(LineSet(kinds={"crease": {"angle": 60.0}}),))
+    mixed = style_mix.mix(one, two, 0.25)
+    assert mixed.paper.color == (0.75, 0.875, 1.0) and mixed.paper.scale == 1.5
+    assert mixed.line_sets[0].kinds["crease"]["angle"] == 30.0
+
+
+def test_what_only_one_has_out_of_focus_comes_from_its_pen_in_focus():
+    pen, away = Pen(width=2.0), Pen(width=10.0)
+    one, two = (Style(line_sets=(LineSet(kinds={"crease": {}}, pen=pen, pen_away=a),)) for a in (None, away))
+    assert style_mix.mix(one, two, 0.25).line_sets[0].pen_away.width == 4.0
+
+
+def test_hidden_pens_of_different_ranges_fade_one_after_the_other():
+    one, two = (
+        Style(line_sets=(LineSet(kinds={"crease": {}}, hidden=(Hidden(Pen(opacity=0.8), first, last),)),))
+        for first, last in ((1, 1), (1, None))
+    )
+    at = {share: style_mix.mix(one, two, share).line_sets[0].hidden[0] for share in (0.25, 0.5, 0.75)}
+    assert (at[0.25].last, at[0.75].last) == (1, None)
+    assert [at[share].pen.opacity for share in at] == pytest.approx([0.4, 0.0, 0.4])
