@@ -1,6 +1,7 @@
 """Finds the native module, which lies beside this file, and says what is wrong when it cannot be used."""
 
 import importlib
+import os
 import sys
 from pathlib import Path
 
@@ -14,9 +15,23 @@ class Unavailable(RuntimeError):
 def load():
     """The native module, the same object every time."""
     try:
-        return importlib.import_module("._native", __package__)
+        module = importlib.import_module("._native", __package__)
     except ImportError as error:
         raise Unavailable(_explain(error)) from error
+    # A process keeps the native code that it has loaded, whatever is installed over it.
+    file = _file_of(module)
+    if vars(module).setdefault("loaded_from", file) != file:
+        raise Unavailable("Fovea has been updated while Blender was running; start Blender again")
+    return module
+
+
+def _file_of(module):
+    """What tells the module's file from another one in its place; None where there is none."""
+    try:
+        found = os.stat(module.__file__)
+    except FileNotFoundError:
+        return None
+    return found.st_ino, found.st_mtime_ns, found.st_size
 
 
 def problem():

@@ -49,3 +49,14 @@ def test_a_module_that_does_not_load(package):
 def test_a_module_that_loads(package):
     (package / "_native.py").write_text("answer = 42")
     assert importlib.import_module("without_native.native").load().answer == 42
+
+
+def test_a_module_that_was_replaced_while_it_was_loaded(package):
+    (package / "_native.py").write_text("answer = 42")
+    native = importlib.import_module("without_native.native")
+    assert native.load() is native.load() and native.problem() == ""
+    (package / "_native.py").write_text("answer = 'newer'")
+    assert "start Blender again" in complaint()
+    # The add-on's own modules are new after an update, the native one is still the old one.
+    del sys.modules["without_native.native"]
+    assert "start Blender again" in complaint()
