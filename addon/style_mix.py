@@ -39,7 +39,7 @@ def _is_number(value):
 def _line_sets(one, other, share):
     """For each pair of line sets that have kinds in common one for these, and one for the kinds of either set that the
     other style does not draw. Edges go to the first: they stand as in the style that is nearer."""
-    pairs = []  # (index in `one`, or None; in `other`, or None; kinds)
+    pairs = []  # (index in `one`, in `other`, -1: in none; kinds)
     theirs = {kind: j for j, line_set in reversed(list(enumerate(other.line_sets))) for kind in line_set.kinds}
     ours = {kind for line_set in one.line_sets for kind in line_set.kinds}
     for i, line_set in enumerate(one.line_sets):
@@ -64,16 +64,13 @@ def _line_set(one, other, pair, share):
         return _fading(other.line_sets[j], kinds, share)
     a, b = one.line_sets[i], other.line_sets[j]
     values = {kind: _parameters(a.kinds[kind], b.kinds[kind], share) for kind in kinds}
-    away = None
-    if a.pen_away or b.pen_away:
-        away = _between(a.pen_away or a.pen, b.pen_away or b.pen, share)
     overshoot_away = None
     if a.overshoot_away is not None or b.overshoot_away is not None:
         overshoot_away = _between(*(s.overshoot if s.overshoot_away is None else s.overshoot_away for s in (a, b)), share)
     plain = ("corner_angle", "least_length", "overshoot", "halo", "pen", "name", "collection", "outside")
     mixed = {name: _between(getattr(a, name), getattr(b, name), share) for name in plain}
     hidden = _hidden(a.hidden, b.hidden, share)
-    return LineSet(kinds=values, pen_away=away, overshoot_away=overshoot_away, hidden=hidden, **mixed)
+    return LineSet(kinds=values, pen_away=_away(a, b, share), overshoot_away=overshoot_away, hidden=hidden, **mixed)
 
 
 def _parameters(a, b, share):
@@ -92,8 +89,12 @@ def _hidden(a, b, share):
 
 
 def _hidden_pen(a, b, share):
-    away = _between(a.pen_away or a.pen, b.pen_away or b.pen, share) if a.pen_away or b.pen_away else None
-    return Hidden(_between(a.pen, b.pen, share), a.first, a.last, away)
+    return Hidden(_between(a.pen, b.pen, share), a.first, a.last, _away(a, b, share))
+
+
+def _away(a, b, share):
+    """The pen out of focus of two line sets or hidden pens: where one has none, its pen in focus stands for it."""
+    return _between(a.pen_away or a.pen, b.pen_away or b.pen, share) if a.pen_away or b.pen_away else None
 
 
 def _fading(line_set, kinds, opacity):

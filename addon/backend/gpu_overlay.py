@@ -5,6 +5,8 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 from gpu_extras.presets import draw_texture_2d
 
+from .gpu_texture import upload
+
 _SEGMENTS = 96
 _ANGLES = np.linspace(0, 2 * np.pi, _SEGMENTS + 1)
 _CIRCLE = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros_like(_ANGLES)], axis=1)
@@ -35,10 +37,7 @@ class Veil:
     """A picture (H, W, 4) float32, bottom row first, in the display's space, alpha not multiplied in."""
 
     def __init__(self, pixels):
-        height, width = pixels.shape[:2]
-        flat = np.ascontiguousarray(pixels, np.float32).ravel()
-        data = gpu.types.Buffer("FLOAT", flat.size, flat)
-        self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=data)
+        self._texture = upload(pixels, "RGBA16F")
 
     def show(self, width, height):
         """Over a region of that many pixels."""

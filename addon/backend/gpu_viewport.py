@@ -1,18 +1,16 @@
 """Shows a picture in the 3D viewport that Blender is drawing."""
 
 import gpu
-import numpy as np
 from gpu_extras.presets import draw_texture_2d
+
+from .gpu_texture import upload
 
 
 class Picture:
     """Scene-linear, premultiplied RGBA, (H, W, 4) float32, bottom row first, in a texture."""
 
     def __init__(self, pixels):
-        height, width = pixels.shape[:2]
-        flat = np.ascontiguousarray(pixels, np.float32).ravel()
-        data = gpu.types.Buffer("FLOAT", flat.size, flat)
-        self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=data)
+        self._texture = upload(pixels, "RGBA16F")
 
     def show(self, programs, engine, scene, width, height):
         """Fills a region of that size, in the scene's display space; `programs`: a gpu_program.Programs."""

@@ -162,12 +162,4 @@ class VIEW3D_GGT_fovea_focus(bpy.types.GizmoGroup):
 
 CLASSES = (FOVEA_GT_focus_handle, VIEW3D_GGT_fovea_focus)
 
-
-def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister():
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -130,12 +130,4 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
 
 CLASSES = (FOVEA_OT_render_lines, FOVEA_OT_bake_strokes)
 
-
-def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister():
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

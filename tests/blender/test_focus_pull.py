@@ -4,19 +4,14 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
-from the_addon import add_camera, box_mesh, empty_scene, new_object, part
+from the_addon import a_box_to_look_at, part
 
 places = part("blender.focus_places")
 
 
 @pytest.fixture
 def scene():
-    scene = empty_scene()
-    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 400, 200
-    new_object(box_mesh(), "Box", (1, 2, 0))
-    add_camera((3, -16, 6), (0, 0, 0))
-    bpy.context.view_layer.update()
-    return scene
+    return a_box_to_look_at()
 
 
 def values(scene, name, owner=None):

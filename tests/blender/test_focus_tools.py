@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix, Vector
-from the_addon import add_camera, box_mesh, empty_scene, fovea, new_object, part
+from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
 places, gizmos, overlay = part("blender.focus_places"), part("blender.focus_gizmos"), part("blender.focus_overlay")
 operators = part("blender.focus_operators")
@@ -15,12 +15,7 @@ camera, reading, focus = part("blender.camera"), part("blender.reading"), part("
 
 @pytest.fixture
 def scene():
-    scene = empty_scene()
-    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 400, 200
-    new_object(box_mesh(), "Box", (1, 2, 0))
-    add_camera((3, -16, 6), (0, 0, 0))
-    bpy.context.view_layer.update()
-    return scene
+    return a_box_to_look_at()
 
 
 def look(projection=None, location=(0, 0, -10), frame=(0, 0, 400, 200)):

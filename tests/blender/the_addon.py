@@ -78,6 +78,16 @@ def add_camera(location=(5, -7, 4), target=(0, 0, 0)):
     return camera
 
 
+def a_box_to_look_at():
+    """A scene of 400 x 200 pixels with a box beside the middle of it."""
+    scene = empty_scene()
+    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 400, 200
+    new_object(box_mesh(), "Box", (1, 2, 0))
+    add_camera((3, -16, 6), (0, 0, 0))
+    bpy.context.view_layer.update()
+    return scene
+
+
 def mark_edges(mesh, *, sharp=(), seam=(), freestyle=()):
     """Marks edges by index, on either generation of Blender's API."""
     for index in sharp:

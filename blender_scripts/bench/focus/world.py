@@ -47,9 +47,7 @@ class World:
     """What a render handed to `pipeline.draw`."""
 
     def __init__(self, draw, placed, view, options, given):
-        self._draw, self._placed, self.view, self._options = draw, placed, view, options
-        # Styles drawn here have other line sets than the scene's, and none is for a collection alone.
-        self._given = given | {"notes": replace(given["notes"], members=())}
+        self._draw, self._placed, self.view, self._options, self._given = draw, placed, view, options, given
 
     def draw(self, style_, view=None, backend=None):
         """Drawn, in a Style, from a stages.View or the scene's own."""
@@ -67,8 +65,9 @@ def measure(work, size, named="watercolor"):
 
     def measured(placed, seen, style_, backend, options, **given):
         pipeline.draw = draw
-        outcome.append(work(World(draw, placed, views[-1], replace(options, with_depth=True), given)))
+        # Styles drawn here have other line sets than the scene's, and none is for a collection alone.
         given["notes"] = replace(given["notes"], members=())
+        outcome.append(work(World(draw, placed, views[-1], replace(options, with_depth=True), given)))
         return draw(placed, seen, plain(), backend, options, **given)
 
     render = bpy.context.scene.render
