@@ -5,7 +5,7 @@ import time
 from the_addon import part
 from window import screen
 
-viewport, session = part("blender.viewport"), part("blender.session")
+viewport, session, Budget = part("blender.viewport"), part("blender.session"), part("budget").Budget
 
 
 class Watch:
@@ -13,24 +13,28 @@ class Watch:
 
     def __init__(self):
         self.kept = {}  # region -> its Viewport, of those drawn
-        self._old = viewport.draw, session.gather
+        self._old = viewport.draw, session.gather, Budget.choose
         viewport.draw, session.gather = self._draw, self._gather
+        Budget.choose = lambda *arguments: self._choose(*arguments)
         self.reset()
 
     def reset(self):
         self.draws = self.read = 0
         self.longest = 0.0  # seconds that a draw took
-        self.qualities = []  # of the pictures shown, by draw; 0 is the best
+        self.drafts = []  # qualities that were chosen while something changed; 0 is the best
 
     def end(self):
-        viewport.draw, session.gather = self._old
+        viewport.draw, session.gather, Budget.choose = self._old
 
     def _draw(self, engine, context, depsgraph):
         start = time.perf_counter()
         self._old[0](engine, context, depsgraph)
         self.draws, self.longest = self.draws + 1, max(self.longest, time.perf_counter() - start)
         self.kept[context.region.as_pointer()] = engine.viewport
-        self.qualities.append(engine.viewport.shown.quality if engine.viewport.shown else None)
+
+    def _choose(self, *arguments):
+        self.drafts.append(self._old[2](*arguments))
+        return self.drafts[-1]
 
     def _gather(self, *arguments, **options):
         self.read += 1
