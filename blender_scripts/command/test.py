@@ -1,5 +1,6 @@
 """Every test on one target: native, native under sanitizers, Python without Blender, inside Blender, and in its window."""
 
+import os
 import re
 import shutil
 import sys
@@ -39,29 +40,50 @@ def _parse(words):
 def _part(target, part, report, words):
     """Runs one part to its counts; one that cannot be built must not hide what the others say."""
     try:
-        command, environment = PARTS[part](target, report, words)
-        log, status = target.attempt(f"{part} tests", command, **environment)
+        runs = PARTS[part](target, report, words)
     except StepFailed as failure:
         print(failure, flush=True)
         counts = Counter(failed=1)
     else:
-        counts = _counts(report) if report.exists() else Counter()
-        if status != 0 and not counts["failed"] or not counts:
-            counts["failed"] += 1  # crashed, or found no tests
-        if counts["failed"]:
-            print(f"{target.name}: {part} tests FAILED; all of it is in {log}:\n{tail(log, 400, PASSING)}", flush=True)
+        with ThreadPoolExecutor(len(runs)) as pool:
+            counts = sum(pool.map(lambda run: _outcome(target, part, *run), runs), Counter())
     say(f"{target.name}: {part} tests: {', '.join(f'{counts[kind]} {kind}' for kind in ('passed', 'failed', 'skipped'))}")
     return counts
 
 
+def _outcome(target, part, sentence, command, report, environment):
+    """The counts of one run."""
+    log, status = target.attempt(sentence, command, **environment)
+    counts = _counts(report) if report.exists() else Counter()
+    if status != 0 and not counts["failed"] or not counts:
+        counts["failed"] += 1  # crashed, or found no tests
+    if counts["failed"]:
+        print(f"{target.name}: {part} tests FAILED; all of it is in {log}:\n{tail(log, 400, PASSING)}", flush=True)
+    return counts
+
+
+# A part is a list of runs that may go on side by side: (what to call it, command, report, environment).
+
+
 def _native(target, report, _words):
-    folder = build.build(target, "fovea_tests")
-    return [folder / "fovea_tests", f"--gtest_output=xml:{report}"], {}
+    return _shards("native", build.build(target, "fovea_tests"), report)
 
 
 def _sanitize(target, report, _words):
-    folder = build.build(target, "fovea_tests", sanitize=True)
-    return [folder / "fovea_tests", f"--gtest_output=xml:{report}"], {"UBSAN_OPTIONS": "print_stacktrace=1"}
+    return _shards("sanitize", build.build(target, "fovea_tests", sanitize=True), report)
+
+
+def _shards(part, folder, report):
+    """GoogleTest's shards, one per core: most tests use one."""
+    count = len(os.sched_getaffinity(0))
+    runs = []
+    for i in range(count):
+        own = report.with_stem(f"{report.stem}-{i + 1}")
+        environment = {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}
+        environment["UBSAN_OPTIONS"] = "print_stacktrace=1"
+        command = [folder / "fovea_tests", f"--gtest_output=xml:{own}"]
+        runs.append((f"{part} tests {i + 1} of {count}", command, own, environment))
+    return runs
 
 
 def _python(target, report, words):
@@ -69,19 +91,21 @@ def _python(target, report, words):
     command = [sys.executable, "-m", "pytest", TESTS / "python", "-v", f"--junitxml={report}", *words]
     # The staged package has the native module in it, the checkout's folder has not.
     path = str(package.importable(target))
-    return command, {"PYTHONPATH": path, "PYTHONSAFEPATH": "1", "FOVEA_BLENDER": target.blender}
+    environment = {"PYTHONPATH": path, "PYTHONSAFEPATH": "1", "FOVEA_BLENDER": target.blender}
+    return [("python tests", command, report, environment)]
 
 
 def _blender(target, report, words):
     package.install(target)
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", TESTS / "blender" / "run.py"]
-    return [*command, "--", "-v", f"--junitxml={report}", *words], {"FOVEA_REPORTS": str(target.work / "log")}
+    command += ["--", "-v", f"--junitxml={report}", *words]
+    return [("blender tests", command, report, {"FOVEA_REPORTS": str(target.work / "log")})]
 
 
 def _window(target, report, words):
     package.install(target)
     command = [sys.executable, "-m", "pytest", TESTS / "window", "-v", f"--junitxml={report}", *words]
-    return command, {"FOVEA_BLENDER": target.blender}
+    return [("window tests", command, report, {"FOVEA_BLENDER": target.blender})]
 
 
 def _counts(report):
