@@ -1,13 +1,10 @@
 """Viewports, windows, view layers and their switches. What a scenario returns is for the tests to judge."""
 
 import bpy
-import numpy as np
 from pointer import drag
 from showing import Steps, is_calm, opened, turn
-from the_addon import box_mesh, new_object, part
+from the_addon import box_mesh, new_object
 from window import screen
-
-viewport = part("blender.viewport")
 
 
 def switches(folder):
@@ -49,8 +46,8 @@ def switches(folder):
     yield from step("hidden collection", setattr, layer, "hide_viewport", True)
     yield from step("shown collection", setattr, layer, "hide_viewport", False)
     yield from step("local collections", setattr, space, "use_local_collections", True)
-    yield from step("hidden here", layer_visibility, False)
-    yield from step("shown here", layer_visibility, True)
+    yield from step("hidden here", ops.object.hide_collection, collection_index=1, toggle=True)
+    yield from step("shown here", ops.object.hide_collection, collection_index=1, toggle=True)
     yield from step("no meshes", setattr, space, "show_object_viewport_mesh", False)
     yield from step("meshes", setattr, space, "show_object_viewport_mesh", True)
     yield from step("clipped", setattr, space, "clip_end", 5.5)
@@ -63,16 +60,6 @@ def switches(folder):
     pairs = "start, second layer; start, hidden here; start, no meshes; start, clipped"
     told["other"] = {pair: steps.differ(*pair.split(", ")) for pair in pairs.split("; ")}
     return told | {"calm": is_calm()}
-
-
-def layer_visibility(shown):
-    """Shows or hides the collection in this viewport's own collections."""
-    bpy.data.collections["Beside"].objects[0].local_view_set  # the object is of this file
-    layer = bpy.context.view_layer.layer_collection.children["Beside"]
-    with screen.override():
-        index = 1
-        bpy.ops.object.hide_collection(collection_index=index, toggle=True)
-    return layer, shown
 
 
 def locked_camera(folder):
@@ -137,7 +124,6 @@ def many(folder):
     told["placed"] = [
         len(watch.of(area).shown.wanted.scene.gathered.snapshot.objects) for area in (screen.area(), other)
     ]
-    watch.forget(other)
     bpy.data.objects["Beside"].location.z += 1
     with bpy.context.temp_override(window=windows[1]):
         ops.wm.window_close()

@@ -26,13 +26,14 @@ def many(folder, seed, count):
         yield from watch.refined()
         pictures.append(screen.picture()[16:])
     told = {"names": names, "changed": sum(bool((a != b).any()) for a, b in zip(pictures, pictures[1:]))}
-    told["undone"] = yield from go(watch, bpy.ops.ed.undo, range(count - 1, -1, -1), pictures, names)
-    told["redone"] = yield from go(watch, bpy.ops.ed.redo, range(1, count + 1), pictures, names)
+    told["undone"] = yield from go(watch, bpy.ops.ed.undo, range(count - 1, -1, -1), pictures, names, folder)
+    told["redone"] = yield from go(watch, bpy.ops.ed.redo, range(1, count + 1), pictures, names, folder)
     return told | {"calm": is_calm()}
 
 
-def go(watch, step, places, pictures, names):
-    """Takes a step to each of the places; [place, name, difference] where the picture there is another."""
+def go(watch, step, places, pictures, names, folder):
+    """Takes a step to each of the places; [place, name, difference] where the picture there is another; both are kept
+    in the folder."""
     wrong = []
     for place in places:
         with screen.override():
@@ -44,4 +45,5 @@ def go(watch, step, places, pictures, names):
         difference = float(np.abs(screen.picture()[16:] - pictures[place]).mean())
         if difference > 1e-5:
             wrong.append([place, names[max(place - 1, 0)], difference])
+            np.save(folder / f"{step.idname_py()}_{place}.npy", np.stack((pictures[place], screen.picture()[16:])))
     return wrong
