@@ -16,12 +16,10 @@ def switches(folder):
     beside = bpy.data.collections.new("Beside")
     scene.collection.children.link(beside)
     new_object(box_mesh(0.6), "Beside", (1.5, -1.5, 1), beside)
+    space.region_3d.view_distance = 9
     yield from step("start", bool)
-    reads = watch.read
-    yield from step("x-ray", ops.view3d.toggle_xray)
-    told["x-ray is"] = space.shading.show_xray
-    told["read for x-ray"] = watch.read - reads
-    yield from step("x-ray off", ops.view3d.toggle_xray)
+    yield from step("x-ray", setattr, space.shading, "show_xray", True)
+    yield from step("x-ray off", setattr, space.shading, "show_xray", False)
     for name in ("WIREFRAME", "SOLID"):
         space.shading.type = name
         space.shading.show_xray = name == "SOLID"
@@ -50,8 +48,8 @@ def switches(folder):
     yield from step("shown here", ops.object.hide_collection, collection_index=1, toggle=True)
     yield from step("no meshes", setattr, space, "show_object_viewport_mesh", False)
     yield from step("meshes", setattr, space, "show_object_viewport_mesh", True)
-    yield from step("clipped", setattr, space, "clip_end", 5.5)
-    yield from step("unclipped", setattr, space, "clip_end", 1000.0)
+    yield from step("clipped", setattr, space, "clip_start", 9.0)
+    yield from step("unclipped", setattr, space, "clip_start", 0.01)
 
     pairs = "start, x-ray; start, x-ray off; start, shaded again; start, no overlays; start, first layer"
     pairs += "; start, shown collection; second layer, hidden collection; start, local collections"
@@ -109,7 +107,10 @@ def many(folder):
     yield from steps.step("one again", bool)
 
     with screen.override():
-        ops.wm.window_new()
+        ops.screen.back_to_previous()
+    yield from screen.rest(0.3)
+    with screen.override():
+        ops.wm.window_new_main()
     yield from screen.rest(0.5)
     windows = bpy.context.window_manager.windows
     other = next(a for a in windows[1].screen.areas if a.type in ("VIEW_3D", "PROPERTIES", "OUTLINER"))
@@ -127,6 +128,7 @@ def many(folder):
     bpy.data.objects["Beside"].location.z += 1
     with bpy.context.temp_override(window=windows[1]):
         ops.wm.window_close()
+    yield from screen.fill()
     yield from steps.step("moved", bool)
     bpy.data.objects["Beside"].location.z -= 1
     yield from steps.step("alone", bool)
