@@ -37,6 +37,12 @@ class Buffers:
         return array[:size].reshape(shape)
 
 
+def is_edited(obj):
+    """Whether an evaluated object's mesh is in edit mode, be it in that of another object: then its arrays may be
+    missing, and `to_mesh` makes them."""
+    return obj.data.is_editmode
+
+
 def read(mesh, buffers, *, with_marks):
     """The arrays of an evaluated mesh. Freestyle marks are slow to read before Blender 5.0: only `with_marks`."""
     vertices, edges, corners = len(mesh.vertices), len(mesh.edges), len(mesh.loops)

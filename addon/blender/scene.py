@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 
 from . import materials, repair, subdivision
+from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
 VIEWPORTS = 4  # that keep what only they show
@@ -73,7 +74,7 @@ class _Gathering:
     def surface_index(self, obj, mesh):
         # Meshes stay where they are while one depsgraph is walked over, so here a pointer may name one (but not one
         # that is thrown away at once). The object counts because it may bring its own materials.
-        place = obj.name_full if obj.mode == "EDIT" else mesh.as_pointer()
+        place = obj.name_full if is_edited(obj) else mesh.as_pointer()
         met = (place, obj.name_full)
         if met not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
@@ -159,7 +160,7 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
         if not isinstance(obj.data, bpy.types.Mesh):
             continue
         usage = gathering.usage(instance)
-        if usage and obj.mode == "EDIT":
+        if usage and is_edited(obj):
             # Its arrays are empty until Blender is asked for them.
             gathering.add(step, obj, obj.to_mesh(), instance, usage)
             obj.to_mesh_clear()

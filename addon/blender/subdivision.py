@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
+from .mesh_arrays import is_edited
+
 MOST_LEVELS = 7  # native/mesh/refine.h
 
 
@@ -28,7 +30,7 @@ def plan(obj, mesh, depsgraph):
     """
     real = obj.original.evaluated_get(depsgraph)  # instances are short-lived copies
     wanted = real.fovea.refine_level if real.fovea.refine else 0
-    if real.data == mesh and obj.mode != "EDIT":
+    if real.data == mesh and not is_edited(real):
         index = _last_modifier(real, depsgraph.mode)
         modifier = None if index is None else real.modifiers[index]
         if modifier is not None and modifier.type == "SUBSURF" and modifier.subdivision_type == "CATMULL_CLARK":

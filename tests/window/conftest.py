@@ -1,4 +1,4 @@
-"""Scenarios in a Blender with a window: `play` runs one of a file."""
+"""Scenarios in a Blender with a window: `play` runs one."""
 
 import os
 import re
@@ -18,12 +18,15 @@ SIZE = (960, 600)
 
 
 @pytest.fixture
-def play(tmp_path):
-    """A function from the name of a scenario to what it returned; the console must be free of complaints."""
+def play(request, tmp_path):
+    """A function from the name of a scenario to what it returned; the console must be free of complaints. The scenarios
+    of test_THIS.py are in THIS_scenarios.py, unless another file is named."""
     if not shutil.which("xvfb-run"):
         pytest.skip("there is no xvfb-run here to make a screen")
 
-    def run(scenario, file="scenarios.py", **options):
+    own = request.path.name.removeprefix("test_").replace(".py", "_scenarios.py")
+
+    def run(scenario, file=own, **options):
         blender = os.environ["FOVEA_BLENDER"]
         played = window.play(blender, dict(os.environ), HERE / file, scenario, tmp_path, size=SIZE, **options)
         complaints = [line for line in played.console.splitlines() if COMPLAINT.search(line)]

@@ -1,0 +1,117 @@
+"""What moves: the view, shapes, time. What a scenario returns is for the tests to judge."""
+
+import bpy
+import numpy as np
+from showing import SHARED, Steps, caretaker, is_calm, opened, threads, turn
+from the_addon import box_mesh, new_object, part
+from window import screen
+
+LITTLE, PLENTY = 1, 10000  # ms for a draw: no machine keeps the one, every machine the other
+
+
+def orbit(folder):
+    """30 steps around the office, or a smaller scene where its models are missing: in a budget that nothing keeps, so
+    that it does not matter how fast the machine is; then a few in one that everything keeps."""
+    watch = yield from opened("office" if SHARED.is_dir() else "demo")
+    first = {"read": watch.read, "draws": watch.draws}
+    screen.space().region_3d.view_perspective = "PERSP"
+    yield from watch.refined()
+    at_rest = screen.picture()
+    settings = bpy.context.scene.fovea_viewport
+    settings.budget_ms = LITTLE
+    watch.reset()
+    pictures = []
+    for _ in range(30):
+        turn(3)
+        screen.swap()
+        pictures.append(screen.picture()[::8, ::8].copy())
+        yield
+    moving = {"read": watch.read, "longest": watch.longest, "drafts": watch.drafts, "draws": watch.draws}
+    moving["changed"] = sum(bool((a != b).any()) for a, b in zip(pictures, pictures[1:]))
+    yield from watch.refined()
+    refined = watch.of(screen.area()).shown.quality
+    watch.reset()
+    yield 2.0
+    idle = {"draws": watch.draws, "timer": bpy.app.timers.is_registered(caretaker.tick), "threads": threads()}
+    turn(-90)
+    yield from watch.refined()
+    back = float(np.abs(screen.picture() - at_rest)[16:].mean())
+    settings.budget_ms = PLENTY
+    watch.reset()
+    for _ in range(4):
+        turn(3)
+        screen.swap()
+        yield
+    yield from watch.refined()
+    return {"first": first, "moving": moving, "refined": refined, "idle": idle, "back": back, "plenty": watch.drafts}
+
+
+def shapes(folder):
+    """Shape keys, an armature, playback, a style, several viewports, orthographic views."""
+    watch = yield from opened("boxes:2")
+    steps, layer, held = Steps(watch), bpy.context.view_layer, part("blender.style_data").own(bpy.context.scene)
+    obj = new_object(box_mesh(1.5), "Shaped", (0, 0, 5))
+    obj.shape_key_add(name="Basis")
+    key = obj.shape_key_add(name="Wide")
+    for point in key.data:
+        point.co.x *= 2
+    yield from steps.step("shape", setattr, key, "value", 0.0)
+    yield from steps.step("wide", setattr, key, "value", 1.0)
+    bones = new_object(bpy.data.armatures.new("Bones"), "Bones")
+    layer.objects.active = bones
+    with screen.override():
+        bpy.ops.object.mode_set(mode="EDIT")
+        bone = bones.data.edit_bones.new("Bone")
+        bone.head, bone.tail = (0, 0, 5), (0, 0, 7)
+        bpy.ops.object.mode_set(mode="OBJECT")
+    obj.vertex_groups.new(name="Bone").add(range(8), 1.0, "ADD")
+    obj.modifiers.new("Armature", "ARMATURE").object = bones
+    yield from steps.step("boned", setattr, bones.pose.bones["Bone"], "location", (0, 0, 0))
+    yield from steps.step("posed", setattr, bones.pose.bones["Bone"], "location", (2, 0, 0))
+    reads = watch.read
+    yield from steps.step("paper", setattr, held.paper, "color", (0.5, 0.5, 0.5))
+    told = {"read of a style": watch.read - reads}
+    yield from steps.step("top", bpy.ops.view3d.view_axis, type="TOP")
+    told["played"] = yield from play(watch, obj)
+    yield from screen.until(lambda: not watch.of(screen.area()).playing)
+    yield from watch.refined()
+    told["after playing"] = watch.of(screen.area()).shown.quality
+    told["two"] = yield from two_viewports(watch)
+    pairs = ("shape", "wide"), ("boned", "posed"), ("posed", "paper"), ("paper", "top")
+    told["differences"] = {f"{a}, {b}": steps.differ(a, b) for a, b in pairs}
+    told["calm"] = is_calm()
+    return told
+
+
+def play(watch, obj):
+    """Animation playback: pictures come, none is refined; when it ends, the last one is."""
+    for number, place in ((1, 0.0), (20, 4.0)):
+        obj.location.x = place
+        obj.keyframe_insert("location", frame=number)
+    with screen.override():
+        bpy.ops.screen.animation_play()
+    yield from screen.rest(0.5)
+    watch.reset()
+    yield from screen.rest(2.0)
+    told = {"draws": watch.draws, "read": watch.read}
+    with screen.override():
+        bpy.ops.screen.animation_cancel(restore_frame=False)
+    return told
+
+
+def two_viewports(watch):
+    """Both refined, also when the scene changes; and alike where they look from the same place."""
+    with screen.override():
+        bpy.ops.screen.back_to_previous()
+    yield from screen.rest(0.3)
+    with screen.override():
+        bpy.ops.screen.area_split(direction="VERTICAL", factor=0.5)
+    yield from screen.rest(0.3)
+    both = [screen.area(0), screen.area(1)]
+    for one in both:
+        one.spaces.active.shading.type = "RENDERED"
+    yield from watch.refined(*both)
+    bpy.data.objects["Shaped"].location.z += 1
+    turn(20)
+    yield from watch.refined(*both)
+    return [watch.of(one).shown.quality for one in both]

@@ -1,0 +1,81 @@
+"""What scenarios share: a scene that is drawn in a viewport, and what is done to it and seen there."""
+
+import math
+import sys
+import threading
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1] / "blender"))
+
+import bpy
+import numpy as np
+import scenes
+from mathutils import Quaternion
+from the_addon import part
+from watch import Watch
+from window import screen
+
+SHARED = Path(__file__).parents[3] / "shared"
+caretaker = part("blender.caretaker")
+
+
+def opened(spec=None):
+    """A scene in a 3D viewport that fills the window, in Rendered shading, refined; gives the Watch."""
+    if spec:
+        scenes.build(spec, SHARED if SHARED.is_dir() else None)
+    scene = bpy.context.scene
+    scene.render.engine = "FOVEA"
+    scene.view_settings.view_transform = "Standard"
+    scene.render.dither_intensity = 0
+    yield from screen.fill()
+    watch = Watch()
+    screen.space().shading.type = "RENDERED"
+    yield from watch.refined()
+    return watch
+
+
+def turn(degrees):
+    """Orbits the view."""
+    view = screen.space().region_3d
+    view.view_rotation = Quaternion((0, 0, 1), math.radians(degrees)) @ view.view_rotation
+
+
+def still(folder, name):
+    """(H, W, 3) float32: the final render."""
+    path, scene = folder / f"{name}.png", bpy.context.scene
+    scene.render.filepath = str(path)
+    scene.render.image_settings.file_format = "PNG"
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(str(path))
+    image.colorspace_settings.name = "Non-Color"
+    width, height = image.size
+    pixels = np.empty(width * height * 4, np.float32)
+    image.pixels.foreach_get(pixels)
+    bpy.data.images.remove(image)
+    return pixels.reshape(height, width, 4)[:, :, :3]
+
+
+def threads():
+    return [thread.name for thread in threading.enumerate() if thread.name.startswith("Fovea")]
+
+
+def is_calm():
+    """Whether nothing is under way."""
+    return not threads() and not bpy.app.timers.is_registered(caretaker.tick)
+
+
+class Steps:
+    """Does things to a scene, one after the other, each seen refined; keeps what went wrong."""
+
+    def __init__(self, watch):
+        self.watch, self.pictures = watch, {}
+
+    def step(self, name, act, *arguments, **options):
+        """Does something and keeps what is seen then, as 'name'."""
+        with screen.override():
+            act(*arguments, **options)
+        yield from self.watch.refined()
+        self.pictures[name] = screen.picture()[16:]
+
+    def differ(self, first, second):
+        return float(np.abs(self.pictures[first] - self.pictures[second]).mean())

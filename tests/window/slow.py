@@ -1,0 +1,36 @@
+"""A drawing that takes as long as a test wants it to, in whatever thread it runs."""
+
+import threading
+from contextlib import contextmanager
+
+from the_addon import part
+
+session, worker = part("blender.session"), part("blender.worker")
+
+
+class Held:
+    """Drawings that are held up at their first stage, until they are let go or cancelled."""
+
+    def __init__(self):
+        self.begun = 0  # drawings
+        self.go = threading.Event()
+
+    def draw(self, old, *arguments, progress, cancel, **options):
+        self.begun += 1
+        progress(0.25, "held up")
+        while not self.go.wait(0.01):
+            if cancel.requested:
+                raise session.native.load().Cancelled("cancelled")
+        return old(*arguments, progress=progress, cancel=cancel, **options)
+
+
+@contextmanager
+def held():
+    """A Held, through which all pictures of viewports and renders go meanwhile."""
+    one, old = Held(), session.pipeline.draw
+    session.pipeline.draw = lambda *arguments, **options: one.draw(old, *arguments, **options)
+    try:
+        yield one
+    finally:
+        session.pipeline.draw = old
+        one.go.set()

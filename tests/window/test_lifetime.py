@@ -1,0 +1,17 @@
+"""The viewport in a real window while engines, shadings and the add-on come and go."""
+
+
+def test_switching_engines_keeps_no_memory(play):
+    found = play("switching")
+    memory = found["memory"]
+    # The first rounds load what is loaded once; what is freed is not always given back at once.
+    assert min(memory[15:]) - min(memory[3:8]) < 20, memory
+    assert found["calm"]
+
+
+def test_disabling_while_it_draws_leaves_nothing(play):
+    found = play("disabling")
+    assert found["engine"] != "FOVEA"
+    assert found["off"] == {"timer": False, "threads": []}
+    assert found["left"] == {} and found["names"] == []
+    assert found["again"] > 0

@@ -1,0 +1,23 @@
+"""The viewport in a real window while the view, shapes and time move."""
+
+
+def test_orbiting_keeps_the_scene_and_the_budget(play):
+    found = play("orbit")
+    assert found["moving"]["read"] == 0, "a camera that moves changes nothing of the scene"
+    assert found["moving"]["draws"] >= 30
+    assert found["moving"]["changed"] >= 10, "pictures keep coming, however slow the machine"
+    assert found["moving"]["drafts"] and 0 not in found["moving"]["drafts"], "nothing is whole in a millisecond"
+    assert found["plenty"] and set(found["plenty"]) == {0}, "with time enough nothing is left out"
+    assert found["refined"] == 0
+    assert found["idle"] == {"draws": 0, "timer": False, "threads": []}
+    assert found["back"] < 1e-3, "from where it was seen before it looks as before"
+
+
+def test_shapes_styles_playback_and_two_viewports(play):
+    found = play("shapes")
+    assert all(difference > 1e-4 for difference in found["differences"].values()), found
+    assert found["read of a style"] == 0
+    assert found["played"]["draws"] > 3 and found["played"]["read"] > 3
+    assert found["after playing"] == 0
+    assert found["two"] == [0, 0]
+    assert found["calm"]

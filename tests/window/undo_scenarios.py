@@ -1,0 +1,49 @@
+"""Many operations, undone and done again. What a scenario returns is for the tests to judge."""
+
+import bpy
+import numpy as np
+import operations
+from showing import is_calm, opened
+from window import screen
+
+OFTEN = 5  # steps between pictures that are compared on the way back and forth
+
+
+def many(folder, seed, count):
+    """So many operations drawn by lot, all undone, all done again: names, in how many the picture changed, and those
+    steps after which it is another than it was there the first time."""
+    count, deck, names = int(count), operations.Deck(int(seed)), []
+    bpy.context.preferences.edit.undo_steps = 2 * count
+    watch = yield from opened("boxes:2")
+    screen.space().region_3d.view_distance = 12
+    yield from watch.refined()
+    with screen.override():
+        bpy.ops.ed.undo_push(message="start")
+    pictures = [screen.picture()[16:]]
+    for _ in range(count):
+        with screen.override():
+            names.append(deck.act())
+        yield from watch.refined()
+        pictures.append(screen.picture()[16:])
+    told = {"names": names, "changed": sum(bool((a != b).any()) for a, b in zip(pictures, pictures[1:]))}
+    told["undone"] = yield from go(watch, bpy.ops.ed.undo, range(count - 1, -1, -1), pictures, names, folder)
+    told["redone"] = yield from go(watch, bpy.ops.ed.redo, range(1, count + 1), pictures, names, folder)
+    return told | {"calm": is_calm()}
+
+
+def go(watch, step, places, pictures, names, folder):
+    """Takes a step to each of the places; [place, name, difference] where the picture there is another; both are kept
+    in the folder."""
+    wrong = []
+    for place in places:
+        with screen.override():
+            step()
+        if place % OFTEN and place != places[-1]:
+            yield  # on, as when the keys are held down
+            continue
+        yield from watch.refined()
+        difference = float(np.abs(screen.picture()[16:] - pictures[place]).mean())
+        if difference > 1e-5:
+            wrong.append([place, names[max(place - 1, 0)], difference])
+            np.save(folder / f"{step.idname_py()}_{place}.npy", np.stack((pictures[place], screen.picture()[16:])))
+    return wrong
