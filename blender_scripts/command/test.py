@@ -105,7 +105,8 @@ def _blender(target, report, words):
 def _window(target, report, words):
     package.install(target)
     command = [sys.executable, "-m", "pytest", TESTS / "window", "-v", f"--junitxml={report}", *words]
-    return [("window tests", command, report, {"FOVEA_BLENDER": target.blender})]
+    environment = {"FOVEA_BLENDER": target.blender, "FOVEA_ZIP": str(package.package(target))}
+    return [("window tests", command, report, environment)]
 
 
 def _counts(report):
