@@ -11,6 +11,7 @@
 #include "color/map.h"
 #include "color/painted_image.h"
 #include "color/paper.h"
+#include "color/png_bytes.h"
 #include "stroke/texture_file.h"
 
 namespace fovea::bindings {
@@ -163,6 +164,13 @@ void bind_paper(py::module_& m) {
             return PaperTexture(file.ink, file.width, file.height);
         },
         py::arg("path"), "A PaperTexture from a PNG; white is high.");
+    m.def(
+        "png_bytes",
+        [](const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
+            check(rgb.ndim() == 3 && rgb.shape(2) == 3, "rgb: expected shape (height, width, 3)");
+            return py::bytes(png_bytes({rgb.data(), std::size_t(rgb.size())}, int(rgb.shape(1)), int(rgb.shape(0))));
+        },
+        py::arg("rgb"), "The bytes of a PNG file of (height, width, 3) uint8 sRGB, bottom row first.");
     m.def("toothed", &toothed, py::arg("opacity"), py::arg("lower"), py::arg("tooth"),
           "Share of a place that ink covers where so much of the paper is lower.");
 }
