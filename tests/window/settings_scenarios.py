@@ -8,6 +8,8 @@ from the_addon import add_hidden, only_lines, part, use_style
 from window import screen
 
 catalogue = part("catalogue")
+MOST_ITEMS = 5  # of an enum that are tried: most textures differ in nothing but their pixels
+ON = ("contour", "crease")  # kinds of lines that are drawn all the time; others with each of their parameters
 
 
 def owners():
@@ -40,23 +42,30 @@ def leaves(group, path):
 
 
 def others(group, prop):
-    """Values far from the one that a property has, on both sides."""
+    """Values far from the one that a property has."""
     now = getattr(group, prop.identifier)
     if prop.type == "BOOLEAN":
         return [not now]
     if prop.type == "ENUM":
-        return [item.identifier for item in prop.enum_items if item.identifier != now]
+        return [item.identifier for item in prop.enum_items if item.identifier != now][:MOST_ITEMS]
     if prop.type == "STRING":
         return ["word"]
     if prop.type == "POINTER":
         return [found for found in datablocks(prop.fixed_type.identifier) if found != now][:1]
-    ends = (prop.soft_min, prop.soft_max)
-    return [(end,) * prop.array_length for end in ends] if prop.array_length else [end for end in ends if end != now]
+    if prop.array_length:
+        return [(prop.soft_max if now[0] != prop.soft_max else prop.soft_min,) * prop.array_length]
+    return [prop.soft_max if prop.soft_max - now > now - prop.soft_min else prop.soft_min]
 
 
 def datablocks(kind):
     known = {"NodeTree": bpy.data.node_groups, "Object": bpy.data.objects, "Image": bpy.data.images}
     return list(known.get(kind, {"Collection": bpy.data.collections, "Material": bpy.data.materials}.get(kind, ())))
+
+
+def kind_of(prop):
+    """The kind of lines whose parameter a property is, or None."""
+    names = (d["name"] for d in catalogue.definitions() for p in d["parameters"] if prop.identifier == f"{d['name']}_{p['name']}")
+    return next(names, None)
 
 
 def kept(value):
@@ -73,7 +82,7 @@ def every_property(folder):
     held = use_style(scene, "xray_focus")
     while len(held.line_sets) > 1:
         held.line_sets.remove(0)
-    only_lines(scene, *(definition["name"] for definition in catalogue.definitions()))
+    only_lines(scene, *ON)
     held.line_sets[0].hidden.clear()
     add_hidden(held.line_sets[0])
     held.line_sets[0].away = held.line_sets[0].hidden[0].away = True
@@ -84,7 +93,10 @@ def every_property(folder):
     for owner, group in owners().items():
         for path, place, prop in leaves(group, owner):
             before = kept(getattr(place, prop.identifier))
+            kind = kind_of(prop)
             for value in others(place, prop):
+                if kind:
+                    setattr(place, kind, True)
                 setattr(place, prop.identifier, value)
                 screen.swap()
                 try:
@@ -93,6 +105,8 @@ def every_property(folder):
                     missing.append(f"{path} = {value!r}")
                 seen.add(watch.of(screen.area()).wanted.key if watch.of(screen.area()).wanted else None)
             setattr(place, prop.identifier, before)
+            if kind:
+                setattr(place, kind, kind in ON)
             told += 1
     yield from watch.refined()
     apart = float(np.abs(screen.picture()[16:] - start).mean())

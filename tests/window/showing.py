@@ -46,6 +46,11 @@ def still(folder, name):
     scene.render.filepath = str(path)
     scene.render.image_settings.file_format = "PNG"
     bpy.ops.render.render(write_still=True)
+    return of_file(path)
+
+
+def of_file(path):
+    """(H, W, 3) float32: a picture on the disk."""
     image = bpy.data.images.load(str(path))
     image.colorspace_settings.name = "Non-Color"
     width, height = image.size
