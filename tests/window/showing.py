@@ -82,5 +82,5 @@ class Steps:
         yield from self.watch.refined()
         self.pictures[name] = screen.picture()[16:]
 
-    def differ(self, first, second):
-        return float(np.abs(self.pictures[first] - self.pictures[second]).mean())
+    def differ(self, first, second, rows=np.s_[:]):
+        return float(np.abs(self.pictures[first] - self.pictures[second])[rows].mean())
