@@ -60,7 +60,8 @@ def long_pictures(folder):
                 screen.swap()
                 yield from screen.rest(0.1)
             yield from screen.until(lambda: waits.said)
-            told[name] = {"begun": drawing.begun, "threads": len(threads()), "said": waits.said, "waits": waits.of_draws}
+            told[name] = {"begun": drawing.begun, "threads": len(threads())}
+            told[name] |= {"said": waits.said, "waits": waits.of_draws}
         waits.end()
         yield from watch.refined()
     shown = screen.picture()[16:]

@@ -58,14 +58,15 @@ def others(group, prop):
 
 
 def datablocks(kind):
-    known = {"NodeTree": bpy.data.node_groups, "Object": bpy.data.objects, "Image": bpy.data.images}
-    return list(known.get(kind, {"Collection": bpy.data.collections, "Material": bpy.data.materials}.get(kind, ())))
+    known = {"NodeTree": "node_groups", "Object": "objects", "Image": "images"}
+    known |= {"Collection": "collections", "Material": "materials"}
+    return list(getattr(bpy.data, known[kind]))
 
 
 def kind_of(prop):
     """The kind of lines whose parameter a property is, or None."""
-    names = (d["name"] for d in catalogue.definitions() for p in d["parameters"] if prop.identifier == f"{d['name']}_{p['name']}")
-    return next(names, None)
+    owners = {f"{d['name']}_{p['name']}": d["name"] for d in catalogue.definitions() for p in d["parameters"]}
+    return owners.get(prop.identifier)
 
 
 def kept(value):

@@ -24,7 +24,8 @@ def modes(folder):
         screen.swap()
         turn(-5)
         if mode == "SCULPT":
-            yield from steps.step("sculpted", ops.sculpt.mesh_filter, "EXEC_DEFAULT", True, type="INFLATE", strength=0.5)
+            inflate = {"type": "INFLATE", "strength": 0.5}
+            yield from steps.step("sculpted", ops.sculpt.mesh_filter, "EXEC_DEFAULT", True, **inflate)
             yield from steps.step("not sculpted", ops.ed.undo)
         yield from steps.step(f"left {mode}", ops.object.mode_set, "EXEC_DEFAULT", True, mode="OBJECT")
     names = [name for name in steps.pictures if name not in ("start", "sculpted")]
