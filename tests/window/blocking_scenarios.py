@@ -7,14 +7,15 @@ from slow import held
 from the_addon import part
 from window import screen
 
-engine, viewport, worker = part("blender.engine"), part("blender.viewport"), part("blender.worker")
+viewport, worker = part("blender.viewport"), part("blender.worker")
 
 
 class Waits:
     """What each draw of the region is ready to wait for pictures, in seconds, and what the header says."""
 
     def __init__(self):
-        self.of_draws, self.said, self._old = [], [], (worker.Job.wait, viewport.draw)
+        self._old = worker.Job.wait, viewport.draw, viewport.Viewport._tell
+        self.of_draws, self.said = [], []
         waits, told = self.of_draws, self.said
 
         def draw(*arguments):
@@ -26,12 +27,24 @@ class Waits:
                 waits[-1] += max(0.0, seconds)
             return self._old[0](job, seconds)
 
-        worker.Job.wait, viewport.draw = wait, draw
-        engine.FoveaEngine.update_stats = lambda _engine, _title, text: told.append(text)
+        def tell(one, engine, job):
+            self._old[2](one, Header(engine, told), job)
+
+        worker.Job.wait, viewport.draw, viewport.Viewport._tell = wait, draw, tell
 
     def end(self):
-        worker.Job.wait, viewport.draw = self._old
-        del engine.FoveaEngine.update_stats
+        worker.Job.wait, viewport.draw, viewport.Viewport._tell = self._old
+
+
+class Header:
+    """An engine that also keeps what it is told to say."""
+
+    def __init__(self, engine, said):
+        self.tag_redraw, self._engine, self._said = engine.tag_redraw, engine, said
+
+    def update_stats(self, title, text):
+        self._said.append(text)
+        self._engine.update_stats(title, text)
 
 
 def long_pictures(folder):
@@ -46,8 +59,9 @@ def long_pictures(folder):
                 act()
                 screen.swap()
                 yield from screen.rest(0.1)
-            yield from screen.rest(viewport.WORD + 0.2)
-            told[name] = {"begun": drawing.begun, "threads": len(threads()), "said": waits.said, "waits": waits.of_draws}
+            yield from screen.until(lambda: waits.said)
+            told[name] = {"begun": drawing.begun, "threads": len(threads())}
+            told[name] |= {"said": waits.said, "waits": waits.of_draws}
         waits.end()
         yield from watch.refined()
     shown = screen.picture()[16:]

@@ -26,9 +26,9 @@ def play(request, tmp_path):
 
     own = request.path.name.removeprefix("test_").replace(".py", "_scenarios.py")
 
-    def run(scenario, file=own, **options):
+    def run(scenario, file=own, size=SIZE, **options):
         blender = os.environ["FOVEA_BLENDER"]
-        played = window.play(blender, dict(os.environ), HERE / file, scenario, tmp_path, size=SIZE, **options)
+        played = window.play(blender, dict(os.environ), HERE / file, scenario, tmp_path, size=size, **options)
         complaints = [line for line in played.console.splitlines() if COMPLAINT.search(line)]
         assert not complaints, played.console
         return played.result

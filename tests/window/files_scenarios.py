@@ -7,7 +7,8 @@ from slow import held
 from the_addon import add_camera, box_mesh, new_object, part
 from window import screen
 
-style_data, style_read, focus_settings = (part(f"blender.{name}") for name in "style_data style_read focus_settings".split())
+style_data, style_read = part("blender.style_data"), part("blender.style_read")
+focus_settings = part("blender.focus_settings")
 
 
 def styled():

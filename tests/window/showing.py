@@ -46,6 +46,11 @@ def still(folder, name):
     scene.render.filepath = str(path)
     scene.render.image_settings.file_format = "PNG"
     bpy.ops.render.render(write_still=True)
+    return of_file(path)
+
+
+def of_file(path):
+    """(H, W, 3) float32: a picture on the disk."""
     image = bpy.data.images.load(str(path))
     image.colorspace_settings.name = "Non-Color"
     width, height = image.size
@@ -77,5 +82,5 @@ class Steps:
         yield from self.watch.refined()
         self.pictures[name] = screen.picture()[16:]
 
-    def differ(self, first, second):
-        return float(np.abs(self.pictures[first] - self.pictures[second]).mean())
+    def differ(self, first, second, rows=np.s_[:]):
+        return float(np.abs(self.pictures[first] - self.pictures[second])[rows].mean())

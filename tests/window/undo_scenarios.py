@@ -1,18 +1,45 @@
 """Many operations, undone and done again. What a scenario returns is for the tests to judge."""
 
+import random
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1] / "blender"))
+
 import bpy
 import numpy as np
 import operations
+import our_operations
 from showing import is_calm, opened
 from window import screen
 
+ALL = {"OBJECT": operations.WORKING + our_operations.WORKING, "EDIT_MESH": operations.EDITING}
 OFTEN = 5  # steps between pictures that are compared on the way back and forth
+
+
+class Deck:
+    """Operations as cards, shuffled; what cannot be done now waits for a later turn."""
+
+    def __init__(self, seed):
+        self.lot = random.Random(seed)
+        self._piles = {"EDIT_MESH": [], "OBJECT": []}
+
+    def act(self):
+        """Does one thing; its name."""
+        mode = bpy.context.mode
+        pile = self._piles[mode]
+        for card in pile:
+            if card(self.lot):
+                pile.remove(card)
+                return card.__name__
+        pile += self.lot.sample(ALL[mode], len(ALL[mode]))
+        return self.act()
 
 
 def many(folder, seed, count):
     """So many operations drawn by lot, all undone, all done again: names, in how many the picture changed, and those
     steps after which it is another than it was there the first time."""
-    count, deck, names = int(count), operations.Deck(int(seed)), []
+    count, deck, names = int(count), Deck(int(seed)), []
     bpy.context.preferences.edit.undo_steps = 2 * count
     watch = yield from opened("boxes:2")
     screen.space().region_3d.view_distance = 12

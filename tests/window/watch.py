@@ -48,5 +48,14 @@ class Watch:
         """Waits until viewports (the first, when none is named) show their best: `yield from` it."""
         yield from screen.rest(0.1)  # what was just done is noticed when Blender draws
         chosen = areas or (screen.area(),)
-        yield from screen.until(lambda: all(self.of(a) and self.of(a).is_final() for a in chosen))
-        screen.swap()
+
+        def final():
+            return all(self.of(a) and self.of(a).is_final() for a in chosen)
+
+        def shown():
+            if not final():
+                return False
+            screen.swap()
+            return final()  # that draw may be the first to notice what was done
+
+        yield from screen.until(shown)
