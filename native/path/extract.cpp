@@ -86,10 +86,11 @@ bool any_beside_contours(Kinds asked) {
 /// Per triangle: 1 where no set has some of `kinds`; empty where that is nowhere.
 Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<PlacedSet>& sets, Kinds kinds) {
     if (!any_by_material(sets)) return {};
+    std::vector<const PlacedSet*> asking;
+    for (const PlacedSet& set : sets)
+        if (asked_of(set) & kinds) asking.push_back(&set);
     return triangles_without(surface, [&](int material) {
-        return std::any_of(sets.begin(), sets.end(), [&](const PlacedSet& set) {
-            return (asked_of({set}) & kinds) && set.has_material(material);
-        });
+        return std::any_of(asking.begin(), asking.end(), [&](const PlacedSet* set) { return set->has_material(material); });
     });
 }
 

@@ -36,12 +36,13 @@ void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface,
 Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSet>& sets) {
     Array<Kinds> doubled(surface.edges.size(), doubled_edges(asked_of(sets)));
     if (!any_by_material(sets)) return doubled;
-    parallel_for(doubled.size(), [&](std::size_t e) {
-        doubled[e] = 0;
-        for (const PlacedSet& set : sets)
-            if (any_beside(surface, static_cast<Index>(e), [&](int material) { return set.has_material(material); }))
-                doubled[e] |= doubled_edges(asked_of({set}));
-    });
+    std::fill(doubled.begin(), doubled.end(), Kinds(0));
+    for (const PlacedSet& set : sets)
+        if (const Kinds of_set = doubled_edges(asked_of(set)))
+            parallel_for(doubled.size(), [&](std::size_t e) {
+                const auto has = [&](int material) { return set.has_material(material); };
+                if (any_beside(surface, static_cast<Index>(e), has)) doubled[e] |= of_set;
+            });
     return doubled;
 }
 

@@ -56,10 +56,15 @@ std::vector<PlacedSet> sets_of(Index placement, const std::vector<LineSet>& sets
     return placed;
 }
 
+Kinds asked_of(const PlacedSet& set) {
+    Kinds asked = 0;
+    for (const LineKind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
+    return asked;
+}
+
 Kinds asked_of(const std::vector<PlacedSet>& sets) {
     Kinds asked = 0;
-    for (const PlacedSet& set : sets)
-        for (const LineKind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
+    for (const PlacedSet& set : sets) asked |= asked_of(set);
     return asked;
 }
 

@@ -25,7 +25,8 @@ void check_filters(std::size_t placements, const std::vector<LineSet>& sets, con
 
 std::vector<PlacedSet> sets_of(Index placement, const std::vector<LineSet>& sets, const OwnLines& own);
 
-/// Every definition that some line set asks for.
+/// Every definition that a line set, or some of them, asks for.
+Kinds asked_of(const PlacedSet& set);
 Kinds asked_of(const std::vector<PlacedSet>& sets);
 
 /// Whether some set has lines on faces of some materials alone.

@@ -59,6 +59,7 @@ def draw_filter(layout, line_set):
         chosen, known = getattr(line_set, name), FILTERED_BY[name]
         row = column.row(align=True)
         search = row.row(align=True)
+        search.use_property_decorate = False
         search.alert = bool(chosen) and chosen not in getattr(bpy.data, known)
         search.prop_search(line_set, name, bpy.data, known)
         turn = row.row(align=True)
