@@ -124,8 +124,8 @@ class Emphasis:
 
 @dataclass(frozen=True)
 class LineFilters:
-    """Which lines n placements have. Materials are a pair: (n,) uint32 mask of each placement, and a list of masks, uint8
-    by the number of the material on its surface, 0: its faces have no lines; None: all have."""
+    """Which lines n placements have. Materials are a pair: (n,) uint32 mask of each placement, and a list of masks,
+    uint8 by the number of the material on its surface, 0: its faces have no lines; None: all have."""
 
     placements: tuple = ()  # per line set (n,) uint8 whether its lines are for it, or None for all; (): all, for all
     materials: tuple = ()  # per line set materials whose lines are for it; (): all, for all

@@ -8,7 +8,8 @@ from .focus import Distance, Effects, Focus
 from .stages import REFERENCE_HEIGHT, Pen
 from .style_json import dotted
 
-FILTERS = {"collection": "outside", "object": "other_objects", "material": "other_materials"}  # of LineSet; turned round
+# Of a LineSet: what each is called where it is turned round.
+FILTERS = {"collection": "outside", "object": "other_objects", "material": "other_materials"}
 UNCOUNTED = 255  # more surfaces than are ever counted
 
 

@@ -41,6 +41,6 @@ def attributes(style):
 
 
 def asked(style, image):
-    """What is asked of a scene besides what its objects and materials say; where this is the same, so are the notes. `image`:
-    Blender's, of the density, or None."""
+    """What is asked of a scene besides what its objects and materials say; where this is the same, so are the notes.
+    `image`: Blender's, of the density, or None."""
     return attributes(style), image and image.name_full, line_filters.asked(style.line_sets)

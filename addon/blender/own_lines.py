@@ -35,7 +35,8 @@ def _kinds():
     found = {}
     for definition in switchable():
         told = f"{definition['description']}.\nOff: this object does not have them, whichever line set draws them"
-        found[definition["name"]] = BoolProperty(name=definition["label"], description=told, default=True, update=redraw)
+        text = {"name": definition["label"], "description": told}
+        found[definition["name"]] = BoolProperty(default=True, update=redraw, **text)
     contents = {"__annotations__": found, "__module__": __name__, "__doc__": "Kinds of lines that an object shows."}
     return type("FoveaOwnKinds", (bpy.types.PropertyGroup,), contents)
 

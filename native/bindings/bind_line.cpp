@@ -81,8 +81,9 @@ std::vector<OwnLines::Parameter> own_parameters(const py::dict& given) {
         const std::vector<Parameter>& known = line_definitions()[definition]->parameters;
         for (const auto& [parameter, of_placements] : values.cast<py::dict>()) {
             const auto called = parameter.cast<std::string>();
-            const auto it = std::find_if(known.begin(), known.end(), [&](const Parameter& p) { return p.name == called; });
-            check(it != known.end(), std::string(line_definitions()[definition]->name) + ": unknown parameter '" + called + "'");
+            const auto is_it = [&](const Parameter& p) { return p.name == called; };
+            const auto it = std::find_if(known.begin(), known.end(), is_it);
+            check(it != known.end(), name.cast<std::string>() + ": unknown parameter '" + called + "'");
             result.push_back({definition, static_cast<Index>(it - known.begin()), numbers<double>(of_placements)});
         }
     }
@@ -138,8 +139,8 @@ void bind_line(py::module_& m) {
         [](const Tracer& tracer, const py::sequence& sets, const Cancel* cancel, const py::object& shown,
            const py::dict& parameters, const py::object& materials) {
             const std::vector<LineSet> parsed = line_sets(sets);
-            const OwnLines own{shown.is_none() ? std::vector<Kinds>() : numbers<Kinds>(shown), own_parameters(parameters),
-                               material_filter(materials)};
+            const std::vector<Kinds> kinds = shown.is_none() ? std::vector<Kinds>() : numbers<Kinds>(shown);
+            const OwnLines own{kinds, own_parameters(parameters), material_filter(materials)};
             const Cancel never;
             py::gil_scoped_release release;
             return std::make_shared<Paths>(
@@ -148,11 +149,12 @@ void bind_line(py::module_& m) {
         py::arg("tracer"), py::arg("line_sets"), py::arg("cancel") = py::none(), py::kw_only(),
         py::arg("shown") = py::none(), py::arg("parameters") = py::dict(), py::arg("materials") = py::none(),
         R"(Paths of everything the line sets find. line_sets: list of ({definition: {parameter: value}},
-corner angle in degrees[, for each placement whether its lines are for the set; None: all[, materials whose lines are for
-the set]]); an edge belongs to the first set that finds it, and to a material if a face beside it has that. Of all sets:
-shown: (n,) uint32 registry bits of what each of n placements shows, None: all; parameters: {definition: {parameter: (n,)
-float64 that placements have instead, NaN: none}}; materials: those that have lines at all. Materials are a pair: (n,)
-uint32 mask of each placement, and a list of masks, uint8 by the material's number, 0: it has no lines; None: all have.)");
+corner angle in degrees[, for each placement whether its lines are for the set; None: all[, materials whose lines are
+for the set]]); an edge belongs to the first set that finds it, and to a material if a face beside it has that. Of all
+sets: shown: (n,) uint32 registry bits of what each of n placements shows, None: all; parameters: {definition:
+{parameter: (n,) float64 that placements have instead, NaN: none}}; materials: those that have lines at all. Materials
+are a pair: (n,) uint32 mask of each placement, and a list of masks, uint8 by the material's number, 0: it has no lines;
+None: all have.)");
 }
 
 }  // namespace fovea::bindings

@@ -90,7 +90,8 @@ Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<
     for (const PlacedSet& set : sets)
         if (asked_of(set) & kinds) asking.push_back(&set);
     return triangles_without(surface, [&](int material) {
-        return std::any_of(asking.begin(), asking.end(), [&](const PlacedSet* set) { return set->has_material(material); });
+        const auto has = [&](const PlacedSet* set) { return set->has_material(material); };
+        return std::any_of(asking.begin(), asking.end(), has);
     });
 }
 

@@ -22,8 +22,8 @@ struct Job {
     Values values;
 };
 
-/// Which of a job's lines a line set has; in the order of the sets. A silhouette of mesh edges stands for the smooth one,
-/// which is found for nobody then.
+/// Which of a job's lines a line set has; in the order of the sets. A silhouette of mesh edges stands for the smooth
+/// one, which is found for nobody then.
 struct Share {
     std::size_t job;
     Index line_set, number;  // of the definition; none: for nobody
@@ -88,7 +88,8 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
     const auto find = [&](std::size_t i) {
         const LineDefinition& definition = *plan.jobs[i].definition;
         chains[i] = curves_of(definition, seen, plan.jobs[i].values, near);
-        if (definition.on_smooth_surface && !hard.empty()) chains[i] = without_doubles(chains[i], seen.surface, hard, 1);
+        if (definition.on_smooth_surface && !hard.empty())
+            chains[i] = without_doubles(chains[i], seen.surface, hard, 1);
     };
     // What is kept with the surface is found under the lock of its cache, which all definitions ask: one by one then.
     if (of_surface)

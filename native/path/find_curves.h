@@ -20,8 +20,8 @@ struct FoundCurves {
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<PlacedSet>& sets, bool of_surface,
                                      In<std::uint8_t> near = {}, In<std::uint8_t> hard = {});
 
-/// Of the whole scene, each with the placement that it is reported of. Such a line lies on faces of two placements: it is
-/// for a set that one of them is for, and both must show its definition. `placed`: per placement; empty if not drawn.
+/// Of the whole scene, each with the placement that it is reported of. Such a line lies on faces of two placements: it
+/// is for a set that one of them is for, and both must show its definition. `placed`: per placement; empty if not drawn.
 std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& scene, In<Index> drawn,
                                                                 const std::vector<LineSet>& sets, const OwnLines& own,
                                                                 const std::vector<std::vector<PlacedSet>>& placed,

@@ -1,4 +1,6 @@
 // Lines of the whole scene: each lies on faces of two placements.
+#include <algorithm>
+
 #include "base/hash.h"
 #include "path/find_curves.h"
 
@@ -48,7 +50,8 @@ std::shared_ptr<const CurveChains> of_set(const Shared& shared, std::size_t s, I
     Array<std::uint8_t> kept(pieces.size());
     parallel_for(pieces.size(), [&](std::size_t i) {
         kept[i] = shared.has(s, definition, pieces[i]);
-        for (std::size_t before = 0; before < s && kept[i]; ++before) kept[i] = !shared.has(before, definition, pieces[i]);
+        for (std::size_t before = 0; before < s && kept[i]; ++before)
+            kept[i] = !shared.has(before, definition, pieces[i]);
     });
     const bool none_kept = std::all_of(kept.begin(), kept.end(), [](std::uint8_t k) { return !k; });
     return none_kept ? nullptr : chain_kept(*shared.part.curves, kept);
@@ -71,10 +74,13 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
             for (const SceneCurves& part : definition.find_in_scene(scene, drawn, kind.values, cancel)) {
                 if (part.curves->pieces.empty()) continue;
                 if (!own.shows(part.placement, kind.definition) || !own.shows(part.other, kind.definition)) continue;
-                const Shared shared{part, *scene.placements[part.placement].surface, *scene.placements[part.other].surface,
-                                    placed[part.placement], placed[part.other]};
-                if (const auto chains = of_set(shared, s, kind.definition))
-                    found.push_back({part.placement, {static_cast<std::uint8_t>(s), kind.definition, chains, part.other}});
+                const Surface& first = *scene.placements[part.placement].surface;
+                const Surface& second = *scene.placements[part.other].surface;
+                const Shared shared{part, first, second, placed[part.placement], placed[part.other]};
+                const auto chains = of_set(shared, s, kind.definition);
+                if (!chains) continue;
+                const FoundCurves curves{static_cast<std::uint8_t>(s), kind.definition, chains, part.other};
+                found.push_back({part.placement, curves});
             }
         }
     return found;

@@ -10,7 +10,8 @@ namespace {
 void check_materials(const MaterialFilter& filter, std::size_t placements) {
     if (filter.row.empty()) return;
     check(filter.row.size() == placements, "a filter of materials must name a mask for each placement");
-    for (Index row : filter.row) check(row < filter.masks.size(), "a filter of materials names a mask that is not there");
+    for (Index row : filter.row)
+        check(row < filter.masks.size(), "a filter of materials names a mask that is not there");
 }
 
 /// What both filters let through of a placement's materials; empty where that is all.

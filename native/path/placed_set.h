@@ -10,7 +10,7 @@ namespace fovea {
 struct PlacedSet {
     std::vector<LineKind> kinds;
     double corner_angle_rad;
-    std::vector<std::uint8_t> materials = {};  ///< per number, 0: it has none of these lines; all others have
+    std::vector<std::uint8_t> materials = {};  ///< per number, 0: without these lines; all others: with
 
     bool has(Index definition) const {
         return std::any_of(kinds.begin(), kinds.end(), [&](const LineKind& kind) { return kind.definition == definition; });

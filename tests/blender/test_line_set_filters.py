@@ -1,38 +1,13 @@
-"""Line sets that draw the lines of some objects or materials alone, and what objects and materials say of their lines
-themselves."""
-
-import math
+"""Line sets that draw the lines of a collection, an object or a material alone, or those of all others."""
 
 import bpy
 import numpy as np
 import pytest
-from pictures import box_scene, drawn, ink
-from the_addon import box_mesh, lines_of, new_mesh, new_object, only_lines, own_style, part
+from pairs import instanced, pair, sides, striped  # noqa: F401 (fixtures)
+from pictures import drawn, ink
+from the_addon import box_mesh, lines_of, new_object, only_lines, own_style, part
 
 style, properties = part("style"), part("blender.properties")
-
-
-@pytest.fixture
-def pair():
-    """A box at the left in the collection Left, and one at the right."""
-    scene = box_scene()
-    bpy.data.objects.remove(bpy.data.objects["Box"])
-    left = bpy.data.collections.new("Left, or not.001")
-    scene.collection.children.link(left)
-    camera = scene.camera
-    camera.location, camera.rotation_euler, camera.data.type = (0, 0, 10), (0, 0, 0), "ORTHO"
-    camera.data.ortho_scale = 16
-    new_object(box_mesh(), "Left", (-4, 0, 0), left)
-    new_object(box_mesh(), "Right", (4, 0, 0))
-    only_lines(scene, "crease")
-    return scene, left
-
-
-def sides(scene, tmp_path):
-    """Whether there is ink at the left, and at the right; not in the middle, where strokes may end."""
-    picture = ink(drawn(scene, tmp_path / "pair.png"))
-    width = picture.shape[1]
-    return tuple(bool(side.max() > 0.5) for side in (picture[:, : width * 2 // 5], picture[:, width * 3 // 5 :]))
 
 
 def test_a_collection_has_its_lines_and_what_is_outside_has_its_own(pair, tmp_path):
@@ -103,14 +78,6 @@ def test_an_object_has_its_lines_and_the_others_have_theirs(pair, tmp_path):
     assert sides(scene, tmp_path) == (False, True)
 
 
-def instanced(scene, source):
-    """An object of a collection that is not in the scene, instanced at the right by `Maker`."""
-    new_object(box_mesh(0.5), "Instanced", (0, 0, 0), source)
-    maker = new_object(None, "Maker", (4, 3, 0))
-    maker.instance_type, maker.instance_collection = "COLLECTION", source
-    bpy.data.objects.remove(bpy.data.objects["Right"])
-
-
 def test_instances_are_of_what_makes_them_and_of_what_they_are_copies_of(pair, tmp_path):
     scene, _left = pair
     instanced(scene, bpy.data.collections.new("Source"))
@@ -120,23 +87,6 @@ def test_instances_are_of_what_makes_them_and_of_what_they_are_copies_of(pair, t
         lines_of(scene).other_objects = True
         assert sides(scene, tmp_path) == (True, False)
         lines_of(scene).other_objects = False
-
-
-@pytest.fixture
-def striped(pair):
-    """The pair, with a ridge across it of material Red at the left and of Blue at the right; the boxes are gone."""
-    scene, _left = pair
-    for name in ("Left", "Right"):
-        bpy.data.objects.remove(bpy.data.objects[name])
-    corners = [(x, y, 1.0 if y == 0 else 0.0) for y in (-3, 0, 3) for x in (-6, 0, 6)]
-    quads = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
-    mesh = new_mesh(corners, [], quads, "Roof")
-    for name in ("Red", "Blue"):
-        mesh.materials.append(bpy.data.materials.new(name))
-    mesh.polygons.foreach_set("material_index", [0, 1, 0, 1])
-    new_object(mesh, "Roof")
-    lines_of(scene).kinds.crease_angle = math.radians(10)
-    return scene
 
 
 def test_a_material_has_the_lines_on_its_faces(striped, tmp_path):
@@ -175,65 +125,11 @@ def test_where_materials_meet_the_first_set_of_either_has_the_line(striped, tmp_
         assert not (picture[..., 2] - picture[..., 0] > 0.5).any()
 
 
-def test_a_material_without_lines_keeps_those_it_shares(striped, tmp_path):
-    scene = striped
-    bpy.data.materials["Blue"].fovea.lines = False
-    assert sides(scene, tmp_path) == (True, False)
-    lines_of(scene).material = "Blue"
-    assert sides(scene, tmp_path) == (False, False)
-    lines_of(scene).material = ""
-    only_lines(scene, "material_boundary")
-    assert ink(drawn(scene, tmp_path / "shared.png")).max() > 0.5
-    bpy.data.materials["Red"].fovea.lines = False
-    assert ink(drawn(scene, tmp_path / "none.png")).max() < 0.1
-
-
 @pytest.mark.parametrize("backend", ["CPU", "GPU"])
 def test_filters_hold_on_both_devices(striped, tmp_path, backend):
     scene = striped
     scene.fovea.backend = backend
     lines_of(scene).material = "Red"
-    assert sides(scene, tmp_path) == (True, False)
-
-
-def test_an_object_has_its_own_kinds(pair, tmp_path):
-    scene, _left = pair
-    bpy.data.objects["Left"].rotation_euler = (0.3, 0.4, 0.0)  # what is seen edge on has no clear contour
-    mine = bpy.data.objects["Left"].fovea
-    whole = drawn(scene, tmp_path / "whole.png")
-    mine.kinds.crease = False
-    assert np.array_equal(drawn(scene, tmp_path / "off.png"), whole), "the switch is off"
-    mine.own_kinds = True
-    assert sides(scene, tmp_path) == (False, True)
-    mine.kinds.crease, mine.kinds.contour = True, False
-    assert np.array_equal(drawn(scene, tmp_path / "crease.png"), whole), "contours are not drawn anyway"
-    part("blender.style_data").choose_lines(own_style(scene), ("crease", "contour"))
-    mine.kinds.crease, mine.kinds.contour = False, True
-    assert sides(scene, tmp_path) == (True, True), "its contours are creases, too: they stay"
-
-
-def test_an_object_has_its_own_crease_angle(pair, tmp_path):
-    scene, _left = pair
-    mine = bpy.data.objects["Left"].fovea
-    mine.crease_angle = math.radians(100)
-    assert sides(scene, tmp_path) == (True, True)
-    mine.own_crease_angle = True
-    assert sides(scene, tmp_path) == (False, True)
-    lines_of(scene).kinds.crease_angle = math.radians(100)
-    mine.crease_angle = math.radians(80)
-    assert sides(scene, tmp_path) == (True, False)
-
-
-def test_instances_have_the_lines_of_what_they_are_copies_of(pair, tmp_path):
-    scene, _left = pair
-    instanced(scene, bpy.data.collections.new("Source"))
-    bpy.data.objects["Maker"].fovea.own_kinds = True
-    bpy.data.objects["Maker"].fovea.kinds.crease = False
-    assert sides(scene, tmp_path) == (True, True)
-    mine = bpy.data.objects["Instanced"].fovea
-    mine.own_kinds, mine.kinds.crease = True, False
-    assert sides(scene, tmp_path) == (True, False)
-    mine.own_kinds, mine.own_crease_angle, mine.crease_angle = False, True, math.radians(100)
     assert sides(scene, tmp_path) == (True, False)
 
 

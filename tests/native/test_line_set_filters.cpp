@@ -35,7 +35,8 @@ Mesh two_halves(int n) {
     Mesh mesh = sphere(n);
     for (std::size_t f = 0; f + 1 < mesh.polygon_offsets.size(); ++f) {
         float z = 0.0f;
-        for (int c = mesh.polygon_offsets[f]; c < mesh.polygon_offsets[f + 1]; ++c) z += mesh.positions[mesh.corner_verts[c]].z;
+        for (int c = mesh.polygon_offsets[f]; c < mesh.polygon_offsets[f + 1]; ++c)
+            z += mesh.positions[mesh.corner_verts[c]].z;
         mesh.material.push_back(z < 0.0f);
     }
     return mesh;
@@ -116,14 +117,17 @@ TEST(Filters, OtherParametersOfAnotherMaterialAreItsOwn) {
     const auto of_few = segments(extract(scene, {few})).at(0), of_many = segments(extract(scene, {many})).at(0);
     ASSERT_NE(of_few, of_many);
     auto shared = segments(extract(scene, {of_material(few, {0, 1}), many}));
-    for (const auto& segment : of_few) EXPECT_EQ(shared[0].contains(segment), material_at(*surface, segment.first) == 1);
-    for (const auto& segment : of_many) EXPECT_EQ(shared[1].contains(segment), material_at(*surface, segment.first) == 0);
+    for (const auto& segment : of_few)
+        EXPECT_EQ(shared[0].contains(segment), material_at(*surface, segment.first) == 1);
+    for (const auto& segment : of_many)
+        EXPECT_EQ(shared[1].contains(segment), material_at(*surface, segment.first) == 0);
 }
 
 TEST(Filters, ContoursOfEdgesStayWhereTheSmoothOneIsForAnotherMaterial) {
     const auto surface = two_halves(24).surface();
     const Scene scene({{surface, dmat4(1.0), 1}});
-    const LineSet edges = of_material(line_set({"contour"}), {1, 0}), smooth = of_material(line_set({"smooth_contour"}), {0, 1});
+    const LineSet edges = of_material(line_set({"contour"}), {1, 0});
+    const LineSet smooth = of_material(line_set({"smooth_contour"}), {0, 1});
     const auto alone = segments(extract(scene, {edges})).at(0);
     auto both = segments(extract(scene, {edges, smooth}));
     ASSERT_FALSE(both[1].empty());
@@ -222,7 +226,8 @@ TEST(Filters, TheResultDoesNotDependOnTheThreads) {
         const auto surface = two_halves(48).surface();
         const Scene scene({{surface, moved({-1, 0, 0}), 1}, {surface, moved({0.5, 0.3, 0}), 2}});
         const LineSet every = line_set({"smooth_contour", "contour", "crease", "suggestive_contour", "intersection"});
-        return extract(scene, {of_material(every, {0, 1}, 2), every}, OwnLines{.kinds = {~Kinds(0), ~bit_of("crease")}});
+        const OwnLines own{.kinds = {~Kinds(0), ~bit_of("crease")}};
+        return extract(scene, {of_material(every, {0, 1}, 2), every}, own);
     };
     const Paths one = paths(1), two = paths(2);
     ASSERT_EQ(one.id, two.id);
