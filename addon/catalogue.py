@@ -1,8 +1,9 @@
 """The line definitions and their parameters, as the native registry has them: the one place they are declared.
 
 A definition is a dict of name, label, source (the paper), description, default (on or off), view_dependent, scope
-(surface, view or scene: what its lines depend on) and parameters; a parameter a dict of name, label, default, min, max,
-unit and meaning. The order is that of the registry.
+(surface, view or scene: what its lines depend on), in_image (whether they are found in the shaded picture, and so are
+of no object) and parameters; a parameter a dict of name, label, default, min, max, unit and meaning. The order is that
+of the registry.
 """
 
 import functools

@@ -67,7 +67,7 @@ def find_lines(scene, view, style, backend, options, notes, cancel, clock=None):
     with clock.stage("bvh", 0.2):
         tracer = cpu.trace(scene, view)
     with clock.stage("lines", 0.1):
-        paths = cpu.extract(tracer, style, cancel, notes.members)
+        paths = cpu.extract(tracer, style, cancel, notes.filters)
     with clock.stage("project", 0.15):
         clipped = cpu.project(paths, tracer, style, options.sample_step * scale, scale, cancel)
     quality = options.depth_scale, options.probes, options.layers

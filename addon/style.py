@@ -13,7 +13,7 @@ from pathlib import Path
 from . import color, elision, style_json
 from .focus import MOST_NAME, parse_distance, parse_effects, parse_focus
 from .stages import Pen
-from .style_parts import Hidden, LineSet, Paper, Style
+from .style_parts import FILTERS, Hidden, LineSet, Paper, Style
 from .style_values import RANGES, StyleError, check_keys, check_range, check_text, finite, one_of, record
 
 SCHEMA = 1
@@ -134,7 +134,7 @@ def dashed(pen):
 
 def _line_set(data, where, definitions):
     check_keys(data, {f.name for f in fields(LineSet)}, where)
-    own = ("kinds", "collection", "pen", "pen_away", "hidden", "overshoot_away")
+    own = ("kinds", *FILTERS, "pen", "pen_away", "hidden", "overshoot_away")
     plain = {key: value for key, value in data.items() if key not in own}
     kinds = data.get("kinds", {})
     if not isinstance(kinds, dict):
@@ -147,8 +147,8 @@ def _line_set(data, where, definitions):
     if overshoot is not None:
         overshoot = check_range(overshoot, RANGES["overshoot"], f"{where}.overshoot_away")
     checked_set = record(LineSet, plain, where)
-    collection = check_text(data.get("collection", ""), f"{where}.collection", MOST_NAME)
-    found = {"kinds": checked, "collection": collection, "hidden": hidden, "overshoot_away": overshoot}
+    names = {key: check_text(data.get(key, ""), f"{where}.{key}", MOST_NAME) for key in FILTERS}
+    found = {"kinds": checked, "hidden": hidden, "overshoot_away": overshoot, **names}
     return replace(checked_set, pen=pen, pen_away=away, **found)
 
 

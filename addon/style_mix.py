@@ -7,7 +7,7 @@ alone fade. Words and switches (textures, shading) change half way.
 from dataclasses import fields, is_dataclass, replace
 
 from .stages import Pen
-from .style_parts import Hidden, LineSet, Style
+from .style_parts import FILTERS, Hidden, LineSet, Style
 
 
 def mix(one, other, share):
@@ -37,27 +37,39 @@ def _is_number(value):
 
 
 def _line_sets(one, other, share):
-    """For each pair of line sets that have kinds in common one for these, and one for the kinds of either set that the
-    other style does not draw. Edges go to the first: they stand as in the style that is nearer."""
-    pairs = []  # (index in `one`, in `other`, -1: in none; kinds)
-    theirs = {kind: j for j, line_set in reversed(list(enumerate(other.line_sets))) for kind in line_set.kinds}
-    ours = {kind for line_set in one.line_sets for kind in line_set.kinds}
-    for i, line_set in enumerate(one.line_sets):
-        for j in sorted({theirs.get(kind, -1) for kind in line_set.kinds}):
-            pairs.append((i, j, [kind for kind in line_set.kinds if theirs.get(kind, -1) == j]))
-    for j, line_set in enumerate(other.line_sets):
-        pairs.append((-1, j, [kind for kind in line_set.kinds if kind not in ours]))
+    """For each pair of line sets that have kinds of the same things in common one for these, and one for the kinds of
+    either set that the other style does not draw of them. Edges go to the first: they stand as in the style that is
+    nearer."""
+    ours, theirs = _drawn(one), _drawn(other)
+    pairs = {}  # (index in `one`, in `other`, -1: in none): kinds
+    for what in (*ours, *(what for what in theirs if what not in ours)):
+        pairs.setdefault((ours.get(what, -1), theirs.get(what, -1)), []).append(what[0])
     last = max(len(one.line_sets), len(other.line_sets))
 
     def place(pair):
-        order = [last if index < 0 else index for index in pair[:2]]
+        order = [last if index < 0 else index for index in pair]
         return order if share < 0.5 else order[::-1]
 
-    return tuple(_line_set(one, other, pair, share) for pair in sorted(pairs, key=place) if pair[2]) or (LineSet(kinds={}),)
+    mixed = (_line_set(one, other, pair, pairs[pair], share) for pair in sorted(pairs, key=place))
+    return tuple(mixed) or (LineSet(kinds={}),)
 
 
-def _line_set(one, other, pair, share):
-    i, j, kinds = pair
+def _drawn(style):
+    """{(kind, what filters say, how many sets before have both): index of the line set that draws it}."""
+    found = {}
+    for index, line_set in enumerate(style.line_sets):
+        for kind in line_set.kinds:
+            what = kind, tuple(_filters(line_set).values())
+            found[*what, sum(known[:2] == what for known in found)] = index
+    return found
+
+
+def _filters(line_set):
+    return {name: getattr(line_set, name) for pair in FILTERS.items() for name in pair}
+
+
+def _line_set(one, other, pair, kinds, share):
+    i, j = pair
     if j < 0:
         return _fading(one.line_sets[i], kinds, 1.0 - share)
     if i < 0:
@@ -67,8 +79,8 @@ def _line_set(one, other, pair, share):
     overshoot_away = None
     if a.overshoot_away is not None or b.overshoot_away is not None:
         overshoot_away = _between(*(s.overshoot if s.overshoot_away is None else s.overshoot_away for s in (a, b)), share)
-    plain = ("corner_angle", "least_length", "overshoot", "halo", "pen", "name", "collection", "outside")
-    mixed = {name: _between(getattr(a, name), getattr(b, name), share) for name in plain}
+    plain = ("corner_angle", "least_length", "overshoot", "halo", "pen", "name")
+    mixed = {name: _between(getattr(a, name), getattr(b, name), share) for name in plain} | _filters(a)
     hidden = _hidden(a.hidden, b.hidden, share)
     return LineSet(kinds=values, pen_away=_away(a, b, share), overshoot_away=overshoot_away, hidden=hidden, **mixed)
 

@@ -8,6 +8,8 @@ from .focus import Distance, Effects, Focus
 from .stages import REFERENCE_HEIGHT, Pen
 from .style_json import dotted
 
+# Of a LineSet: what each is called where it is turned round.
+FILTERS = {"collection": "outside", "object": "other_objects", "material": "other_materials"}
 UNCOUNTED = 255  # more surfaces than are ever counted
 
 
@@ -41,6 +43,10 @@ class LineSet:
     kinds: dict = field(default_factory=dict)  # {definition id: {parameter: value}}, in the registry's units
     collection: str = ""  # of Blender: only its objects have these lines; none: all have
     outside: bool = False  # only what is not in it has them
+    object: str = ""  # of Blender: only it, and instances that it makes or that are of it, have these lines; none: all
+    other_objects: bool = False  # only what is not it has them
+    material: str = ""  # of Blender: only faces of it have these lines; none: all
+    other_materials: bool = False  # only faces of others have them
     corner_angle: float = 60.0  # degrees of turn at which a path is split
     least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
     overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from .. import native
-from ..stages import Emphasis
+from ..stages import Emphasis, LineFilters
 
 _HANDS_OVER = 12.0  # reference pixels before its end that a line begins to hand over to one that goes on
 
@@ -15,11 +15,13 @@ def trace(scene, view):
     return native.load().Tracer(scene, view)
 
 
-def extract(tracer, style, cancel, members=()):
-    """Paths of everything the style's line sets find; none where it draws no lines. `members`: as Notes have them."""
-    drawn, members = style.effects.lines != "none", members or [None] * len(style.line_sets)
-    sets = [(s.kinds if drawn else {}, s.corner_angle, own) for s, own in zip(style.line_sets, members, strict=True)]
-    return native.load().extract_paths(tracer, sets, cancel)
+def extract(tracer, style, cancel, filters=LineFilters()):
+    """Paths of everything the style's line sets find, if LineFilters let it through; none where it draws no lines."""
+    drawn, all_of_them = style.effects.lines != "none", (None,) * len(style.line_sets)
+    of_sets = zip(style.line_sets, filters.placements or all_of_them, filters.materials or all_of_them, strict=True)
+    sets = [(s.kinds if drawn else {}, s.corner_angle, placements, materials) for s, placements, materials in of_sets]
+    own = {"shown": filters.shown, "parameters": filters.parameters, "materials": filters.lined}
+    return native.load().extract_paths(tracer, sets, cancel, **own)
 
 
 def project(paths, tracer, style, sample_step_px, scale, cancel):

@@ -1,6 +1,6 @@
 """What materials mean for lines: which polygons share one, and which hide what lies behind them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 SEE_THROUGH = {"BSDF_TRANSPARENT", "BSDF_GLASS", "BSDF_REFRACTION"}
 
@@ -13,6 +13,7 @@ class Slot:
     color: tuple = (0.8, 0.8, 0.8, 1.0)  # viewport display colour, scene-linear
     hides: bool = True
     holdout: bool = False
+    lines: bool = field(default=True, compare=False)  # whether its faces have lines; the surface is the same without
 
 
 def slots(obj, mesh, known):
@@ -35,7 +36,7 @@ def _slot(material, known):
         choice = material.fovea.occlusion
         hides = choice == "ALWAYS" or (choice == "AUTOMATIC" and not _is_see_through(material, shader))
         holdout = shader is not None and shader.bl_idname == "ShaderNodeHoldout"
-        known[name] = Slot(name, tuple(material.diffuse_color), hides, holdout)
+        known[name] = Slot(name, tuple(material.diffuse_color), hides, holdout, material.fovea.lines)
     return known[name]
 
 

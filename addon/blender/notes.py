@@ -1,8 +1,8 @@
-"""What the artist has said of a scene's placements: priorities, what is painted on meshes, and a map of density."""
-
-import bpy
+"""What the artist has said of a scene's placements: priorities, what is painted on meshes, a map of density, and which
+lines they have."""
 
 from ..stages import Notes
+from . import line_filters
 from .color_corners import Corners
 
 
@@ -28,17 +28,8 @@ class Gathering:
         surfaces = snapshot.surface_of_placement
         painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
         density = image and self._cache.images.texture(image)
-        members = tuple(_members(line_set, snapshot.owners) for line_set in self._line_sets)
-        return Notes(snapshot.importance, painted, tuple(snapshot.owners), density, members)
-
-
-def _members(line_set, owners):
-    """Of each placement whether its object, or what made an instance of it, is where a LineSet draws; None: of all."""
-    if not line_set.collection:
-        return None
-    collection = bpy.data.collections.get(line_set.collection)
-    inside = {obj.name_full for obj in collection.all_objects} if collection else set()
-    return [inside.isdisjoint(names) == line_set.outside for names in owners]
+        filters = line_filters.of(self._line_sets, snapshot)
+        return Notes(snapshot.importance, painted, tuple(snapshot.owners), density, filters)
 
 
 def attributes(style):
@@ -50,7 +41,6 @@ def attributes(style):
 
 
 def asked(style, image):
-    """What is asked of a scene besides its objects' priorities; where this is the same, so are the notes. `image`:
-    Blender's, of the density, or None."""
-    members = [(line_set.collection, line_set.outside) for line_set in style.line_sets]
-    return attributes(style), image and image.name_full, members
+    """What is asked of a scene besides what its objects and materials say; where this is the same, so are the notes.
+    `image`: Blender's, of the density, or None."""
+    return attributes(style), image and image.name_full, line_filters.asked(style.line_sets)

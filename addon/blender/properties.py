@@ -9,7 +9,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from .. import style_mix
-from . import focus_settings, gpu_context, methods, style_data, style_groups, style_read
+from . import focus_settings, gpu_context, methods, own_lines, style_data, style_groups, style_read
 from .line_kinds import definitions  # noqa: F401 (part of what this module offers)
 from .property_kinds import redraw
 
@@ -97,7 +97,7 @@ def _scene_group():
     return _group("FoveaSceneSettings", annotations)
 
 
-def _object_group():
+def _object_group(kinds):
     annotations = {
         "usage": EnumProperty(name="Line Drawing", items=USAGES, update=redraw),
         "priority": FloatProperty(
@@ -124,7 +124,21 @@ def _object_group():
             update=redraw,
         ),
     }
-    return _group("FoveaObjectSettings", {**annotations, **_shape_properties()})
+    return _group("FoveaObjectSettings", {**annotations, **own_lines.annotations(kinds), **_shape_properties()})
+
+
+def _material_group():
+    annotations = {
+        "lines": BoolProperty(
+            name="Lines",
+            description="Faces of this material have lines. Off: only those they share with faces of another material, "
+            "as for an eye or a decal",
+            default=True,
+            update=redraw,
+        ),
+        "occlusion": EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=redraw),
+    }
+    return _group("FoveaMaterialSettings", annotations)
 
 
 def _shape_properties():
@@ -181,11 +195,10 @@ _registered = []  # (type that has the settings, group)
 def register():
     style_groups.register()
     focus_settings.register()
-    occlusion = EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=redraw)
     _registered[:] = [
         (bpy.types.Scene, _scene_group()),
-        (bpy.types.Object, _object_group()),
-        (bpy.types.Material, _group("FoveaMaterialSettings", {"occlusion": occlusion})),
+        (bpy.types.Object, _object_group(own_lines.register())),
+        (bpy.types.Material, _material_group()),
     ]
     for owner, group in _registered:
         bpy.utils.register_class(group)
@@ -197,5 +210,6 @@ def unregister():
         del owner.fovea
         bpy.utils.unregister_class(group)
     _registered.clear()
+    own_lines.unregister()
     focus_settings.unregister()
     style_groups.unregister()

@@ -7,7 +7,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from . import materials, repair, subdivision
+from . import materials, own_lines, repair, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
@@ -28,6 +28,8 @@ class Snapshot:
     objects: list  # n object names
     owners: list  # n tuples of full names: the object's, and that of what made an instance of it
     importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
+    shown: np.ndarray  # (n,) uint32, bits of the registry: the kinds of lines that the objects show
+    crease_angle: np.ndarray  # (n,) float64 degrees of the objects' own, NaN: none
 
 
 class _Gathering:
@@ -39,8 +41,8 @@ class _Gathering:
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
-        self.known_priority = {}
-        self.rows = []  # (step of the walk, surface, hash of names, usage, object, owners, priority) per placement
+        self.known_own = {}
+        self.rows = []  # (step of the walk, surface, hash of names, usage, object, owners, *own) per placement
 
     def usage(self, instance):
         """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
@@ -112,13 +114,14 @@ class _Gathering:
             usage = OCCLUDE | HOLDOUT
         parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
         names, owners = (obj.name_full, parent), (obj.name_full, parent) if parent else (obj.name_full,)
-        self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, self.priority(obj)))
+        self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, *self.own(obj)))
 
-    def priority(self, obj):
-        """An object's priority, asked of what it is a copy of (see `_usage`)."""
-        if obj.name_full not in self.known_priority:
-            self.known_priority[obj.name_full] = obj.original.evaluated_get(self.depsgraph).fovea.priority
-        return self.known_priority[obj.name_full]
+    def own(self, obj):
+        """An object's priority, kinds of lines and angle of creases, asked of what it is a copy of (see `_usage`)."""
+        if obj.name_full not in self.known_own:
+            settings = obj.original.evaluated_get(self.depsgraph).fovea
+            self.known_own[obj.name_full] = (settings.priority, *own_lines.of(settings))
+        return self.known_own[obj.name_full]
 
     def name_hash(self, *names):
         if names not in self.known_names:
@@ -128,7 +131,8 @@ class _Gathering:
 
     def snapshot(self, matrices, persistent):
         """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
-        steps, surface, names, usage, objects, owners, importance = zip(*self.rows) if self.rows else ((),) * 7
+        columns = zip(*self.rows) if self.rows else ((),) * 9
+        steps, surface, names, usage, objects, owners, importance, shown, crease_angle = columns
         chosen = np.array(steps, np.intp)
         return Snapshot(
             self.surfaces,
@@ -140,6 +144,8 @@ class _Gathering:
             list(objects),
             list(owners),
             np.array(importance, np.float32),
+            np.array(shown, np.uint32),
+            np.array(crease_angle, np.float64),
         )
 
 

@@ -24,7 +24,7 @@ from ..color import Color
 from ..elision import Elision
 from ..focus import MOST_NAME, Distance, Effects, Transfer
 from ..stages import Pen
-from ..style_parts import Hidden, LineSet, Paper
+from ..style_parts import FILTERS, Hidden, LineSet, Paper
 from ..style_values import MOST_ATTRIBUTE
 from . import line_kinds, style_words
 from .property_kinds import file_names, redraw
@@ -41,7 +41,7 @@ PARTS = {  # dataclass: what the words call it
     Distance: "distance",
 }
 FILES = {"pen.texture": style.textures, "paper.texture": style.papers}
-NAMES = ("line_set.collection",)  # of Blender's datablocks
+NAMES = tuple(f"line_set.{name}" for name in FILTERS)  # of Blender's datablocks
 AWAY = ("Pen out of Focus", "Lines out of focus are drawn with a pen of their own")
 
 _groups = {}  # dataclass: its group, once they are registered

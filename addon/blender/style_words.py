@@ -77,6 +77,18 @@ WORDS = {
     "hidden.last": ("To", "Draw lines that at most so many surfaces hide; 0: any number", {}),
     "line_set.collection": ("Collection", "Only objects of this collection have the lines of this set; none: all", {}),
     "line_set.outside": ("Outside", "Only objects that are not in the collection have the lines of this set", {}),
+    "line_set.object": (
+        "Object",
+        "Only this object, what it instances and what is instanced of it have the lines of this set; none: all",
+        {},
+    ),
+    "line_set.other_objects": ("Other Objects", "Only other objects have the lines of this set", {}),
+    "line_set.material": (
+        "Material",
+        "Only lines on faces of this material are of this set, those where another one meets it included; none: all",
+        {},
+    ),
+    "line_set.other_materials": ("Other Materials", "Only lines on faces of other materials are of this set", {}),
     "line_set.corner_angle": ("Corner Angle", "Strokes end where a line turns by more than this", {"subtype": "ANGLE"}),
     "line_set.least_length": (
         "Least Length",

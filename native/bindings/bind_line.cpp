@@ -25,6 +25,7 @@ py::list definitions() {
                                py::arg("scope") = scope_name(definition->scope),
                                py::arg("source") = definition->source, py::arg("description") = definition->description,
                                py::arg("parameters") = parameters, py::arg("default") = definition->on_by_default,
+                               py::arg("in_image") = definition->find_in_image != nullptr,
                                py::arg("view_dependent") = definition->scope >= Scope::view));
     }
     return result;
@@ -35,7 +36,7 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
     LineSet set;
     set.corner_angle_rad = glm::radians(corner_angle_degrees);
     for (const auto& [name, given] : kinds) {
-        LineSet::Kind kind;
+        LineKind kind;
         kind.definition = definition_index(name.cast<std::string>());
         const LineDefinition& definition = *line_definitions()[kind.definition];
         kind.values = values_of(definition, given.cast<std::map<std::string, double>>());
@@ -44,12 +45,47 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
     return set;
 }
 
+template <typename T>
+std::vector<T> numbers(const py::handle& given) {
+    const auto array = py::array_t<T, py::array::c_style | py::array::forcecast>::ensure(given);
+    check(array && array.ndim() == 1, "filters of line sets are flat arrays of numbers");
+    return {array.data(), array.data() + array.size()};
+}
+
+/// (mask of each placement, masks), or None: all materials.
+MaterialFilter material_filter(const py::handle& given) {
+    MaterialFilter filter;
+    if (given.is_none()) return filter;
+    const auto pair = given.cast<py::tuple>();
+    filter.row = numbers<Index>(pair[0]);
+    for (const auto& mask : pair[1].cast<py::sequence>()) filter.masks.push_back(numbers<std::uint8_t>(mask));
+    return filter;
+}
+
 std::vector<LineSet> line_sets(const py::sequence& sets) {
     std::vector<LineSet> result;
     for (const auto& item : sets) {
         const auto pair = item.cast<py::tuple>();
         result.push_back(line_set(pair[0].cast<py::dict>(), pair[1].cast<double>()));
-        if (pair.size() > 2 && !pair[2].is_none()) result.back().placements = pair[2].cast<std::vector<std::uint8_t>>();
+        if (pair.size() > 2 && !pair[2].is_none()) result.back().placements = numbers<std::uint8_t>(pair[2]);
+        if (pair.size() > 3) result.back().materials = material_filter(pair[3]);
+    }
+    return result;
+}
+
+/// {definition: {parameter: a value per placement}}.
+std::vector<OwnLines::Parameter> own_parameters(const py::dict& given) {
+    std::vector<OwnLines::Parameter> result;
+    for (const auto& [name, values] : given) {
+        const Index definition = definition_index(name.cast<std::string>());
+        const std::vector<Parameter>& known = line_definitions()[definition]->parameters;
+        for (const auto& [parameter, of_placements] : values.cast<py::dict>()) {
+            const auto called = parameter.cast<std::string>();
+            const auto is_it = [&](const Parameter& p) { return p.name == called; };
+            const auto it = std::find_if(known.begin(), known.end(), is_it);
+            check(it != known.end(), name.cast<std::string>() + ": unknown parameter '" + called + "'");
+            result.push_back({definition, static_cast<Index>(it - known.begin()), numbers<double>(of_placements)});
+        }
     }
     return result;
 }
@@ -100,17 +136,25 @@ void bind_line(py::module_& m) {
 
     m.def(
         "extract_paths",
-        [](const Tracer& tracer, const py::sequence& sets, const Cancel* cancel) {
+        [](const Tracer& tracer, const py::sequence& sets, const Cancel* cancel, const py::object& shown,
+           const py::dict& parameters, const py::object& materials) {
             const std::vector<LineSet> parsed = line_sets(sets);
+            const std::vector<Kinds> kinds = shown.is_none() ? std::vector<Kinds>() : numbers<Kinds>(shown);
+            const OwnLines own{kinds, own_parameters(parameters), material_filter(materials)};
             const Cancel never;
             py::gil_scoped_release release;
             return std::make_shared<Paths>(
-                extract_paths(tracer.scene(), tracer.view(), parsed, tracer, cancel ? *cancel : never));
+                extract_paths(tracer.scene(), tracer.view(), parsed, tracer, cancel ? *cancel : never, own));
         },
-        py::arg("tracer"), py::arg("line_sets"), py::arg("cancel") = py::none(),
+        py::arg("tracer"), py::arg("line_sets"), py::arg("cancel") = py::none(), py::kw_only(),
+        py::arg("shown") = py::none(), py::arg("parameters") = py::dict(), py::arg("materials") = py::none(),
         R"(Paths of everything the line sets find. line_sets: list of ({definition: {parameter: value}},
-corner angle in degrees[, for each placement whether its lines are for the set; None: all]); an edge belongs to the
-first set that finds it.)");
+corner angle in degrees[, for each placement whether its lines are for the set; None: all[, materials whose lines are
+for the set]]); an edge belongs to the first set that finds it, and to a material if a face beside it has that. Of all
+sets: shown: (n,) uint32 registry bits of what each of n placements shows, None: all; parameters: {definition:
+{parameter: (n,) float64 that placements have instead, NaN: none}}; materials: those that have lines at all. Materials
+are a pair: (n,) uint32 mask of each placement, and a list of masks, uint8 by the material's number, 0: it has no lines;
+None: all have.)");
 }
 
 }  // namespace fovea::bindings

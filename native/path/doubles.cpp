@@ -66,7 +66,7 @@ CurveChains Claims::claim(const LineDefinition& definition, CurveChains chains) 
     return chains;
 }
 
-Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen) {
+Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without) {
     const Surface& surface = seen.surface;
     const auto neighbours = neighbours_in(surface);
     Array<std::uint8_t> near(surface.vertex_count(), 0);
@@ -78,19 +78,20 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen) {
             near[t[i]] = 1;
         }
     };
-    for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; })) mark(piece.triangle, true);
+    for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
+        if (without.empty() || !without[piece.triangle]) mark(piece.triangle, true);
     for (const Index v : at)
         for (Index i = neighbours->triangle_rows.begin(v); i < neighbours->triangle_rows.end(v); ++i)
             mark(neighbours->triangles[i], false);
     return near;
 }
 
-void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, Kinds bits, Array<Kinds>& kinds) {
+void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds) {
     const auto neighbours = neighbours_in(surface);
     parallel_for(kinds.size(), [&](std::size_t e) {
         const Edge edge = surface.edges[e];
-        if (!(kinds[e] & bits) || !near[edge.x] || !near[edge.y]) return;
-        if (!is_hard(surface, *neighbours, static_cast<Index>(e))) kinds[e] &= ~bits;
+        if (!(kinds[e] & bits[e]) || !near[edge.x] || !near[edge.y]) return;
+        if (!is_hard(surface, *neighbours, static_cast<Index>(e))) kinds[e] &= ~bits[e];
     });
 }
 

@@ -20,11 +20,12 @@ class Claims {
     std::map<const LineDefinition*, Array<std::uint8_t>> taken_;  // per triangle, by what the definitions are part of
 };
 
-/// Per vertex: 1 within two triangles of where the smooth surface turns away from the viewer.
-Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen);
+/// Per vertex: 1 within two triangles of where the smooth surface turns away from the viewer. `without`: 1 on triangles
+/// where no contour is drawn; or empty.
+Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without = {});
 
-/// Clears `bits` on edges near a smooth contour, which is drawn instead, but where the mesh has a hard edge.
-void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, Kinds bits, Array<Kinds>& kinds);
+/// Clears an edge's `bits` near a smooth contour, which is drawn instead, but where the mesh has a hard edge.
+void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds);
 
 /// Per vertex: 1 at the ends of hard edges of the mesh that have one of `bits`.
 Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds);

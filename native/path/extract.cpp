@@ -28,35 +28,28 @@ struct PlacementPaths {
     std::vector<FoundCurves> seen_curves;
 };
 
-std::uint64_t hash_sets(const std::vector<LineSet>& sets) {
+std::uint64_t hash_sets(const std::vector<PlacedSet>& sets) {
     std::uint64_t hash = sets.size();
-    for (const LineSet& set : sets) {
+    for (const PlacedSet& set : sets) {
         hash = hash_numbers(hash, set.kinds.size(), std::bit_cast<std::uint64_t>(set.corner_angle_rad));
-        for (const LineSet::Kind& kind : set.kinds)
+        hash = hash_of(In<std::uint8_t>(set.materials), hash);
+        for (const LineKind& kind : set.kinds)
             hash = hash_of(In<double>(kind.values), hash_numbers(hash, kind.definition));
     }
     return hash;
 }
 
-/// As one placement has them: those that are not for it ask for nothing.
-std::vector<LineSet> sets_for(Index placement, const std::vector<LineSet>& sets) {
-    std::vector<LineSet> own = sets;
-    for (LineSet& set : own)
-        if (!set.is_for(placement)) set.kinds.clear();
-    return own;
-}
-
 bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
     for (const LineSet& set : sets)
-        for (const LineSet::Kind& kind : set.kinds)
+        for (const LineKind& kind : set.kinds)
             if (line_definitions()[kind.definition]->scope >= least) return true;
     return false;
 }
 
 /// Of definitions that mark edges, and hold for all views or depend on the view.
-bool any_marks_edges(const std::vector<LineSet>& sets, bool of_surface) {
-    for (const LineSet& set : sets)
-        for (const LineSet::Kind& kind : set.kinds) {
+bool any_marks_edges(const std::vector<PlacedSet>& sets, bool of_surface) {
+    for (const PlacedSet& set : sets)
+        for (const LineKind& kind : set.kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             if (definition.trace && (definition.scope == Scope::surface) == of_surface) return true;
         }
@@ -90,14 +83,26 @@ bool any_beside_contours(Kinds asked) {
     return false;
 }
 
-PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<LineSet>& sets, std::uint64_t sets_hash,
+/// Per triangle: 1 where no set has some of `kinds`; empty where that is nowhere.
+Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<PlacedSet>& sets, Kinds kinds) {
+    if (!any_by_material(sets)) return {};
+    std::vector<const PlacedSet*> asking;
+    for (const PlacedSet& set : sets)
+        if (asked_of(set) & kinds) asking.push_back(&set);
+    return triangles_without(surface, [&](int material) {
+        const auto has = [&](const PlacedSet* set) { return set->has_material(material); };
+        return std::any_of(asking.begin(), asking.end(), has);
+    });
+}
+
+PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash,
                                  bool view_dependent) {
     Cache& cache = seen.surface.cache();
     PlacementPaths paths;
     Array<std::uint8_t> near, hard;
     const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
     if (view_dependent && (asked & contours) && (doubled_edges(asked) || any_beside_contours(asked)))
-        near = near_smooth_contour(seen);
+        near = near_smooth_contour(seen, triangles_without(seen.surface, sets, contours));
     if (any_marks_edges(sets, false)) {
         auto [edges, hard_ones] = find_edges(seen, sets, sets_hash, true, near);
         paths.edges = std::make_shared<const EdgePaths>(std::move(edges));
@@ -205,31 +210,30 @@ void resize(Paths& paths, Index path_count, Index point_count) {
 }  // namespace
 
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
-                    const Cancel& cancel) {
+                    const Cancel& cancel, const OwnLines& own) {
     check(sets.size() < 255, "a style holds at most 254 line sets");
     Paths paths;
     if (sets.empty()) return paths;
     tracer.check_current();
-    for (const LineSet& set : sets)
-        check(set.placements.empty() || set.placements.size() == scene.placements.size(),
-              "a line set must say of each placement whether its lines are for it");
+    check_filters(scene.placements.size(), sets, own);
     const bool view_dependent = any_of_scope(sets, Scope::view);
     std::vector<Index> drawn;
     for (Index i = 0; i < scene.placements.size(); ++i)
         if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin)) drawn.push_back(i);
 
     std::vector<PlacementPaths> found(drawn.size());
+    std::vector<std::vector<PlacedSet>> placed_sets(scene.placements.size());
     parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         cancel.poll();
         const Placement& placed = scene.placements[drawn[i]];
         const auto surface = as_placed(placed.surface, placed.object_to_world);
-        const std::vector<LineSet> own = sets_for(drawn[i], sets);
-        const std::uint64_t asked = hash_numbers(hash_sets(own), hash_of(surface->field_options()));
-        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), own, asked, view_dependent);
+        const std::vector<PlacedSet>& mine = placed_sets[drawn[i]] = sets_of(drawn[i], sets, own);
+        const std::uint64_t asked = hash_numbers(hash_sets(mine), hash_of(surface->field_options()));
+        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), mine, asked, view_dependent);
     });
 
     const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
-    const auto of_scene = find_curves_in_scene(scene, drawn, sets, cancel);
+    const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, placed_sets, cancel);
 
     struct CurveSlot {
         const FoundCurves* found;

@@ -19,19 +19,38 @@ struct StaticLines {
     Array<Index> edges;
 };
 
-void trace_kinds(const LineSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
-    for (const LineSet::Kind& kind : set.kinds) {
+void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
+    for (const LineKind& kind : set.kinds) {
         const LineDefinition& definition = *line_definitions()[kind.definition];
         if (definition.trace && (definition.scope == Scope::surface) == of_surface)
             definition.trace(seen, kind.values, Kinds(1) << kind.definition, kinds);
     }
+    if (set.materials.empty()) return;
+    const auto wanted = [&](int material) { return set.has_material(material); };
+    parallel_for(kinds.size(), [&](std::size_t e) {
+        if (kinds[e] && !any_beside(seen.surface, static_cast<Index>(e), wanted)) kinds[e] = 0;
+    });
 }
 
-StaticLines find_static(const Surface& surface, const std::vector<LineSet>& sets) {
+/// Per edge: contours of mesh edges for which a smooth one stands on a face beside it.
+Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSet>& sets) {
+    Array<Kinds> doubled(surface.edges.size(), doubled_edges(asked_of(sets)));
+    if (!any_by_material(sets)) return doubled;
+    std::fill(doubled.begin(), doubled.end(), Kinds(0));
+    for (const PlacedSet& set : sets)
+        if (const Kinds of_set = doubled_edges(asked_of(set)))
+            parallel_for(doubled.size(), [&](std::size_t e) {
+                const auto has = [&](int material) { return set.has_material(material); };
+                if (any_beside(surface, static_cast<Index>(e), has)) doubled[e] |= of_set;
+            });
+    return doubled;
+}
+
+StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& sets) {
     StaticLines lines;
     const SurfaceView seen{.surface = surface};
     Array<std::uint8_t> any(surface.edges.size(), 0);
-    for (const LineSet& set : sets) {
+    for (const PlacedSet& set : sets) {
         Array<Kinds>& kinds = lines.kinds.emplace_back(surface.edges.size(), Kinds(0));
         trace_kinds(set, seen, true, kinds);
         parallel_for(kinds.size(), [&](std::size_t e) { any[e] |= kinds[e] != 0; });
@@ -119,23 +138,24 @@ Kinds doubled_edges(Kinds asked) {
     return doubled;
 }
 
-std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<LineSet>& sets,
+std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
                                                      std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near) {
     const Surface& surface = seen.surface;
     // Contours of a mesh fold back on themselves where they end on a smooth surface: one path through all folds, so
     // that what is seen of them can be told from a line.
     std::vector<double> corner_angles, never(sets.size(), glm::pi<double>());
-    for (const LineSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
+    for (const PlacedSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     std::vector<Array<Kinds>> kinds = lines->kinds;
     Array<std::uint8_t> hard;
     if (of_view) {
         find_facing(seen);
         const Kinds doubled = doubled_edges(asked_of(sets));
-        Array<Kinds> all(doubled ? surface.edges.size() : 0, 0);
+        const Array<Kinds> doubled_at = doubled ? doubled_at_edges(surface, sets) : Array<Kinds>();
+        Array<Kinds> all(doubled_at.size(), 0);
         for (std::size_t s = 0; s < sets.size(); ++s) {
             trace_kinds(sets[s], seen, false, kinds[s]);
-            if (doubled) drop_doubled_edges(surface, near, doubled, kinds[s]);
+            if (doubled) drop_doubled_edges(surface, near, doubled_at, kinds[s]);
             parallel_for(all.size(), [&](std::size_t e) { all[e] |= kinds[s][e]; });
         }
         if (doubled) hard = at_hard_edges(surface, doubled, all);

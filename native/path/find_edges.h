@@ -2,7 +2,7 @@
 #pragma once
 
 #include "path/chain.h"
-#include "path/line_set.h"
+#include "path/placed_set.h"
 
 namespace fovea {
 
@@ -19,7 +19,7 @@ Kinds doubled_edges(Kinds asked);
 
 /// With those of this view, or only those that hold for all. Also, per vertex, `hard` of doubles.h. `near`: of
 /// doubles.h, or empty. `sets_hash`: what the kept ones depend on.
-std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<LineSet>& sets,
+std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
                                                      std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near);
 
 }  // namespace fovea

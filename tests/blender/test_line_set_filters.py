@@ -1,35 +1,13 @@
-"""Line sets that draw the lines of some objects alone: those of a collection, or those outside it."""
+"""Line sets that draw the lines of a collection, an object or a material alone, or those of all others."""
 
 import bpy
 import numpy as np
 import pytest
-from pictures import box_scene, drawn, ink
+from pairs import instanced, pair, sides, striped  # noqa: F401 (fixtures)
+from pictures import drawn, ink
 from the_addon import box_mesh, lines_of, new_object, only_lines, own_style, part
 
 style, properties = part("style"), part("blender.properties")
-
-
-@pytest.fixture
-def pair():
-    """A box at the left in the collection Left, and one at the right."""
-    scene = box_scene()
-    bpy.data.objects.remove(bpy.data.objects["Box"])
-    left = bpy.data.collections.new("Left, or not.001")
-    scene.collection.children.link(left)
-    camera = scene.camera
-    camera.location, camera.rotation_euler, camera.data.type = (0, 0, 10), (0, 0, 0), "ORTHO"
-    camera.data.ortho_scale = 16
-    new_object(box_mesh(), "Left", (-4, 0, 0), left)
-    new_object(box_mesh(), "Right", (4, 0, 0))
-    only_lines(scene, "crease")
-    return scene, left
-
-
-def sides(scene, tmp_path):
-    """Whether there is ink at the left, and at the right."""
-    picture = ink(drawn(scene, tmp_path / "pair.png"))
-    half = picture.shape[1] // 2
-    return picture[:, :half].max() > 0.5, picture[:, half:].max() > 0.5
 
 
 def test_a_collection_has_its_lines_and_what_is_outside_has_its_own(pair, tmp_path):
@@ -82,3 +60,115 @@ def test_the_filter_is_in_the_file(pair):
         style.parse('{"schema": 1, "line_sets": [{"collection": 3}]}')
     with pytest.raises(style.StyleError, match=r"line_sets\[0\].outside must be true or false"):
         style.parse('{"schema": 1, "line_sets": [{"outside": "no"}]}')
+
+
+def test_an_object_has_its_lines_and_the_others_have_theirs(pair, tmp_path):
+    scene, left = pair
+    lines_of(scene).object = "Left"
+    assert sides(scene, tmp_path) == (True, False)
+    lines_of(scene).other_objects = True
+    assert sides(scene, tmp_path) == (False, True)
+    lines_of(scene).object = "There is none"
+    assert sides(scene, tmp_path) == (True, True)
+    lines_of(scene).other_objects = False
+    assert sides(scene, tmp_path) == (False, False)
+    lines_of(scene).object, lines_of(scene).collection = "Right", left.name
+    assert sides(scene, tmp_path) == (False, False), "what both filters let through: nothing"
+    lines_of(scene).outside = True
+    assert sides(scene, tmp_path) == (False, True)
+
+
+def test_instances_are_of_what_makes_them_and_of_what_they_are_copies_of(pair, tmp_path):
+    scene, _left = pair
+    instanced(scene, bpy.data.collections.new("Source"))
+    for name in ("Maker", "Instanced"):
+        lines_of(scene).object = name
+        assert sides(scene, tmp_path) == (False, True)
+        lines_of(scene).other_objects = True
+        assert sides(scene, tmp_path) == (True, False)
+        lines_of(scene).other_objects = False
+
+
+def test_a_material_has_the_lines_on_its_faces(striped, tmp_path):
+    scene = striped
+    assert sides(scene, tmp_path) == (True, True)
+    lines_of(scene).material = "Red"
+    assert sides(scene, tmp_path) == (True, False)
+    lines_of(scene).other_materials = True
+    assert sides(scene, tmp_path) == (False, True)
+    lines_of(scene).material = "There is none"
+    assert sides(scene, tmp_path) == (True, True)
+    lines_of(scene).other_materials = False
+    assert sides(scene, tmp_path) == (False, False)
+
+
+def test_materials_of_the_object_count_where_it_brings_its_own(striped, tmp_path):
+    scene, roof = striped, bpy.data.objects["Roof"]
+    roof.material_slots[1].link = "OBJECT"
+    roof.material_slots[1].material = bpy.data.materials.new("Green")
+    lines_of(scene).material = "Blue"
+    assert sides(scene, tmp_path) == (False, False)
+    lines_of(scene).material = "Green"
+    assert sides(scene, tmp_path) == (False, True)
+
+
+def test_where_materials_meet_the_first_set_of_either_has_the_line(striped, tmp_path):
+    scene = striped
+    only_lines(scene, "material_boundary")
+    bpy.ops.fovea.line_set_duplicate()
+    held = own_style(scene)
+    held.line_sets[-2].pen.color, held.line_sets[-1].pen.color = (1, 0, 0), (0, 0, 1)
+    for first, second in (("Red", "Blue"), ("Blue", "Red")):
+        held.line_sets[-2].material, held.line_sets[-1].material = first, second
+        picture = drawn(scene, tmp_path / "meet.png")
+        assert (picture[..., 0] - picture[..., 2] > 0.5).any(), "the first set's red"
+        assert not (picture[..., 2] - picture[..., 0] > 0.5).any()
+
+
+@pytest.mark.parametrize("backend", ["CPU", "GPU"])
+def test_filters_hold_on_both_devices(striped, tmp_path, backend):
+    scene = striped
+    scene.fovea.backend = backend
+    lines_of(scene).material = "Red"
+    assert sides(scene, tmp_path) == (True, False)
+
+
+def test_viewports_hear_of_each_change(striped):
+    """What a viewport asks for is another where filters or materials are others; what was read is not kept then."""
+    scene, notes, changes = striped, part("blender.notes"), part("blender.changes")
+    asked = [notes.asked(properties.style_of(scene), None)]
+    for name, value in (("object", "Roof"), ("other_objects", True), ("material", "Red"), ("other_materials", True)):
+        setattr(lines_of(scene), name, value)
+        asked.append(notes.asked(properties.style_of(scene), None))
+    assert all(a != b for i, a in enumerate(asked) for b in asked[:i])
+    told = []
+
+    def note(_scene, depsgraph):
+        told.append(list(depsgraph.updates) and not changes._are_harmless(list(depsgraph.updates)))
+
+    bpy.context.view_layer.update()
+    bpy.app.handlers.depsgraph_update_post.append(note)
+    settings = bpy.data.objects["Roof"].fovea
+    try:
+        for group, name, value in (
+            (settings, "own_kinds", True),
+            (settings.kinds, "crease", False),
+            (settings, "own_crease_angle", True),
+            (settings, "crease_angle", 1.0),
+            (bpy.data.materials["Red"].fovea, "lines", False),
+        ):
+            told.clear()
+            setattr(group, name, value)
+            bpy.context.view_layer.update()
+            assert any(told), name
+    finally:
+        bpy.app.handlers.depsgraph_update_post.remove(note)
+
+
+def test_all_filters_are_in_the_file(pair):
+    scene, left = pair
+    lines = lines_of(scene)
+    lines.object, lines.other_objects, lines.material, lines.other_materials = "Left", True, "Glass", True
+    chosen = properties.style_of(scene)
+    assert style.parse(style.dump(chosen)).line_sets == chosen.line_sets
+    assert chosen.line_sets[-1].material == "Glass" and chosen.line_sets[-1].other_objects

@@ -40,6 +40,24 @@ def test_every_parameter_is_a_property_with_the_registrys_limits(scene, definiti
     assert (prop.subtype == "ANGLE") == (parameter["unit"] == "degrees")
 
 
+def test_an_object_may_do_without_every_definition_that_is_of_objects(scene):
+    obj = new_object(bpy.data.meshes.new("Mesh"))
+    own_lines, kinds = part("blender.own_lines"), obj.fovea.kinds
+    known = kinds.bl_rna.properties
+    assert own_lines.of(obj.fovea)[0] == own_lines.ALL_KINDS and math.isnan(own_lines.of(obj.fovea)[1])
+    obj.fovea.own_kinds = obj.fovea.own_crease_angle = True
+    obj.fovea.crease_angle = math.radians(45)
+    assert own_lines.of(obj.fovea) == (own_lines.ALL_KINDS, 45.0)
+    for bit, definition in enumerate(catalogue.definitions()):
+        name = definition["name"]
+        assert (name in known) != definition["in_image"], name
+        if name in known:
+            assert known[name].name == definition["label"] and definition["description"] in known[name].description
+            setattr(kinds, name, False)
+            assert own_lines.of(obj.fovea)[0] == own_lines.ALL_KINDS & ~(1 << bit), name
+            setattr(kinds, name, True)
+
+
 def test_a_new_scene_draws_the_default_style_and_no_datablock_is_made(scene):
     assert properties.style_of(scene) == style.load(style.DEFAULT)
     assert not bpy.data.node_groups

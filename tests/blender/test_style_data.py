@@ -42,9 +42,10 @@ def rich():
     crease = {"crease": {"angle": 33.0}}
     curve, pen = ((0.0, 0.125), (0.3, 0.9), (0.55, 0.2), (1.0, 1.0)), style.Pen(width=0.35, width_unit="millimetres")
     bent = focus.Transfer(0.9, 0.1, 0.7, curve)
+    filters = ("Some of it.001", True, "Cup", True, "Glass.001", True)
     hidden = (style.Hidden(pen, 1, 2, replace(pen, color=(3.0, 0.2, 0.1))), style.Hidden(style.Pen(cap="butt"), 4))
     sets = (
-        style.LineSet("first", crease, "Some of it.001", True, 12.5, 7.0, 3.0, 4.0, 9.0, pen, style.Pen(), hidden),
+        style.LineSet("first", crease, *filters, 12.5, 7.0, 3.0, 4.0, 9.0, pen, style.Pen(), hidden),
         style.LineSet("second", {}, overshoot_away=2.0),
     )
     base = style.Style(paper=style.Paper(texture=style.papers()[-1], transparent=True, height_mm=148.0), line_sets=sets)

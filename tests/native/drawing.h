@@ -62,7 +62,7 @@ inline LineSet line_set(const std::vector<const char*>& names, double corner_deg
     LineSet set;
     set.corner_angle_rad = glm::radians(corner_degrees);
     for (const char* name : names) {
-        LineSet::Kind kind{definition_index(name), {}};
+        LineKind kind{definition_index(name), {}};
         for (const Parameter& p : line_definitions()[kind.definition]->parameters) kind.values.push_back(p.value);
         set.kinds.push_back(kind);
     }

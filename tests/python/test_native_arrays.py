@@ -266,3 +266,25 @@ def test_a_tracer_of_moved_surfaces_is_refused(stages):
     ):
         with pytest.raises(ValueError, match="sphere"):
             late()
+
+
+def test_filters_of_line_sets_are_arrays_over_placements_and_materials():
+    mesh = box()
+    mesh.extra["material"] = np.array([0, 1, 0, 0, 0, 0], np.int32)
+    tracer = core.Tracer(scene([mesh.surface()]), view((4, -5, 3), (0, 0, 0)))
+    rows, creases = np.zeros(1, np.uint32), {"crease": {}}
+
+    def edges(*of_set, **own):
+        paths = core.extract_paths(tracer, [(creases, 60.0, *of_set)], **own)
+        return len(paths.place) - len(paths)
+
+    assert edges() == edges(None, None) == 12
+    assert edges(np.zeros(1, np.uint8)) == 0
+    assert edges(None, (rows, [np.array([0, 1], np.uint8)])) == 4
+    assert edges(materials=(rows, [[0, 1]])) == 4
+    assert edges(shown=np.zeros(1, np.uint32)) == 0
+    assert edges(parameters={"crease": {"angle": np.array([100.0])}}) == 0
+    assert edges(parameters={"crease": {"angle": np.array([np.nan])}}) == 12
+    for wrong in ({"shown": [1, 2]}, {"materials": ([1], [[0]])}, {"parameters": {"crease": {"angel": [1.0]}}}):
+        with pytest.raises(ValueError, match="placement|mask|unknown parameter 'angel'"):
+            edges(**wrong)

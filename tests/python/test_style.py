@@ -49,6 +49,16 @@ def test_every_value_survives():
     assert line_set.pen == style.Pen((0.1, 0.2, 0.3), 0.5, 3.0, "solid", 2.0, "butt", 4.0, 0.5)
 
 
+def test_filters_survive_and_files_without_them_draw_everything():
+    filters = {"collection": "Left, or not.001", "outside": True, "object": "Tasse à café", "other_objects": True}
+    filters |= {"material": "../Glass", "other_materials": True}
+    read = style.parse(json.dumps(minimal(**filters)))
+    assert {name: getattr(read.line_sets[0], name) for name in filters} == filters
+    assert style.parse(style.dump(read)) == read
+    plain = style.parse(json.dumps(minimal(kinds={"crease": {}}))).line_sets[0]
+    assert not any(getattr(plain, name) for name in filters)
+
+
 def test_pens_of_hidden_lines_survive_in_the_order_of_their_ranges():
     thin = {"width": 1.5, "texture": "dashes", "cap": "butt"}
     data = minimal(hidden=[{"from": 4, "pen": thin}, {"to": 2}, {"from": 3, "to": 3}], halo=3, overshoot=12.5)
@@ -160,6 +170,11 @@ def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
         (minimal(hidden=[{"pen": {"cap": "square"}}]), "line_sets[0].hidden[0].pen.cap is 'square'"),
         (minimal(hidden=[{"pen": {"width": 0}}]), "line_sets[0].hidden[0].pen.width"),
         (minimal(name=3), "name"),
+        (minimal(object=["Cup"]), "line_sets[0].object must be text of at most 255 letters"),
+        (minimal(object="x" * 256), "line_sets[0].object must be text of at most 255 letters"),
+        (minimal(material=3), "line_sets[0].material must be text of at most 255 letters"),
+        (minimal(other_objects="no"), "line_sets[0].other_objects must be true or false"),
+        (minimal(other_materials=1), "line_sets[0].other_materials must be true or false"),
         ({"schema": style.SCHEMA, "line_sets": []}, "line_sets"),
         ({"schema": 99, "line_sets": [{}]}, "schema is 99: a newer version of Fovea wrote the style"),
         ({"schema": 99, "lines": {"a": [1e999]}}, "lines.a[0] is inf"),

@@ -88,3 +88,23 @@ def test_hidden_pens_of_different_ranges_fade_one_after_the_other():
     at = {share: style_mix.mix(one, two, share).line_sets[0].hidden[0] for share in (0.25, 0.5, 0.75)}
     assert (at[0.25].last, at[0.75].last) == (1, None)
     assert [at[share].pen.opacity for share in at] == pytest.approx([0.4, 0.0, 0.4])
+
+
+def test_line_sets_meet_those_of_the_same_things():
+    mine, yours = Pen(width=2.0), Pen(width=4.0)
+    cup = {"object": "Cup", "other_objects": True}
+    one = Style(line_sets=(LineSet("a", {"crease": {}}, **cup, pen=mine), LineSet("b", {"crease": {}}, pen=mine)))
+    other = Style(
+        line_sets=(
+            LineSet("c", {"crease": {}}, pen=yours),
+            LineSet("d", {"crease": {}}, material="Glass", pen=yours),
+            LineSet("e", {"crease": {}}, **cup, pen=yours),
+        )
+    )
+    assert style_mix.mix(one, one, 0.5) == one, "what stands twice for the same kind stays apart"
+    found = {(s.object, s.other_objects, s.material): s.pen for s in style_mix.mix(one, other, 0.25).line_sets}
+    assert len(found) == 3
+    assert found["Cup", True, ""] == found["", False, ""] == Pen(width=2.5)
+    assert found["", False, "Glass"] == replace(yours, opacity=0.25)
+    twice = Style(line_sets=(LineSet("f", {"crease": {"angle": 90.0}}), LineSet("g", {"crease": {"angle": 20.0}})))
+    assert style_mix.mix(twice, twice, 0.5) == twice

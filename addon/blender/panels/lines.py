@@ -2,12 +2,14 @@
 
 import bpy
 
+from ...style_parts import FILTERS
 from ..line_kinds import definitions
 from ..line_set_operators import edited, edited_hidden
 from .. import style_data
 from .common import StylePanel, draw_pen, draw_properties, fold
 
 # What lines depend on, by the registry's word for it.
+FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # those of bpy.data
 SCOPES = {"view": "Lines of the View", "surface": "Lines of the Shape", "scene": "Lines of the Scene"}
 
 
@@ -51,11 +53,22 @@ def draw_list(layout, held):
 
 
 def draw_filter(layout, line_set):
-    """Which objects have these lines."""
-    row = layout.row()
-    row.alert = bool(line_set.collection) and line_set.collection not in bpy.data.collections
-    row.prop_search(line_set, "collection", bpy.data, "collections")
-    draw_properties(layout, line_set, ("outside",), bool(line_set.collection))
+    """Which objects and materials have these lines; each of them can be turned round."""
+    column = layout.column()
+    for name, others in FILTERS.items():
+        chosen, known = getattr(line_set, name), FILTERED_BY[name]
+        row = column.row(align=True)
+        search = row.row(align=True)
+        search.use_property_decorate = False
+        search.alert = bool(chosen) and chosen not in getattr(bpy.data, known)
+        search.prop_search(line_set, name, bpy.data, known)
+        turn = row.row(align=True)
+        turn.active = bool(chosen)
+        turn.prop(line_set, others, text="", icon="ARROW_LEFTRIGHT")
+
+
+def is_for_all(line_set):
+    return not any(getattr(line_set, name) for name in FILTERS)
 
 
 def draw_kinds(layout, held, line_set):
@@ -65,17 +78,18 @@ def draw_kinds(layout, held, line_set):
         group = [definition for definition in definitions() if definition["scope"] == scope]
         body = fold(layout, f"lines_{scope}", title, closed=False) if group else None
         for definition in group if body else ():
-            _draw_kind(body, line_set.kinds, definition, before)
+            _draw_kind(body, line_set, definition, before)
 
 
-def _draw_kind(body, kinds, definition, before):
-    name = definition["name"]
+def _draw_kind(body, line_set, definition, before):
+    name, kinds = definition["name"], line_set.kinds
     # Full width: most names are too long for half of it.
     switch = body.row()
     switch.use_property_split = False
     switch.prop(kinds, name)
-    # Sets above have them already.
-    switch.active = not any(getattr(line_set.kinds, name) for line_set in before)
+    # Sets above have them already; and lines found in the picture are of no object.
+    taken = any(getattr(above.kinds, name) and is_for_all(above) for above in before)
+    switch.active = not taken and (is_for_all(line_set) or not definition["in_image"])
     if getattr(kinds, name):
         for parameter in definition["parameters"]:
             body.prop(kinds, f"{name}_{parameter['name']}")

@@ -2,7 +2,8 @@
 
 import bpy
 
-from .. import session
+from .. import session, style_data
+from ..own_lines import switchable
 from .common import FoveaPanel
 
 
@@ -11,12 +12,51 @@ class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
     bl_context = "object"
 
     def show(self, layout, context):
-        layout.prop(context.object.fovea, "usage", text="Usage")
-        layout.prop(context.object, "is_holdout")
-        layout.prop(context.object.fovea, "priority")
-        settings = context.object.fovea
-        _draw_curvature(layout, context.object)
+        obj, settings = context.object, context.object.fovea
+        layout.prop(settings, "usage", text="Usage")
+        layout.prop(obj, "is_holdout")
+        has_lines = settings.usage in {"BOTH", "DRAW"}
+        _draw_own_lines(layout, settings, _kinds_of_style(context.scene), has_lines)
+        column = layout.column()
+        column.active = has_lines
+        _draw_curvature(column, obj)
         _draw_shape(layout, settings)
+
+
+def _kinds_of_style(scene):
+    """Names of the definitions that the scene's style draws."""
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    if tree:
+        drawn = style_data.drawn_kinds(tree.fovea)
+    else:
+        drawn = {name for line_set in style_data.default().line_sets for name in line_set.kinds}
+    mixed = scene.fovea.mix > 0.0 and style_data.is_style(other)
+    return drawn | style_data.drawn_kinds(other.fovea) if mixed else drawn
+
+
+def _draw_own_lines(layout, settings, drawn, has_lines):
+    """Priority, and what the object says of its lines itself; `drawn`: the kinds that the style has."""
+    column = layout.column()
+    column.active = has_lines
+    column.prop(settings, "priority")
+    creases = "crease" in drawn and (not settings.own_kinds or settings.kinds.crease)
+    row = layout.row(align=True, heading="Crease Angle")
+    row.active = has_lines and creases
+    row.prop(settings, "own_crease_angle", text="")
+    angle = row.row(align=True)
+    angle.active = settings.own_crease_angle
+    angle.prop(settings, "crease_angle", text="")
+    header, body = layout.panel("fovea_own_kinds", default_closed=True)
+    header.active = has_lines
+    header.use_property_split = False
+    header.prop(settings, "own_kinds")
+    if body:
+        body.active = has_lines and settings.own_kinds
+        body.use_property_split = False
+        for definition in switchable():
+            row = body.row()
+            row.active = definition["name"] in drawn
+            row.prop(settings.kinds, definition["name"])
 
 
 def _draw_curvature(layout, obj):
@@ -51,6 +91,7 @@ class MATERIAL_PT_fovea(FoveaPanel, bpy.types.Panel):
         return super().poll(context) and context.material is not None
 
     def show(self, layout, context):
+        layout.prop(context.material.fovea, "lines")
         layout.prop(context.material.fovea, "occlusion")
 
 
@@ -60,7 +101,6 @@ class VIEWLAYER_PT_fovea(FoveaPanel, bpy.types.Panel):
 
     def show(self, layout, context):
         layout.prop(context.view_layer, "use_pass_z", text="Depth")
-
 
 
 CLASSES = (OBJECT_PT_fovea, MATERIAL_PT_fovea, VIEWLAYER_PT_fovea)

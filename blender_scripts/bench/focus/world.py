@@ -8,6 +8,7 @@ import numpy as np
 from bl_ext.user_default.fovea import catalogue, emphasis, focus, native, pipeline, style
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import camera, scene, style_data
+from bl_ext.user_default.fovea.stages import LineFilters
 from bl_ext.user_default.fovea.textures import Textures
 
 from .places import places_of
@@ -65,8 +66,8 @@ def measure(work, size, named="watercolor"):
 
     def measured(placed, seen, style_, backend, options, **given):
         pipeline.draw = draw
-        # Styles drawn here have other line sets than the scene's, and none is for a collection alone.
-        given["notes"] = replace(given["notes"], members=())
+        # Styles drawn here have other line sets than the scene's, and none is for some lines alone.
+        given["notes"] = replace(given["notes"], filters=LineFilters())
         outcome.append(work(World(draw, placed, views[-1], replace(options, with_depth=True), given)))
         return draw(placed, seen, plain(), backend, options, **given)
 
