@@ -2,7 +2,7 @@
 
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from . import emphasis, papers
 from .backend import cpu
@@ -43,6 +43,13 @@ class Frame:
     probes: int
     layers: int = 3
     notes: Notes = Notes()  # what the artist says of the placements
+    made: dict = field(default_factory=dict)  # what several stages ask for
+
+    def once(self, what, make):
+        """make(), when a stage asks for it first."""
+        if what not in self.made:
+            self.made[what] = make()
+        return self.made[what]
 
 
 class _Clock:
@@ -111,7 +118,7 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
             layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
         combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), frame.tracer, cancel)
-        depth = cpu.depth_image(frame.tracer, cancel) if options.with_depth else None
+        depth = emphasis.depth_image(frame, cancel) if options.with_depth else None
     statistics = {
         "stages": clock.stages,
         "strokes": strokes.count,
