@@ -121,7 +121,7 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
 def _lines(engine, depsgraph):
     """DrawnLines of a final render's depsgraph, and the Style that draws them."""
     chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.Options()
-    near = session.lines_near(engine, depsgraph, chosen, cpu.Backend(), options, native.load().Cancel())
+    near = session.lines_near(engine, depsgraph, chosen, cpu.Backend(), options)
     found = reading.Reader().read(depsgraph, chosen)
     if not found.snapshot.surfaces:
         raise CannotDraw("There is nothing in the scene that has lines")

@@ -151,7 +151,7 @@ def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
     return image
 
 
-def lines_near(engine, depsgraph, chosen, backend, options, cancel):
+def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
     """What elision smoothed in time needs to know of the frames around a final render's, if the Style wants it."""
     frames = pipeline.frames_near(chosen, options)
     look = partial(_shown_lines, engine, depsgraph, backend, options, cancel)

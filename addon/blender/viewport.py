@@ -7,7 +7,7 @@ the region is drawn.
 """
 
 import time
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import bpy
 import numpy as np
@@ -190,6 +190,7 @@ def _made(wanted, quality, tell, cancel):
     chosen = budget.QUALITIES[quality]
     view, options = budget.smaller(wanted.view, chosen.scale), budget.coarser(wanted.options, chosen)
     style = budget.simplified(wanted.scene.style, chosen)
+    options = replace(options, outlines=budget.outlines(wanted.scene.style, chosen))
     image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
     return _Picture(wanted, quality, image)
 

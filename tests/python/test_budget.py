@@ -84,16 +84,17 @@ def test_simplified_styles_draw_the_same_sets_with_the_same_pens(name):
         assert [s.pen for s in simple.line_sets] == [s.pen for s in full.line_sets]
         assert simple.paper == full.paper and simple.color == full.color
         if not quality.definitions:
-            assert {kind for s in simple.line_sets for kind in s.kinds} <= budget.CHEAP
+            assert not {kind for s in simple.line_sets for kind in s.kinds} & budget.SLOW
 
 
-def test_what_stands_for_an_outline_is_drawn_once():
+def test_what_stands_for_an_outline_is_told_from_what_is_drawn_anyway():
     outline = style.LineSet(kinds={"silhouette": {}})
     both = style.Style(line_sets=(outline, style.LineSet(kinds={"contour": {}, "crease": {}})))
     draft = budget.Quality(definitions=False)
-    assert [list(s.kinds) for s in budget.simplified(both, draft).line_sets] == [[], ["contour", "crease"]]
-    alone = budget.simplified(style.Style(line_sets=(outline,)), draft)
-    assert list(alone.line_sets[0].kinds) == ["contour"]
+    assert [list(s.kinds) for s in budget.simplified(both, draft).line_sets] == [["contour", "border"], ["contour", "crease"]]
+    assert budget.outlines(both, draft) == ((0, ("contour", "border")),) and budget.outlines(both, budget.Quality()) == ()
+    in_one = style.Style(line_sets=(style.LineSet(kinds={"silhouette": {}, "contour": {}, "border": {}}),))
+    assert budget.outlines(in_one, draft) == ()
 
 
 def test_options_never_get_finer():
