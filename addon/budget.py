@@ -156,12 +156,26 @@ class Budget:
         if not self.known():
             return UNKNOWN
         predicted = [self.predicted(i) for i in range(len(QUALITIES))]
+        chosen = self._least_within(budget_ms, predicted, last)
+        # What was never drawn may be faster than it is thought to be.
+        if last is not None and chosen >= last and predicted[chosen] > budget_ms:
+            return next((i for i in range(last + 1, len(QUALITIES)) if not self._measured(i)), chosen)
+        return chosen
+
+    @staticmethod
+    def _least_within(budget_ms, predicted, last):
         enough = ENOUGH * min(predicted)
         for i, ms in enumerate(predicted):
             better = last is not None and i < last
             if ms <= max(budget_ms * (MARGIN if better else 1.0), enough):
                 return i
         return len(QUALITIES) - 1
+
+    def _measured(self, index):
+        """Whether all stages were drawn in this quality."""
+        quality = QUALITIES[index]
+        stages = {stage for stage, _ in self._cost if stage != "elision" or quality.elision}
+        return all(self._key(stage, quality) in self._cost for stage in stages)
 
     def next_at_rest(self, shown):
         """Index of the quality that comes after that of the picture shown, on the way to the best."""

@@ -44,6 +44,14 @@ def test_a_budget_is_kept_once_costs_are_known(budget_ms):
     assert sum(cost(budget.QUALITIES[chosen[0]]).values()) <= budget_ms
 
 
+def test_what_was_never_drawn_is_tried_where_the_budget_is_not_kept():
+    chosen = drawn(budget.Budget(), 34, times=12)
+    assert set(chosen) == set(range(len(budget.QUALITIES)))
+    # The last two take 44 and 40 ms: nearly the same.
+    assert chosen[-4:] == [4] * 4
+    assert drawn(budget.Budget(), 100, times=12)[-4:] == [3] * 4
+
+
 def test_where_nothing_keeps_the_budget_what_is_nearly_as_fast_looks_better():
     chooser = budget.Budget()
     for index, quality in enumerate(budget.QUALITIES):
