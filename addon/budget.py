@@ -157,9 +157,10 @@ class Budget:
             return UNKNOWN
         predicted = [self.predicted(i) for i in range(len(QUALITIES))]
         chosen = self._least_within(budget_ms, predicted, last)
-        # What was never drawn may be faster than it is thought to be.
-        if last is not None and chosen >= last and predicted[chosen] > budget_ms:
-            return next((i for i in range(last + 1, len(QUALITIES)) if not self._measured(i)), chosen)
+        # What is coarser than all that was ever drawn may be faster than it is thought to be.
+        coarser = 1 + max(i for i in range(len(QUALITIES)) if i == 0 or self._measured(i))
+        if chosen == coarser - 1 > 0 and predicted[chosen] > budget_ms and coarser < len(QUALITIES):
+            return coarser
         return chosen
 
     @staticmethod

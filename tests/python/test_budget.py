@@ -46,7 +46,7 @@ def test_a_budget_is_kept_once_costs_are_known(budget_ms):
 
 def test_what_was_never_drawn_is_tried_where_the_budget_is_not_kept():
     chosen = drawn(budget.Budget(), 34, times=12)
-    assert set(chosen) == set(range(len(budget.QUALITIES)))
+    assert {4, 5} <= set(chosen)
     # The last two take 44 and 40 ms: nearly the same.
     assert chosen[-4:] == [4] * 4
     assert drawn(budget.Budget(), 100, times=12)[-4:] == [3] * 4
