@@ -159,7 +159,7 @@ class Budget:
         chosen = self._least_within(budget_ms, predicted, last)
         # What is coarser than all that was ever drawn may be faster than it is thought to be.
         coarser = 1 + max(i for i in range(len(QUALITIES)) if i == 0 or self._measured(i))
-        if chosen == coarser - 1 > 0 and predicted[chosen] > budget_ms and coarser < len(QUALITIES):
+        if predicted[chosen] > budget_ms and coarser < len(QUALITIES):
             return coarser
         return chosen
 
