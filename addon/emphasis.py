@@ -60,7 +60,7 @@ def depth_image(frame, cancel):
 
 
 def _focus(frame, focus):
-    """The native Focus of a Frame: lines and pixels ask it, and where it is an object's surface it takes time to make."""
+    """The native Focus of a Frame: lines and pixels ask it, and an object's surface takes time to make."""
     return frame.once("focus", lambda: cpu_focus.focus_of(focus, frame))
 
 

@@ -46,8 +46,8 @@ def progress(context):
 
 
 class FOVEA_OT_render_lines(bpy.types.Operator):
-    """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them. The scene
-    may use any render engine"""
+    """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them. The
+    scene may use any render engine"""
 
     bl_idname = "fovea.render_lines"
     bl_label = "Render Line Layer to Image"

@@ -99,8 +99,10 @@ def test_what_stands_for_an_outline_is_told_from_what_is_drawn_anyway():
     outline = style.LineSet(kinds={"silhouette": {}})
     both = style.Style(line_sets=(outline, style.LineSet(kinds={"contour": {}, "crease": {}})))
     draft = budget.Quality(definitions=False)
-    assert [list(s.kinds) for s in budget.simplified(both, draft).line_sets] == [["contour", "border"], ["contour", "crease"]]
-    assert budget.outlines(both, draft) == ((0, ("contour", "border")),) and budget.outlines(both, budget.Quality()) == ()
+    kinds = [list(s.kinds) for s in budget.simplified(both, draft).line_sets]
+    assert kinds == [["contour", "border"], ["contour", "crease"]]
+    assert budget.outlines(both, draft) == ((0, ("contour", "border")),)
+    assert budget.outlines(both, budget.Quality()) == ()
     in_one = style.Style(line_sets=(style.LineSet(kinds={"silhouette": {}, "contour": {}, "border": {}}),))
     assert budget.outlines(in_one, draft) == ()
 

@@ -1,4 +1,4 @@
-"""Drafts look like the final picture: what stands for lines that take long to find is drawn where they are, in their pens."""
+"""Drafts look like the final picture: what stands for lines that take long is drawn where they are, in their pens."""
 
 from dataclasses import replace
 

@@ -1,5 +1,5 @@
-"""Operators that ask a render, in a window whose viewport draws; see inside.py. What a scenario returns is for the tests
-to judge."""
+"""Operators that ask a render, in a window whose viewport draws; see inside.py. What a scenario returns is for the
+tests to judge."""
 
 import sys
 from pathlib import Path
