@@ -8,9 +8,12 @@ from dataclasses import dataclass, replace
 
 from .focus import OFF
 
-# Lines that must be looked for anew in every view, and what stands for them meanwhile.
-STANDS_FOR = {"silhouette": "contour", "smooth_silhouette": "smooth_contour"}
-CHEAP = frozenset("contour smooth_contour crease border material_boundary edge_mark".split())
+# Lines that take long to find, and what stands for them in drafts, where it is the outer boundary of its object.
+STANDS_FOR = {
+    "silhouette": {"contour": {}, "border": {}},
+    "smooth_silhouette": {"smooth_contour": {"end_at_cusps": 0.0}},
+}
+SLOW = frozenset(STANDS_FOR) | {"isophote", "topographic", "image_edge", "abstracted_shading"}
 ENOUGH = 1.25  # times the least that any quality costs: what is nearly as fast and better looking is taken
 MARGIN = 0.8  # of the budget: a better quality must keep within it, so that qualities do not alternate
 OVERVIEW = 500.0  # ms: resting views show a better picture in this time, if the best takes twice as long
@@ -27,7 +30,7 @@ class Quality:
     effects: bool = True  # what focus does to colours
     hidden: bool = True  # hidden lines, haloes and overshoot
     elision: bool = True
-    definitions: bool = True  # lines that must be looked for anew in every view
+    definitions: bool = True  # lines that take long to find
 
 
 QUALITIES = (
@@ -62,18 +65,36 @@ def simplified(style, quality):
     if not quality.hidden:
         sets = tuple(replace(s, hidden=(), halo=0.0, overshoot=0.0, overshoot_away=None) for s in sets)
     if not quality.definitions:
-        drawn = {kind for line_set in sets for kind in line_set.kinds}
-        sets = tuple(replace(s, kinds=_cheap(s.kinds, drawn)) for s in sets)
+        drawn = {kind for s in sets for kind in s.kinds}
+        sets = tuple(replace(s, kinds=_quick(s.kinds, drawn)) for s in sets)
     off = {} if quality.effects else {name: OFF for name in ("desaturation", "fade", "blur")}
     effects = replace(style.effects, **off)
     elision = replace(style.elision, enabled=style.elision.enabled and quality.elision)
     return replace(style, line_sets=sets, effects=effects, elision=elision)
 
 
-def _cheap(kinds, drawn):
-    """The kinds of a line set without those that cost much; none of them is drawn in two sets."""
-    kept = {kind: values for kind, values in kinds.items() if kind in CHEAP}
-    return kept | {STANDS_FOR[kind]: {} for kind in kinds if STANDS_FOR.get(kind) and STANDS_FOR[kind] not in drawn}
+def _quick(kinds, drawn):
+    """The kinds of a line set without those that take long, and with what stands for them."""
+    return {kind: values for kind, values in kinds.items() if kind not in SLOW} | _stand_ins(kinds, drawn)
+
+
+def _stand_ins(kinds, drawn):
+    """What stands for others of a line set's kinds, and is none of them itself. `drawn`: kinds of all sets; where the
+    smooth contour is among them, it goes before that of the mesh."""
+    found = {}
+    for slow, quick in STANDS_FOR.items():
+        if slow in kinds:
+            found |= ({"smooth_contour": {}} if "smooth_contour" in drawn else {}) | quick
+    return {kind: values for kind, values in found.items() if kind not in kinds}
+
+
+def outlines(style, quality):
+    """Options.outlines of a Style as a quality draws it."""
+    if quality.definitions:
+        return ()
+    drawn = {kind for s in style.line_sets for kind in s.kinds}
+    found = ((i, tuple(_stand_ins(s.kinds, drawn))) for i, s in enumerate(style.line_sets))
+    return tuple((i, kinds) for i, kinds in found if kinds)
 
 
 def coarser(options, quality):
@@ -135,12 +156,27 @@ class Budget:
         if not self.known():
             return UNKNOWN
         predicted = [self.predicted(i) for i in range(len(QUALITIES))]
+        chosen = self._least_within(budget_ms, predicted, last)
+        # What is coarser than all that was ever drawn may be faster than it is thought to be.
+        coarser = 1 + max(i for i in range(len(QUALITIES)) if i == 0 or self._measured(i))
+        if predicted[chosen] > budget_ms and coarser < len(QUALITIES):
+            return coarser
+        return chosen
+
+    @staticmethod
+    def _least_within(budget_ms, predicted, last):
         enough = ENOUGH * min(predicted)
         for i, ms in enumerate(predicted):
             better = last is not None and i < last
             if ms <= max(budget_ms * (MARGIN if better else 1.0), enough):
                 return i
         return len(QUALITIES) - 1
+
+    def _measured(self, index):
+        """Whether all stages were drawn in this quality."""
+        quality = QUALITIES[index]
+        stages = {stage for stage, _ in self._cost if stage != "elision" or quality.elision}
+        return all(self._key(stage, quality) in self._cost for stage in stages)
 
     def next_at_rest(self, shown):
         """Index of the quality that comes after that of the picture shown, on the way to the best."""

@@ -50,8 +50,18 @@ def of_pixels(frame, style, cancel):
     if focus.model == "painted":
         return 1 - cpu_focus.painted_image(frame, focus.attribute, cancel)
     flat = focus.model == "image"
-    distance = np.zeros((view.height, view.width), np.float32) if flat else cpu.depth_image(frame.tracer, cancel)
-    return cpu_focus.focus_of_pixels(view, distance, cpu_focus.focus_of(focus, frame))
+    distance = np.zeros((view.height, view.width), np.float32) if flat else depth_image(frame, cancel)
+    return cpu_focus.focus_of_pixels(view, distance, _focus(frame, focus))
+
+
+def depth_image(frame, cancel):
+    """(H, W) distance along the view of what each pixel sees."""
+    return frame.once("depth image", lambda: cpu.depth_image(frame.tracer, cancel))
+
+
+def _focus(frame, focus):
+    """The native Focus of a Frame: lines and pixels ask it, and an object's surface takes time to make."""
+    return frame.once("focus", lambda: cpu_focus.focus_of(focus, frame))
 
 
 def colors_answer(layer, style):
@@ -96,7 +106,7 @@ def _focus_of_lines(frame, style):
         return None
     if style.focus.model == "painted":
         return 1 - _painted(frame, style.focus.attribute)
-    return cpu_focus.focus_of_samples(frame.clipped, cpu_focus.focus_of(style.focus, frame))
+    return cpu_focus.focus_of_samples(frame.clipped, _focus(frame, style.focus))
 
 
 def _painted(frame, attribute):

@@ -2,10 +2,10 @@
 
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from . import emphasis, papers
-from .backend import cpu
+from .backend import cpu, cpu_lines
 from .stages import Image, Notes
 from .textures import Textures
 from .visibility import METHODS
@@ -26,6 +26,9 @@ class Options:
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
     beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
     least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
+    # Drafts: line sets (index, kinds) that draw of these kinds only what is the outer boundary of its object. What is
+    # not goes to the next set that wants it. Hidden parts have no pens then.
+    outlines: tuple = ()
     with_depth: bool = False  # also make the depth pass
     with_focus: bool = False  # and that of focus, where the style has one
 
@@ -43,6 +46,13 @@ class Frame:
     probes: int
     layers: int = 3
     notes: Notes = Notes()  # what the artist says of the placements
+    made: dict = field(default_factory=dict)  # what several stages ask for
+
+    def once(self, what, make):
+        """make(), when a stage asks for it first."""
+        if what not in self.made:
+            self.made[what] = make()
+        return self.made[what]
 
 
 class _Clock:
@@ -95,9 +105,12 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
             felt = emphasis.thinned(felt, frame, parts, style, backend, cancel, near)
     with clock.stage("shape", 0.05):
         runs = cpu.at_ends(frame, parts, style, scale, emphasis.mix(style.effects.overshoot, felt.focus))
+        pen_of_run = None
+        if options.outlines:
+            runs, pen_of_run = cpu_lines.outlined(frame, runs, style, options.outlines, cancel)
         textures = Textures(style)
         pens = cpu.pens_of(style, textures, scale)
-        strokes = cpu.shape(frame, runs, style, pens, samples, felt)
+        strokes = cpu.shape(frame, runs, style, pens, samples, felt, pen_of_run)
     with clock.stage("strokes", 0.1):
         lines = method.draw(frame, backend, strokes, pens, textures)
     layer = focus = None
@@ -111,7 +124,7 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
             layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
         combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), frame.tracer, cancel)
-        depth = cpu.depth_image(frame.tracer, cancel) if options.with_depth else None
+        depth = emphasis.depth_image(frame, cancel) if options.with_depth else None
     statistics = {
         "stages": clock.stages,
         "strokes": strokes.count,

@@ -133,11 +133,12 @@ def bands(frame, runs, ranks, half_width_px):
     return native.load().Elision(frame.clipped, runs, ranks, half_width_px, _HANDS_OVER * frame.view.reference_scale)
 
 
-def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis()):
+def shape(frame, runs, style, pens, samples=None, emphasis=Emphasis(), pen_of_run=None):
     """Strokes of Runs; pens as of `pens_of`. Partly visible atlas samples, if given, fade one pen into the other;
-    Emphasis leads to the pens out of focus."""
+    Emphasis leads to the pens out of focus. `pen_of_run` (R,): other pens than the style's line sets say."""
     core, paths, effects = native.load(), frame.paths, style.effects
-    pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
+    if pen_of_run is None:
+        pen_of_run = core.pens_of_runs(frame.clipped, runs, paths.line_set, np.array(style.pen_ranges(), np.uint32))
     transfers = {name: transfer(getattr(effects, name)) for name in ("color", "texture", "width", "opacity")}
     transfers |= {f"distance_{name}": transfer(getattr(style.distance, name)) for name in ("width", "opacity")}
     felt = emphasis.focus, emphasis.distance, emphasis.shown

@@ -4,6 +4,8 @@ import numpy as np
 
 from .. import native
 
+_OUTLINE_STEP = 10.0  # reference pixels between looks at what lies behind an outline
+
 
 def compact(frame, runs):
     """The native CompactRuns of Runs: their points, whose arrays say where and what they are."""
@@ -38,3 +40,28 @@ def of_runs(frame, compacted, samples):
     short = last == first
     means[short] = np.interp((start + end)[short] / 2, places, values)
     return means.astype(np.float32)
+
+
+def outlined(frame, runs, style, outlines, cancel):
+    """Visible Runs parted where they are the outer boundary of their object, and (R,) uint32 the pen of each,
+    native.UNSET: none. `outlines`: as of the pipeline's Options."""
+    clipped, paths, step = frame.clipped, frame.paths, _OUTLINE_STEP * frame.view.reference_scale
+    stand_ins = dict(outlines)
+    wanted = [_bits(set(s.kinds) - set(stand_ins.get(i, ()))) for i, s in enumerate(style.line_sets)]
+    asked = np.isin(paths.line_set, list(stand_ins)) & (paths.placement != native.UNSET)
+    sure = np.where(asked, np.array(wanted, np.uint32)[paths.line_set], np.uint32(0xFFFFFFFF))
+    parted, outer, source = native.load().outer_parts(clipped, paths, frame.tracer, runs, sure, step, cancel)
+    path = clipped.path[parted.piece]
+    pen, inner = paths.line_set[path].astype(np.uint32), outer == 0  # the first pens are those of the sets
+    kinds, placement = paths.kinds[source[inner]], paths.placement[path[inner]]
+    found = np.full(len(kinds), native.UNSET, np.uint32)
+    for i in reversed(range(len(wanted))):
+        members = frame.notes.members[i] if frame.notes.members else None
+        found[(kinds & wanted[i] != 0) & (True if members is None else np.asarray(members)[placement])] = i
+    pen[inner] = found
+    return parted, pen
+
+
+def _bits(kinds):
+    """Definitions by name as the registry's bits."""
+    return np.uint32(sum(1 << i for i, known in enumerate(native.load().line_definitions()) if known["name"] in kinds))

@@ -7,7 +7,8 @@
     fovea.lines("suggestive_contour")["points"]                     # as the scene's camera sees it
     fovea.lines("crease", [bpy.context.object], visible=True, angle=30)["px"]
 
-All is that of the evaluated scene, modifiers included. Arrays may be views of native memory: copy before you write.
+All is that of the evaluated scene, modifiers included: as viewports show it, unless a depsgraph is given, as
+as_rendered.look does with that of a final render. Arrays may be views of native memory: copy before you write.
 What cannot be done raises ValueError, CannotDraw, or native.Unavailable with one sentence that says why.
 """
 

@@ -27,13 +27,14 @@ class DrawnLines:
     pen: np.ndarray  # (R,) uint32, index into the style's `pens`
 
 
-def of(read, view, style, options):
-    """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot."""
+def of(read, view, style, options, near=()):
+    """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot. `near`: the lines of
+    the frames around it, for elision smoothed in time."""
     core = native.load()
     seen, cancel, backend = scene.seen(core, view), core.Cancel(), cpu.Backend()
     frame, runs, _, felt = pipeline.find_lines(read.placed, seen, style, backend, options, read.notes, cancel)
     if pipeline.thins(style, options):
-        felt = emphasis.thinned(felt, frame, runs, style, backend, cancel)
+        felt = emphasis.thinned(felt, frame, runs, style, backend, cancel, near)
     found = cpu_lines.compact(frame, runs)
     return _drawn(found, cpu_lines.pens_of(frame, runs, style.pen_ranges()), _left(frame, found, felt), view, style)
 

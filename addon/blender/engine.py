@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import gpu_context, session, viewport
+from . import as_rendered, gpu_context, session, viewport
 
 
 class FoveaEngine(bpy.types.RenderEngine):
@@ -19,7 +19,8 @@ class FoveaEngine(bpy.types.RenderEngine):
         session.register_passes(self, scene, renderlayer)
 
     def render(self, depsgraph):
-        session.render(self, depsgraph)
+        if not as_rendered.looked(self, depsgraph):
+            session.render(self, depsgraph)
 
     def view_update(self, context, depsgraph):
         viewport.update(self, depsgraph)

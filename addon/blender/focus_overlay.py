@@ -1,7 +1,7 @@
 """An overlay of 3D viewports that shows focus as colours: warm where it is, cool far from it.
 
 The native module evaluates it at low resolution, when a viewport is drawn and its view, the focus or the scene has
-changed since; idle viewports draw nothing.
+changed since; idle viewports draw nothing. The scene is read for it only where Fovea does not draw the viewport anyway.
 """
 
 import bpy
@@ -10,7 +10,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, style
 from ..backend import gpu_overlay
-from . import camera, properties, reading, subdivision
+from . import camera, properties, reading, subdivision, viewport
 from .problem import CannotDraw
 
 SCALE = 0.25  # of the viewport's size
@@ -26,21 +26,30 @@ class _Shown:
     """What is kept for one region."""
 
     def __init__(self):
-        self.read = self.key = self.veil = None
+        self.read = self.found = self.key = self.veil = None
 
     def update(self, context):
         """Evaluates focus anew where something has changed."""
         depsgraph = context.evaluated_depsgraph_get()
         chosen, view = properties.style_of(depsgraph.scene_eval), camera.of_region(context, depsgraph)
+        found = self._read(context, depsgraph, chosen)
         key = (chosen.focus, view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
-        if self.key == key:
+        if self.key == key and self.found is found:
             return
-        # A place in the image is there whatever the scene holds; painted or an object's, focus asks more of a scene.
-        if chosen.focus.model != "image" and (self.read is None or self.key[0] != chosen.focus):
-            self.read = _reader().read(depsgraph, chosen, context.space_data)
-        self.key = key
-        values = reading.focus_of_pixels(self.read, view, chosen.focus, SCALE)
+        self.key, self.found = key, found
+        values = reading.focus_of_pixels(found, view, chosen.focus, SCALE)
         self.veil = None if values is None else gpu_overlay.Veil(colors(values))
+
+    def _read(self, context, depsgraph, chosen):
+        """What is there to be looked at: what Fovea draws in the region, or else what is read for this."""
+        if chosen.focus.model == "image":  # is there whatever the scene holds
+            return None
+        if drawn := viewport.gathered(context):
+            return drawn
+        # Painted or an object's, focus asks more of a scene.
+        if self.read is None or self.key is None or self.key[0] != chosen.focus:
+            self.read = _reader().read(depsgraph, chosen, context.space_data)
+        return self.read
 
 
 def _reader():

@@ -1,21 +1,23 @@
-"""What the scene's camera sees of the lines, outside of renders: as an image with alpha, and as objects."""
+"""What a final render has of lines: as an image with alpha, and as objects."""
 
 from contextlib import contextmanager
+from functools import partial
 
 import bpy
 import numpy as np
 
 from .. import native, pipeline, style
-from . import baking, camera, drawn_lines, methods, properties, reading
+from ..backend import cpu
+from . import as_rendered, baking, camera, drawn_lines, properties, reading, session
 from .problem import CannotDraw
 
 
 def can_draw(cls, context):
     """Whether an operator class can draw the context's scene; else its poll message says why not."""
-    if context.scene is None or context.scene.camera is None:
+    if problem := native.problem():
+        cls.poll_message_set(problem)
+    elif context.scene is None or context.scene.camera is None:
         cls.poll_message_set("The scene has no camera: add one, or make one the scene's active camera")
-    elif not properties.definitions():
-        cls.poll_message_set("Fovea's native module cannot be used in this Blender")
     elif context.mode not in {"OBJECT", "POSE"}:
         cls.poll_message_set("Leave the mode first: this works in Object mode")
     else:
@@ -32,14 +34,6 @@ def reported(operator):
         operator.report({"ERROR"}, str(problem))
 
 
-def read(depsgraph, chosen):
-    """What is Read of the depsgraph's scene. CannotDraw where that is nothing."""
-    found = reading.Reader().read(depsgraph, chosen)
-    if not found.snapshot.surfaces:
-        raise CannotDraw("There is nothing in the scene that has lines")
-    return found
-
-
 @contextmanager
 def progress(context):
     """A function to tell shares of the work to, shown at the pointer."""
@@ -52,8 +46,8 @@ def progress(context):
 
 
 class FOVEA_OT_render_lines(bpy.types.Operator):
-    """Draw the lines alone, as the scene's camera sees them, to a new image with alpha. Objects and subdivisions are as
-    viewports show them; the scene may use any render engine"""
+    """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them. The
+    scene may use any render engine"""
 
     bl_idname = "fovea.render_lines"
     bl_label = "Render Line Layer to Image"
@@ -67,11 +61,9 @@ class FOVEA_OT_render_lines(bpy.types.Operator):
 
     def execute(self, context):
         with reported(self), progress(context) as tell:
-            depsgraph = context.evaluated_depsgraph_get()
-            chosen = properties.style_of(depsgraph.scene_eval)
-            options = pipeline.Options(**methods.quality(context.scene.fovea))
-            view = camera.of_scene(depsgraph)
-            drawn = reading.draw(read(depsgraph, chosen), view, chosen, options, tell)
+            drawn = as_rendered.look(context, partial(session.final_image, lines_alone=True, tell=tell))
+            if drawn is None:
+                raise CannotDraw("Stopped before the lines were drawn")
             image = image_of(self.name, drawn.lines)
             self.report({"INFO"}, f"The lines are in the image '{image.name}'")
             return {"FINISHED"}
@@ -90,8 +82,8 @@ def image_of(name, pixels):
 
 
 class FOVEA_OT_bake_strokes(bpy.types.Operator):
-    """Make objects of the lines that the scene's camera sees, one per line set, in a new collection. Their points know
-    how strong each line is, what kind of line it is, and how wide and opaque its pen"""
+    """Make objects of the lines that a final render of this frame and view layer has, one per line set, in a new
+    collection. Their points know how strong each line is, what kind of line it is, and how wide and opaque its pen"""
 
     bl_idname = "fovea.bake_strokes"
     bl_label = "Bake Strokes"
@@ -111,9 +103,7 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
 
     def execute(self, context):
         with reported(self):
-            depsgraph, scene = context.evaluated_depsgraph_get(), context.scene
-            chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.Options()
-            lines = drawn_lines.of(read(depsgraph, chosen), camera.of_scene(depsgraph), chosen, options)
+            scene, (lines, chosen) = context.scene, as_rendered.look(context, _lines)
             made = baking.objects(lines, chosen, self.kind, scene.frame_current)
             if not made:
                 raise CannotDraw("The camera sees no lines")
@@ -126,6 +116,16 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
             self.report({"INFO"}, f"{len(lines.closed)} strokes in {len(made)} objects")
             return {"FINISHED"}
         return {"CANCELLED"}
+
+
+def _lines(engine, depsgraph):
+    """DrawnLines of a final render's depsgraph, and the Style that draws them."""
+    chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.Options()
+    near = session.lines_near(engine, depsgraph, chosen, cpu.Backend(), options)
+    found = reading.Reader().read(depsgraph, chosen)
+    if not found.snapshot.surfaces:
+        raise CannotDraw("There is nothing in the scene that has lines")
+    return drawn_lines.of(found, camera.of_render(engine, depsgraph), chosen, options, near), chosen
 
 
 CLASSES = (FOVEA_OT_render_lines, FOVEA_OT_bake_strokes)

@@ -1,4 +1,4 @@
-"""A scene read outside of renders, as viewports show it: for operators and overlays."""
+"""A scene read for operators and overlays, as the depsgraph that they have holds it."""
 
 from dataclasses import dataclass
 
@@ -33,15 +33,6 @@ class Reader:
         found = scene.gather(depsgraph, self._surfaces, with_marks=with_marks, viewport=viewport, notes=noted)
         placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
         return Read(found, placed, told, tuple(self._surfaces.remarks))
-
-
-def draw(read, view, chosen, options, progress):
-    """The Image of what was Read, by the CPU."""
-    core = native.load()
-    seen = scene.seen(core, view)
-    return pipeline.draw(
-        read.placed, seen, chosen, cpu.Backend(), options, notes=read.notes, progress=progress, cancel=core.Cancel()
-    )
 
 
 def focus_of_pixels(read, view, focus, scale):

@@ -65,7 +65,7 @@ def _style_of(scene_):
 def render(engine, depsgraph):
     """Draws one view layer of a final render. Without a result Blender writes no file."""
     with reported(lambda message: engine.report({"ERROR"}, message)):
-        image = _draw(engine, depsgraph, camera.of_render(engine, depsgraph))
+        image = final_image(engine, depsgraph)
         if image is not None:
             passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
             passes |= {"Colour": image.color, "Focus": image.focus}
@@ -128,27 +128,34 @@ def draw(found, view, chosen, backend, options, progress, cancel, near=()):
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
-def _draw(engine, depsgraph, view):
-    """The Image of a View of the depsgraph's scene for a final render, or None when the user stopped it."""
+def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
+    """The Image of a final render of the depsgraph's scene, or None when the user stopped it. `lines_alone`: without
+    what is under them, focus and depth. `tell(share, stage)` hears how far it is; None: Blender does."""
+    view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
-    asked = {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
+    asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.Options(visibility=visibility, **asked, **methods.quality(settings))
-    frames = pipeline.frames_near(chosen, options)
-    cancel, near, near_s = core.Cancel(), (), 0.0
+    cancel = core.Cancel()
     with _watched(engine, cancel):
         try:
-            if frames:
-                start, look = time.perf_counter(), partial(_shown_lines, engine, depsgraph, backend, options, cancel)
-                near = near_frames.shown_lines(engine, depsgraph, frames, look)
-                near_s = time.perf_counter() - start
+            start = time.perf_counter()
+            near = lines_near(engine, depsgraph, chosen, backend, options, cancel)
+            near_s = time.perf_counter() - start if near else 0.0
             # After the others: surfaces that move are as they were gathered last.
-            found = gather(engine, depsgraph, chosen)
-            image = draw(found, view, chosen, backend, options, partial(_progress, engine), cancel, near)
+            found = gather(engine, depsgraph, chosen, with_colors=not lines_alone)
+            image = draw(found, view, chosen, backend, options, tell, cancel, near)
         except core.Cancelled:
             return None
     note_statistics(found, image, near_s)
     return image
+
+
+def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
+    """What elision smoothed in time needs to know of the frames around a final render's, if the Style wants it."""
+    frames = pipeline.frames_near(chosen, options)
+    look = partial(_shown_lines, engine, depsgraph, backend, options, cancel)
+    return near_frames.shown_lines(engine, depsgraph, frames, look) if frames else ()
 
 
 def _shown_lines(engine, depsgraph, backend, options, cancel):

@@ -7,7 +7,8 @@ the region is drawn.
 """
 
 import time
-from dataclasses import dataclass, fields
+import weakref
+from dataclasses import dataclass, fields, replace
 
 import bpy
 import numpy as np
@@ -19,6 +20,8 @@ from . import camera, caretaker, changes, methods, session, viewport_settings, w
 
 PATIENCE = 0.25  # seconds that draws of the region wait for a picture
 WORD = 0.3  # seconds between words in the header about what is under way
+
+_of_region = weakref.WeakValueDictionary()  # region's address -> Viewport
 
 
 @dataclass(frozen=True)
@@ -48,13 +51,22 @@ def update(engine, depsgraph):
 
 def draw(engine, context, depsgraph):
     """Blender draws the region of a viewport."""
-    viewport = _viewport(engine)
+    viewport = _of_region[context.region.as_pointer()] = _viewport(engine)
     with session.reported(lambda message: engine.update_stats("Fovea", message)):
         try:
             viewport.draw(engine, context, depsgraph)
         except Exception:
             viewport.forget()
             raise
+
+
+def gathered(context):
+    """What the context's viewport shows, as it was Gathered for the picture that was drawn last; None where Fovea draws
+    none there."""
+    if context.engine != "FOVEA" or context.space_data.shading.type != "RENDERED":
+        return None
+    viewport = _of_region.get(context.region.as_pointer())
+    return viewport.wanted.scene.gathered if viewport and viewport.wanted else None
 
 
 def _viewport(engine):
@@ -190,6 +202,7 @@ def _made(wanted, quality, tell, cancel):
     chosen = budget.QUALITIES[quality]
     view, options = budget.smaller(wanted.view, chosen.scale), budget.coarser(wanted.options, chosen)
     style = budget.simplified(wanted.scene.style, chosen)
+    options = replace(options, outlines=budget.outlines(wanted.scene.style, chosen))
     image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
     return _Picture(wanted, quality, image)
 

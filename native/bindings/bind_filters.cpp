@@ -2,13 +2,37 @@
 #include <pybind11/stl.h>
 
 #include "atlas/filters.h"
+#include "atlas/outer_parts.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "path/paths.h"
 
 namespace fovea::bindings {
 
+namespace {
+
+py::tuple outer(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs,
+                const Arg<Kinds>& sure, double step_px, const Cancel* cancel) {
+    const auto kinds = borrow<Kinds>(sure, "sure");
+    const Cancel never;
+    auto parts = std::make_shared<Runs>();
+    OuterParts found;
+    {
+        py::gil_scoped_release release;
+        found = outer_parts(clipped, paths, tracer, runs, kinds, step_px, cancel ? *cancel : never);
+        *parts = std::move(found.runs);
+    }
+    return py::make_tuple(parts, to_numpy(std::move(found.outer)), to_numpy(std::move(found.source)));
+}
+
+}  // namespace
+
 void bind_filters(py::module_& m) {
+    m.def("outer_parts", &outer, py::arg("clipped"), py::arg("paths"), py::arg("tracer"), py::arg("runs"),
+          py::arg("sure"), py::arg("step_px"), py::arg("cancel") = py::none(),
+          R"((Runs, outer, source): runs parted where they are the outer boundary of their object; outer (R,) uint8, and
+source (R,) uint32 the point of Paths whose segment each begins on. Asked every step_px pixels at most. sure: (P,)
+uint32 per path of Paths, bits of kinds whose segments are outer unasked.)");
     m.def(
         "close_gaps",
         [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {

@@ -19,6 +19,7 @@ def test_the_examples_run(capsys):
         exec(compile(code, f"{PAGE.name}, example {number + 1}", "exec"), console)
     said = capsys.readouterr().out
     # What the page says of it.
+    assert " ".join(str(4608 * 4**levels) for levels in (1, 2)) in said
     assert "(4608, 3)" in said and "(9216, 3)" in said and "True" in said.splitlines()[-1]
     assert abs(console["fields"]["k1"]).max() < 2.6 and len(console["found"]["closed"]) == 2
     assert console["svg"].read_text().count("<polyline") == len(console["shapes"]) > 1

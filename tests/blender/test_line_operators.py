@@ -152,8 +152,8 @@ def test_the_report_names_what_was_left_out_and_why():
     assert "is ignored" in told["Ignored"] and "hidden in viewports" in told["Hidden"]
     assert "invisible to cameras" in told["Unseen"] and "no faces" in told["Nothing"]
     assert "1 faces have no area" in told["Flat"] and "Box" not in told
-    assert "2 objects and instances of 2 meshes" in text
-    assert "MB" in text and scene.objects
+    assert "objects and instances: 2, meshes: 2," in text
+    assert "MB" in text and text.startswith(report.NO_CAMERA) and scene.objects
 
 
 def test_the_report_has_the_last_pictures_times(scene):
@@ -162,5 +162,42 @@ def test_the_report_has_the_last_pictures_times(scene):
     bpy.ops.fovea.report()
     assert [text.name for text in bpy.data.texts].count(report.TEXT) == 1
     lines = bpy.data.texts[report.TEXT].as_string().splitlines()
-    assert any(line.split()[0] == "visibility" and line.endswith("ms") for line in lines)
+    assert any("what is hidden" in line and line.endswith(" ms") for line in lines)
     assert "  Nothing was left out" in lines
+
+
+def told():
+    assert bpy.ops.fovea.report() == {"FINISHED"}
+    return bpy.data.texts[report.TEXT].as_string()
+
+
+def test_there_is_a_report_whatever_the_scene():
+    empty_scene()
+    text = told()
+    assert text.startswith(report.NO_CAMERA) and "Nothing: there is nothing in the scene that has lines" in text
+    scene = box_scene()
+    text = told()
+    assert report.NO_CAMERA not in text and "objects and instances: 1, meshes: 1, triangles: 12" in text
+    scene.objects["Box"].hide_render = True
+    text = told()
+    assert "Nothing: there is nothing" in text and "'Box': is disabled in renders" in text
+    nan = float("nan")
+    vertices = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (nan, 0, 0), (3, 3, 3)]
+    faces = [(0, 1, 2), (0, 1, 3), (0, 3, 1), (0, 1, 4)]
+    new_object(new_mesh(vertices, [(3, 5)], faces, "Broken"), "Broken")
+    text = told()
+    for words in ("have no position", "have no area", "repeat others", "belong to no face"):
+        assert words in text, words
+
+
+def test_reasons_are_told_once():
+    reasons = {f"Ball{i}": "a sphere" for i in range(5)} | {"Cube": "a box"}
+    assert list(report._grouped(reasons)) == ["'Ball0', 'Ball1', 'Ball2' and 2 more: a sphere", "'Cube': a box"]
+
+
+def test_without_the_native_module_tools_say_why_not(scene, monkeypatch):
+    monkeypatch.setattr(part("native"), "problem", lambda: "Fovea's native module is missing")
+    for operator in (bpy.ops.fovea.report, bpy.ops.fovea.render_lines, bpy.ops.fovea.bake_strokes):
+        assert not operator.poll()
+        with pytest.raises(RuntimeError, match="native module is missing"):
+            operator()

@@ -11,7 +11,7 @@ from mathutils import Quaternion
 from the_addon import part
 from window import screen
 
-overlay, camera = part("blender.focus_overlay"), part("blender.camera")
+overlay, camera, reading = part("blender.focus_overlay"), part("blender.camera"), part("blender.reading")
 SHARED = Path(__file__).parents[3] / "shared"
 
 
@@ -80,7 +80,8 @@ def rendered(folder, spec="office"):
         old(self, context)
         took.append(1000 * (time.perf_counter() - start))
 
-    overlay._Shown.update = update
+    reads, read = [], reading.Reader.read
+    overlay._Shown.update, reading.Reader.read = update, lambda *words: reads.append(1) or read(*words)
     yield from screen.rest(4)
     screen.swap()
     np.save(folder / "rendered.npy", screen.picture())
@@ -91,4 +92,11 @@ def rendered(folder, spec="office"):
         screen.swap()
         yield
     overlay._Shown.update = old
-    return {"first_ms": first, "turning_ms": sorted(took)[len(took) // 2], **state()}
+    told = {"rendered": len(reads)}
+    space.shading.type = "SOLID"
+    yield from screen.rest(0.5)
+    screen.swap()
+    np.save(folder / "solid.npy", screen.picture())
+    told["solid"] = len(reads)
+    reading.Reader.read = read
+    return {"reads": told, "first_ms": first, "turning_ms": sorted(took)[len(took) // 2], **state()}

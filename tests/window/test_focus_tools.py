@@ -51,5 +51,6 @@ def test_what_search_finds(play):
 def test_focus_over_the_drawing(play):
     found = play("rendered", file=OVERLAY, words=["demo"])
     assert found["model"] == "SCENE" and 0 < found["radii"][0] < found["radii"][1]
+    assert found["reads"] == {"rendered": 0, "solid": 1}, "the scene is not read again for what is drawn anyway"
     # Far less than a frame of the drawing itself.
     assert found["turning_ms"] < 200

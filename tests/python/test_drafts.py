@@ -1,0 +1,113 @@
+"""Drafts look like the final picture: what stands for lines that take long is drawn where they are, in their pens."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from native_core import box, core, scene, sphere, view
+
+from addon import budget, pipeline, stages, style
+from addon.backend import cpu
+
+DRAFT = budget.QUALITIES[3]
+THICK, THIN = stages.Pen(width=8.0), stages.Pen(width=2.0)
+OUTLINE = style.LineSet(kinds={"silhouette": {}}, pen=THICK, least_length=0)
+LINES = style.LineSet(kinds={"contour": {}, "crease": {}, "border": {}}, pen=THIN, least_length=0)
+
+
+def bumps():
+    """A ball before a box, and a torus-like pair of boxes, as one and as two objects: contours within and around."""
+    ball, cube = sphere(24), box()
+    both = np.concatenate([cube.positions, cube.positions * 0.6 + (0.2, -2.2, 0.2)])
+    joined = type(cube)("joined", both, [*cube.polygons, *(tuple(v + 8 for v in p) for p in cube.polygons)])
+    matrices = np.array([np.eye(4)] * 3)
+    matrices[0][:3, 3], matrices[1][:3, 3], matrices[2][:3, 3] = (-3, 0, 0), (-2.2, 2.5, 0.5), (3, 0, 0)
+    return scene([ball.surface(), cube.surface(), joined.surface()], matrices)
+
+
+def drawn(line_sets, quality=None, members=()):
+    """(H, W) alpha of lines, final or as a quality draws them."""
+    chosen = replace(style.load("plain"), line_sets=line_sets)
+    options, placed = pipeline.Options(), bumps()
+    if quality:
+        options = replace(budget.coarser(options, quality), outlines=budget.outlines(chosen, quality))
+        chosen = budget.simplified(chosen, quality)
+    seen = view((0, -14, 4), (0, 0, 0), size=(480, 270))
+    beside = {"notes": stages.Notes(members=members), "progress": lambda *_: None, "cancel": core.Cancel()}
+    return pipeline.draw(placed, seen, chosen, cpu.Backend(), options, **beside).lines[..., 3]
+
+
+def apart(a, b):
+    """Share of the ink that is elsewhere, or of another weight."""
+    return np.abs(a - b).sum() / max(a.sum(), b.sum())
+
+
+IN_FRONT = [[False, True, True], None]
+CASES = {
+    "outline over lines": ((OUTLINE, LINES), ()),
+    "outline alone": ((OUTLINE,), ()),
+    "lines first": ((LINES, OUTLINE), ()),
+    "one set for both": ((replace(OUTLINE, kinds={**OUTLINE.kinds, **LINES.kinds}),), ()),
+    "outline with creases": ((replace(OUTLINE, kinds={"silhouette": {}, "crease": {}}), LINES), ()),
+    "outline of some objects": ((OUTLINE, LINES), IN_FRONT),
+    "lines of some objects": ((OUTLINE, LINES), IN_FRONT[::-1]),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_draft_has_the_weights_of_the_final_picture(name):
+    line_sets, members = CASES[name]
+    final, draft = drawn(line_sets, members=members), drawn(line_sets, DRAFT, members)
+    assert final.sum() > 1000
+    assert abs(draft.sum() / final.sum() - 1) < 0.02 and apart(final, draft) < 0.05
+
+
+@pytest.mark.parametrize("outline, lines", [("smooth_silhouette", "smooth_contour"), ("silhouette", "smooth_contour")])
+def test_smooth_outlines_too(outline, lines):
+    sets = (replace(OUTLINE, kinds={outline: {}}), replace(LINES, kinds={lines: {}, "crease": {}}))
+    final, draft = drawn(sets), drawn(sets, DRAFT)
+    assert abs(draft.sum() / final.sum() - 1) < 0.05 and apart(final, draft) < 0.05
+
+
+def test_the_weights_differ_where_contours_are_no_outlines():
+    """What the tests above would not see, were inner and outer parts drawn alike."""
+    alike = (replace(LINES, pen=THICK, kinds={**LINES.kinds, "silhouette": {}}),)
+    assert apart(drawn((OUTLINE, LINES)), drawn(alike)) > 0.2
+    assert apart(drawn((OUTLINE, LINES)), drawn((LINES,))) > 0.2
+
+
+def test_drafts_keep_what_is_found_quickly():
+    kinds = {"ridge", "valley", "suggestive_contour", "intersection", "apparent_ridge"}
+    chosen = replace(style.load("plain"), line_sets=(style.LineSet(kinds={kind: {} for kind in kinds}),))
+    assert set(budget.simplified(chosen, DRAFT).line_sets[0].kinds) == kinds
+    assert budget.outlines(chosen, DRAFT) == ()
+
+
+def test_parts_do_not_depend_on_threads():
+    def found():
+        placed, seen = bumps(), view((0, -14, 4), (0, 0, 0), size=(480, 270))
+        tracer = core.Tracer(placed, seen)
+        paths = core.extract_paths(tracer, [({"contour": {}}, 60.0)])
+        clipped = core.project(paths, tracer, 2.0)
+        runs = core.exact_visibility(clipped, paths, tracer)
+        none = np.zeros(len(paths), np.uint32)
+        parts, outer, source = core.outer_parts(clipped, paths, tracer, runs, none, 3.0)
+        assert len(outer) == len(source) == len(parts.piece) > len(runs.piece)
+        assert (parts.end_px - parts.start_px).sum() == pytest.approx((runs.end_px - runs.start_px).sum())
+        unasked, sure, _ = core.outer_parts(clipped, paths, tracer, runs, ~none, 3.0)
+        np.testing.assert_array_equal(unasked.start_px, runs.start_px)
+        assert sure.all() and not outer.all() and outer.any()
+        with pytest.raises(ValueError, match="one value per path"):
+            core.outer_parts(clipped, paths, tracer, runs, none[1:], 3.0)
+        with pytest.raises(ValueError, match="step_px must be more than 0"):
+            core.outer_parts(clipped, paths, tracer, runs, none, 0.0)
+        return parts.start_px, outer, source
+
+    several = found()
+    core.limit_threads(1)
+    try:
+        alone = found()
+    finally:
+        core.limit_threads(0)
+    for a, b in zip(several, alone):
+        np.testing.assert_array_equal(a, b)

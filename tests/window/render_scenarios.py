@@ -1,0 +1,45 @@
+"""Operators that ask a render, in a window whose viewport draws; see inside.py. What a scenario returns is for the
+tests to judge."""
+
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1] / "blender"))
+
+import bpy
+import numpy as np
+from focus_scenarios import opened
+from the_addon import part
+from watch import Watch
+from window import screen
+
+
+def beside_a_viewport(_folder):
+    """Line layer, strokes and report while a viewport is in Rendered shading, and while another engine draws it."""
+    scene = yield from opened()
+    scene.objects["Far"].hide_render = True
+    watch = Watch()
+    screen.space().shading.type = "RENDERED"
+    yield from watch.refined()
+    before, kept = screen.picture(), watch.of(screen.area())
+    with screen.override():
+        told = {"done": [bpy.ops.fovea.render_lines() == {"FINISHED"}, bpy.ops.fovea.report() == {"FINISHED"}]}
+    screen.swap()
+    yield from watch.refined()
+    told["kept"] = watch.of(screen.area()) is kept
+    told["apart"] = float(np.abs(screen.picture() - before).max())
+    told["report"] = bpy.data.texts[part("blender.report").TEXT].as_string()
+    told["result"] = [image.name for image in bpy.data.images if image.type == "RENDER_RESULT"]
+    told["windows"] = len(bpy.context.window_manager.windows)
+    scene.render.engine = "BLENDER_WORKBENCH"
+    screen.space().shading.type = "SOLID"
+    yield from screen.rest(0.5)
+    with screen.override():
+        told["done"].append(bpy.ops.fovea.bake_strokes(kind="MESH") == {"FINISHED"})
+    told["engine"] = scene.render.engine
+    told["strokes"] = sum(len(obj.data.edges) for obj in bpy.data.collections["Lines"].objects)
+    with screen.override():
+        bpy.ops.ed.undo()
+    told["undone"] = "Lines" in bpy.data.collections
+    watch.end()
+    return told
