@@ -55,9 +55,9 @@ def outlined(frame, runs, style, outlines, cancel):
     pen, inner = paths.line_set[path].astype(np.uint32), outer == 0  # the first pens are those of the sets
     kinds, placement = paths.kinds[source[inner]], paths.placement[path[inner]]
     found = np.full(len(kinds), native.UNSET, np.uint32)
+    own = frame.notes.filters.placements or (None,) * len(wanted)
     for i in reversed(range(len(wanted))):
-        members = frame.notes.members[i] if frame.notes.members else None
-        found[(kinds & wanted[i] != 0) & (True if members is None else np.asarray(members)[placement])] = i
+        found[(kinds & wanted[i] != 0) & (own[i] is None or own[i][placement] != 0)] = i
     pen[inner] = found
     return parted, pen
 
