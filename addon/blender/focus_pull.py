@@ -94,7 +94,7 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
     bl_label = "Focus Pull"
     bl_options = {"REGISTER", "UNDO"}
 
-    target: bpy.props.EnumProperty(name="To", items=TARGETS)
+    target: bpy.props.EnumProperty(name="To", description="Where the focus is led", items=TARGETS)
     object: bpy.props.StringProperty(name="Object", description="Name of the object to lead the focus to")
     location: bpy.props.FloatVectorProperty(
         name="Location", description="World coordinates to lead the focus to", subtype="XYZ", unit="LENGTH"
@@ -102,18 +102,20 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
     frame_start: bpy.props.IntProperty(name="Start", description="The focus sets out at this frame", default=1)
     frame_end: bpy.props.IntProperty(name="End", description="The focus is there at this frame", default=250)
     near: bpy.props.FloatProperty(
-        name="In Focus",
+        name="Inner Radius",
         description="Radius in the end, in the units of the place's own; less than 0: as it is",
         default=-1.0,
         soft_min=0.0,
     )
     far: bpy.props.FloatProperty(
-        name="Out of Focus",
+        name="Outer Radius",
         description="Radius in the end, in the units of the place's own; less than 0: as it is",
         default=-1.0,
         soft_min=0.0,
     )
-    easing: bpy.props.EnumProperty(name="Easing", items=EASINGS, default="SINE")
+    easing: bpy.props.EnumProperty(
+        name="Easing", description="How the focus sets out and arrives", items=EASINGS, default="SINE"
+    )
 
     @classmethod
     def poll(cls, context):

@@ -90,7 +90,9 @@ def _scene_group():
             max=1.0,
             update=redraw,
         ),
-        "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
+        "backend": EnumProperty(
+            name="Device", description="What draws the lines", items=BACKENDS, update=_backend_chosen
+        ),
         **methods.properties(redraw),
         **focus_settings.annotations(),
     }
@@ -99,7 +101,12 @@ def _scene_group():
 
 def _object_group():
     annotations = {
-        "usage": EnumProperty(name="Line Drawing", items=USAGES, update=redraw),
+        "usage": EnumProperty(
+            name="Usage",
+            description="Whether the object has lines, and hides those behind it",
+            items=USAGES,
+            update=redraw,
+        ),
         "priority": FloatProperty(
             name="Priority",
             description="Of lines that crowd each other, those of objects with more priority stay",
@@ -108,7 +115,12 @@ def _object_group():
             max=1.0,
             update=redraw,
         ),
-        "curvature_estimator": EnumProperty(name="Curvature", items=ESTIMATORS, update=redraw),
+        "curvature_estimator": EnumProperty(
+            name="Curvature",
+            description="How curvature, which many lines follow, is found",
+            items=ESTIMATORS,
+            update=redraw,
+        ),
         "curvature_rings": IntProperty(
             name="Rings",
             description="How far around each vertex jets are fitted, 0: by how noisy the mesh is",
@@ -181,7 +193,8 @@ _registered = []  # (type that has the settings, group)
 def register():
     style_groups.register()
     focus_settings.register()
-    occlusion = EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=redraw)
+    told = "Whether surfaces of this material hide the lines behind them"
+    occlusion = EnumProperty(name="Hides Lines", description=told, items=OCCLUSIONS, update=redraw)
     _registered[:] = [
         (bpy.types.Scene, _scene_group()),
         (bpy.types.Object, _object_group()),

@@ -22,6 +22,8 @@ def _in_menu(self, _context):
     """At the end of Render > Fovea, where F3 finds them."""
     self.layout.separator()
     self.layout.operator("fovea.pick_focus")
+    self.layout.operator("fovea.focus_place_add")
+    self.layout.operator("fovea.focus_place_remove")
     self.layout.operator_context = "INVOKE_DEFAULT"
     self.layout.operator("fovea.focus_pull")
     self.layout.separator()

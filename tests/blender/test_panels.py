@@ -1,5 +1,6 @@
-"""Panels: they show every property of a style, tell what each does, and every one can be set."""
+"""Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
 
+import re
 from types import SimpleNamespace
 
 import bpy
@@ -39,10 +40,10 @@ class RecordingLayout:
         assert hasattr(bpy.types, kind)
         self.prop(owner, items), self.prop(active_owner, active)
 
-    def separator(self):
+    def separator(self, **_options):
         pass
 
-    def prop_search(self, owner, name, *_where):
+    def prop_search(self, owner, name, *_where, **_options):
         self.prop(owner, name)
 
     def template_icon(self, **_options):
@@ -55,7 +56,7 @@ class RecordingLayout:
     def row(self, **_options):
         return self
 
-    column = grid_flow = row
+    column = grid_flow = box = row
 
     def panel(self, _name, default_closed=False):
         return self, self
@@ -117,7 +118,7 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert len(drawn_panels()) >= 11
     scene.fovea.style = None
     labels = {cls.bl_label for cls in drawn_panels()}
-    assert {"Style", "Focus", "Visibility", "Performance", "Fovea"} <= labels and "Lines" not in labels
+    assert {"Style", "Focus", "Visibility", "Performance"} <= labels and "Lines" not in labels
     assert any("as it ships" in title for title in shown_by().titles)
     scene.render.engine = "BLENDER_WORKBENCH"
     assert drawn_panels() == []
@@ -187,6 +188,73 @@ def test_every_effect_shows_its_curve(scene):
 def test_what_sampling_cannot_tell_of_hidden_lines_is_said(scene, visibility, told):
     scene.fovea.visibility = visibility
     assert any("Sampled" in title for title in shown_by().titles) == told
+
+
+SMALL = {"a", "and", "as", "at", "by", "for", "from", "if", "in", "of", "on", "or", "out", "per", "the", "to", "with"}
+
+
+def complaints(prop, title=None):
+    """What is unlike Blender in the words of a property, or of an operator."""
+    title, told = title or prop.name, prop.description
+    words = re.findall(r"[A-Za-z][\w'-]*", re.sub(r"\(.*?\)", "", title))
+    if any(word[0].islower() for word in words[1:] if word not in SMALL) or title[:1].islower():
+        yield f"{title}: not in title case"
+    if len(told.split()) < 3:
+        yield f"{title}: no description"
+    if told.endswith("."):
+        yield f"{title}: the description ends with a full stop"
+    items = [f"{item.name} {item.description}" for item in getattr(prop, "enum_items", ())]
+    if re.search(r"olour|\bgrey|\w+metres\b|\bcentre", " ".join([title, told, *items]), re.I):
+        yield f"{title}: Blender spells like Americans"
+
+
+def owners(scene):
+    """All that has settings of Fovea."""
+    obj = bpy.context.object
+    return [own_style(scene), scene.fovea, scene.fovea_viewport, obj.fovea, obj.active_material.fovea]
+
+
+def test_words_are_as_blenders_own(scene):
+    props = [prop for owner in owners(scene) for path, prop in leaves(owner) if not path.endswith(".name")]
+    props.append(bpy.context.window_manager.bl_rna.properties["fovea_show_focus"])
+    preferences = part("blender.preferences").FoveaPreferences.__annotations__
+    entry = bpy.context.preferences.addons.get(part("blender.preferences").ADDON)
+    props += [entry.preferences.bl_rna.properties[name] for name in preferences] if entry else []
+    found = [word for prop in props for word in complaints(prop)]
+    for name in dir(bpy.ops.fovea):
+        kind = getattr(bpy.ops.fovea, name).get_rna_type()
+        found += complaints(kind)
+        shown = (prop for prop in kind.properties if not prop.is_hidden and prop.identifier != "rna_type")
+        helpers = ("filepath", "check_existing", "filter_glob")
+        found += [f"{name}: {word}" for prop in shown if prop.identifier not in helpers for word in complaints(prop)]
+    assert not found, "\n".join(found)
+    assert len(props) > 100 and len(dir(bpy.ops.fovea)) > 20
+
+
+def test_titles_of_panels_are_as_blenders_own(scene):
+    layout = shown_by()
+    titles = {cls.bl_label for cls in drawn_panels()} | {text for text in layout.titles if len(text.split()) < 4}
+    for title in titles:
+        assert title[0].isupper() or title[0].isdigit(), title
+
+
+def test_every_setting_is_in_a_panel(scene):
+    shown = set()
+    viewport = part("blender.viewport_settings").RENDER_PT_fovea_viewport
+    for model in ("SCENE", "IMAGE", "OBJECT", "PAINTED"):
+        for estimator in ("AUTOMATIC", "JETS"):
+            for resample in (0, 1):
+                scene.fovea.focus_model = model
+                fovea = bpy.context.object.fovea
+                fovea.curvature_estimator, fovea.repair_resample, fovea.refine = estimator, resample, True
+                shown |= {(type(owner), name) for owner, name in shown_by().props}
+    layout = RecordingLayout()
+    viewport.draw(SimpleNamespace(layout=layout), context())
+    shown |= {(type(owner), name) for owner, name in layout.props}
+    for owner in owners(scene)[1:]:
+        for prop in owner.bl_rna.properties:
+            if prop.identifier not in {"rna_type", "name", "focus_points"} and not prop.is_hidden:
+                assert (type(owner), prop.identifier) in shown, prop.identifier
 
 
 def values_for(owner, prop):
