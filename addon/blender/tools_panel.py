@@ -29,6 +29,7 @@ def _in_menu(self, _context):
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)
+    self.layout.operator("fovea.standard_view")
 
 
 def register():

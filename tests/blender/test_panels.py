@@ -238,6 +238,13 @@ def test_titles_of_panels_are_as_blenders_own(scene):
         assert title[0].isupper() or title[0].isdigit(), title
 
 
+def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):
+    scene.view_settings.view_transform = "AgX"
+    assert any("AgX makes paper gray" in title for title in shown_by().titles)
+    assert bpy.ops.fovea.standard_view() == {"FINISHED"} and scene.view_settings.view_transform == "Standard"
+    assert not any("paper gray" in title for title in shown_by().titles) and not bpy.ops.fovea.standard_view.poll()
+
+
 def test_every_setting_is_in_a_panel(scene):
     shown = set()
     viewport = part("blender.viewport_settings").RENDER_PT_fovea_viewport

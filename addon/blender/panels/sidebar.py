@@ -3,11 +3,13 @@
 import bpy
 
 from .. import style_data
+from ..focus_place_operators import LISTED
 from ..line_set_operators import edited
 from .common import ENGINE, PEN_GROUPS, draw_pen, fold
 from .focus import draw_focus
 from .lines import draw_list
 from .style import draw_gallery, draw_style
+from .view_transform import draw_view_transform
 
 
 class _SidePanel:
@@ -28,6 +30,7 @@ class VIEW3D_PT_fovea_style(_SidePanel, bpy.types.Panel):
     bl_label = "Style"
 
     def show(self, layout, context):
+        draw_view_transform(layout, context.scene)
         draw_style(layout, context)
         body = fold(layout, "side_gallery", "Gallery")
         if body:
@@ -41,7 +44,8 @@ class VIEW3D_PT_fovea_focus(_SidePanel, bpy.types.Panel):
         draw_focus(layout, context.scene.fovea)
         tools = layout.column(align=True)
         tools.operator("fovea.pick_focus", icon="EYEDROPPER")
-        tools.operator("fovea.focus_place_add", icon="ADD")
+        if context.scene.fovea.focus_model in LISTED:
+            tools.operator("fovea.focus_place_add", icon="ADD")
         tools.operator("fovea.focus_pull", icon="DECORATE_ANIMATE")
         shown = layout.column()
         shown.active = context.scene.fovea.focus_model != "NONE"
