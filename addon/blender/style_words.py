@@ -118,7 +118,7 @@ WORDS = {
     "elision.fade_from": ("Min Room", "Share of its room that a line must have to show at all", _ROOM),
     "elision.cut": ("Min Opacity", "Lines that are fainter are left out altogether", _ROOM),
     "elision.frames": (
-        "Frames",
+        "Smooth Frames",
         "Renders smooth how lines come and go over so many frames before and after each, and take as many times as long",
         {"min": 0, "max": MOST_FRAMES},
     ),

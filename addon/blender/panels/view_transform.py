@@ -35,9 +35,9 @@ def is_gray(scene):
 def draw_view_transform(layout, scene):
     """What there is to say, and the way out."""
     if is_gray(scene):
-        row = layout.row(align=True)
-        row.label(text=f"{scene.view_settings.view_transform} makes paper gray", icon="INFO")
-        row.operator("fovea.standard_view", text="Use Standard")
+        column = layout.column(align=True)
+        column.label(text=f"{scene.view_settings.view_transform} makes paper gray", icon="INFO")
+        column.operator("fovea.standard_view")
 
 
 class RENDER_PT_fovea_view_transform(FoveaPanel, bpy.types.Panel):
