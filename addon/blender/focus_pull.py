@@ -6,6 +6,7 @@ from mathutils import Vector
 
 from . import focus_places
 
+SECONDS = 2  # that a pull takes where the scene is a still
 EASINGS = [  # interpolation of the keyframes
     ("LINEAR", "Linear", "At one speed"),
     ("SINE", "Gentle", "Slowly off and slowly there"),
@@ -87,6 +88,12 @@ def in_frame(scene, at):
     return x, 1 - y
 
 
+def frames_of(scene):
+    """The first and the last frame that a pull is offered."""
+    first, last = scene.frame_start, scene.frame_end
+    return first, last if last > first else first + SECONDS * scene.render.fps
+
+
 class FOVEA_OT_focus_pull(bpy.types.Operator):
     """Lead the focus from where it is to another place, over some frames: keys the place and its two radii"""
 
@@ -136,10 +143,10 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
             self.object = active.name
         self.target = "OBJECT" if self.object in scene.objects else "CURSOR"
         self.location = scene.cursor.location
-        self.frame_start, self.frame_end = scene.frame_start, scene.frame_end
+        self.frame_start, self.frame_end = frames_of(scene)
         names = focus_places.RADII[scene.fovea.focus_model]
         self.near, self.far = (getattr(scene.fovea, name) for name in names)
-        return context.window_manager.invoke_props_dialog(self)
+        return context.window_manager.invoke_props_dialog(self, confirm_text="Key Focus")
 
     def draw(self, context):
         layout = self.layout

@@ -25,7 +25,7 @@ def _in_menu(self, _context):
     self.layout.operator("fovea.focus_place_add")
     self.layout.operator("fovea.focus_place_remove")
     self.layout.operator_context = "INVOKE_DEFAULT"
-    self.layout.operator("fovea.focus_pull")
+    self.layout.operator("fovea.focus_pull", text="Focus Pull...")
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)

@@ -7,7 +7,7 @@ PANEL_ENGINE = "FOVEA"
 
 class FoveaViewportSettings(bpy.types.PropertyGroup):
     budget_ms: bpy.props.IntProperty(
-        name="Time per Draw (ms)",
+        name="Draw Time (ms)",
         description="Milliseconds that Fovea may take to draw a viewport while something changes: what takes longer is "
         "left out or drawn coarsely until all rests. Renders are not affected",
         default=33,

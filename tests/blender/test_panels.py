@@ -126,8 +126,9 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
 
 def test_a_menu_has_every_operator_so_that_it_is_found():
     layout, operators = RecordingLayout(), []
-    menu = part("blender.panels.menu").TOPBAR_MT_fovea
-    menu.show(menu, layout)
+    for name in ("style", "line_sets"):
+        menu = getattr(part("blender.panels.menu"), f"TOPBAR_MT_fovea_{name}")
+        menu.show(menu, layout)
     for module in ("style_operators", "line_set_operators"):
         operators += [cls.bl_idname for cls in part(f"blender.{module}").CLASSES]
     assert sorted(layout.operators) == sorted(operators)
