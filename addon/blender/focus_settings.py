@@ -125,7 +125,8 @@ def _radius(name, default, told):
 
 
 def _distance_property(name, default, told):
-    return FloatProperty(name=name, description=told, default=default, min=0.0, subtype="DISTANCE", update=redraw)
+    limits = {"min": 0.0, "soft_max": 1000.0, "subtype": "DISTANCE"}
+    return FloatProperty(name=name, description=told, default=default, update=redraw, **limits)
 
 
 class FoveaFocusPoint(bpy.types.PropertyGroup):

@@ -14,7 +14,7 @@ _SHARE = {"subtype": "FACTOR", "min": 0.0, "max": 1.0}
 _COLOR = {"subtype": "COLOR", "size": 3, "min": 0.0, "max": MOST_LIGHT, "soft_max": 1.0}
 _ROOM = {"subtype": "FACTOR", "min": 0.0, "max": 0.99}
 _WEIGHT = {"min": 0.0, "max": float(MOST_WEIGHT), "soft_max": 2.0}
-_LENGTH = {"subtype": "DISTANCE"}
+_LENGTH = {"subtype": "DISTANCE", "soft_max": 1000.0}
 
 SHADINGS = (
     ("PLAIN", "Paper", "No colors: the paper alone lies under the lines"),
@@ -165,6 +165,6 @@ DISTANCE_EFFECTS = ("width", "opacity", "density")
 def of(part, field):
     """(label, description, options of a number's property) of a field."""
     label, told, options = WORDS.get(f"{part}.{field}", (field.replace("_", " ").title(), "", {}))
-    low, high = RANGES.get(field, (None, None))
+    low, high = RANGES.get(field.removesuffix("_away"), (None, None))
     limits = {} if low is None or "size" in options else {"min": float(low), "max": float(high)}
     return label, told, limits | options

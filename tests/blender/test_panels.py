@@ -232,6 +232,15 @@ def test_words_are_as_blenders_own(scene):
     assert len(props) > 100 and len(dir(bpy.ops.fovea)) > 20
 
 
+def test_numbers_are_dragged_over_what_makes_sense(scene):
+    for owner in owners(scene):
+        for path, prop in leaves(owner):
+            if prop.type != "FLOAT" or prop.subtype in ("COLOR", "XYZ", "XYZ_LENGTH") or path.endswith("_index"):
+                continue
+            assert prop.hard_min > -1e9 and prop.soft_max <= 1000, path
+            assert prop.default == 0 or prop.soft_max <= 1000 * prop.default, path
+
+
 def test_titles_of_panels_are_as_blenders_own(scene):
     layout = shown_by()
     titles = {cls.bl_label for cls in drawn_panels()} | {text for text in layout.titles if len(text.split()) < 4}
