@@ -56,7 +56,7 @@ class RecordingLayout:
     def row(self, **_options):
         return self
 
-    column = grid_flow = box = row
+    column = grid_flow = box = split = row
 
     def panel(self, _name, default_closed=False):
         return self, self
@@ -253,6 +253,13 @@ def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):
     assert any("AgX makes paper gray" in title for title in shown_by().titles)
     assert bpy.ops.fovea.standard_view() == {"FINISHED"} and scene.view_settings.view_transform == "Standard"
     assert not any("paper gray" in title for title in shown_by().titles) and not bpy.ops.fovea.standard_view.poll()
+
+
+def test_what_was_drawn_is_told(scene, monkeypatch):
+    known = {"stages": {"bvh": 20.0, "lines": 1500.0}, "backend": "cpu", "strokes": 3, "visibility": "exact"}
+    monkeypatch.setattr(part("blender.session"), "last_statistics", lambda: known)
+    titles = shown_by().titles
+    assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "BVH", "20 ms", "Lines", "1500 ms"} <= set(titles)
 
 
 def test_every_setting_is_in_a_panel(scene):
