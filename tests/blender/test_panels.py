@@ -124,6 +124,13 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert drawn_panels() == []
 
 
+def test_a_style_is_edited_in_the_sidebar_whichever_engine_draws(scene):
+    scene.render.engine = "BLENDER_WORKBENCH"
+    scene.view_settings.view_transform = "AgX"
+    assert [cls.bl_label for cls in drawn_panels()] == ["Style", "Focus", "Lines"]
+    assert not any("paper gray" in title for title in shown_by().titles)
+
+
 def test_a_menu_has_every_operator_so_that_it_is_found():
     layout, operators = RecordingLayout(), []
     for name in ("style", "line_sets"):

@@ -13,13 +13,13 @@ from .view_transform import draw_view_transform
 
 
 class _SidePanel:
-    """In the tab Fovea."""
+    """In the tab Fovea; with any engine where the scene has a style, as the line layer may be drawn over its pictures."""
 
     bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Fovea"
 
     @classmethod
     def poll(cls, context):
-        return context.engine == ENGINE
+        return context.engine == ENGINE or style_data.of(context.scene) is not None
 
     def draw(self, context):
         self.layout.use_property_split = True
@@ -30,7 +30,8 @@ class VIEW3D_PT_fovea_style(_SidePanel, bpy.types.Panel):
     bl_label = "Style"
 
     def show(self, layout, context):
-        draw_view_transform(layout, context.scene)
+        if context.engine == ENGINE:
+            draw_view_transform(layout, context.scene)
         draw_style(layout, context)
         body = fold(layout, "side_gallery", "Gallery")
         if body:
