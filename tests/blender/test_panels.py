@@ -1,115 +1,18 @@
 """Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
 
-import re
 from types import SimpleNamespace
 
 import bpy
 import pytest
-from the_addon import add_hidden, empty_scene, lines_of, only_lines, own_style, part, use_style
+from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
+from the_addon import lines_of, only_lines, own_style, part
 
-catalogue, panels, properties = part("catalogue"), part("blender.panels"), part("blender.properties")
-
-
-class RecordingLayout:
-    """Stands in for a panel's layout; every sub-panel is open."""
-
-    def __init__(self):
-        self.props, self.titles, self.operators, self.curves = [], [], [], []
-
-    def prop(self, owner, name, **_options):
-        assert name in owner.bl_rna.properties, name
-        self.props.append((owner, name))
-
-    def label(self, text="", **_options):
-        self.titles.append(text)
-
-    def operator(self, name, **_options):
-        module, _, word = name.partition(".")
-        assert hasattr(bpy.types, f"{module.upper()}_OT_{word}"), name
-        self.operators.append(name)
-        return self
-
-    def operator_menu_enum(self, name, _prop, **_options):
-        self.operator(name)
-
-    def template_ID(self, owner, name, new=""):
-        self.prop(owner, name)
-        self.operator(new)
-
-    def template_list(self, kind, _id, owner, items, active_owner, active, **_options):
-        assert hasattr(bpy.types, kind)
-        self.prop(owner, items), self.prop(active_owner, active)
-
-    def separator(self, **_options):
-        pass
-
-    def prop_search(self, owner, name, *_where, **_options):
-        self.prop(owner, name)
-
-    def template_icon(self, **_options):
-        pass
-
-    def template_curve_mapping(self, node, name):
-        assert getattr(node, name).curves
-        self.curves.append(node.name)
-
-    def row(self, **_options):
-        return self
-
-    column = grid_flow = box = split = row
-
-    def panel(self, _name, default_closed=False):
-        return self, self
-
-    @property
-    def shown(self):
-        return [name for _, name in self.props]
+properties = part("blender.properties")
 
 
 @pytest.fixture
 def scene():
-    """With everything on that shows more."""
-    made = empty_scene()
-    made.render.engine = "FOVEA"
-    use_style(made, "xray_focus")
-    made.fovea.focus_model = "SCENE"
-    made.fovea.focus_points.add()
-    only_lines(made, *(definition["name"] for definition in catalogue.definitions()))
-    lines_of(made).hidden.clear()
-    add_hidden(lines_of(made)).away = True
-    mesh = bpy.data.meshes.new("Mesh")
-    obj = bpy.data.objects.new("Object", mesh)
-    made.collection.objects.link(obj)
-    mesh.materials.append(bpy.data.materials.new("Material"))
-    bpy.context.view_layer.objects.active = obj
-    return made
-
-
-def context():
-    """What Blender hands to panels, wherever they are."""
-    obj, scene = bpy.context.object, bpy.context.scene
-    return SimpleNamespace(
-        scene=scene,
-        engine=scene.render.engine,
-        object=obj,
-        material=obj.active_material,
-        view_layer=bpy.context.view_layer,
-        window_manager=bpy.context.window_manager,
-    )
-
-
-def shown_by(*classes):
-    layout = RecordingLayout()
-    for cls in classes or drawn_panels():
-        if hasattr(cls, "draw_header"):
-            cls.draw_header(SimpleNamespace(layout=layout), context())
-        cls.show(cls, layout, context())
-    return layout
-
-
-def drawn_panels():
-    shown = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
-    return [cls for cls in shown if cls.poll(context())]
+    return full_scene()
 
 
 def test_panels_draw_with_the_engine_and_for_a_style(scene):
@@ -139,21 +42,6 @@ def test_a_menu_has_every_operator_so_that_it_is_found():
     for module in ("style_operators", "line_set_operators"):
         operators += [cls.bl_idname for cls in part(f"blender.{module}").CLASSES]
     assert sorted(layout.operators) == sorted(operators)
-
-
-def leaves(group, path=""):
-    """(path, property) of all that a style holds, those of one element of each collection."""
-    for prop in group.bl_rna.properties:
-        here = f"{path}.{prop.identifier}"
-        if prop.identifier == "rna_type" or prop.is_hidden:
-            continue
-        if prop.type == "POINTER" and issubclass(type(getattr(group, prop.identifier)), bpy.types.PropertyGroup):
-            yield from leaves(getattr(group, prop.identifier), here)
-        elif prop.type == "COLLECTION":
-            for element in getattr(group, prop.identifier):
-                yield from leaves(element, here)
-        else:
-            yield here, prop
 
 
 def test_every_property_of_a_style_is_in_a_panel_and_tells_what_it_does(scene):
@@ -196,63 +84,6 @@ def test_every_effect_shows_its_curve(scene):
 def test_what_sampling_cannot_tell_of_hidden_lines_is_said(scene, visibility, told):
     scene.fovea.visibility = visibility
     assert any("Sampled" in title for title in shown_by().titles) == told
-
-
-SMALL = {"a", "and", "as", "at", "by", "for", "from", "if", "in", "of", "on", "or", "out", "per", "the", "to", "with"}
-
-
-def complaints(prop, title=None):
-    """What is unlike Blender in the words of a property, or of an operator."""
-    title, told = title or prop.name, prop.description
-    words = re.findall(r"[A-Za-z][\w'-]*", re.sub(r"\(.*?\)", "", title))
-    if any(word[0].islower() for word in words[1:] if word not in SMALL) or title[:1].islower():
-        yield f"{title}: not in title case"
-    if len(told.split()) < 3:
-        yield f"{title}: no description"
-    if told.endswith("."):
-        yield f"{title}: the description ends with a full stop"
-    items = [f"{item.name} {item.description}" for item in getattr(prop, "enum_items", ())]
-    if re.search(r"olour|\bgrey|\w+metres\b|\bcentre", " ".join([title, told, *items]), re.I):
-        yield f"{title}: Blender spells like Americans"
-
-
-def owners(scene):
-    """All that has settings of Fovea."""
-    obj = bpy.context.object
-    return [own_style(scene), scene.fovea, scene.fovea_viewport, obj.fovea, obj.active_material.fovea]
-
-
-def test_words_are_as_blenders_own(scene):
-    props = [prop for owner in owners(scene) for path, prop in leaves(owner) if not path.endswith(".name")]
-    props.append(bpy.context.window_manager.bl_rna.properties["fovea_show_focus"])
-    preferences = part("blender.preferences").FoveaPreferences.__annotations__
-    entry = bpy.context.preferences.addons.get(part("blender.preferences").ADDON)
-    props += [entry.preferences.bl_rna.properties[name] for name in preferences] if entry else []
-    found = [word for prop in props for word in complaints(prop)]
-    for name in dir(bpy.ops.fovea):
-        kind = getattr(bpy.ops.fovea, name).get_rna_type()
-        found += complaints(kind)
-        shown = (prop for prop in kind.properties if not prop.is_hidden and prop.identifier != "rna_type")
-        helpers = ("filepath", "check_existing", "filter_glob")
-        found += [f"{name}: {word}" for prop in shown if prop.identifier not in helpers for word in complaints(prop)]
-    assert not found, "\n".join(found)
-    assert len(props) > 100 and len(dir(bpy.ops.fovea)) > 20
-
-
-def test_numbers_are_dragged_over_what_makes_sense(scene):
-    for owner in owners(scene):
-        for path, prop in leaves(owner):
-            if prop.type != "FLOAT" or prop.subtype in ("COLOR", "XYZ", "XYZ_LENGTH") or path.endswith("_index"):
-                continue
-            assert prop.hard_min > -1e9 and prop.soft_max <= 1000, path
-            assert prop.default == 0 or prop.soft_max <= 1000 * prop.default, path
-
-
-def test_titles_of_panels_are_as_blenders_own(scene):
-    layout = shown_by()
-    titles = {cls.bl_label for cls in drawn_panels()} | {text for text in layout.titles if len(text.split()) < 4}
-    for title in titles:
-        assert title[0].isupper() or title[0].isdigit(), title
 
 
 def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):

@@ -13,7 +13,7 @@ from .view_transform import draw_view_transform
 
 
 class _SidePanel:
-    """In the tab Fovea; with any engine where the scene has a style, as the line layer may be drawn over its pictures."""
+    """In the tab Fovea; with any engine where the scene has a style, as the line layer may lie over its pictures."""
 
     bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Fovea"
 
