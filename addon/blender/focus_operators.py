@@ -6,7 +6,8 @@ from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_
 from . import camera, focus_places
 from .problem import CannotDraw
 
-PROMPT = "Click where to look, Shift Click: look there, too, Esc: leave it"
+PROMPT = "Pick Focus: click what to look at"
+KEYS = (("MOUSE_LMB", "Look Here"), ("EVENT_SHIFT", "Look Here, Too"), ("EVENT_ESC", "Cancel"))
 MISSED = "There is nothing under the pointer: the focus stays where it is"
 NAVIGATION = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "TRACKPADPAN", "TRACKPADZOOM", "MOUSEROTATE"}
 _THROUGH = 64  # objects that are not drawn and a click goes through
@@ -70,6 +71,12 @@ def viewport_at(context, x, y):
     return None
 
 
+def _draw_keys(header, _context):
+    """What may be pressed, in the status bar."""
+    for icon, text in KEYS:
+        header.layout.label(text=text, icon=icon)
+
+
 class FOVEA_OT_pick_focus(bpy.types.Operator):
     """Click in a 3D viewport to say where to look: an Empty marks the place. Shift adds another place. In the model
     Place in the Image, click in camera view; in the model Object, the object that is clicked is what to look at"""
@@ -104,6 +111,7 @@ class FOVEA_OT_pick_focus(bpy.types.Operator):
 
     def invoke(self, context, event):
         self._tell(context, PROMPT)
+        context.workspace.status_text_set(_draw_keys)
         context.window.cursor_modal_set("EYEDROPPER")
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
@@ -159,8 +167,12 @@ class FOVEA_OT_pick_focus(bpy.types.Operator):
             if area.type == "VIEW_3D":
                 area.header_text_set(text)
 
+    def cancel(self, context):
+        self._end(context, None)
+
     def _end(self, context, result):
         self._tell(context, None)
+        context.workspace.status_text_set(None)
         context.window.cursor_modal_restore()
         return result
 

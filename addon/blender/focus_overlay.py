@@ -1,4 +1,4 @@
-"""An overlay of 3D viewports that shows focus as colours: warm where it is, cool far from it.
+"""An overlay of 3D viewports that shows focus as colors: warm where it is, cool far from it.
 
 The native module evaluates it at low resolution, when a viewport is drawn and its view, the focus or the scene has
 changed since; idle viewports draw nothing. The scene is read for it only where Fovea does not draw the viewport anyway.
@@ -119,7 +119,7 @@ _handle = None
 def register():
     global _handle
     bpy.types.WindowManager.fovea_show_focus = bpy.props.BoolProperty(
-        name="Focus as Colours",
+        name="Focus as Colors",
         description="Show in 3D viewports what is in focus (red) and out of it (blue), while overlays are shown",
         options={"SKIP_SAVE"},
         update=_toggled,

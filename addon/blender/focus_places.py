@@ -26,7 +26,7 @@ def put(scene, at, *, add=False):
     """Makes world coordinates the place to look at, or one more; the place. An Empty marks it: that which marks it
     already, or a new one. ValueError where there are as many as can be."""
     settings = scene.fovea
-    place = _another(settings, "SCENE") if add and settings.focus_model == "SCENE" else settings
+    place = another(settings, "SCENE") if add and settings.focus_model == "SCENE" else settings
     settings.focus_model = "SCENE"
     mark = place.focus_object
     if mark is None or mark.type != "EMPTY":
@@ -43,7 +43,7 @@ def put(scene, at, *, add=False):
 def put_object(scene, obj, *, add=False):
     """Makes an object's surface the place to look at, or one more."""
     settings = scene.fovea
-    place = _another(settings, "OBJECT") if add else settings
+    place = another(settings, "OBJECT") if add else settings
     place.focus_object = obj
     return place
 
@@ -51,7 +51,7 @@ def put_object(scene, obj, *, add=False):
 def put_in_image(scene, at, *, add=False):
     """Makes a place of the camera's frame (from the left and the top) the one to look at, or one more."""
     settings = scene.fovea
-    place = _another(settings, "IMAGE") if add else settings
+    place = another(settings, "IMAGE") if add else settings
     place.focus_place = at
     key(scene, place, "focus_place")
     return place
@@ -63,7 +63,7 @@ def key(scene, owner, name):
         owner.keyframe_insert(name)
 
 
-def _another(settings, model):
+def another(settings, model):
     """One more place, with the radii of the first."""
     if len(settings.focus_points) + 1 >= focus.MOST_POINTS:
         raise ValueError(f"There are {focus.MOST_POINTS} places to look at already, no more can be added")

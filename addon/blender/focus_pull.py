@@ -6,6 +6,7 @@ from mathutils import Vector
 
 from . import focus_places
 
+SECONDS = 2  # that a pull takes where the scene is a still
 EASINGS = [  # interpolation of the keyframes
     ("LINEAR", "Linear", "At one speed"),
     ("SINE", "Gentle", "Slowly off and slowly there"),
@@ -87,6 +88,12 @@ def in_frame(scene, at):
     return x, 1 - y
 
 
+def frames_of(scene):
+    """The first and the last frame that a pull is offered."""
+    first, last = scene.frame_start, scene.frame_end
+    return first, last if last > first else first + SECONDS * scene.render.fps
+
+
 class FOVEA_OT_focus_pull(bpy.types.Operator):
     """Lead the focus from where it is to another place, over some frames: keys the place and its two radii"""
 
@@ -94,7 +101,7 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
     bl_label = "Focus Pull"
     bl_options = {"REGISTER", "UNDO"}
 
-    target: bpy.props.EnumProperty(name="To", items=TARGETS)
+    target: bpy.props.EnumProperty(name="To", description="Where the focus is led", items=TARGETS)
     object: bpy.props.StringProperty(name="Object", description="Name of the object to lead the focus to")
     location: bpy.props.FloatVectorProperty(
         name="Location", description="World coordinates to lead the focus to", subtype="XYZ", unit="LENGTH"
@@ -102,18 +109,20 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
     frame_start: bpy.props.IntProperty(name="Start", description="The focus sets out at this frame", default=1)
     frame_end: bpy.props.IntProperty(name="End", description="The focus is there at this frame", default=250)
     near: bpy.props.FloatProperty(
-        name="In Focus",
+        name="Inner Radius",
         description="Radius in the end, in the units of the place's own; less than 0: as it is",
         default=-1.0,
         soft_min=0.0,
     )
     far: bpy.props.FloatProperty(
-        name="Out of Focus",
+        name="Outer Radius",
         description="Radius in the end, in the units of the place's own; less than 0: as it is",
         default=-1.0,
         soft_min=0.0,
     )
-    easing: bpy.props.EnumProperty(name="Easing", items=EASINGS, default="SINE")
+    easing: bpy.props.EnumProperty(
+        name="Easing", description="How the focus sets out and arrives", items=EASINGS, default="SINE"
+    )
 
     @classmethod
     def poll(cls, context):
@@ -134,10 +143,10 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
             self.object = active.name
         self.target = "OBJECT" if self.object in scene.objects else "CURSOR"
         self.location = scene.cursor.location
-        self.frame_start, self.frame_end = scene.frame_start, scene.frame_end
+        self.frame_start, self.frame_end = frames_of(scene)
         names = focus_places.RADII[scene.fovea.focus_model]
         self.near, self.far = (getattr(scene.fovea, name) for name in names)
-        return context.window_manager.invoke_props_dialog(self)
+        return context.window_manager.invoke_props_dialog(self, confirm_text="Key Focus")
 
     def draw(self, context):
         layout = self.layout

@@ -33,8 +33,12 @@ def set_focus(settings, wanted):
 def annotations():
     """Annotations of the scene's settings."""
     return {
-        "focus_model": EnumProperty(name="Focus", items=MODELS, update=redraw),
-        "focus_combine": EnumProperty(name="Combine", items=COMBINATIONS, update=redraw),
+        "focus_model": EnumProperty(
+            name="Focus On", description="What says where the viewer shall look", items=MODELS, update=redraw
+        ),
+        "focus_combine": EnumProperty(
+            name="Combine", description="What holds where several places count", items=COMBINATIONS, update=redraw
+        ),
         "focus_attribute": attribute_name(
             "Attribute", "Of meshes: white (1) is in focus, black (0) out of it; half way where there is none", "focus"
         ),
@@ -86,6 +90,7 @@ def _point_annotations():
         "focus_place": FloatVectorProperty(
             name="Place",
             description="From the left and from the top of the camera's frame, 0 to 1",
+            subtype="XYZ",
             size=2,
             default=(0.5, 0.5),
             soft_min=0.0,
@@ -94,8 +99,8 @@ def _point_annotations():
             step=1,
             update=redraw,
         ),
-        "focus_near": _radius("In Focus", 0.1, "Radius that is in focus, in heights of the frame"),
-        "focus_far": _radius("Out of Focus", 0.6, "Radius from which all is out of focus, in heights of the frame"),
+        "focus_near": _radius("Inner Radius", 0.1, "Up to here all is in focus, in heights of the frame"),
+        "focus_far": _radius("Outer Radius", 0.6, "From here on nothing is in focus, in heights of the frame"),
         "focus_object": PointerProperty(
             type=bpy.types.Object,
             name="Object",
@@ -110,8 +115,8 @@ def _point_annotations():
             unit="LENGTH",
             update=redraw,
         ),
-        "focus_near_distance": _distance_property("In Focus", 1.0, "Radius that is in focus"),
-        "focus_far_distance": _distance_property("Out of Focus", 5.0, "Radius from which all is out of focus"),
+        "focus_near_distance": _distance_property("Inner Radius", 1.0, "Up to here all is in focus"),
+        "focus_far_distance": _distance_property("Outer Radius", 5.0, "From here on nothing is in focus"),
     }
 
 
@@ -120,7 +125,8 @@ def _radius(name, default, told):
 
 
 def _distance_property(name, default, told):
-    return FloatProperty(name=name, description=told, default=default, min=0.0, subtype="DISTANCE", update=redraw)
+    limits = {"min": 0.0, "soft_max": 1000.0, "subtype": "DISTANCE"}
+    return FloatProperty(name=name, description=told, default=default, update=redraw, **limits)
 
 
 class FoveaFocusPoint(bpy.types.PropertyGroup):

@@ -111,7 +111,7 @@ def _unmatched(line_set):
 
 class FOVEA_OT_match_freestyle(bpy.types.Operator):
     """Take over the view layer's Freestyle line sets: edge types, crease angle, visibility, and the line styles'
-    thickness, colour and opacity"""
+    thickness, color and opacity"""
 
     bl_idname = "fovea.match_freestyle"
     bl_label = "Match Freestyle"

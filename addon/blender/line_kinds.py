@@ -13,6 +13,9 @@ from .. import catalogue, native
 from .property_kinds import neat, redraw
 
 
+SLIDE = 20  # how many times the default a parameter is dragged to
+
+
 def definitions():
     """The line definitions; none where the native module is missing, so that files keep their other settings."""
     try:
@@ -62,9 +65,17 @@ def _parameter_property(parameter):
     if parameter["unit"] == "bool":
         return BoolProperty(default=bool(parameter["default"]), **text)
     low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
-    subtype = "ANGLE" if parameter["unit"] == "degrees" else "NONE"
-    fine = {"precision": 3, "step": 1} if 0 < default < 0.1 else {}
-    return FloatProperty(default=default, min=low, max=high, subtype=subtype, **fine, **text)
+    options = {"default": default, "min": low, "max": high}
+    if parameter["unit"] == "degrees":
+        return FloatProperty(subtype="ANGLE", **options, **text)
+    if parameter["name"] == "count":
+        return FloatProperty(precision=0, step=100, **options, **text)
+    if (low, high) == (0, 1):
+        return FloatProperty(subtype="FACTOR", **options, **text)
+    # Limits are far out, for models of all kinds; what a hand wants is near the default.
+    fine = {"precision": 4, "step": 0.1} if 0 < default < 0.1 else {}
+    soft = {"soft_max": min(high, SLIDE * default)} if default > 0 else {}
+    return FloatProperty(**fine, **soft, **options, **text)
 
 
 def group():

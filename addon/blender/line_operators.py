@@ -90,9 +90,10 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     kind: bpy.props.EnumProperty(
-        name="As",
+        name="Type",
+        description="What is made of the strokes",
         items=[
-            ("GREASE_PENCIL", "Grease Pencil", "Strokes with the pens' widths and colours, as the camera sees them"),
+            ("GREASE_PENCIL", "Grease Pencil", "Strokes with the pens' widths and colors, as the camera sees them"),
             ("MESH", "Mesh", "Vertices and edges"),
         ],
     )

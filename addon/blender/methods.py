@@ -20,17 +20,19 @@ PROBES = [(str(n), str(n), "", n) for n in (1, 4, 9, 16)]
 def properties(update):
     """Annotations of the scene's settings; `update` is called when one changes."""
     return {
-        "visibility": EnumProperty(name="Visibility", items=VISIBILITY, update=update),
+        "visibility": EnumProperty(
+            name="Method", description="How it is decided what is hidden", items=VISIBILITY, update=update
+        ),
         "probes": EnumProperty(
             name="Probes",
-            description="Looks into the depth buffer at every sample",
+            description="How often the depth buffer is looked into for every sample: more is smoother and slower",
             items=PROBES,
             default="9",
             update=update,
         ),
         "depth_scale": IntProperty(
             name="Depth Scale",
-            description="Texels of the depth buffer to a pixel, along each axis",
+            description="Texels of the depth buffer to a pixel, along each axis: more is more precise and slower",
             default=2,
             min=1,
             max=3,

@@ -45,7 +45,7 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         update=_applied,
     )
     log_level: bpy.props.EnumProperty(
-        name="Log",
+        name="Log Level",
         description="What is told in the console",
         items=LOG_LEVELS,
         default="WARNING",

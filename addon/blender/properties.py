@@ -90,7 +90,9 @@ def _scene_group():
             max=1.0,
             update=redraw,
         ),
-        "backend": EnumProperty(name="Device", items=BACKENDS, update=_backend_chosen),
+        "backend": EnumProperty(
+            name="Device", description="What draws the lines", items=BACKENDS, update=_backend_chosen
+        ),
         **methods.properties(redraw),
         **focus_settings.annotations(),
     }
@@ -99,16 +101,27 @@ def _scene_group():
 
 def _object_group(kinds):
     annotations = {
-        "usage": EnumProperty(name="Line Drawing", items=USAGES, update=redraw),
+        "usage": EnumProperty(
+            name="Usage",
+            description="Whether the object has lines, and hides those behind it",
+            items=USAGES,
+            update=redraw,
+        ),
         "priority": FloatProperty(
             name="Priority",
             description="Of lines that crowd each other, those of objects with more priority stay",
+            subtype="FACTOR",
             default=0.5,
             min=0.0,
             max=1.0,
             update=redraw,
         ),
-        "curvature_estimator": EnumProperty(name="Curvature", items=ESTIMATORS, update=redraw),
+        "curvature_estimator": EnumProperty(
+            name="Curvature",
+            description="How curvature, which many lines follow, is found",
+            items=ESTIMATORS,
+            update=redraw,
+        ),
         "curvature_rings": IntProperty(
             name="Rings",
             description="How far around each vertex jets are fitted, 0: by how noisy the mesh is",
@@ -136,7 +149,12 @@ def _material_group():
             default=True,
             update=redraw,
         ),
-        "occlusion": EnumProperty(name="Hides Lines", items=OCCLUSIONS, update=redraw),
+        "occlusion": EnumProperty(
+            name="Hides Lines",
+            description="Whether surfaces of this material hide the lines behind them",
+            items=OCCLUSIONS,
+            update=redraw,
+        ),
     }
     return _group("FoveaMaterialSettings", annotations)
 
@@ -162,6 +180,8 @@ def _shape_properties():
             description="Vertices that are not farther apart become one",
             subtype="DISTANCE",
             min=0.0,
+            soft_max=1.0,
+            step=0.1,
             precision=4,
             update=redraw,
         ),
@@ -183,6 +203,8 @@ def _shape_properties():
             description="Of the triangles; 0: as the mesh has it on average",
             subtype="DISTANCE",
             min=0.0,
+            soft_max=10.0,
+            step=0.1,
             precision=4,
             update=redraw,
         ),

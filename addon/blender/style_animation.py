@@ -1,15 +1,17 @@
-"""Keyed and driven numbers of line sets: their paths say the line set's place, so they follow it when it moves."""
+"""Keyed and driven numbers of what stands in lists, line sets and places to look at: their paths say the place in the
+list, so they follow it when it moves."""
 
 import re
 
 LINE_SET = re.compile(r"(fovea\.line_sets\[)(\d+)(\].*)")
+FOCUS_POINT = re.compile(r"(fovea\.focus_points\[)(\d+)(\].*)")
 
 
-def follow(tree, places):
-    """Line set i of a style is now at places[i]; None: it is gone, and with it what animates it."""
-    for owner in _owners(tree):
+def follow(animated, places, path=LINE_SET):
+    """Element i of a list of a style, or of a scene, is now at places[i]; None: it is gone, and what animates it."""
+    for owner in _owners(animated):
         for channel in list(owner):
-            found = LINE_SET.fullmatch(channel.data_path)
+            found = path.fullmatch(channel.data_path)
             if not found or int(found[2]) >= len(places):
                 continue
             place = places[int(found[2])]
@@ -30,9 +32,9 @@ def own_action(tree):
             data.action_slot = data.action.slots[name]
 
 
-def _owners(tree):
+def _owners(animated):
     """The collections of its curves: those of its drivers, and those of its action."""
-    data = tree.animation_data
+    data = animated.animation_data
     if data is None:
         return
     yield data.drivers

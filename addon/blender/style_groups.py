@@ -101,10 +101,10 @@ def _pens():
 
 
 def _color():
-    label, told = "On Paper", "Where there is nothing, and where colours fade, the paper shows"
+    label, told = "On Paper", "Where there is nothing, and where colors fade, the paper shows"
     background = FloatVectorProperty(
         name="Background",
-        description="Colour behind everything, towards which colours fade",
+        description="Color behind everything, towards which colors fade",
         subtype="COLOR",
         size=3,
         min=0.0,

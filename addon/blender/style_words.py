@@ -14,11 +14,11 @@ _SHARE = {"subtype": "FACTOR", "min": 0.0, "max": 1.0}
 _COLOR = {"subtype": "COLOR", "size": 3, "min": 0.0, "max": MOST_LIGHT, "soft_max": 1.0}
 _ROOM = {"subtype": "FACTOR", "min": 0.0, "max": 0.99}
 _WEIGHT = {"min": 0.0, "max": float(MOST_WEIGHT), "soft_max": 2.0}
-_LENGTH = {"subtype": "DISTANCE"}
+_LENGTH = {"subtype": "DISTANCE", "soft_max": 1000.0}
 
 SHADINGS = (
-    ("PLAIN", "Paper", "No colours: the paper alone lies under the lines"),
-    ("FLAT", "Flat", "Base colours of the materials"),
+    ("PLAIN", "Paper", "No colors: the paper alone lies under the lines"),
+    ("FLAT", "Flat", "Base colors of the materials"),
     ("SMOOTH", "Smooth", "Lit by the scene's lights, or by one at the camera"),
     ("TOON", "Toon", "Lit in bands"),
 )
@@ -31,11 +31,11 @@ CAPS = (("ROUND", "Round", "Half a disc beyond each end"), ("BUTT", "Butt", "Cut
 WIDTH_UNITS = (
     ("REFERENCE", "Reference Pixels", "Pixels of an image 1080 pixels high: alike at any resolution"),
     ("PIXELS", "Pixels", "Pixels of the image, however large it is"),
-    ("MILLIMETRES", "Millimetres", "Millimetres on a page as high as the paper says"),
+    ("MILLIMETRES", "Millimeters", "Millimeters on a page as high as the paper says"),
 )
 ANCHORS = (
-    ("SCREEN", "Its Size", "One repetition is always as long in the image, and slides along lines that grow"),
-    ("PATH", "Its Place", "It stays where it is along lines, and divides as they grow: for grain, not for dashes"),
+    ("SCREEN", "Screen", "One repetition is always as long in the image, and slides along lines that grow"),
+    ("PATH", "Path", "It stays where it is along lines, and divides as they grow: for grain, not for dashes"),
 )
 CHOICES = {
     "color.shading": SHADINGS,
@@ -48,25 +48,25 @@ CHOICES = {
 
 WORDS = {
     "transfer.start": ("Start", "Value (focus: 0 in, 1 out of it) at which the effect begins", _SHARE),
-    "transfer.end": ("End", "Value at which the effect is whole; less than the start turns it round", _SHARE),
+    "transfer.end": ("End", "Value at which the effect is whole; less than the start turns it around", _SHARE),
     "transfer.strength": ("Strength", "How strong the effect is where it is whole; 0 switches it off", _SHARE),
-    "pen.color": ("Color", "Colour of the strokes", _COLOR),
+    "pen.color": ("Color", "Color of the strokes", _COLOR),
     "pen.opacity": ("Opacity", "How much of what lies below the strokes cover", _SHARE),
-    "pen.width": ("Width", f"Width of the strokes, by default {_HIGH}", {"soft_max": 20.0}),
+    "pen.width": ("Width", f"Width of the strokes, by default {_HIGH}", {"soft_max": 20.0, "step": 10}),
     "pen.width_unit": ("Unit", "What the width of the strokes is measured in", {}),
     "pen.texture": ("Texture", "Ink of the strokes, repeated along them", {}),
-    "pen.texture_anchor": ("Texture Keeps", "What the texture keeps when strokes grow in the image", {}),
+    "pen.texture_anchor": ("Anchor", "What the texture is fixed to when strokes grow in the image", {}),
     "pen.length_scale": ("Stretch", "Stretches the texture along the strokes", {"soft_max": 10.0}),
-    "pen.cap": ("Ends", "Shape of the ends of the strokes", {}),
+    "pen.cap": ("Caps", "Shape of the ends of the strokes", {}),
     "pen.taper": ("Taper", f"Length of the thinning ends of the strokes, {_HIGH}", {**_PX, "soft_max": 200.0}),
-    "pen.strength_width": ("Thin by Strength", "How far weak lines are thin instead of pale", _SHARE),
+    "pen.strength_width": ("Thin if Weak", "How far weak lines are thin instead of pale", _SHARE),
     "pen.wobble": ("Wobble", f"How far the strokes stray from their lines, {_HIGH}", {**_PX, "soft_max": 10.0}),
     "pen.wobble_length": (
-        "Wave Length",
+        "Wavelength",
         f"Length of the waves in which strokes stray, {_HIGH}",
         {**_PX, "soft_max": 300.0},
     ),
-    "pen.seed": ("Seed", "Another number is another hand", {"soft_max": 100.0}),
+    "pen.seed": ("Seed", "Another number is another hand", {"soft_max": 100.0, "precision": 0, "step": 100}),
     "pen.pressure": ("Pressure", "How much thinner strokes are at their ends than in the middle", _SHARE),
     "pen.spacing": (
         "Spacing",
@@ -91,7 +91,7 @@ WORDS = {
     "line_set.other_materials": ("Other Materials", "Only lines on faces of other materials are of this set", {}),
     "line_set.corner_angle": ("Corner Angle", "Strokes end where a line turns by more than this", {"subtype": "ANGLE"}),
     "line_set.least_length": (
-        "Least Length",
+        "Min Length",
         f"Shorter lines that end without touching another are left out, {_HIGH}",
         {**_PX, "soft_max": 200.0},
     ),
@@ -110,23 +110,27 @@ WORDS = {
         f"Gap that is left in lines where they pass behind others, {_HIGH}",
         {**_PX, "soft_max": 30.0},
     ),
-    "paper.color": ("Paper", "Colour of the paper", _COLOR),
+    "paper.color": ("Color", "Color of the paper", _COLOR),
     "paper.transparent": ("Transparent", "The picture has no paper, only what is drawn on it", {}),
-    "paper.texture": ("Surface", "Height of the paper, which ink and colour heed", {}),
+    "paper.texture": ("Surface", "Height of the paper, which ink and color heed", {}),
     "paper.scale": ("Grain Size", "Size of the paper's grain", {"soft_max": 5.0}),
     "paper.tooth": ("Tooth", "How far ink stays off the valleys of the paper", _SHARE),
-    "paper.granulation": ("Granulation", "How far colour settles in the valleys of the paper", _SHARE),
+    "paper.granulation": ("Granulation", "How far color settles in the valleys of the paper", _SHARE),
     "paper.tint": ("Relief", "How far the paper's own relief shades the picture", _SHARE),
-    "paper.height_mm": ("Height in mm", "Height of the page, for pens measured in millimetres", {"soft_max": 1000.0}),
-    "color.shading": ("Colour", "What colours lie under the lines", {}),
+    "paper.height_mm": (
+        "Page Height",
+        "Height of the page, for pens measured in millimeters",
+        {"subtype": "DISTANCE_CAMERA", "soft_max": 1000.0},
+    ),
+    "color.shading": ("Shading", "What colors lie under the lines", {}),
     "color.bands": ("Bands", "Number of tones of toon shading", {"min": 2, "max": MOST_BANDS}),
-    "color.opacity": ("Opacity", "How much of the paper the colours cover", _SHARE),
-    "color.desaturation": ("Desaturation", "How grey colours are everywhere", _SHARE),
+    "color.opacity": ("Opacity", "How much of the paper the colors cover", _SHARE),
+    "color.desaturation": ("Desaturation", "How gray colors are everywhere", _SHARE),
     "elision.enabled": ("Elision", "Thin lines that go alongside each other nearer than their pens' spacing", {}),
-    "elision.fade_from": ("Least Room", "Share of its room that a line must have to show at all", _ROOM),
-    "elision.cut": ("Least Opacity", "Lines that are fainter are left out altogether", _ROOM),
+    "elision.fade_from": ("Min Room", "Share of its room that a line must have to show at all", _ROOM),
+    "elision.cut": ("Min Opacity", "Lines that are fainter are left out altogether", _ROOM),
     "elision.frames": (
-        "Frames",
+        "Smooth Frames",
         "Renders smooth how lines come and go over so many frames before and after each, and take as many times as long",
         {"min": 0, "max": MOST_FRAMES},
     ),
@@ -147,7 +151,7 @@ WORDS = {
         {},
     ),
     "effects.lines": ("Lines", "Whether lines answer to focus", {}),
-    "effects.colors": ("Colours", "Whether colours answer to focus", {}),
+    "effects.colors": ("Colors", "Whether colors answer to focus", {}),
     "effects.uniform": ("Uniform Focus", "Focus everywhere, of what is uniform: 0 in focus, 1 out of it", _SHARE),
     "effects.blur_radius": ("Blur Radius", f"Radius of the full blur, {_HIGH}", {**_PX, "soft_max": 60.0}),
     "distance.near": ("Near", "Distance from the camera at which effects begin", _LENGTH),
@@ -155,15 +159,15 @@ WORDS = {
 }
 
 EFFECTS = {  # transfer function: what it drives
-    "color": "Colour of lines",
-    "texture": "Ink of lines",
-    "width": "Width of lines",
-    "opacity": "Opacity of lines",
-    "density": "How near to each other lines may be",
-    "overshoot": "How far lines overshoot",
-    "desaturation": "How far colours turn grey",
-    "fade": "How far colours turn into the paper's",
-    "blur": "How far colours blur",
+    "color": "Line Color",
+    "texture": "Line Texture",
+    "width": "Line Width",
+    "opacity": "Line Opacity",
+    "density": "Line Density",
+    "overshoot": "Overshoot",
+    "desaturation": "Desaturation",
+    "fade": "Fade to Paper",
+    "blur": "Blur",
 }
 LINE_EFFECTS = ("color", "texture", "width", "opacity", "density", "overshoot")
 COLOR_EFFECTS = ("desaturation", "fade", "blur")
@@ -173,6 +177,6 @@ DISTANCE_EFFECTS = ("width", "opacity", "density")
 def of(part, field):
     """(label, description, options of a number's property) of a field."""
     label, told, options = WORDS.get(f"{part}.{field}", (field.replace("_", " ").title(), "", {}))
-    low, high = RANGES.get(field, (None, None))
+    low, high = RANGES.get(field.removesuffix("_away"), (None, None))
     limits = {} if low is None or "size" in options else {"min": float(low), "max": float(high)}
     return label, told, limits | options

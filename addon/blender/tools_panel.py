@@ -22,11 +22,14 @@ def _in_menu(self, _context):
     """At the end of Render > Fovea, where F3 finds them."""
     self.layout.separator()
     self.layout.operator("fovea.pick_focus")
+    self.layout.operator("fovea.focus_place_add")
+    self.layout.operator("fovea.focus_place_remove")
     self.layout.operator_context = "INVOKE_DEFAULT"
-    self.layout.operator("fovea.focus_pull")
+    self.layout.operator("fovea.focus_pull", text="Focus Pull...")
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)
+    self.layout.operator("fovea.standard_view")
 
 
 def register():

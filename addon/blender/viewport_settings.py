@@ -7,7 +7,7 @@ PANEL_ENGINE = "FOVEA"
 
 class FoveaViewportSettings(bpy.types.PropertyGroup):
     budget_ms: bpy.props.IntProperty(
-        name="Time per Draw",
+        name="Draw Time (ms)",
         description="Milliseconds that Fovea may take to draw a viewport while something changes: what takes longer is "
         "left out or drawn coarsely until all rests. Renders are not affected",
         default=33,
@@ -23,7 +23,7 @@ class RENDER_PT_fovea_viewport(bpy.types.Panel):
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "render"
-    bl_options = {"DEFAULT_CLOSED"}
+    bl_parent_id = "RENDER_PT_fovea_performance"
     COMPAT_ENGINES = {PANEL_ENGINE}
 
     @classmethod
@@ -32,6 +32,7 @@ class RENDER_PT_fovea_viewport(bpy.types.Panel):
 
     def draw(self, context):
         self.layout.use_property_split = True
+        self.layout.use_property_decorate = False
         self.layout.prop(context.scene.fovea_viewport, "budget_ms")
 
 

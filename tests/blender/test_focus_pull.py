@@ -127,3 +127,10 @@ def test_pulls_and_picks_are_undone(scene):
     assert scene.fovea.focus_object.animation_data is None and places.location(scene.fovea) == Vector((1, 2, 3))
     bpy.ops.ed.undo()
     assert bpy.context.scene.fovea.focus_model == "NONE"
+
+
+def test_a_still_is_offered_two_seconds(scene):
+    scene.render.fps, scene.frame_start, scene.frame_end = 24, 5, 5
+    assert part("blender.focus_pull").frames_of(scene) == (5, 53)
+    scene.frame_end = 100
+    assert part("blender.focus_pull").frames_of(scene) == (5, 100)

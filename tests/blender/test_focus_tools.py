@@ -9,7 +9,7 @@ from mathutils import Matrix, Vector
 from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
 places, gizmos, overlay = part("blender.focus_places"), part("blender.focus_gizmos"), part("blender.focus_overlay")
-operators = part("blender.focus_operators")
+operators, focus_pull = part("blender.focus_operators"), part("blender.focus_pull")
 camera, reading, focus = part("blender.camera"), part("blender.reading"), part("focus")
 
 
@@ -82,6 +82,29 @@ def test_there_is_a_most_of_places(scene):
     assert len(places.places(scene.fovea)) == focus.MOST_POINTS
     assert bpy.ops.fovea.pick_focus(location=(9, 9, 9), add=True) == {"CANCELLED"}
     assert len(places.places(scene.fovea)) == focus.MOST_POINTS
+
+
+def test_places_are_removed_with_what_animates_them(scene):
+    for x in range(4):
+        bpy.ops.fovea.pick_focus(location=(x, 0, 0), add=x > 0)
+    points = scene.fovea.focus_points
+    points[0].focus_far_distance, points[2].focus_far_distance = 7, 9
+    points[0].keyframe_insert("focus_far_distance", frame=1), points[2].keyframe_insert("focus_far_distance", frame=1)
+    assert bpy.ops.fovea.focus_place_remove(index=0) == {"FINISHED"}
+    assert [places.location(place).x for place in places.places(scene.fovea)] == [0, 2, 3]
+    assert [curve.data_path for curve in focus_pull.curves(scene)] == ["fovea.focus_points[1].focus_far_distance"]
+    assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not focus_pull.curves(scene)
+    assert bpy.ops.fovea.focus_place_remove(index=1) == {"CANCELLED"} and len(points) == 1
+    assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not bpy.ops.fovea.focus_place_remove.poll()
+
+
+def test_the_active_object_is_one_more_place(scene):
+    assert not bpy.ops.fovea.focus_place_add.poll()
+    bpy.ops.fovea.pick_focus(location=(1, 2, 3))
+    box = bpy.context.view_layer.objects.active = scene.objects["Box"]
+    assert bpy.ops.fovea.focus_place_add() == {"FINISHED"}
+    assert scene.fovea.focus_points[0].focus_object == box
+    assert scene.fovea.focus_points[0].focus_far_distance == scene.fovea.focus_far_distance
 
 
 def test_a_deleted_mark_comes_back(scene):

@@ -1,114 +1,18 @@
-"""Panels: they show every property of a style, tell what each does, and every one can be set."""
+"""Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
 
 from types import SimpleNamespace
 
 import bpy
 import pytest
-from the_addon import add_hidden, empty_scene, lines_of, only_lines, own_style, part, use_style
+from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
+from the_addon import lines_of, only_lines, own_style, part
 
-catalogue, panels, properties = part("catalogue"), part("blender.panels"), part("blender.properties")
-
-
-class RecordingLayout:
-    """Stands in for a panel's layout; every sub-panel is open."""
-
-    def __init__(self):
-        self.props, self.titles, self.operators, self.curves = [], [], [], []
-
-    def prop(self, owner, name, **_options):
-        assert name in owner.bl_rna.properties, name
-        self.props.append((owner, name))
-
-    def label(self, text="", **_options):
-        self.titles.append(text)
-
-    def operator(self, name, **_options):
-        module, _, word = name.partition(".")
-        assert hasattr(bpy.types, f"{module.upper()}_OT_{word}"), name
-        self.operators.append(name)
-        return self
-
-    def operator_menu_enum(self, name, _prop, **_options):
-        self.operator(name)
-
-    def template_ID(self, owner, name, new=""):
-        self.prop(owner, name)
-        self.operator(new)
-
-    def template_list(self, kind, _id, owner, items, active_owner, active, **_options):
-        assert hasattr(bpy.types, kind)
-        self.prop(owner, items), self.prop(active_owner, active)
-
-    def separator(self):
-        pass
-
-    def prop_search(self, owner, name, *_where):
-        self.prop(owner, name)
-
-    def template_icon(self, **_options):
-        pass
-
-    def template_curve_mapping(self, node, name):
-        assert getattr(node, name).curves
-        self.curves.append(node.name)
-
-    def row(self, **_options):
-        return self
-
-    column = grid_flow = row
-
-    def panel(self, _name, default_closed=False):
-        return self, self
-
-    @property
-    def shown(self):
-        return [name for _, name in self.props]
+properties = part("blender.properties")
 
 
 @pytest.fixture
 def scene():
-    """With everything on that shows more."""
-    made = empty_scene()
-    made.render.engine = "FOVEA"
-    use_style(made, "xray_focus")
-    made.fovea.focus_model = "SCENE"
-    made.fovea.focus_points.add()
-    only_lines(made, *(definition["name"] for definition in catalogue.definitions()))
-    lines_of(made).hidden.clear()
-    add_hidden(lines_of(made)).away = True
-    mesh = bpy.data.meshes.new("Mesh")
-    obj = bpy.data.objects.new("Object", mesh)
-    made.collection.objects.link(obj)
-    mesh.materials.append(bpy.data.materials.new("Material"))
-    bpy.context.view_layer.objects.active = obj
-    return made
-
-
-def context():
-    """What Blender hands to panels, wherever they are."""
-    obj, scene = bpy.context.object, bpy.context.scene
-    return SimpleNamespace(
-        scene=scene,
-        engine=scene.render.engine,
-        object=obj,
-        material=obj.active_material,
-        view_layer=bpy.context.view_layer,
-        window_manager=bpy.context.window_manager,
-    )
-
-
-def shown_by(*classes):
-    layout = RecordingLayout()
-    for cls in classes or drawn_panels():
-        if hasattr(cls, "draw_header"):
-            cls.draw_header(SimpleNamespace(layout=layout), context())
-        cls.show(cls, layout, context())
-    return layout
-
-
-def drawn_panels():
-    shown = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
-    return [cls for cls in shown if cls.poll(context())]
+    return full_scene()
 
 
 def test_panels_draw_with_the_engine_and_for_a_style(scene):
@@ -117,34 +21,27 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert len(drawn_panels()) >= 11
     scene.fovea.style = None
     labels = {cls.bl_label for cls in drawn_panels()}
-    assert {"Style", "Focus", "Visibility", "Performance", "Fovea"} <= labels and "Lines" not in labels
+    assert {"Style", "Focus", "Visibility", "Performance"} <= labels and "Lines" not in labels
     assert any("as it ships" in title for title in shown_by().titles)
     scene.render.engine = "BLENDER_WORKBENCH"
     assert drawn_panels() == []
 
 
+def test_a_style_is_edited_in_the_sidebar_whichever_engine_draws(scene):
+    scene.render.engine = "BLENDER_WORKBENCH"
+    scene.view_settings.view_transform = "AgX"
+    assert [cls.bl_label for cls in drawn_panels()] == ["Style", "Focus", "Lines"]
+    assert not any("paper gray" in title for title in shown_by().titles)
+
+
 def test_a_menu_has_every_operator_so_that_it_is_found():
     layout, operators = RecordingLayout(), []
-    menu = part("blender.panels.menu").TOPBAR_MT_fovea
-    menu.show(menu, layout)
+    for name in ("style", "line_sets"):
+        menu = getattr(part("blender.panels.menu"), f"TOPBAR_MT_fovea_{name}")
+        menu.show(menu, layout)
     for module in ("style_operators", "line_set_operators"):
         operators += [cls.bl_idname for cls in part(f"blender.{module}").CLASSES]
     assert sorted(layout.operators) == sorted(operators)
-
-
-def leaves(group, path=""):
-    """(path, property) of all that a style holds, those of one element of each collection."""
-    for prop in group.bl_rna.properties:
-        here = f"{path}.{prop.identifier}"
-        if prop.identifier == "rna_type" or prop.is_hidden:
-            continue
-        if prop.type == "POINTER" and issubclass(type(getattr(group, prop.identifier)), bpy.types.PropertyGroup):
-            yield from leaves(getattr(group, prop.identifier), here)
-        elif prop.type == "COLLECTION":
-            for element in getattr(group, prop.identifier):
-                yield from leaves(element, here)
-        else:
-            yield here, prop
 
 
 def test_every_property_of_a_style_is_in_a_panel_and_tells_what_it_does(scene):
@@ -187,6 +84,39 @@ def test_every_effect_shows_its_curve(scene):
 def test_what_sampling_cannot_tell_of_hidden_lines_is_said(scene, visibility, told):
     scene.fovea.visibility = visibility
     assert any("Sampled" in title for title in shown_by().titles) == told
+
+
+def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):
+    scene.view_settings.view_transform = "AgX"
+    assert any("AgX makes paper gray" in title for title in shown_by().titles)
+    assert bpy.ops.fovea.standard_view() == {"FINISHED"} and scene.view_settings.view_transform == "Standard"
+    assert not any("paper gray" in title for title in shown_by().titles) and not bpy.ops.fovea.standard_view.poll()
+
+
+def test_what_was_drawn_is_told(scene, monkeypatch):
+    known = {"stages": {"bvh": 20.0, "lines": 1500.0}, "backend": "cpu", "strokes": 3, "visibility": "exact"}
+    monkeypatch.setattr(part("blender.session"), "last_statistics", lambda: known)
+    titles = shown_by().titles
+    assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "BVH", "20 ms", "Lines", "1500 ms"} <= set(titles)
+
+
+def test_every_setting_is_in_a_panel(scene):
+    shown = set()
+    viewport = part("blender.viewport_settings").RENDER_PT_fovea_viewport
+    for model in ("SCENE", "IMAGE", "OBJECT", "PAINTED"):
+        for estimator in ("AUTOMATIC", "JETS"):
+            for resample in (0, 1):
+                scene.fovea.focus_model = model
+                fovea = bpy.context.object.fovea
+                fovea.curvature_estimator, fovea.repair_resample, fovea.refine = estimator, resample, True
+                shown |= {(type(owner), name) for owner, name in shown_by().props}
+    layout = RecordingLayout()
+    viewport.draw(SimpleNamespace(layout=layout), context())
+    shown |= {(type(owner), name) for owner, name in layout.props}
+    for owner in owners(scene)[1:]:
+        for prop in owner.bl_rna.properties:
+            if prop.identifier not in {"rna_type", "name", "focus_points"} and not prop.is_hidden:
+                assert (type(owner), prop.identifier) in shown, prop.identifier
 
 
 def values_for(owner, prop):

@@ -25,7 +25,7 @@ def bumps():
     return scene([ball.surface(), cube.surface(), joined.surface()], matrices)
 
 
-def drawn(line_sets, quality=None, members=()):
+def drawn(line_sets, quality=None, placements=()):
     """(H, W) alpha of lines, final or as a quality draws them."""
     chosen = replace(style.load("plain"), line_sets=line_sets)
     options, placed = pipeline.Options(), bumps()
@@ -33,7 +33,8 @@ def drawn(line_sets, quality=None, members=()):
         options = replace(budget.coarser(options, quality), outlines=budget.outlines(chosen, quality))
         chosen = budget.simplified(chosen, quality)
     seen = view((0, -14, 4), (0, 0, 0), size=(480, 270))
-    beside = {"notes": stages.Notes(members=members), "progress": lambda *_: None, "cancel": core.Cancel()}
+    notes = stages.Notes(filters=stages.LineFilters(placements))
+    beside = {"notes": notes, "progress": lambda *_: None, "cancel": core.Cancel()}
     return pipeline.draw(placed, seen, chosen, cpu.Backend(), options, **beside).lines[..., 3]
 
 
@@ -42,7 +43,7 @@ def apart(a, b):
     return np.abs(a - b).sum() / max(a.sum(), b.sum())
 
 
-IN_FRONT = [[False, True, True], None]
+IN_FRONT = (np.array([0, 1, 1], np.uint8), None)
 CASES = {
     "outline over lines": ((OUTLINE, LINES), ()),
     "outline alone": ((OUTLINE,), ()),
@@ -56,8 +57,8 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_draft_has_the_weights_of_the_final_picture(name):
-    line_sets, members = CASES[name]
-    final, draft = drawn(line_sets, members=members), drawn(line_sets, DRAFT, members)
+    line_sets, placements = CASES[name]
+    final, draft = drawn(line_sets, None, placements), drawn(line_sets, DRAFT, placements)
     assert final.sum() > 1000
     assert abs(draft.sum() / final.sum() - 1) < 0.02 and apart(final, draft) < 0.05
 

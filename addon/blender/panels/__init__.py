@@ -2,13 +2,13 @@
 
 import bpy
 
-from . import effects, lines, menu, method, paper, sidebar, style, things, thumbnails
+from . import effects, elision, focus, lines, menu, method, paper, sidebar, style, things, thumbnails, view_transform
 from .common import ENGINE
 
 # Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
 ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
 NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
-MODULES = (style, lines, effects, paper, method, things, sidebar, menu)
+MODULES = (view_transform, style, lines, focus, effects, elision, paper, method, things, sidebar, menu)
 CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 

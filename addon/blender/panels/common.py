@@ -1,13 +1,15 @@
 """What all panels have in common, and properties shown in several of them."""
 
-from ...stages import Pen
 from .. import style_data
-from ..style_groups import plain_fields
 
 ENGINE = "FOVEA"
-PEN_ORDER = (
-    *("color", "opacity", "width", "width_unit", "texture", "texture_anchor", "length_scale", "cap", "taper"),
-    *("strength_width", "wobble", "wobble_length", "seed", "pressure", "spacing"),
+PEN_GROUPS = (  # of its properties, in the order in which one asks for them
+    ("color", "opacity"),
+    ("width", "width_unit", "strength_width", "pressure"),
+    ("texture", "texture_anchor", "length_scale"),
+    ("cap", "taper"),
+    ("wobble", "wobble_length", "seed"),
+    ("spacing",),
 )
 HEEDED = {  # of a pen: when it makes a difference
     "texture_anchor": lambda pen: pen.texture != "solid",
@@ -52,10 +54,12 @@ def draw_properties(layout, group, names, heeded=True):
     return column
 
 
-def draw_pen(layout, pen):
-    names = [name for name, _ in plain_fields(Pen)]
-    for name in sorted(names, key=lambda name: PEN_ORDER.index(name) if name in PEN_ORDER else len(PEN_ORDER)):
-        draw_properties(layout, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+def draw_pen(layout, pen, groups=PEN_GROUPS):
+    for group in groups:
+        column = layout.column()
+        for name in group:
+            draw_properties(column, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+        layout.separator()
 
 
 def fold(layout, name, title, closed=True):

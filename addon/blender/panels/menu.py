@@ -1,32 +1,55 @@
-"""The submenu of Blender's Render menu: what F3 finds."""
+"""The submenu of Blender's Render menu: what F3 finds. The tools are appended to it by tools_panel.py."""
 
 import bpy
 
 from ..line_set_operators import CLASSES as LINE_SETS
+from ..style_operators import CLASSES as STYLES
+
+ASKING = ("import", "export", "save")  # of the style operators: those that ask something first
+
+
+class TOPBAR_MT_fovea_style(bpy.types.Menu):
+    bl_label = "Style"
+
+    def draw(self, _context):
+        self.show(self.layout)
+
+    def show(self, layout):
+        for cls in STYLES:
+            _draw_operator(layout, cls, "style")
+
+
+class TOPBAR_MT_fovea_line_sets(bpy.types.Menu):
+    bl_label = "Line Sets"
+
+    def draw(self, _context):
+        self.show(self.layout)
+
+    def show(self, layout):
+        for cls in LINE_SETS:
+            _draw_operator(layout, cls, "direction")
 
 
 class TOPBAR_MT_fovea(bpy.types.Menu):
     bl_label = "Fovea"
 
     def draw(self, _context):
-        self.show(self.layout)
+        self.layout.menu("TOPBAR_MT_fovea_style")
+        self.layout.menu("TOPBAR_MT_fovea_line_sets")
 
-    def show(self, layout):
-        layout.operator_menu_enum("fovea.style_new", "style", text="New Style")
-        layout.operator_menu_enum("fovea.style_apply", "style", text="Apply Style")
-        for name in ("duplicate", "import", "export", "save"):
-            layout.operator(f"fovea.style_{name}")
-        layout.operator_menu_enum("fovea.style_delete", "style", text="Delete Saved Style")
-        layout.separator()
-        for cls in LINE_SETS:
-            if "direction" in getattr(cls, "__annotations__", ()):
-                layout.operator_menu_enum(cls.bl_idname, "direction", text=cls.bl_label)
-            else:
-                layout.operator(cls.bl_idname)
+
+def _draw_operator(layout, cls, choice):
+    """An entry for an operator class, or one for each value of its property `choice`, if it has that."""
+    if choice in getattr(cls, "__annotations__", ()):
+        layout.operator_menu_enum(cls.bl_idname, choice, text=cls.bl_label)
+        return
+    asks = cls.bl_idname.rpartition("_")[2] in ASKING
+    layout.operator(cls.bl_idname, text=f"{cls.bl_label}..." if asks else cls.bl_label)
 
 
 def append(menu, _context):
+    menu.layout.separator()
     menu.layout.menu("TOPBAR_MT_fovea")
 
 
-CLASSES = (TOPBAR_MT_fovea,)
+CLASSES = (TOPBAR_MT_fovea_style, TOPBAR_MT_fovea_line_sets, TOPBAR_MT_fovea)

@@ -3,7 +3,9 @@
 import bpy
 
 from .. import session
-from .common import FoveaPanel, draw_properties
+from .common import FoveaPanel, draw_properties, fold
+
+STAGES = {"bvh": "BVH"}  # whose names are no words
 
 
 class RENDER_PT_fovea_visibility(FoveaPanel, bpy.types.Panel):
@@ -29,11 +31,24 @@ class RENDER_PT_fovea_performance(FoveaPanel, bpy.types.Panel):
     def show(self, layout, context):
         layout.prop(context.scene.fovea, "backend")
         known = session.last_statistics()
-        if known:
-            total = sum(known["stages"].values()) / 1000
-            layout.label(text=f"Last drawn in {total:.2f} s by the {known['backend']}, {known['strokes']} strokes")
-            for stage, spent in known["stages"].items():
-                layout.label(text=f"{stage.title()}: {spent:.0f} ms")
+        body = fold(layout, "last_drawn", f"Last Drawn in {_seconds(known):.2f} s") if known else None
+        if body:
+            _draw_statistics(body, known)
+
+
+def _seconds(known):
+    return sum(known["stages"].values()) / 1000
+
+
+def _draw_statistics(layout, known):
+    """What drew how much, and how long each stage took."""
+    rows = [("Device", known["backend"].upper()), ("Strokes", str(known["strokes"]))]
+    rows += [(STAGES.get(stage, stage.title()), f"{spent:.0f} ms") for stage, spent in known["stages"].items()]
+    column = layout.column(align=True)
+    for name, value in rows:
+        row = column.split(factor=0.5)
+        row.label(text=name)
+        row.label(text=value)
 
 
 CLASSES = (RENDER_PT_fovea_visibility, RENDER_PT_fovea_performance)

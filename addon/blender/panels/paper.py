@@ -1,4 +1,4 @@
-"""Panel: the colours under the lines, and the paper."""
+"""Panels: the colors under the lines, and the paper."""
 
 import bpy
 
@@ -8,25 +8,40 @@ from ..style_groups import plain_fields
 from .common import StylePanel, draw_properties
 
 
-class RENDER_PT_fovea_paper(StylePanel, bpy.types.Panel):
-    bl_label = "Colour and Paper"
+def _drawn(held):
+    """Whether there are colors under the lines."""
+    return held.color.shading != "PLAIN"
+
+
+class RENDER_PT_fovea_color(StylePanel, bpy.types.Panel):
+    bl_label = "Color"
     bl_options = {"DEFAULT_CLOSED"}
 
     def show(self, layout, context):
         held = style_data.of(context.scene).fovea
-        color, paper, drawn = held.color, held.paper, held.color.shading != "PLAIN"
+        color, drawn = held.color, _drawn(held)
         layout.prop(color, "shading")
         draw_properties(layout, color, ("bands",), color.shading == "TOON")
         draw_properties(layout, color, ("opacity", "desaturation", "on_paper"), drawn)
         draw_properties(layout, color, ("background",), drawn and not color.on_paper)
+
+
+class RENDER_PT_fovea_paper(StylePanel, bpy.types.Panel):
+    bl_label = "Paper"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def show(self, layout, context):
+        held = style_data.of(context.scene).fovea
         for name, _ in plain_fields(Paper):
-            draw_properties(layout, paper, (name,), _heeded(name, paper, drawn))
+            draw_properties(layout, held.paper, (name,), self.heeded(name, held))
+
+    @staticmethod
+    def heeded(name, held):
+        """Whether a number of the paper makes a difference."""
+        paper = held.paper
+        if name in ("scale", "tooth", "tint"):
+            return paper.texture != "none"
+        return name != "granulation" or (paper.texture != "none" and _drawn(held))
 
 
-def _heeded(name, paper, drawn):
-    if name in ("scale", "tooth", "tint"):
-        return paper.texture != "none"
-    return name != "granulation" or (paper.texture != "none" and drawn)
-
-
-CLASSES = (RENDER_PT_fovea_paper,)
+CLASSES = (RENDER_PT_fovea_color, RENDER_PT_fovea_paper)
