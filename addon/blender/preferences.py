@@ -9,7 +9,7 @@ from pathlib import Path
 
 import bpy
 
-from .. import native
+from .. import native, style
 
 ADDON = __package__.rpartition(".")[0]
 SEEN = "FOVEA_GL_RENDERER"  # set for child processes: what the probe found, empty for nothing usable
@@ -27,6 +27,12 @@ def _applied(preferences, _context):
     apply(preferences)
 
 
+def _style_names(_preferences, _context, _typed):
+    from . import style_files  # which asks the preferences where files are
+
+    return style_files.names()
+
+
 class FoveaPreferences(bpy.types.AddonPreferences):
     bl_idname = ADDON
 
@@ -34,6 +40,13 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         name="GPU in Background Renders",
         description="Look for OpenGL when Blender starts without a window; else such renders use the CPU alone",
         default=True,
+    )
+    default_style: bpy.props.StringProperty(
+        name="Default Style",
+        description="What New gives and the gallery shows first. Scenes without a style of their own draw in "
+        f"{style.DEFAULT} however this is set, so that they look the same on every machine",
+        default=style.DEFAULT,
+        search=_style_names,
     )
     threads: bpy.props.IntProperty(
         name="Threads",
@@ -58,6 +71,7 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         problem = native.problem()
         if problem:
             column.label(text=problem, icon="ERROR")
+        column.prop(self, "default_style")
         column.prop(self, "background_gpu")
         column.prop(self, "threads")
         column.prop(self, "log_level")

@@ -14,8 +14,9 @@ class TOPBAR_MT_fovea(bpy.types.Menu):
     def show(self, layout):
         layout.operator_menu_enum("fovea.style_new", "style", text="New Style")
         layout.operator_menu_enum("fovea.style_apply", "style", text="Apply Style")
-        for name in ("duplicate", "import", "export", "save"):
+        for name in ("duplicate", "import", "export", "save", "update"):
             layout.operator(f"fovea.style_{name}")
+        layout.operator_menu_enum("fovea.style_rename", "style", text="Rename Saved Style")
         layout.operator_menu_enum("fovea.style_delete", "style", text="Delete Saved Style")
         layout.separator()
         for cls in LINE_SETS:
