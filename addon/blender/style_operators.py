@@ -204,10 +204,10 @@ class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
         return context.window_manager.invoke_props_dialog(self)
 
     def act(self, _context):
-        fresh = style_files.file_name(self.name)
-        if fresh != self.style:
-            style_files.rename(self.style, fresh)
-            style_data.follow_source(self.style, fresh)
+        old, fresh = self.style, style_files.file_name(self.name)  # afterwards there is no style of the old name to choose
+        if fresh != old:
+            style_files.rename(old, fresh)
+            style_data.follow_source(old, fresh)
 
 
 class FOVEA_OT_style_delete(_OnSaved, bpy.types.Operator):
