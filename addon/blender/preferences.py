@@ -10,6 +10,7 @@ from pathlib import Path
 import bpy
 
 from .. import native, style
+from . import kept
 
 ADDON = __package__.rpartition(".")[0]
 SEEN = "FOVEA_GL_RENDERER"  # set for child processes: what the probe found, empty for nothing usable
@@ -57,6 +58,18 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         max=1024,
         update=_applied,
     )
+    memory_limit: bpy.props.IntProperty(
+        name="Memory Limit",
+        description="Most megabytes that Fovea keeps from one picture for the next: meshes, what was found on them, and "
+        "images of materials, reckoned by triangles and texels. Beyond it, what was unused longest is let go, and made "
+        "again when it is needed. What viewports show stays, and drawing takes memory of its own. Pictures do not depend "
+        "on it. 0: no limit",
+        default=0,
+        min=0,
+        soft_max=65536,
+        max=1 << 20,
+        update=_applied,
+    )
     log_level: bpy.props.EnumProperty(
         name="Log",
         description="What is told in the console",
@@ -74,14 +87,16 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         column.prop(self, "default_style")
         column.prop(self, "background_gpu")
         column.prop(self, "threads")
+        column.prop(self, "memory_limit")
         column.prop(self, "log_level")
 
 
 def apply(preferences):
-    """Makes what preferences say hold; without a native module there are no threads to speak of."""
+    """Makes what preferences say hold; without a native module there is nothing to limit."""
     logging.getLogger(ADDON).setLevel(preferences.log_level)
     if not native.problem():
         native.load().limit_threads(preferences.threads)
+        kept.set_limit(preferences.memory_limit)
 
 
 def own():
