@@ -66,7 +66,8 @@ def test_what_is_reckoned_is_what_is_given_back(name):
     told = re.search(r"MEASURED (\{.*\})", ran.stdout)
     assert told, ran.stdout + ran.stderr
     found = json.loads(told[1])
-    assert 0.6 * found["reckoned"] < found["back"] < 1.6 * found["reckoned"], found
+    # Allocators hold on to some of it for what comes next, now more and now less; they never give back more.
+    assert 0.25 * found["reckoned"] < found["back"] < 1.5 * found["reckoned"], found
 
 
 def test_images_of_materials_count_and_go(scene, tmp_path):
