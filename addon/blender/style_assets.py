@@ -27,9 +27,12 @@ class FOVEA_OT_style_mark_asset(OnStyle, bpy.types.Operator):
 
     bl_idname, bl_label = "fovea.style_mark_asset", "Mark Style as Asset"
 
-    description: StringProperty(name="Description", description="What others read of the style")
+    # Those of one style are not what the next begins with.
+    description: StringProperty(name="Description", description="What others read of the style", options={"SKIP_SAVE"})
     author: StringProperty(name="Author", description="Who made the style")
-    tags: StringProperty(name="Tags", description=f"Words to find it by, with commas between; {TAG} is always one")
+    tags: StringProperty(
+        name="Tags", description=f"Words to find it by, with commas between; {TAG} is always one", options={"SKIP_SAVE"}
+    )
 
     @classmethod
     def poll(cls, context):
@@ -87,9 +90,13 @@ class FOVEA_OT_style_use_asset(StyleOperator, bpy.types.Operator):
 
     bl_idname, bl_label = "fovea.style_use_asset", "Use Fovea Style"
 
-    filepath: StringProperty(name="File", description="The .blend file of the style; none: the chosen asset's")
-    name: StringProperty(name="Name", description="Of the style in that file")
-    method: EnumProperty(name="Import", description="How the style comes into this file", items=IMPORTS)
+    filepath: StringProperty(
+        name="File", description="The .blend file of the style; none: the chosen asset's", options={"SKIP_SAVE"}
+    )
+    name: StringProperty(name="Name", description="Of the style in that file", options={"SKIP_SAVE"})
+    method: EnumProperty(
+        name="Import", description="How the style comes into this file", items=IMPORTS, options={"SKIP_SAVE"}
+    )
     # What a shelf says of the asset that is pressed.
     asset_library_type: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
     asset_library_identifier: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
