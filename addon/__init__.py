@@ -8,7 +8,7 @@ import importlib
 MODULES = ("preferences", "properties", "style_operators", "line_set_operators", "panels", "viewport_settings", "engine")
 TOOLS = (
     *("focus_operators", "focus_place_operators", "focus_pull", "focus_gizmos", "focus_overlay"),
-    *("line_operators", "report", "freestyle", "tools_panel"),
+    *("style_assets", "line_operators", "report", "freestyle", "tools_panel"),
 )
 
 

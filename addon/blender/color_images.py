@@ -14,6 +14,13 @@ class ImageCache:
         self._core = core
         self._entries = {}  # name -> (how it is read, content hash, texture)
 
+    def size(self):
+        """Bytes of all textures: four a texel, and smaller copies."""
+        return sum(4 * width * height * 4 // 3 for (width, height, *_), _, _ in self._entries.values())
+
+    def clear(self):
+        self._entries.clear()
+
     def texture(self, image):
         """The native ColorTexture of an image, or None where it has no pixels (a missing file, say)."""
         if not all(image.size):

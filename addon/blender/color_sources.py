@@ -1,11 +1,12 @@
 """Where the colours of a scene come from: materials, images, attributes, lights and the world, as plain arrays."""
 
 import math
+import weakref
 
 import numpy as np
 
 from .. import color
-from . import color_nodes, materials
+from . import color_nodes, kept, materials
 from .color_corners import Corners
 from .color_images import ImageCache
 
@@ -17,6 +18,18 @@ class ColorCache:
         self.images = ImageCache(core)
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
         self.painted = {}  # the same of those that are painted, see notes.py
+        self.used = 0
+        self.shown = weakref.WeakValueDictionary()  # color.Sources that were made with it, by their ids
+        kept.add_cache(self)
+
+    def items(self, _needed):
+        """The kept.Item: all of it, which stays while a scene is there that was read with it."""
+        read = [entry[-1].nbytes for part in (self.refined, self.painted) for entry in part.values()]
+        return [kept.Item(self.used, self.images.size() + sum(read), None if self.shown else self._clear)]
+
+    def _clear(self):
+        for part in (self.images, self.refined, self.painted):
+            part.clear()
 
 
 class Gathering:
@@ -24,6 +37,7 @@ class Gathering:
 
     def __init__(self, core, cache):
         self._core, self._cache = core, cache
+        cache.used = kept.now()
         self._sources = {}  # by material
         self.surfaces, self.lights = [], []
         self.unfollowed = set()  # materials whose nodes were not followed
@@ -58,7 +72,9 @@ class Gathering:
 
     def sources(self, scene, surface_of_placement):
         """The color.Sources of a scene whose placements have these surfaces."""
-        return color.Sources([self.surfaces[i] for i in surface_of_placement], self.lights, _world(scene))
+        made = color.Sources([self.surfaces[i] for i in surface_of_placement], self.lights, _world(scene))
+        self._cache.shown[id(made)] = made
+        return made
 
     def remark(self):
         """A sentence about what could not be followed, or None."""

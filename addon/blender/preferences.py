@@ -9,7 +9,8 @@ from pathlib import Path
 
 import bpy
 
-from .. import native
+from .. import native, style
+from . import kept
 
 ADDON = __package__.rpartition(".")[0]
 SEEN = "FOVEA_GL_RENDERER"  # set for child processes: what the probe found, empty for nothing usable
@@ -27,6 +28,12 @@ def _applied(preferences, _context):
     apply(preferences)
 
 
+def _style_names(_preferences, _context, _typed):
+    from . import style_files  # which asks the preferences where files are
+
+    return style_files.names()
+
+
 class FoveaPreferences(bpy.types.AddonPreferences):
     bl_idname = ADDON
 
@@ -35,6 +42,13 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         description="Look for OpenGL when Blender starts without a window; else such renders use the CPU alone",
         default=True,
     )
+    default_style: bpy.props.StringProperty(
+        name="Default Style",
+        description="What New gives and the gallery shows first. Scenes without a style of their own draw in "
+        f"{style.DEFAULT} however this is set, so that they look the same on every machine",
+        default=style.DEFAULT,
+        search=_style_names,
+    )
     threads: bpy.props.IntProperty(
         name="Threads",
         description="Most threads that draw at once; 0: as many as the machine has. Pictures do not depend on it",
@@ -42,6 +56,18 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         min=0,
         soft_max=64,
         max=1024,
+        update=_applied,
+    )
+    memory_limit: bpy.props.IntProperty(
+        name="Memory Limit",
+        description="Most megabytes that Fovea keeps from one picture for the next: meshes, what was found on them, and "
+        "images of materials, reckoned by triangles and texels. Beyond it, what was unused longest is let go, and made "
+        "again when it is needed. What viewports show stays, and drawing takes memory of its own. Pictures do not depend "
+        "on it. 0: no limit",
+        default=0,
+        min=0,
+        soft_max=65536,
+        max=1 << 20,
         update=_applied,
     )
     log_level: bpy.props.EnumProperty(
@@ -58,16 +84,19 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         problem = native.problem()
         if problem:
             column.label(text=problem, icon="ERROR")
+        column.prop(self, "default_style")
         column.prop(self, "background_gpu")
         column.prop(self, "threads")
+        column.prop(self, "memory_limit")
         column.prop(self, "log_level")
 
 
 def apply(preferences):
-    """Makes what preferences say hold; without a native module there are no threads to speak of."""
+    """Makes what preferences say hold; without a native module there is nothing to limit."""
     logging.getLogger(ADDON).setLevel(preferences.log_level)
     if not native.problem():
         native.load().limit_threads(preferences.threads)
+        kept.set_limit(preferences.memory_limit)
 
 
 def own():

@@ -7,7 +7,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from . import materials, own_lines, repair, subdivision
+from . import kept, materials, own_lines, repair, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
@@ -15,7 +15,7 @@ VIEWPORTS = 4  # that keep what only they show
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Snapshot:
     """A scene as the native side takes it; n placements of m surfaces."""
 
@@ -174,7 +174,9 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
             gathering.add(step, obj, obj.data, instance, usage)
     # View layers and viewports may show different parts of a scene, and take turns.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
-    return gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
+    found = gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
+    kept.add_snapshot(found)
+    return found
 
 
 def placements(depsgraph, viewport):

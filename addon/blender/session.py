@@ -17,7 +17,7 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native, pipeline, style
-from . import camera, color_sources, methods, near_frames, notes, properties, scene, surfaces
+from . import camera, color_sources, kept, methods, near_frames, notes, properties, scene, surfaces
 from .problem import CannotDraw
 
 _log = logging.getLogger(__package__)
@@ -71,6 +71,7 @@ def render(engine, depsgraph):
             passes |= {"Colour": image.color, "Focus": image.focus}
             del image
             _hand_over(engine, depsgraph.view_layer, passes)
+        kept.trim()
 
 
 @contextmanager
@@ -116,6 +117,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
 
     _report_skipped(engine, cache.rebuilt, cache.remarks)
     _report_unknown(engine, chosen)
+    kept.trim()
     if colors and (remark := colors.remark()):
         engine.report({"INFO"}, remark)
     return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)

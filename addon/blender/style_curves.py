@@ -1,13 +1,19 @@
 """Response curves of transfer functions: Float Curve nodes in a style's node tree, each named by its part and effect.
 
-Fovea joins the points by a monotone cubic, which is what Blender shows of points whose handles are clamped. Of other
-handles, as vectors or such as overshoot, what Blender shows is sampled. Two points are a straight line to both.
+Fovea joins the points by a monotone cubic, which is what Blender shows of points whose handles are clamped. Of others, as
+vectors or such as overshoot, style files cannot say the handles: there the curve's points stay, and as many are put
+between them as keep what is drawn to what Blender shows. Two points are a straight line to both.
 """
 
+import math
+
+from ..curve_fit import fewest
 from ..focus import MOST_CURVE_POINTS
 from .property_kinds import neat
 
 STRAIGHT = ((0.0, 0.0), (1.0, 1.0))
+PLACES = 256  # steps at which a curve with other handles is looked at, as Blender itself does
+BESIDE = 1 / 2048  # of a corner, where points to both sides keep it sharp
 APART = 1e-6  # of points along x; nearer ones are one
 
 
@@ -24,7 +30,7 @@ def read(tree, part, effect):
     mapping = node.mapping
     curve = mapping.curves[0]
     if len(curve.points) > 2 and any(point.handle_type != "AUTO_CLAMPED" for point in curve.points):
-        points = _sampled(mapping, curve)
+        points = _fitted(mapping, curve)
     else:
         points = [(point.location[0], point.location[1]) for point in curve.points]
     found = []
@@ -60,10 +66,23 @@ def write(tree, part, effect, points):
     mapping.update()
 
 
-def _sampled(mapping, curve):
+def _fitted(mapping, curve):
+    """Points that give back, within curve_fit.TOLERANCE, what Blender shows."""
     mapping.initialize()
-    places = [i / (MOST_CURVE_POINTS - 1) for i in range(MOST_CURVE_POINTS)]
-    return [(x, mapping.evaluate(curve, x)) for x in places]
+    own = {point.location[0]: point for point in curve.points if 0 <= point.location[0] <= 1}
+    found = {x: point.location[1] for x, point in own.items()}
+    for x in (i / PLACES for i in range(PLACES + 1)):
+        if all(abs(x - other) > 1.5 * BESIDE for other in own):
+            found[x] = mapping.evaluate(curve, x)
+    for x, point in own.items():
+        for side in (-2 / PLACES, 2 / PLACES):
+            if point.handle_type == "VECTOR" and 0 <= x + side <= 1:
+                slope = (mapping.evaluate(curve, x + side) - point.location[1]) / abs(side)
+                found[x + math.copysign(BESIDE, side)] = point.location[1] + slope * BESIDE
+    points = tuple((x, _share(found[x])) for x in sorted(found))
+    kept = tuple(i for i, (x, _) in enumerate(points) if x in own)
+    corners = tuple(i for i in kept if own[points[i][0]].handle_type == "VECTOR")
+    return [points[i] for i in fewest(points, kept[:MOST_CURVE_POINTS], corners, MOST_CURVE_POINTS)]
 
 
 def _share(value):

@@ -72,6 +72,19 @@ def fingerprint(tree):
     return hashlib.sha256(style.dump(style_read.read(tree)).encode()).hexdigest()
 
 
+def note_source(tree, name):
+    """Remembers the saved style that a style came from, or was saved as; a linked one is its own file's."""
+    if tree.library is None:
+        tree.fovea.source = name
+
+
+def follow_source(name, fresh):
+    """A saved style has another name: styles of this file that came from it know."""
+    for tree in bpy.data.node_groups:
+        if is_style(tree) and tree.fovea.source == name:
+            note_source(tree, fresh)
+
+
 def title(name):
     """A style's file name in words."""
     return name.replace("_", " ").title()

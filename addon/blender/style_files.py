@@ -1,14 +1,18 @@
 """Style files: those that ship, and the user's own, in the extension's folder for them. Their names differ."""
 
+import logging
 import re
 from functools import lru_cache
 from pathlib import Path
 
 import bpy
 
-from .. import style
+from .. import native, style
+from . import style_picture
 from .line_kinds import definitions
-from .preferences import ADDON
+from .preferences import ADDON, own
+
+_log = logging.getLogger(__package__)
 
 
 def user_folder(create=False):
@@ -29,8 +33,18 @@ def shipped_names():
 
 
 def names():
-    """Those that ship, then the user's."""
-    return [*shipped_names(), *(name for name in user_names() if name not in shipped_names())]
+    """The one that the user prefers, then those that ship, then the user's."""
+    found = [*shipped_names(), *(name for name in user_names() if name not in shipped_names())]
+    return sorted(found, key=lambda name: name != _wished())
+
+
+def preferred():
+    """The name of the style that New begins with."""
+    return names()[0]
+
+
+def _wished():
+    return own().default_style if own() else style.DEFAULT
 
 
 def load(name):
@@ -53,24 +67,63 @@ def file_name(title):
 
 
 def save(name, wanted):
-    """Writes a Style to the user's folder, over one that has the name: its path."""
+    """Writes a Style to the user's folder, over one that has the name, and its thumbnail beside it: its path."""
     path = user_folder(create=True) / f"{name}.json"
     write(path, wanted)
+    _draw(_picture_of(path), wanted)
     return path
 
 
 def write(path, wanted):
     """All of the file or, where that fails, nothing of it."""
-    fresh = Path(path).with_suffix(".json.new")
-    fresh.write_text(style.dump(wanted), encoding="utf-8")
-    fresh.replace(path)
+    _write(Path(path), style.dump(wanted).encode())
+
+
+def rename(name, fresh):
+    """A user's style and its thumbnail have another name, which no style has."""
+    if fresh in user_names():
+        raise style.StyleError(f"there is a style '{fresh}' already")
+    path, target = _of_user(name), user_folder() / f"{fresh}.json"
+    path.rename(target)
+    if _picture_of(path).exists():
+        _picture_of(path).replace(_picture_of(target))
 
 
 def delete(name):
-    (user_folder() / f"{name}.json").unlink()
+    path = _of_user(name)
+    path.unlink()
+    _picture_of(path).unlink(missing_ok=True)
 
 
 def picture(name):
     """The thumbnail of a style, or None."""
-    path = style.FOLDER / f"{name}.jpg"
-    return path if path.exists() else None
+    if name in shipped_names():
+        path = style.FOLDER / f"{name}.jpg"
+    else:
+        path = _picture_of(user_folder() / f"{name}.json") if name in user_names() else None
+    return path if path and path.is_file() and not path.is_symlink() else None
+
+
+def _of_user(name):
+    if name not in user_names():
+        raise style.StyleError(f"there is no saved style '{name}' of yours")
+    return user_folder() / f"{name}.json"
+
+
+def _picture_of(path):
+    return path.with_suffix(".png")
+
+
+def _draw(path, wanted):
+    """A style without a thumbnail is better than one with the thumbnail of another."""
+    try:
+        _write(path, native.load().png_bytes(style_picture.draw(wanted)))
+    except (native.Unavailable, ValueError) as error:
+        _log.warning("no thumbnail of %s: %s", path.stem, error)
+        path.unlink(missing_ok=True)
+
+
+def _write(path, data):
+    fresh = path.with_name(f"{path.name}.new")
+    fresh.write_bytes(data)
+    fresh.replace(path)

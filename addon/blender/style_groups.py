@@ -149,6 +149,8 @@ def _style():
     return {
         "schema": IntProperty(options={"HIDDEN"}),
         "untouched": StringProperty(options={"HIDDEN"}),
+        "source": StringProperty(options={"HIDDEN"}),  # the file name it has, or had, among those that ship or are saved
+        "brought": StringProperty(options={"HIDDEN"}),  # the .blend file and the name that it was appended from
         "kept": StringProperty(options={"HIDDEN"}),
         **parts,
         "line_sets": CollectionProperty(type=_groups[LineSet]),

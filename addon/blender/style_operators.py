@@ -27,11 +27,7 @@ def _users(_self, _context):
     return _enum("users", style_files.user_names())
 
 
-def _shipped(_self, _context):
-    return _enum("shipped", style_files.shipped_names())
-
-
-class _StyleOperator:
+class StyleOperator:
     """What all of them have: a scene, undo, and files' troubles as one sentence."""
 
     bl_options = {"REGISTER", "UNDO"}
@@ -48,7 +44,7 @@ class _StyleOperator:
         return {"FINISHED"}
 
 
-class _OnStyle(_StyleOperator):
+class OnStyle(StyleOperator):
     """Of the scene's own style."""
 
     @classmethod
@@ -59,19 +55,21 @@ class _OnStyle(_StyleOperator):
         return True
 
 
-class FOVEA_OT_style_new(_StyleOperator, bpy.types.Operator):
-    """Give the scene a style of its own to edit, made from one that ships"""
+class FOVEA_OT_style_new(StyleOperator, bpy.types.Operator):
+    """Give the scene a style of its own to edit: the default style of the preferences, unless another is named"""
 
     bl_idname, bl_label = "fovea.style_new", "New Style"
 
-    style: EnumProperty(name="From", description="The style it begins as", items=_shipped)
+    # Without an own value it is the first of them.
+    style: EnumProperty(name="From", description="The style it begins as", items=_all, options={"SKIP_SAVE"})
 
     def act(self, context):
         tree = style_data.new("Style", style_files.load(self.style))
+        style_data.note_source(tree, self.style)
         style_data.assign(context.scene, tree)
 
 
-class FOVEA_OT_style_apply(_StyleOperator, bpy.types.Operator):
+class FOVEA_OT_style_apply(StyleOperator, bpy.types.Operator):
     """Draw the scene in this style. A style that was edited before stays in the file"""
 
     bl_idname, bl_label = "fovea.style_apply", "Apply Style"
@@ -84,9 +82,10 @@ class FOVEA_OT_style_apply(_StyleOperator, bpy.types.Operator):
 
     def act(self, context):
         style_data.use(context.scene, style_files.load(self.style), style_data.title(self.style))
+        style_data.note_source(style_data.of(context.scene), self.style)
 
 
-class FOVEA_OT_style_duplicate(_OnStyle, bpy.types.Operator):
+class FOVEA_OT_style_duplicate(OnStyle, bpy.types.Operator):
     """Draw the scene in a copy of its style, and leave the style itself to others"""
 
     bl_idname, bl_label = "fovea.style_duplicate", "Duplicate Style"
@@ -97,7 +96,7 @@ class FOVEA_OT_style_duplicate(_OnStyle, bpy.types.Operator):
         context.scene.fovea.style = copy
 
 
-class FOVEA_OT_style_import(_StyleOperator, bpy.types.Operator, ImportHelper):
+class FOVEA_OT_style_import(StyleOperator, bpy.types.Operator, ImportHelper):
     """Draw the scene in a style from a JSON file"""
 
     bl_idname, bl_label = "fovea.style_import", "Import Style"
@@ -113,7 +112,7 @@ class FOVEA_OT_style_import(_StyleOperator, bpy.types.Operator, ImportHelper):
         style_data.use(context.scene, found, style_data.title(Path(self.filepath).stem) or "Style")
 
 
-class FOVEA_OT_style_export(_OnStyle, bpy.types.Operator, ExportHelper):
+class FOVEA_OT_style_export(OnStyle, bpy.types.Operator, ExportHelper):
     """Write the scene's style to a JSON file, its numbers as they are at this frame"""
 
     bl_idname, bl_label = "fovea.style_export", "Export Style"
@@ -130,11 +129,11 @@ class FOVEA_OT_style_export(_OnStyle, bpy.types.Operator, ExportHelper):
         style_files.write(self.filepath, found)
 
 
-class FOVEA_OT_style_save(_OnStyle, bpy.types.Operator):
+class FOVEA_OT_style_save(OnStyle, bpy.types.Operator):
     """Keep the scene's style among your own, for other files. One of yours with that name is replaced"""
 
     bl_idname, bl_label = "fovea.style_save", "Save Style"
-    bl_options = {"REGISTER"}
+    bl_options = {"UNDO"}  # the style knows what it was saved as; another name tried afterwards would be another file
 
     name: StringProperty(name="Name", description="Of the style; none: as the scene's is named", maxlen=60)
 
@@ -144,24 +143,79 @@ class FOVEA_OT_style_save(_OnStyle, bpy.types.Operator):
 
     def act(self, context):
         tree = style_data.of(context.scene)
-        path = style_files.save(style_files.file_name(self.name or tree.name), style_read.read(tree))
+        name = style_files.file_name(self.name or tree.name)
+        path = style_files.save(name, style_read.read(tree))
+        style_data.note_source(tree, name)
         self.report({"INFO"}, f"Saved as {path}")
 
 
-class FOVEA_OT_style_delete(_StyleOperator, bpy.types.Operator):
-    """Delete the file of one of your styles; scenes that draw with it keep theirs. This cannot be undone"""
+class FOVEA_OT_style_update(OnStyle, bpy.types.Operator):
+    """Write the scene's style over the saved one that it came from, with its numbers as they are at this frame. This
+    cannot be undone"""
 
-    bl_idname, bl_label = "fovea.style_delete", "Delete Saved Style"
+    bl_idname, bl_label = "fovea.style_update", "Update Saved Style"
     bl_options = {"REGISTER"}
 
-    style: EnumProperty(name="Style", description="One of yours", items=_users)
+    @classmethod
+    def poll(cls, context):
+        if not super().poll(context):
+            return False
+        source = style_data.of(context.scene).fovea.source
+        if source in style_files.user_names():
+            return True
+        gone = f"The saved style '{source}' is no more" if source else "This style does not come from a saved one"
+        cls.poll_message_set(f"{gone}: press Save to keep it among yours")
+        return False
+
+    def invoke(self, context, event):
+        source = style_data.of(context.scene).fovea.source
+        words = {"title": f"Write over the saved style '{source}'?", "confirm_text": "Update"}
+        return context.window_manager.invoke_confirm(self, event, **words)
+
+    def act(self, context):
+        tree = style_data.of(context.scene)
+        path = style_files.save(tree.fovea.source, style_read.read(tree))
+        self.report({"INFO"}, f"Updated {path}")
+
+
+class _OnSaved(StyleOperator):
+    """Of one of the user's saved styles."""
+
+    bl_options = {"REGISTER"}
 
     @classmethod
     def poll(cls, _context):
         if not style_files.user_names():
-            cls.poll_message_set("There are no saved styles of yours")
+            cls.poll_message_set("There are no saved styles of yours: Save keeps one")
             return False
         return True
+
+
+class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
+    """Give the file of one of your styles another name. This cannot be undone"""
+
+    bl_idname, bl_label = "fovea.style_rename", "Rename Saved Style"
+
+    style: EnumProperty(name="Style", description="One of yours", items=_users)
+    name: StringProperty(name="Name", description="The name it shall have", maxlen=60)
+
+    def invoke(self, context, _event):
+        self.name = style_data.title(self.style)
+        return context.window_manager.invoke_props_dialog(self)
+
+    def act(self, _context):
+        old, fresh = self.style, style_files.file_name(self.name)  # afterwards there is no style of the old name to choose
+        if fresh != old:
+            style_files.rename(old, fresh)
+            style_data.follow_source(old, fresh)
+
+
+class FOVEA_OT_style_delete(_OnSaved, bpy.types.Operator):
+    """Delete the file of one of your styles; scenes that draw with it keep theirs. This cannot be undone"""
+
+    bl_idname, bl_label = "fovea.style_delete", "Delete Saved Style"
+
+    style: EnumProperty(name="Style", description="One of yours", items=_users)
 
     def invoke(self, context, event):
         return context.window_manager.invoke_confirm(self, event)
@@ -177,6 +231,8 @@ CLASSES = (
     FOVEA_OT_style_import,
     FOVEA_OT_style_export,
     FOVEA_OT_style_save,
+    FOVEA_OT_style_update,
+    FOVEA_OT_style_rename,
     FOVEA_OT_style_delete,
 )
 

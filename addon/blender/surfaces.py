@@ -1,11 +1,14 @@
 """Native surfaces of meshes, kept from frame to frame; content tells them apart, never a pointer or an update flag."""
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
-from . import mesh_arrays
+from . import kept, mesh_arrays
 from . import repair as repairs
+
+BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 
 
 @dataclass
@@ -16,6 +19,7 @@ class _Entry:
     ngons: tuple
     seen: tuple = ()  # of a refined one: content hashes of what Blender made of the cage
     age: int = 0  # passes since it was last asked for
+    used: int = 0  # when it was last asked for
 
 
 class SurfaceCache:
@@ -29,6 +33,7 @@ class SurfaceCache:
         self.rebuilt = []  # surfaces built in this pass
         self.moved = []  # surfaces whose positions changed in this pass
         self.remarks = []  # sentences for the user about what was built in this pass
+        kept.add_cache(self)
 
     def begin(self):
         """Starts a pass over a depsgraph."""
@@ -39,6 +44,18 @@ class SurfaceCache:
     def end(self, kept_passes):
         """Ends it: lets go of surfaces that none of the last `kept_passes` passes asked for."""
         self._entries = {key: entry for key, entry in self._entries.items() if entry.age < kept_passes}
+
+    def items(self, needed):
+        """The kept.Items: surfaces; those that are needed, by their ids, stay."""
+        return [
+            kept.Item(entry.used, _size(entry.surface), None if id(entry.surface) in needed else partial(self._drop, key))
+            for key, entry in self._entries.items()
+        ]
+
+    def _drop(self, key):
+        gone = self._entries.pop(key).surface
+        self.rebuilt = [surface for surface in self.rebuilt if surface is not gone]
+        self.moved = [surface for surface in self.moved if surface is not gone]
 
     def surface(self, key, name, mesh, slots, repair=None, *, with_marks):
         """The native surface of an evaluated mesh. `slots`: its materials; `name` is for messages."""
@@ -58,7 +75,7 @@ class SurfaceCache:
                 entry = _Entry(self._core.Surface(name, *whole), topology, positions, ngons)
                 self._entries[key] = entry
                 self.rebuilt.append(entry.surface)
-        entry.age = 0
+        entry.age, entry.used = 0, kept.now()
         return entry.surface
 
     def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks):
@@ -74,7 +91,7 @@ class SurfaceCache:
             with cage() as mesh:
                 entry = self._entries[key] = self._refined(entry, name, mesh, slots, plan, repair, with_marks)
             entry.seen = seen
-        entry.age = 0
+        entry.age, entry.used = 0, kept.now()
         return entry.surface
 
     def _refined(self, entry, name, cage, slots, plan, repair, with_marks):
@@ -132,6 +149,13 @@ class SurfaceCache:
 
     def _hash(self, array):
         return 0 if array is None else self._core.content_hash(array)
+
+
+def _size(surface):
+    """Bytes that a surface takes with what was found on it, about; measured of quads."""
+    if surface is None:
+        return 0
+    return len(surface.triangles) * (BYTES_WITH_CURVATURE if surface.fields_reason else BYTES)
 
 
 def _per_polygon(arrays, slots):

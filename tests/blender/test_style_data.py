@@ -93,16 +93,33 @@ def test_a_single_point_holds_everywhere(scene):
     assert np.allclose(style_curves.read(tree, "effects", "width"), ((0.0, 0.3), (1.0, 0.3)))
 
 
-def test_what_blender_shows_of_vector_handles_is_what_is_drawn(scene):
+CORNERS = ((0.0, 0.0), (0.3, 0.9), (0.5, 0.2), (1.0, 1.0))
+
+
+BENT = ((0.0, 0.0), (0.2, 0.1), (0.7, 0.9), (1.0, 0.8))
+
+
+@pytest.mark.parametrize("handle, points, most", [("VECTOR", CORNERS, 8), ("AUTO", BENT, 20)])
+def test_what_blender_shows_of_other_handles_is_what_is_drawn(scene, handle, points, most):
     tree = bpy.data.node_groups.new("Curve", "ShaderNodeTree")
-    style_curves.write(tree, "effects", "width", ((0.0, 0.0), (0.5, 0.9), (1.0, 1.0)))
+    style_curves.write(tree, "effects", "width", points)
     mapping = tree.nodes["effects.width"].mapping
     for point in mapping.curves[0].points:
-        point.handle_type = "VECTOR"
+        point.handle_type = handle
     mapping.update()
-    found = np.array(style_curves.read(tree, "effects", "width"))
-    assert len(found) == focus.MOST_CURVE_POINTS
-    assert np.allclose(found[:, 1], np.interp(found[:, 0], (0, 0.5, 1), (0, 0.9, 1)), atol=0.01)
+    found = style_curves.read(tree, "effects", "width")
+    x = np.linspace(0, 1, 257)
+    shown = np.clip([mapping.evaluate(mapping.curves[0], v) for v in x], 0, 1)
+    if handle == "VECTOR":
+        shown = np.interp(x, *zip(*CORNERS))  # Blender's table rounds corners off by a step of it
+        assert all(np.abs(np.array(found) - corner).max(axis=1).min() < 1e-6 for corner in CORNERS), "its own points stay"
+    off = np.abs(part("curve_fit").monotone_cubic(found, x) - shown).max()
+    assert off < 1e-3, off
+    assert len(found) <= most, len(found)
+    # What is written to a file and comes back is the same curve.
+    style_curves.write(tree, "effects", "width", found)
+    again = style_curves.read(tree, "effects", "width")
+    assert np.allclose(again, found, atol=1e-6)
 
 
 def test_a_style_survives_without_its_curves_and_with_odd_numbers(scene):

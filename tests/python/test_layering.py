@@ -51,20 +51,22 @@ PARTS = {
     "catalogue": "native",
     "line_arrays": "native",
     "textures": "backend/cpu style stages",
+    "still_life": "",
+    "curve_fit": "",
     "backend/cpu": "native stages",
     "backend/gpu": "backend/cpu backend/gpu native stages",
     "visibility": "backend/cpu",
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
     "budget": "focus",
-    "blender": "blender backend budget catalogue color elision emphasis focus line_arrays native pipeline stages style "
-    "style_mix textures",
+    "blender": "blender backend budget catalogue color curve_fit elision emphasis focus line_arrays native pipeline stages "
+    "still_life style style_mix textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
     r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|"
-    r"blender/(api|drawn_lines|preferences|reading|scene|session|viewport))\.py"
+    r"blender/(api|drawn_lines|preferences|reading|scene|session|style_picture|viewport))\.py"
 )
 
 

@@ -22,6 +22,10 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
         row.operator("fovea.style_import", text="Import")
         row.operator("fovea.style_export", text="Export")
         row.operator("fovea.style_save", text="Save")
+        row.operator("fovea.style_update", text="Update")
+        row = layout.row(align=True)
+        row.operator("fovea.style_mark_asset", text="Mark as Asset", icon="ASSET_MANAGER")
+        row.operator("fovea.style_clear_asset", text="", icon="X")
         mixing = layout.column()
         mixing.use_property_split = True
         mixing.prop(context.scene.fovea, "mixed_style")
@@ -49,7 +53,9 @@ def draw_gallery(layout):
         column.template_icon(icon_value=icon, scale=6.0)
         column.operator("fovea.style_apply", text=style_data.title(name)).style = name
     if style_files.user_names():
-        layout.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")
+        row = layout.row(align=True)
+        row.operator_menu_enum("fovea.style_rename", "style", text="Rename One of Yours")
+        row.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")
 
 
 CLASSES = (RENDER_PT_fovea_style,)

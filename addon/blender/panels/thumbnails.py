@@ -6,6 +6,7 @@ import bpy.utils.previews
 from .. import style_files
 
 _kept = {}  # "styles": the collection, while there is an interface to show it
+_read = {}  # style: what tells the picture's file from a later one
 
 
 def icon_of(name):
@@ -15,13 +16,17 @@ def icon_of(name):
         return bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items["FILE_IMAGE"].value
     if "styles" not in _kept:
         _kept["styles"] = bpy.utils.previews.new()
-    pictures = _kept["styles"]
+    pictures, file = _kept["styles"], (path, path.stat().st_mtime_ns)
+    if name in pictures and _read[name] != file:
+        del pictures[name]
     if name not in pictures:
-        pictures.load(name, str(path), "IMAGE")
+        pictures.load(name, str(path), "IMAGE", force_reload=True)
+        _read[name] = file
     return pictures[name].icon_id
 
 
 def forget():
+    _read.clear()
     pictures = _kept.pop("styles", None)
     if pictures is not None:
         bpy.utils.previews.remove(pictures)

@@ -1,0 +1,116 @@
+"""The memory limit: what is kept between pictures is bounded, the longest unused goes first, and pictures stay the same."""
+
+import gc
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from measure_kept import ball, megabytes
+from pictures import box_scene, drawn
+from the_addon import part, use_style
+
+kept, preferences, session = (part(f"blender.{name}") for name in ("kept", "preferences", "session"))
+
+
+@pytest.fixture
+def scene():
+    """Four meshes, with lines that need curvature."""
+    made = box_scene()
+    for i in range(3):
+        ball(f"Ball {i}", (2.0 * i - 2, 0, 0))
+    use_style(made, "study")
+    session._forget()
+    gc.collect()
+    yield made
+    kept.set_limit(0)
+
+
+def surfaces_kept():
+    return sorted(entry.surface.name for cache in session._caches.values() for entry in cache._entries.values())
+
+
+def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, tmp_path):
+    first = drawn(scene, tmp_path / "a.png")
+    whole = megabytes()
+    assert whole > 10 and len(surfaces_kept()) == 4
+    kept.set_limit(int(whole) + 1)
+    again = drawn(scene, tmp_path / "b.png")
+    assert len(surfaces_kept()) == 4 and session._caches["RENDER"].rebuilt == []
+    kept.set_limit(int(0.5 * whole))
+    assert 0 < megabytes() <= 0.5 * whole, "at once"
+    bounded = drawn(scene, tmp_path / "c.png")
+    assert 0 < megabytes() <= 0.5 * whole, "and after each picture"
+    kept.set_limit(1)
+    alone = drawn(scene, tmp_path / "d.png")
+    assert megabytes() <= 1
+    assert all(np.array_equal(first, other) for other in (again, bounded, alone))
+
+
+def test_the_longest_unused_goes_first(scene, tmp_path):
+    drawn(scene, tmp_path / "a.png")
+    entries = session._caches["RENDER"]._entries
+    order = [entry.surface.name for entry in sorted(entries.values(), key=lambda entry: entry.used)]
+    kept.set_limit(int(0.75 * megabytes()))
+    assert 1 < len(surfaces_kept()) < 4 and surfaces_kept() == sorted(order[-len(surfaces_kept()) :])
+
+
+@pytest.mark.parametrize("name", ["plain", "study"])
+def test_what_is_reckoned_is_what_is_given_back(name):
+    script = Path(__file__).with_name("measure_kept.py")
+    command = [bpy.app.binary_path, "-b", "--python-exit-code", "1", "-P", str(script), "--", name]
+    ran = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    told = re.search(r"MEASURED (\{.*\})", ran.stdout)
+    assert told, ran.stdout + ran.stderr
+    found = json.loads(told[1])
+    # Allocators hold on to some of it for what comes next, now more and now less; they never give back more.
+    assert 0.25 * found["reckoned"] < found["back"] < 1.5 * found["reckoned"], found
+
+
+def test_images_of_materials_count_and_go(scene, tmp_path):
+    held = use_style(scene, "watercolor")
+    image = bpy.data.images.new("Large", 1024, 1024)
+    material = bpy.data.materials.new("Painted")
+    material.use_nodes = True
+    node = material.node_tree.nodes.new("ShaderNodeTexImage")
+    node.image = image
+    shader = next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
+    material.node_tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
+    mesh = bpy.data.objects["Box"].data
+    mesh.uv_layers.new()
+    mesh.materials.append(material)
+    assert held.color.shading != "PLAIN"
+    first = drawn(scene, tmp_path / "a.png")
+    colors = session._color_caches["RENDER"]
+    assert colors.items(set())[0].size == 4 * 1024 * 1024 * 4 // 3
+    kept.set_limit(1)
+    gc.collect()
+    kept.trim()
+    assert colors.items(set())[0].size == 0
+    assert np.array_equal(first, drawn(scene, tmp_path / "b.png"))
+
+
+def test_what_a_snapshot_needs_stays(scene, tmp_path):
+    read = part("blender.reading").Reader()
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    found = read.read(depsgraph, part("blender.properties").style_of(scene))
+    kept.set_limit(1)
+    assert len(read._surfaces._entries) == 4, "somebody still looks at it"
+    del found
+    gc.collect()
+    kept.trim()
+    assert len(read._surfaces._entries) == 0
+
+
+def test_the_preference_sets_the_limit(scene):
+    told = preferences.FoveaPreferences.bl_rna.properties["memory_limit"]
+    assert told.default == 0 and "0: no limit" in told.description
+
+    class Wanted:
+        log_level, threads, memory_limit = "WARNING", 0, 7
+
+    preferences.apply(Wanted)
+    assert kept._limit == 7 * kept.MEGABYTE

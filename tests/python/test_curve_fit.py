@@ -1,0 +1,57 @@
+"""Points for response curves: few, and near to the curve they stand for."""
+
+import numpy as np
+import pytest
+from addon import curve_fit
+from native_core import core
+PLACES = 257
+X = np.linspace(0, 1, PLACES)
+
+
+def fitted(y, kept=(), corners=(), most=32):
+    return np.array(curve_fit.fewest(tuple(zip(X.tolist(), y.tolist())), tuple(kept), tuple(corners), most))
+
+
+def off(y, chosen):
+    return np.abs(curve_fit.monotone_cubic(np.stack([X[chosen], y[chosen]], axis=1), X) - y).max()
+
+
+def test_points_are_joined_as_transfer_functions_join_them():
+    points = np.array([(0.0, 0.1), (0.2, 0.7), (0.45, 0.3), (0.5, 0.3), (0.9, 1.0)], np.float32)
+    x = np.linspace(0, 1, 65)
+    native_values = [core.Transfer(0.0, 1.0, 1.0, points)(np.array([v], np.float32))[0] for v in x]
+    assert np.allclose(curve_fit.monotone_cubic(points, x), native_values, atol=1e-5)
+
+
+CURVES = {
+    "wave": 0.5 + 0.4 * np.sin(7 * X),
+    "root": np.sqrt(X),
+    "corners": np.interp(X, [0, 0.25, 0.5, 1], [0, 1, 0.25, 1]),
+    "flat": np.full(PLACES, 0.5),
+    "straight": X,
+}
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_few_points_keep_to_the_curve(name):
+    y = CURVES[name]
+    chosen = fitted(y)
+    assert off(y, chosen) <= curve_fit.TOLERANCE and len(chosen) <= 28
+    for i in chosen[1:-1]:
+        assert off(y, chosen[chosen != i]) > curve_fit.TOLERANCE, "one of them was not needed"
+
+
+def test_a_straight_line_has_two_points():
+    assert list(fitted(X)) == [0, PLACES - 1]
+
+
+def test_corners_take_three_points_and_stay():
+    y = CURVES["corners"]
+    chosen = fitted(y, kept=(0, 64, 128, 256), corners=(0, 64, 128, 256))
+    assert {0, 64, 128, 256} <= set(chosen.tolist()) and len(chosen) <= 8
+    assert off(y, chosen) <= curve_fit.TOLERANCE
+
+
+def test_there_are_never_more_points_than_a_file_may_have():
+    y = 0.5 + 0.5 * np.sign(np.sin(60 * X))
+    assert len(fitted(y, most=32)) == 32
