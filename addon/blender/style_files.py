@@ -117,7 +117,7 @@ def _picture_of(path):
 def _draw(path, wanted):
     """A style without a thumbnail is better than one with the thumbnail of another."""
     try:
-        _write(path, native.load().png_bytes(style_picture.draw(wanted)))
+        _write(path, style_picture.png(style_picture.draw(wanted)))
     except (native.Unavailable, ValueError) as error:
         _log.warning("no thumbnail of %s: %s", path.stem, error)
         path.unlink(missing_ok=True)

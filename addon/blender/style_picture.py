@@ -34,6 +34,11 @@ def draw(style):
     return np.round(255 * _encoded(np.clip(small, 0, 1))).astype(np.uint8)
 
 
+def png(pixels):
+    """The bytes of a PNG file of (H, W, 3) uint8, bottom row first."""
+    return native.load().png_bytes(pixels)
+
+
 @lru_cache(maxsize=1)
 def _scene(core):
     """The native Scene and its color.Sources."""
