@@ -1,4 +1,4 @@
-"""Points for a response curve: the fewest found whose monotone cubic (native/focus/transfer.h) keeps to a given curve."""
+"""Points for a response curve: the fewest found whose monotone cubic (native/focus/transfer.h) keeps to a given one."""
 
 from functools import lru_cache
 

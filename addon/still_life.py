@@ -84,7 +84,7 @@ def _turned(name, profile, place, color, smooth=True):
 def _box(name, place, half, turn, color):
     corners = np.array([(x, y, z) for z in (0, 2) for y in (-1, 1) for x in (-1, 1)]) * half
     c, s = np.cos(turn), np.sin(turn)
-    points = np.column_stack([c * corners[:, 0] - s * corners[:, 1], s * corners[:, 0] + c * corners[:, 1], corners[:, 2]])
+    points = corners @ np.array([(c, s, 0), (-s, c, 0), (0, 0, 1)])
     quads = np.array([(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)])
     return _shape(name, points + (*place, 0.0), quads, None, color)
 

@@ -1,9 +1,9 @@
 """What is kept between pictures, and the bound that preferences give to it.
 
-Caches of surfaces (with what was found on them: fields, lines, BVHs) and of colours are registered here. When they hold
-more than the limit, what was unused longest is let go, until it is enough or only what a snapshot of a scene still needs
-is left: what viewports show, what is being drawn. It is made again when it is needed, so that pictures do not depend on
-it. Systems that allocate memory hold on to some of it for what comes next.
+Caches of surfaces (with what was found on them: fields, lines, BVHs) and of colours are registered here. When they
+hold more than the limit, what was unused longest is let go, until it is enough or only what a snapshot of a scene still
+needs is left: what viewports show, what is being drawn. It is made again when it is needed, so that pictures do not
+depend on it. What allocates memory for Blender holds on to some of it for what comes next.
 """
 
 import itertools

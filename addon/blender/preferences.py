@@ -60,10 +60,10 @@ class FoveaPreferences(bpy.types.AddonPreferences):
     )
     memory_limit: bpy.props.IntProperty(
         name="Memory Limit",
-        description="Most megabytes that Fovea keeps from one picture for the next: meshes, what was found on them, and "
-        "images of materials, reckoned by triangles and texels. Beyond it, what was unused longest is let go, and made "
-        "again when it is needed. What viewports show stays, and drawing takes memory of its own. Pictures do not depend "
-        "on it. 0: no limit",
+        description="Most megabytes that Fovea keeps from one picture for the next: meshes, what was found on them, "
+        "and images of materials, reckoned by triangles and texels. Beyond it, what was unused longest is let go, and "
+        "made again when it is needed. What viewports show stays, and drawing takes memory of its own. Pictures do not "
+        "depend on it. 0: no limit",
         default=0,
         min=0,
         soft_max=65536,

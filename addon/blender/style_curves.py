@@ -1,7 +1,7 @@
 """Response curves of transfer functions: Float Curve nodes in a style's node tree, each named by its part and effect.
 
-Fovea joins the points by a monotone cubic, which is what Blender shows of points whose handles are clamped. Of others, as
-vectors or such as overshoot, style files cannot say the handles: there the curve's points stay, and as many are put
+Fovea joins the points by a monotone cubic, which is what Blender shows of points whose handles are clamped. Of others,
+as vectors or such as overshoot, style files cannot say the handles: there the curve's points stay, and as many are put
 between them as keep what is drawn to what Blender shows. Two points are a straight line to both.
 """
 

@@ -204,7 +204,8 @@ class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
         return context.window_manager.invoke_props_dialog(self)
 
     def act(self, _context):
-        old, fresh = self.style, style_files.file_name(self.name)  # afterwards there is no style of the old name to choose
+        # Once it is renamed there is no style of the old name to be chosen.
+        old, fresh = self.style, style_files.file_name(self.name)
         if fresh != old:
             style_files.rename(old, fresh)
             style_data.follow_source(old, fresh)

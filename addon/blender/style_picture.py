@@ -1,5 +1,5 @@
-"""Thumbnails of styles: what each makes of a small scene of its own (still_life.py), drawn natively. Nothing of Blender's
-is touched, so that a thumbnail is the same whatever the file holds."""
+"""Thumbnails of styles: what each makes of a small scene of its own (still_life.py), drawn natively. Nothing of
+Blender's is touched, so that a thumbnail is the same whatever the file holds."""
 
 from dataclasses import replace
 from functools import lru_cache

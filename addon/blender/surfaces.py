@@ -47,10 +47,11 @@ class SurfaceCache:
 
     def items(self, needed):
         """The kept.Items: surfaces; those that are needed, by their ids, stay."""
-        return [
-            kept.Item(entry.used, _size(entry.surface), None if id(entry.surface) in needed else partial(self._drop, key))
-            for key, entry in self._entries.items()
-        ]
+        found = []
+        for key, entry in self._entries.items():
+            let_go = None if id(entry.surface) in needed else partial(self._drop, key)
+            found.append(kept.Item(entry.used, _size(entry.surface), let_go))
+        return found
 
     def _drop(self, key):
         gone = self._entries.pop(key).surface

@@ -1,4 +1,4 @@
-"""The memory limit: what is kept between pictures is bounded, the longest unused goes first, and pictures stay the same."""
+"""The memory limit: what is kept between pictures is bounded, the longest unused goes first, pictures stay the same."""
 
 import gc
 import json

@@ -59,8 +59,8 @@ PARTS = {
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
     "budget": "focus",
-    "blender": "blender backend budget catalogue color curve_fit elision emphasis focus line_arrays native pipeline stages "
-    "still_life style style_mix textures",
+    "blender": "blender backend budget catalogue color curve_fit elision emphasis focus line_arrays native pipeline "
+    "stages still_life style style_mix textures",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
