@@ -117,7 +117,8 @@ def test_a_stopped_render_gives_no_picture(scene, monkeypatch):
     monkeypatch.setattr(session.pipeline, "draw", stopped)
     depsgraph = bpy.context.evaluated_depsgraph_get()
     view = part("stages").View(np.eye(4), np.eye(4), 4, 4, True, 0.1, 10.0)
-    assert session._draw(StoppedEngine(), depsgraph, view) is None
+    monkeypatch.setattr(session.camera, "of_render", lambda *_arguments: view)
+    assert session.final_image(StoppedEngine(), depsgraph) is None
 
 
 def in_child(tmp_path, scene, environment):
