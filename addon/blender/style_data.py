@@ -85,9 +85,12 @@ def follow_source(name, fresh):
             note_source(tree, fresh)
 
 
+_WORDS = {"and": "and", "xray": "X-Ray"}  # of file names, as they are written
+
+
 def title(name):
     """A style's file name in words."""
-    return name.replace("_", " ").title()
+    return " ".join(_WORDS.get(word, word.title()) for word in name.split("_"))
 
 
 def choose_lines(held, names):

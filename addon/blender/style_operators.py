@@ -139,7 +139,7 @@ class FOVEA_OT_style_save(OnStyle, bpy.types.Operator):
 
     def invoke(self, context, _event):
         self.name = style_data.of(context.scene).name
-        return context.window_manager.invoke_props_dialog(self)
+        return context.window_manager.invoke_props_dialog(self, confirm_text="Save")
 
     def act(self, context):
         tree = style_data.of(context.scene)
@@ -201,7 +201,7 @@ class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
 
     def invoke(self, context, _event):
         self.name = style_data.title(self.style)
-        return context.window_manager.invoke_props_dialog(self)
+        return context.window_manager.invoke_props_dialog(self, confirm_text="Rename")
 
     def act(self, _context):
         # Once it is renamed there is no style of the old name to be chosen.

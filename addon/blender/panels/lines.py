@@ -101,12 +101,13 @@ def draw_pens(layout, scene, line_set):
         draw_properties(body, line_set, ("corner_angle", "least_length", "overshoot", "halo"))
         draw_pen(body, line_set.pen)
     header, body = layout.panel("fovea_pen_away", default_closed=True)
+    header.use_property_split = False
     header.prop(line_set, "away")
     if body:
         body.active = line_set.away
         body.prop(line_set, "overshoot_away")
         draw_pen(body, line_set.pen_away)
-    body = fold(layout, "hidden", "Where Lines Are Hidden")
+    body = fold(layout, "hidden", "Hidden Lines")
     if body:
         _draw_hidden(body, scene, line_set)
 
@@ -127,6 +128,7 @@ def _draw_hidden(body, scene, line_set):
     draw_properties(body, hidden, ("first", "last"))
     draw_pen(body, hidden.pen)
     header, away = body.panel("fovea_hidden_away", default_closed=True)
+    header.use_property_split = False
     header.prop(hidden, "away")
     if away:
         away.active = hidden.away

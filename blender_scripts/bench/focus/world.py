@@ -56,7 +56,7 @@ class World:
         seen = scene.seen(native.load(), view)
         with kept_calls(cpu, "shape", kept), kept_calls(emphasis, "thinned", thinned):
             image = self._draw(self._placed, seen, style_, backend or cpu.Backend(), self._options, **self._given)
-        (frame, runs, _, pens, samples, felt), _ = kept[-1]
+        (frame, runs, _, pens, samples, felt, *_), _ = kept[-1]
         return Drawn(image, view, style_, frame, runs, pens, samples, felt, thinned[-1][0][2] if thinned else runs)
 
 
