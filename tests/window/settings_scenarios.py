@@ -8,7 +8,7 @@ from the_addon import add_hidden, only_lines, part, use_style
 from window import screen
 
 catalogue = part("catalogue")
-MOST_ITEMS = 5  # of an enum that are tried: most textures differ in nothing but their pixels
+MOST_ITEMS = 3  # of an enum that are tried: most textures differ in nothing but their pixels
 ON = ("contour", "crease")  # kinds of lines that are drawn all the time; others with each of their parameters
 
 

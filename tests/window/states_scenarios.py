@@ -11,7 +11,7 @@ MIDDLE = np.s_[120:-60]  # rows without the brushes and tools that modes show ov
 
 
 def modes(folder):
-    """Every mode of a mesh entered and left; a mesh sculpted in, one painted on."""
+    """Every mode of a mesh entered and left; a mesh remade while it is sculpted, and that undone."""
     watch = yield from opened("suzanne:1")
     steps, ops, layer = Steps(watch), bpy.ops, bpy.context.view_layer
     screen.space().region_3d.view_distance = 6
@@ -24,8 +24,8 @@ def modes(folder):
         screen.swap()
         turn(-5)
         if mode == "SCULPT":
-            inflate = {"type": "INFLATE", "strength": 0.5}
-            yield from steps.step("sculpted", ops.sculpt.mesh_filter, "EXEC_DEFAULT", True, **inflate)
+            obj.data.remesh_voxel_size = 0.2
+            yield from steps.step("sculpted", ops.object.voxel_remesh, "EXEC_DEFAULT", True)
             yield from steps.step("not sculpted", ops.ed.undo)
         yield from steps.step(f"left {mode}", ops.object.mode_set, "EXEC_DEFAULT", True, mode="OBJECT")
     names = [name for name in steps.pictures if name not in ("start", "sculpted")]
