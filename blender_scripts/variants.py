@@ -1,5 +1,4 @@
-"""Runs inside Blender for `fovea figures`: one of the sheets of command/variants.py, as a JPEG of its tiles, or each tile
-by itself."""
+"""Runs inside Blender for `fovea figures`: one of the sheets of command/variants.py, as a JPEG of its tiles."""
 
 import argparse
 import sys
@@ -19,20 +18,15 @@ from command import draw_options, variants
 def main(words):
     parser = argparse.ArgumentParser()
     parser.add_argument("sheet", choices=variants.SHEETS)
-    parser.add_argument("output", type=Path, help="OUT.jpg, or a folder for OUT/TILE.jpg")
-    parser.add_argument("--tile", type=draw_options.frame_size)
+    parser.add_argument("output", type=Path, help="OUT.jpg")
     options = parser.parse_args(words)
     scene_name, tiles = variants.SHEETS[options.sheet]
-    size = options.tile or ((960, 540) if len(tiles) == 2 else (480, 270))
+    size = (960, 540) if len(tiles) == 2 else (480, 270)
     columns = min(sheet.columns_for(len(tiles), size), 3 if len(tiles) == 9 else 4)
     draw.open_scene(scene_name)
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder) / "tile.png"
         drawn = [draw_tile(scene_name, tile, size, picture) for _, tile in tiles]
-        if options.output.is_dir():
-            for (label, _), tile in zip(tiles, drawn, strict=True):
-                sheet.save(tile, options.output / f"{label}.jpg")
-            return
         labels = sheet.draw_labels([label for label, _ in tiles], columns, -(-len(tiles) // columns), size, picture)
     sheet.save(sheet.paste(drawn, np.repeat(labels[..., None], 3, axis=3), columns), options.output)
 

@@ -89,6 +89,9 @@ def _own_slot():
     if found is None:
         slots.new(name=SLOT)
         found = len(slots) - 1
+        # Were the slot taken away by undoing what asks for this, Blender would lose the memory of its result.
+        if not bpy.app.background:
+            bpy.ops.ed.undo_push(message="Render Slot for Fovea")
     try:
         slots.active_index = found
         yield

@@ -47,7 +47,7 @@ def figures(target, words):
     options.output.mkdir(parents=True, exist_ok=True)
     for name in options.names or known:
         if name == THUMBNAILS:
-            draw_sheet(target, "styles", STYLES, "--tile", "256x144")
+            draw_thumbnails(target)
             continue
         if name == STEPS:
             draw_steps(target)
@@ -63,11 +63,18 @@ def figures(target, words):
     return 0
 
 
-def draw_sheet(target, name, picture, *words):
+def draw_sheet(target, name, picture):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "variants.py"
-    actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture), *words])
+    actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture)])
     print(picture)
+
+
+def draw_thumbnails(target):
+    extension.install(target)
+    script = PROJECT / "blender_scripts" / "thumbnails.py"
+    actions.in_blender(target, "drawing the thumbnails", script, [str(STYLES)])
+    print(STYLES)
 
 
 def draw_steps(target):
