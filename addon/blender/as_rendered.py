@@ -3,16 +3,18 @@
 Only a render has a depsgraph with what is made for renders: levels of subdivision, visibility, particles. So Blender's
 render is run for one view layer with Fovea as the engine, which hands the depsgraph over and draws nothing. Handlers of
 renders are called, as Blender does; compositing and sequencing are left out. What has been rendered before is kept: the
-empty result has a slot of its own.
+empty result goes to a slot that is free.
 """
 
 from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import bpy
+import numpy as np
 
 from .problem import CannotDraw
 
-SLOT = "Fovea"  # of the Render Result
 _PLAIN = {"engine": "FOVEA", "use_compositing": False, "use_sequencer": False, "use_freestyle": False}
 
 _look = None  # what the render that is under way is for
@@ -50,7 +52,7 @@ def look(context, take):
     scene, layer = context.scene, context.view_layer
     done = _look = _Look(take, layer.name)
     try:
-        with _set(scene.render, _PLAIN), _set(layer, {"use": True}), _own_slot():
+        with _set(scene.render, _PLAIN), _set(layer, {"use": True}), _free_slot(scene):
             bpy.ops.render.render(scene=scene.name, layer=layer.name)
     except RuntimeError as error:  # Blender's own words
         raise CannotDraw(str(error).removeprefix("Error: ").strip()) from error
@@ -73,27 +75,42 @@ def _set(settings, wanted):
             setattr(settings, name, wanted[name])
         yield
     finally:
-        for name in reversed(changed):
+        for name in changed:  # what others depend on comes first, here, too
             setattr(settings, name, before[name])
 
 
 @contextmanager
-def _own_slot():
-    """The Render Result, if there is one, in a slot of its own for a while."""
+def _free_slot(scene):
+    """For a while the Render Result, if there is one, shows a slot that holds no picture, the last of these. None is made:
+    were it taken away again by undoing what asks for this, Blender would lose what the others hold."""
     image = next((image for image in bpy.data.images if image.type == "RENDER_RESULT"), None)
     if image is None:
         yield
         return
     slots, before = image.render_slots, image.render_slots.active_index
-    found = next((i for i, slot in enumerate(slots) if slot.name == SLOT), None)
-    if found is None:
-        slots.new(name=SLOT)
-        found = len(slots) - 1
-        # Were the slot taken away by undoing what asks for this, Blender would lose the memory of its result.
-        if not bpy.app.background:
-            bpy.ops.ed.undo_push(message="Render Slot for Fovea")
     try:
-        slots.active_index = found
+        others = (i for i in reversed(range(len(slots))) if i != before)
+        if next((i for i in others if _is_free(image, i, scene)), None) is None:
+            raise CannotDraw("All slots of the Render Result hold pictures: render anew into one that you do not need")
         yield
     finally:
         slots.active_index = before
+
+
+def _is_free(image, index, scene):
+    """Whether a slot, which becomes the active one, holds nothing, or a picture that is black all over, as is left here."""
+    image.render_slots.active_index = index
+    stored, wanted = scene.render.image_settings, {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8"}
+    if hasattr(stored, "media_type"):
+        wanted = {"media_type": "IMAGE"} | wanted
+    with TemporaryDirectory() as folder, _set(stored, wanted):
+        path = str(Path(folder) / "slot.png")
+        try:
+            image.save_render(path, scene=scene)
+        except RuntimeError:  # Blender has nothing to save
+            return True
+        held = bpy.data.images.load(path)
+        pixels = np.empty(len(held.pixels), np.float32)
+        held.pixels.foreach_get(pixels)
+        bpy.data.images.remove(held)
+    return not pixels.reshape(-1, 4)[:, :3].any()

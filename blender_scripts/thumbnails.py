@@ -1,0 +1,20 @@
+"""Runs inside Blender for `fovea figures thumbnails`: a picture beside each style that ships, of what those of saved
+styles show."""
+
+import sys
+from pathlib import Path
+
+from bl_ext.user_default.fovea import style
+from bl_ext.user_default.fovea.blender import style_picture
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import sheet
+
+
+def main(folder):
+    for name in style.names():
+        sheet.save(style_picture.draw(style.load(name)) / 255, Path(folder) / f"{name}.jpg")
+
+
+main(sys.argv[-1])
