@@ -193,6 +193,28 @@ TEST(Silhouette, IsTheOuterBoundaryOnly) {
     EXPECT_EQ(edges_of(apart, 0).size() + edges_of(apart, 1).size(), contours.size());
 }
 
+TEST(Silhouette, IsThereWhereHardlyAnythingLooksOutBehind) {
+    // Two squares in one mesh, the farther one larger by so many pixels all around; mirrored, too.
+    const View view = orthographic({0, 0, 5}, {0, 0, 0}, 4.0);
+    const double px = 4.0 / view.width;
+    const auto silhouettes = [&](double larger_px, const dmat4& placed) {
+        Mesh mesh("squares", {});
+        for (const auto& [half, z] : {std::pair{1.0, 1.0}, std::pair{1.0 + larger_px * px, 0.0}}) {
+            const int first = static_cast<int>(mesh.positions.size());
+            for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)})
+                mesh.positions.push_back(vec3(corner * half, z));
+            mesh.add_polygon({first, first + 1, first + 2, first + 3});
+        }
+        return edges_of(Drawing({place(mesh, placed)}, view, {line_set({"silhouette"})}), 0);
+    };
+    for (const dmat4& placed : {dmat4(1.0), scaled(dvec3(-1, 1, 1))}) {
+        EXPECT_EQ(silhouettes(0.5, placed).size(), 8u);
+        EXPECT_EQ(silhouettes(1.4, placed).size(), 8u);
+        EXPECT_EQ(silhouettes(1.6, placed).size(), 4u);
+        EXPECT_EQ(silhouettes(20.0, placed), (std::set<Index>{4, 5, 6, 7}));
+    }
+}
+
 TEST(Lines, AnEdgeOfSeveralKindsAppearsOnce) {
     Mesh mesh = box();
     mesh.material = {0, 1, 2, 3, 4, 5};
