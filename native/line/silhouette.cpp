@@ -3,7 +3,7 @@
 // In   contour and border edges, and what is seen behind the middle of each, or right beside it
 // Out  those where the same placement does not go on. Where coarse meshes turn away, facets seen edge-on lie a hair behind
 //      one another: what shows less of itself than a pen covers is no reason to go on.
-#include <cmath>
+#include <algorithm>
 
 #include "line/edges.h"
 
@@ -14,6 +14,7 @@ extern const LineDefinition contour, border;
 namespace {
 
 constexpr double beside_px = 1.5;  // reference pixels
+constexpr double steepest = 8.0;   // slope towards the viewer of a surface that may go on there
 
 /// Asks what lies behind the edges of one placement.
 class Beyond {
@@ -36,10 +37,13 @@ class Beyond {
         if (!(length > 0.0)) return false;
         const dvec2 right = dvec2(along.y, -along.x) * (beside_px * view_.reference_scale / length);
         const dvec2 px = to_pixels(view_, view_.view_to_clip * middle) + (lies_left(e) ? right : -right);
-        return is_other(vec3(from_pixels(view_, clip_to_view_, px, -middle.z)), ignore);
+        const double away = -middle.z, nearer = steepest * glm::distance(dvec2(middle), dvec2(beside(px, away)));
+        return is_other(vec3(beside(px, view_.orthographic ? away - nearer : std::max(away - nearer, 0.1 * away))), ignore);
     }
 
    private:
+    dvec3 beside(const dvec2& px, double away) const { return from_pixels(view_, clip_to_view_, px, away); }
+
     dvec4 in_view(Index vertex) const { return seen_.object_to_view * dvec4(dvec3(seen_.surface.positions[vertex]), 1.0); }
 
     bool is_other(const vec3& point, const Ignore& ignore) const {

@@ -215,6 +215,20 @@ TEST(Silhouette, IsThereWhereHardlyAnythingLooksOutBehind) {
     }
 }
 
+TEST(Silhouette, GoesOnWhereTheSurfaceComesNearer) {
+    // A step in a slope that rises towards the viewer: what goes on from the step is nearer than its edge.
+    const View view = perspective({0, -8, 1}, {0, 0, 0});
+    Mesh mesh("step", {{-1, 2, 1}, {1, 2, 1}, {1, 0, 0}, {-1, 0, 0},
+                       {-1, 0.2, 0.09}, {1, 0.2, 0.09}, {1, -2, -1.01}, {-1, -2, -1.01}});
+    mesh.add_polygon({3, 2, 1, 0});
+    mesh.add_polygon({7, 6, 5, 4});
+    const auto silhouettes = edges_of(mesh, view, line_set({"silhouette"}));
+    EXPECT_EQ(edges_of(mesh, view, line_set({"border"})).size(), 8u);
+    EXPECT_EQ(silhouettes.count(Index(mesh.edge(2, 3))), 0u) << "the surface goes on";
+    EXPECT_EQ(silhouettes.count(Index(mesh.edge(0, 1))), 1u);
+    EXPECT_EQ(silhouettes.count(Index(mesh.edge(6, 7))), 1u);
+}
+
 TEST(Lines, AnEdgeOfSeveralKindsAppearsOnce) {
     Mesh mesh = box();
     mesh.material = {0, 1, 2, 3, 4, 5};
