@@ -40,7 +40,7 @@ class Buffers:
 def is_edited(obj):
     """Whether an evaluated object's mesh is in edit mode, be it in that of another object: then its arrays may be
     missing, and `to_mesh` makes them."""
-    return obj.data.is_editmode
+    return obj.mode == "EDIT" or obj.data.is_editmode
 
 
 def read(mesh, buffers, *, with_marks):

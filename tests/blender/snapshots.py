@@ -16,6 +16,8 @@ ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks"]
 class RecordedSurface(SimpleNamespace):
     """Keeps what a native surface was made of."""
 
+    triangles, fields_reason = (), ""  # by which memory is reckoned
+
     def __init__(self, name, *arrays):
         super().__init__(name=name, **{k: None if a is None else a.copy() for k, a in zip(ARRAYS, arrays)})
 

@@ -193,6 +193,42 @@ TEST(Silhouette, IsTheOuterBoundaryOnly) {
     EXPECT_EQ(edges_of(apart, 0).size() + edges_of(apart, 1).size(), contours.size());
 }
 
+TEST(Silhouette, IsThereWhereHardlyAnythingLooksOutBehind) {
+    // Two squares in one mesh, the farther one larger by so many pixels all around; mirrored, too.
+    const View view = orthographic({0, 0, 5}, {0, 0, 0}, 4.0);
+    const double px = 4.0 / view.width;
+    const auto silhouettes = [&](double larger_px, const dmat4& placed) {
+        Mesh mesh("squares", {});
+        for (const auto& [half, z] : {std::pair{1.0, 1.0}, std::pair{1.0 + larger_px * px, 0.0}}) {
+            const int first = static_cast<int>(mesh.positions.size());
+            for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)})
+                mesh.positions.push_back(vec3(corner * half, z));
+            mesh.add_polygon({first, first + 1, first + 2, first + 3});
+        }
+        return edges_of(Drawing({place(mesh, placed)}, view, {line_set({"silhouette"})}), 0);
+    };
+    for (const dmat4& placed : {dmat4(1.0), scaled(dvec3(-1, 1, 1))}) {
+        EXPECT_EQ(silhouettes(0.5, placed).size(), 8u);
+        EXPECT_EQ(silhouettes(1.4, placed).size(), 8u);
+        EXPECT_EQ(silhouettes(1.6, placed).size(), 4u);
+        EXPECT_EQ(silhouettes(20.0, placed), (std::set<Index>{4, 5, 6, 7}));
+    }
+}
+
+TEST(Silhouette, GoesOnWhereTheSurfaceComesNearer) {
+    // A step in a slope that rises towards the viewer: what goes on from the step is nearer than its edge.
+    const View view = perspective({0, -8, 1}, {0, 0, 0});
+    Mesh mesh("step", {{-1, 2, 1}, {1, 2, 1}, {1, 0, 0}, {-1, 0, 0},
+                       {-1, 0.2, 0.09}, {1, 0.2, 0.09}, {1, -2, -1.01}, {-1, -2, -1.01}});
+    mesh.add_polygon({3, 2, 1, 0});
+    mesh.add_polygon({7, 6, 5, 4});
+    const auto silhouettes = edges_of(mesh, view, line_set({"silhouette"}));
+    EXPECT_EQ(edges_of(mesh, view, line_set({"border"})).size(), 8u);
+    EXPECT_EQ(silhouettes.count(Index(mesh.edge(2, 3))), 0u) << "the surface goes on";
+    EXPECT_EQ(silhouettes.count(Index(mesh.edge(0, 1))), 1u);
+    EXPECT_EQ(silhouettes.count(Index(mesh.edge(6, 7))), 1u);
+}
+
 TEST(Lines, AnEdgeOfSeveralKindsAppearsOnce) {
     Mesh mesh = box();
     mesh.material = {0, 1, 2, 3, 4, 5};
