@@ -161,24 +161,17 @@ def test_pictures_in_other_slots_stay(scene, tmp_path):
             with suppress(RuntimeError):  # nothing in it
                 result.save_render(str(path), scene=scene)
             found.append(path.read_bytes() if path.exists() else None)
-        slots.active_index = 0
+        slots.active_index = 1
         return found
 
-    slots.active_index = len(slots) - 1
-    bpy.context.object.location.x += 0.5
+    slots.active_index = 1
+    next(obj for obj in scene.objects if obj.type == "MESH").location.x += 0.5
     bpy.ops.render.render()
     before = pictures()
-    assert sum(picture is not None for picture in before) == 2 and before[0] != before[-1]
+    assert sum(picture is not None for picture in before) == 2 and before[0] != before[1]
     for _ in range(2):
         assert bpy.ops.fovea.render_lines() == {"FINISHED"} and bpy.ops.fovea.bake_strokes() == {"FINISHED"}
-    after = pictures()
-    assert (after[0], after[-1]) == (before[0], before[-1])
-    assert sum(picture is not None for picture in after) == 3, "what is left there is empty and used again"
-    for i in range(len(slots)):
-        slots.active_index = i
-        bpy.ops.render.render()
-    with pytest.raises(RuntimeError, match="All slots of the Render Result hold pictures"):
-        bpy.ops.fovea.render_lines()
+    assert pictures() == before
 
 
 def test_nothing_is_left_of_the_render(scene, tmp_path):
