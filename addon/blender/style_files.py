@@ -35,16 +35,13 @@ def shipped_names():
 def names():
     """The one that the user prefers, then those that ship, then the user's."""
     found = [*shipped_names(), *(name for name in user_names() if name not in shipped_names())]
-    return sorted(found, key=lambda name: name != _wished())
+    wished = own().default_style if own() else style.DEFAULT
+    return sorted(found, key=lambda name: name != wished)
 
 
 def preferred():
     """The name of the style that New begins with."""
     return names()[0]
-
-
-def _wished():
-    return own().default_style if own() else style.DEFAULT
 
 
 def load(name):

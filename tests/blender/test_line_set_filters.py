@@ -10,17 +10,23 @@ from the_addon import box_mesh, lines_of, new_object, only_lines, own_style, par
 style, properties = part("style"), part("blender.properties")
 
 
+def check_filter(scene, tmp_path, name, chosen, others):
+    """Of a filter by name that chooses what is on the left, of its opposite, and of names that nothing has."""
+    line_set = lines_of(scene)
+    assert sides(scene, tmp_path) == (True, True)
+    setattr(line_set, name, chosen)
+    assert sides(scene, tmp_path) == (True, False)
+    setattr(line_set, others, True)
+    assert sides(scene, tmp_path) == (False, True)
+    setattr(line_set, name, "There is none")
+    assert sides(scene, tmp_path) == (True, True)
+    setattr(line_set, others, False)
+    assert sides(scene, tmp_path) == (False, False)
+
+
 def test_a_collection_has_its_lines_and_what_is_outside_has_its_own(pair, tmp_path):
     scene, left = pair
-    assert sides(scene, tmp_path) == (True, True)
-    lines_of(scene).collection = left.name
-    assert sides(scene, tmp_path) == (True, False)
-    lines_of(scene).outside = True
-    assert sides(scene, tmp_path) == (False, True)
-    lines_of(scene).collection = "There is none"
-    assert sides(scene, tmp_path) == (True, True)
-    lines_of(scene).outside = False
-    assert sides(scene, tmp_path) == (False, False)
+    check_filter(scene, tmp_path, "collection", left.name, "outside")
 
 
 def test_instances_are_where_what_makes_them_is(pair, tmp_path):
@@ -90,16 +96,7 @@ def test_instances_are_of_what_makes_them_and_of_what_they_are_copies_of(pair, t
 
 
 def test_a_material_has_the_lines_on_its_faces(striped, tmp_path):
-    scene = striped
-    assert sides(scene, tmp_path) == (True, True)
-    lines_of(scene).material = "Red"
-    assert sides(scene, tmp_path) == (True, False)
-    lines_of(scene).other_materials = True
-    assert sides(scene, tmp_path) == (False, True)
-    lines_of(scene).material = "There is none"
-    assert sides(scene, tmp_path) == (True, True)
-    lines_of(scene).other_materials = False
-    assert sides(scene, tmp_path) == (False, False)
+    check_filter(striped, tmp_path, "material", "Red", "other_materials")
 
 
 def test_materials_of_the_object_count_where_it_brings_its_own(striped, tmp_path):

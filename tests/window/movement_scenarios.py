@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from showing import SHARED, Steps, caretaker, is_calm, opened, threads, turn
+from showing import SHARED, Steps, caretaker, is_calm, opened, side_by_side, threads, turn
 from the_addon import box_mesh, new_object, part
 from window import screen
 
@@ -101,15 +101,7 @@ def play(watch, obj):
 
 def two_viewports(watch):
     """Both refined, also when the scene changes; and alike where they look from the same place."""
-    with screen.override():
-        bpy.ops.screen.back_to_previous()
-    yield from screen.rest(0.3)
-    with screen.override():
-        bpy.ops.screen.area_split(direction="VERTICAL", factor=0.5)
-    yield from screen.rest(0.3)
-    both = [screen.area(0), screen.area(1)]
-    for one in both:
-        one.spaces.active.shading.type = "RENDERED"
+    both = yield from side_by_side()
     yield from watch.refined(*both)
     bpy.data.objects["Shaped"].location.z += 1
     turn(20)

@@ -2,7 +2,7 @@
 
 import bpy
 from pointer import drag
-from showing import Steps, is_calm, opened, turn
+from showing import Steps, is_calm, opened, side_by_side, turn
 from the_addon import box_mesh, new_object
 from window import screen
 
@@ -141,15 +141,7 @@ def local(folder):
     """Two viewports side by side, one of them in local view."""
     watch = yield from opened("boxes:2")
     new_object(box_mesh(0.6), "Beside", (1.5, -1.5, 1))
-    with screen.override():
-        bpy.ops.screen.back_to_previous()
-    yield from screen.rest(0.3)
-    with screen.override():
-        bpy.ops.screen.area_split(direction="VERTICAL", factor=0.5)
-    yield from screen.rest(0.3)
-    both = [screen.area(0), screen.area(1)]
-    for area in both:
-        area.spaces.active.shading.type = "RENDERED"
+    both = yield from side_by_side()
     for obj in bpy.context.scene.objects:
         obj.select_set(obj.name == "Beside")
     with screen.override():

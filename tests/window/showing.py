@@ -34,6 +34,20 @@ def opened(spec=None):
     return watch
 
 
+def side_by_side():
+    """Two viewports of the window as it was before one filled it, in Rendered shading; gives their areas: `yield from` it."""
+    with screen.override():
+        bpy.ops.screen.back_to_previous()
+    yield from screen.rest(0.3)
+    with screen.override():
+        bpy.ops.screen.area_split(direction="VERTICAL", factor=0.5)
+    yield from screen.rest(0.3)
+    both = [screen.area(0), screen.area(1)]
+    for area in both:
+        area.spaces.active.shading.type = "RENDERED"
+    return both
+
+
 def turn(degrees):
     """Orbits the view."""
     view = screen.space().region_3d

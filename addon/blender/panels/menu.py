@@ -8,26 +8,25 @@ from ..style_operators import CLASSES as STYLES
 ASKING = ("import", "export", "save")  # of the style operators: those that ask something first
 
 
-class TOPBAR_MT_fovea_style(bpy.types.Menu):
+class _OfOperators:
+    """`operators`: classes; `choice`: the property of which each value is an entry, where one has it."""
+
+    def draw(self, _context):
+        self.show(self.layout)
+
+    def show(self, layout):
+        for cls in self.operators:
+            _draw_operator(layout, cls, self.choice)
+
+
+class TOPBAR_MT_fovea_style(_OfOperators, bpy.types.Menu):
     bl_label = "Style"
-
-    def draw(self, _context):
-        self.show(self.layout)
-
-    def show(self, layout):
-        for cls in STYLES:
-            _draw_operator(layout, cls, "style")
+    operators, choice = STYLES, "style"
 
 
-class TOPBAR_MT_fovea_line_sets(bpy.types.Menu):
+class TOPBAR_MT_fovea_line_sets(_OfOperators, bpy.types.Menu):
     bl_label = "Line Sets"
-
-    def draw(self, _context):
-        self.show(self.layout)
-
-    def show(self, layout):
-        for cls in LINE_SETS:
-            _draw_operator(layout, cls, "direction")
+    operators, choice = LINE_SETS, "direction"
 
 
 class TOPBAR_MT_fovea(bpy.types.Menu):
