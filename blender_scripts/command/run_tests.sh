@@ -2,7 +2,7 @@
 
 test_targets() {
     trap 'stop_children; exit 130' INT TERM
-    passed=0 failed=0 skipped=0 broken=
+    passed=0 failed=0 skipped=0 broken= failures=
     if [ -n "$on${BLENDER:-}" ]; then
         choose_target "$on" || exit 1
         test_target yes "$(getconf _NPROCESSORS_ONLN)" "$@" || status=$?
@@ -10,6 +10,7 @@ test_targets() {
     else
         test_suites "$@"
     fi
+    [ -z "$failures" ] || printf '%s' "$failures"
     [ -z "$broken" ] || say "!!! NOT TESTED, because it could not be set up:$broken (the reason stands above) !!!"
     echo "$passed passed, $failed failed, $skipped skipped"
     [ "$failed" -eq 0 ]
@@ -70,5 +71,8 @@ add_counts() {
         say "$target_name: the tests did not run to their end"
         more_passed=0 more_failed=1 more_skipped=0
     fi
+    told="$(work_folder)/results/failures"
+    [ ! -e "$told" ] || failures="$failures$(cat "$told")
+"
     passed=$((passed + more_passed)) failed=$((failed + more_failed)) skipped=$((skipped + more_skipped))
 }

@@ -1,6 +1,7 @@
 # Runs things inside a suite by bubblewrap. /usr and /etc there are the suite's, read-only; the machine's other folders
 # show through read-only, so that a scene finds its textures and libraries; writable are the current folder, the folders
-# named for output, /tmp and the work folders in the cache. Nothing stays mounted when it ends.
+# named for output, /tmp and the work folders in the cache. Nothing stays mounted when it ends. Temporary files are the
+# work folder's own: Blenders in two sandboxes may have the same process number, which is in the names of some.
 
 # in_suite SUITE WORK COMMAND...: WORK is the checkout's own folder for this suite; HOME lies in it.
 in_suite() {
@@ -10,7 +11,7 @@ in_suite() {
     for place in "$project" "$cache"; do
         ! is_system "$place" || fail "$place cannot be seen inside Debian $target_name: move it out of /usr, /etc and the like"
     done
-    mkdir -p "$work/home" "$cache/ccache"
+    mkdir -p "$work/home" "$work/tmp" "$cache/ccache"
     options=$(mktemp "$work/sandbox.XXXXXX")
     # bubblewrap lets later places cover earlier ones, so what is writable comes last.
     {
@@ -80,7 +81,7 @@ folder_of() {
 }
 
 environment_options() {
-    option --setenv PATH /usr/bin:/usr/sbin --setenv HOME "$work/home" --setenv LANG C.UTF-8 --setenv TMPDIR /tmp
+    option --setenv PATH /usr/bin:/usr/sbin --setenv HOME "$work/home" --setenv LANG C.UTF-8 --setenv TMPDIR "$work/tmp"
     for name in TERM DISPLAY WAYLAND_DISPLAY XAUTHORITY $(env | sed -n 's/^\(FOVEA_[A-Z_]*\)=.*/\1/p'); do
         eval "value=\${$name-}"
         [ -z "$value" ] || option --setenv "$name" "$value"

@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import sys
+import time
 import xml.etree.ElementTree as xml
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -13,6 +14,7 @@ from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
 PASSING = re.compile(r"\[ +(RUN|OK) +\]|\[-+\]|.* PASSED +\[|\s*$")  # lines that say nothing about a failure
+WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # how Python came to where a crash was
 
 
 def test(target, words):
@@ -43,6 +45,7 @@ def _part(target, part, report, words):
         runs = PARTS[part](target, report, words)
     except StepFailed as failure:
         print(failure, flush=True)
+        _remember(target, f"{target.name}: {failure}")
         counts = Counter(failed=1)
     else:
         with ThreadPoolExecutor(len(runs)) as pool:
@@ -53,13 +56,22 @@ def _part(target, part, report, words):
 
 def _outcome(target, part, sentence, command, report, environment):
     """The counts of one run."""
+    start = time.time()
     log, status = target.attempt(sentence, command, **environment)
     counts = _counts(report) if report.exists() else Counter()
-    if status != 0 and not counts["failed"] or not counts:
-        counts["failed"] += 1  # crashed, or found no tests
+    ended = status != 0 and not counts["failed"] or not counts  # crashed, or found no tests
+    counts["failed"] += ended
     if counts["failed"]:
         print(f"{target.name}: {part} tests FAILED; all of it is in {log}:\n{tail(log, 400, PASSING)}", flush=True)
+        what = f"ended with status {status}; its last lines:\n{tail(log, 30, WAY)}" if ended else _names_of_failed(report)
+        _remember(target, f"{target.name}: {sentence}: {what}{_crashes(target, start) if ended else ''}")
     return counts
+
+
+def _remember(target, failure):
+    """Said again when all is done, as what the others say in the meantime is long."""
+    with (target.work / "results" / "failures").open("a") as file:
+        file.write(f"{failure}\n")
 
 
 # A part is a list of runs that may go on side by side: (what to call it, command, report, environment).
@@ -109,14 +121,28 @@ def _window(target, report, words):
     return [("window tests", command, report, environment)]
 
 
+def _crashes(target, start):
+    """What Blender wrote of crashes since: its own frames are addresses, those of the native module have its name."""
+    files = [file for file in (target.work / "tmp").glob("*.crash.txt") if file.stat().st_mtime >= start]
+    return "".join(f"\n{file.name}:\n{tail(file, 40, WAY)}" for file in files)
+
+
 def _counts(report):
     """Of a report by pytest or GoogleTest."""
-    counts = Counter()
-    for case in xml.parse(report).iter("testcase"):
-        tags = {child.tag for child in case}
-        skipped = "skipped" in tags or case.get("result") == "skipped" or case.get("status") == "notrun"
-        counts["failed" if tags & {"failure", "error"} else "skipped" if skipped else "passed"] += 1
-    return counts
+    return Counter(_result(case) for case in xml.parse(report).iter("testcase"))
+
+
+def _names_of_failed(report):
+    failed = [case for case in xml.parse(report).iter("testcase") if _result(case) == "failed"]
+    return "failed:\n" + "\n".join(f"    {case.get('classname')} {case.get('name')}" for case in failed[:40])
+
+
+def _result(case):
+    tags = {child.tag for child in case}
+    if tags & {"failure", "error"}:
+        return "failed"
+    skipped = "skipped" in tags or case.get("result") == "skipped" or case.get("status") == "notrun"
+    return "skipped" if skipped else "passed"
 
 
 PARTS = {"native": _native, "python": _python, "blender": _blender, "window": _window, "sanitize": _sanitize}
