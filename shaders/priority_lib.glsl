@@ -1,6 +1,6 @@
-// A texel of the priority buffer in two words: as PriorityTexel of native/elision/priority_buffer.h, with another layout.
-// As vectors texels are: rank (0: nobody's), share of the pixel that the band covers (negative where the band's nearer
-// end lies to the right of what follows), and the vector across the line, away from its middle towards the pixel.
+// Texels of the priority buffer: PriorityTexel of native/elision/priority_buffer.h, as precise, laid out otherwise.
+// Unpacked: rank (0: nobody's), share of the pixel that the band covers (negative where the band's nearer end lies to
+// the right of what follows), and the vector across the line, away from its middle towards the pixel.
 uvec2 packed_texel(vec4 texel)
 {
   uint covered = uint(abs(texel.y) * 255.0 + 0.5) | (texel.y < 0.0 ? 256u : 0u);
