@@ -34,12 +34,11 @@ def shown_lines(felt, frame, runs, style, backend, cancel):
 
 def _left(felt, frame, runs, style, backend, cancel, cut=0.0):
     """(samples,) what elision leaves of Runs in this frame."""
-    elision, scale = style.elision, frame.view.reference_scale
+    elision = style.elision
     painted = cpu_focus.values_on_paths(frame, elision.priority_attribute) if elision.priority_attribute else None
     ranks = cpu.ranks(frame, runs, cpu.priorities(frame, elision.weights(), frame.notes.importance, painted))
-    options = {"fade_from": elision.fade_from, "cut": cut, "stub_px": _STUB * scale}
-    half_width = (0.5 * scale * _spacing(frame, style, felt) / _wanted(frame, elision)).astype(np.float32)
-    return backend.elide(frame, runs, ranks, half_width, cancel, **options)
+    options = {"fade_from": elision.fade_from, "cut": cut, "stub_px": _STUB * frame.view.reference_scale}
+    return backend.elide(frame, runs, ranks, _half_width(felt, frame, runs, style), cancel, **options)
 
 
 def of_pixels(frame, style, cancel):
@@ -122,22 +121,33 @@ def _distance_of_lines(frame, style):
     return cpu_focus.distance_of_samples(frame.clipped, distance.near, distance.far)
 
 
-def _wanted(frame, elision):
-    """How many times as dense as their pens say lines may be: by sample, from 1/4 where a density map is black to 4
-    where it is white; or 1."""
+def _half_width(felt, frame, runs, style):
+    """(samples,) float32 pixels: half the distance that lines want to keep from others, the inverse of their density;
+    0 on pieces without Runs, which may be most."""
+    at, path = cpu.samples_with_runs(frame.clipped, runs)
+    half_width = np.zeros(frame.clipped.samples, np.float32)
+    spacing = _spacing(style, frame.paths.line_set[path], felt, at)
+    half_width[at] = 0.5 * frame.view.reference_scale * spacing / _wanted(frame, style.elision, at)
+    return half_width
+
+
+def _wanted(frame, elision, at):
+    """How many times as dense as their pens say lines may be: at some samples, from 1/4 where a density map is black
+    to 4 where it is white; or 1."""
     density = 1.0
     if elision.density_attribute:
-        density = density * _MOST_DENSITY ** (2 * _painted(frame, elision.density_attribute) - 1)
+        density = density * _MOST_DENSITY ** (2 * _painted(frame, elision.density_attribute)[at] - 1)
     if frame.notes.density_map is not None:
-        density = density * _MOST_DENSITY ** (2 * cpu_focus.map_of_samples(frame, frame.notes.density_map) - 1)
+        density = density * _MOST_DENSITY ** (2 * cpu_focus.map_of_samples(frame, frame.notes.density_map)[at] - 1)
     return density
 
 
-def _spacing(frame, style, felt):
-    """(samples,) reference pixels that lines want to keep from each other: the inverse of the density."""
-    set_of_sample = frame.paths.line_set[cpu.path_of_samples(frame.clipped)]
-    near = np.array([s.pen.spacing for s in style.line_sets], np.float32)[set_of_sample]
-    away = np.array([(s.pen_away or s.pen).spacing for s in style.line_sets], np.float32)[set_of_sample]
-    by_focus = mix(style.effects.density, felt.focus)
-    by_distance = mix(style.distance.density, felt.distance)
+def _spacing(style, line_set, felt, at):
+    """(n,) reference pixels that lines want to keep from each other at some samples, of these line sets."""
+    near = np.array([s.pen.spacing for s in style.line_sets], np.float32)[line_set]
+    away = np.array([(s.pen_away or s.pen).spacing for s in style.line_sets], np.float32)[line_set]
+    by_focus, by_distance = (
+        mix(transfer, None if values is None else values[at])
+        for transfer, values in ((style.effects.density, felt.focus), (style.distance.density, felt.distance))
+    )
     return (near + (away - near) * (1 - (1 - by_focus) * (1 - by_distance))).astype(np.float32)

@@ -63,16 +63,23 @@ vec2 window_pixel(vec2 at, Own line)
   float inside = clamp(u + line.band.z + 0.5, 0.0, 1.0) * clamp(line.band.w - u + 0.5, 0.0, 1.0);
   float own = clamp(line.band.x + 0.5 - abs(v), 0.0, 1.0);
   vec2 away = v < 0.0 ? -left : left;
-  float first = lost(texelFetch(layer0, texel, 0), line, own, u, away);
-  float second = lost(texelFetch(layer1, texel, 0), line, own, u, away);
-  return inside * vec2(max(first, second), own);
+  vec4 first = unpacked_texel(texelFetch(layer0, texel, 0).xy);
+  float taken = 0.0;
+  if (first.x > line.band.y) {
+    vec4 second = unpacked_texel(texelFetch(layer1, texel, 0).xy);
+    taken = max(lost(first, line, own, u, away), lost(second, line, own, u, away));
+  }
+  return inside * vec2(taken, own);
 }
 
 // Rank and coverage of both layers at a pixel.
 vec4 bands_at(vec2 pixel)
 {
   ivec2 texel = ivec2(pixel - buffer_origin);
-  return in_buffer(texel) ? vec4(texelFetch(layer0, texel, 0).xy, texelFetch(layer1, texel, 0).xy) : vec4(0.0);
+  if (!in_buffer(texel)) {
+    return vec4(0.0);
+  }
+  return vec4(owner_of(texelFetch(layer0, texel, 0).xy), owner_of(texelFetch(layer1, texel, 0).xy));
 }
 
 // One of the four pixels around an end of the run.
@@ -84,7 +91,7 @@ vec4 at_end(vec2 end, int k, float near)
   vec2 corner = floor(end - 0.5), t = end - 0.5 - corner, ahead = vec2(k % 2, k / 2);
   vec2 weight = mix(1.0 - t, t, ahead);
   vec4 found = bands_at(corner + ahead);
-  return vec4(found.x, abs(found.y) * near * weight.x * weight.y, found.z, abs(found.w) * near * weight.x * weight.y);
+  return found * vec4(1.0, near * weight.x * weight.y, 1.0, near * weight.x * weight.y);
 }
 
 void main()

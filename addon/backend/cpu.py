@@ -98,6 +98,15 @@ def path_of_samples(clipped):
     return np.repeat(np.repeat(clipped.path, np.diff(clipped.offsets)), clipped.sample_count)
 
 
+def samples_with_runs(clipped, runs):
+    """(n,) atlas samples of the pieces that Runs lie on, ascending, and (n,) the path of Paths that each lies on."""
+    pieces = np.unique(runs.piece)
+    first = clipped.sample_start[clipped.offsets[:-1]].astype(np.intp)
+    count = np.diff(first, append=clipped.samples)[pieces]
+    start = first[pieces] - (np.cumsum(count) - count)
+    return np.arange(count.sum()) + np.repeat(start, count), np.repeat(clipped.path[pieces], count)
+
+
 def transfer(data):
     """The native Transfer of a style's."""
     return native.load().Transfer(data.start, data.end, data.strength, list(data.curve))

@@ -68,11 +68,12 @@ class ElisionPass:
         size = (right - left, upper - lower)
         layers = []
         for number in range(2):
-            target = Target(*size, "RGBA32F", depth=True)
+            target = Target(*size, "RG32UI", depth=layers[0].depth if layers else True)
+            target.color.clear(format="UINT", value=(0, 0))
             # Where no layer is in front, anything but the target itself may stand for it.
-            front = layers[0].color if layers else self._batches[0].samplers["places"]
+            front = layers[0].color if layers else gpu.types.GPUTexture((1, 1), format="RG32UI")
             with target.bind() as framebuffer:
-                framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0), depth=0.0)
+                framebuffer.clear(depth=0.0)
                 gpu.state.depth_test_set("GREATER")
                 gpu.state.depth_mask_set(True)
                 program = self._programs.bind(

@@ -42,6 +42,7 @@ class Target:
         if max(width, height) > size_limit():
             raise ValueError(f"{width} x {height} pixels are more than this GPU draws at once; use the CPU")
         self.width, self.height = width, height
+        self._numbers = "UINT" if format.endswith("UI") else "FLOAT"
         self.color = gpu.types.GPUTexture((width, height), format=format)
         self.second = gpu.types.GPUTexture((width, height), format=second) if second else None
         self.depth = depth or None
@@ -72,7 +73,7 @@ class Target:
     def wait(self):
         """Returns when everything is drawn."""
         with self._framebuffer.bind():
-            self._framebuffer.read_color(0, 0, 1, 1, 1, 0, "FLOAT")
+            self._framebuffer.read_color(0, 0, 1, 1, 1, 0, self._numbers)
 
     def read(self, channels, slot=0):
         """(height, width, channels) float32 of the first (0) or second (1) texture; waits until everything is drawn."""

@@ -64,6 +64,20 @@ def test_nothing_to_elide(backend):
     assert backend().elide(frame, runs, ranks, widths(frame, 3.0)).shape == (0,)
 
 
+def test_what_no_runs_lie_on_is_not_asked_how_wide_it_wants_to_be():
+    frame, runs, ranks = seen()
+    at, path = cpu.samples_with_runs(frame.clipped, runs)
+    assert 0 < len(at) < frame.clipped.samples and np.all(np.diff(at) > 0)
+    np.testing.assert_array_equal(path, cpu.path_of_samples(frame.clipped)[at])
+    half = widths(frame, None)
+    elsewhere = np.setdiff1d(np.arange(len(half)), at)
+    other = half.copy()
+    other[elsewhere] = 0
+    left, the_same = (cpu.Backend().elide(frame, runs, ranks, each) for each in (half, other))
+    np.testing.assert_array_equal(left, the_same)
+    assert np.all(left[elsewhere] == 1)
+
+
 def test_wider_bands_leave_less_and_cut_leaves_nothing_faint():
     frame, runs, ranks = seen()
     left = [cpu.Backend().elide(frame, runs, ranks, widths(frame, w)).mean() for w in (0.0, 2.0, 5.0, 12.0)]

@@ -1,0 +1,22 @@
+// Texels of the priority buffer: PriorityTexel of native/elision/priority_buffer.h, as precise, laid out otherwise.
+// Unpacked: rank (0: nobody's), share of the pixel that the band covers (negative where the band's nearer end lies to
+// the right of what follows), and the vector across the line, away from its middle towards the pixel.
+uvec2 packed_texel(vec4 texel)
+{
+  uint covered = uint(abs(texel.y) * 255.0 + 0.5) | (texel.y < 0.0 ? 256u : 0u);
+  ivec2 away = ivec2(floor(texel.zw * 16383.0 + 0.5));
+  return uvec2(uint(texel.x) << 9 | covered, uint(away.x << 16 | away.y & 0xFFFF));
+}
+
+// Rank and share of the pixel.
+vec2 owner_of(uvec2 texel)
+{
+  return vec2(texel.x >> 9, float(texel.x & 255u) / 255.0);
+}
+
+vec4 unpacked_texel(uvec2 texel)
+{
+  int away = int(texel.y);
+  vec2 owner = owner_of(texel);
+  return vec4(owner.x, (texel.x & 256u) != 0u ? -owner.y : owner.y, vec2(away >> 16, away << 16 >> 16) / 16383.0);
+}
