@@ -19,10 +19,12 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
 /// of pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
 
-/// Lengthens visible runs at both ends by the path's `amount_px` (dilation), or shortens them by less than nothing
-/// (erosion). Runs that meet are joined, runs that vanish go. At the ends of its path a line goes straight on beyond
-/// them: such a run starts before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame.
-/// The result grows with the amount, without steps but where runs meet; an amount of 0 leaves a path as it is.
+/// Lengthens visible runs by the path's `amount_px` where their line ends, straight on beyond it: such a run starts
+/// before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame, and a line that a surface
+/// hides stops at the edge of that surface; a pixel of it may be hidden at its end, and from two on it goes no farther.
+/// By less than nothing, shortens them at all their ends (erosion); runs that vanish go. The result grows with the
+/// amount, without steps but where runs meet; an amount of 0 leaves a path as it is. Cole 2009, section 5.1.2, dilates
+/// visibility instead, which draws lines on behind what hides them.
 Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
 
 /// The same, by `amount_px` mixed with the path's `other_px` as `mix` (per atlas sample, in [0,1]) says at each end.

@@ -74,8 +74,8 @@ of Paths, 0 or more; 0 leaves a path as it is. Comes before overshoot.)");
         },
         py::arg("clipped"), py::arg("runs"), py::arg("amount_px"), py::arg("other_px") = py::none(),
         py::arg("mix") = py::none(),
-        R"(Visible runs longer at both ends by amount_px, beyond the ends of their paths, too, or shorter where it is
-less than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is. other_px (P,) and
+        R"(Visible runs longer by amount_px where their paths end, straight on, or shorter at all ends where it is less
+than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is. other_px (P,) and
 mix (samples,) in [0, 1]: amounts out of focus, and how far each sample is on the way to them.)");
 }
 
