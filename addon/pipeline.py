@@ -21,8 +21,8 @@ class Options:
     probes: int = 9  # looks into the depth buffer per sample
     layers: int = 3  # lines that a texel of the item buffer holds
     gap: float = 3.0  # reference pixels of hidden line that are drawn over; more than one sample
-    spur: float = 1.0  # reference pixels of visible line, alone, that are left out
-    contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
+    spur: float = 1.0  # reference pixels of visible line that are left out
+    contour_spur: float = 10.0  # the same inside contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
     beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
     least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out

@@ -49,7 +49,7 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     """Runs joined over small gaps, without small spurs; contours also without the folds they end in."""
     core = native.load()
     spur_of_path = np.where(frame.paths.of_view, np.float32(contour_spur_px), np.float32(spur_px))
-    joined = core.close_gaps(frame.clipped, visible, gap_px, spur_of_path)
+    joined = core.close_gaps(frame.clipped, visible, gap_px, spur_of_path, spur_px)
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 

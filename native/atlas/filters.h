@@ -10,9 +10,10 @@
 
 namespace fovea {
 
-/// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`, unless
-/// they begin or end where their line does, or the frame.
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px);
+/// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`; those that
+/// begin or end where their line does, or the frame, only where they are shorter than `speck_px`. What is all of a line
+/// stays.
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px, double speck_px = 0.0);
 
 /// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
 /// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of visible runs (not

@@ -35,14 +35,14 @@ source (R,) uint32 the point of Paths whose segment each begins on. Asked every 
 uint32 per path of Paths, bits of kinds whose segments are outer unasked.)");
     m.def(
         "close_gaps",
-        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {
+        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px, double speck_px) {
             const In<float> spurs = borrow<float>(spur_px, "spur_px");
             py::gil_scoped_release release;
-            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spurs));
+            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spurs, speck_px));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
+        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"), py::arg("speck_px") = 0.0,
         R"(Joins visible runs over gaps shorter than gap_px, drops those that are shorter than spur_px and hidden on
-both sides. spur_px: (P,) float32 per path of Paths.)");
+both sides, or than speck_px and hidden on one. spur_px: (P,) float32 per path of Paths.)");
     m.def(
         "trim_folds",
         [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {

@@ -202,6 +202,20 @@ TEST(CloseGaps, DoesNotSeeTheSeamOfARing) {
     expect_runs(closed({{0, first, first + 2}, {0, last - 3, last}}), {{0, first, first + 2}, {0, last - 3, last}});
 }
 
+TEST(CloseGaps, SpecksAtTheEndsOfALineGoButNotAWholeLine) {
+    const auto closed = [&](const ClippedPaths& clipped, const std::vector<Part>& parts) {
+        return close_gaps(clipped, runs_of(parts), 3.0, everywhere(clipped, 10.0f), 1.0);
+    };
+    const ClippedPaths line = straight(), tiny = Wires({{at(100, 200), at(100.8, 200)}}).project(camera());
+    const double begin = line.arc_px[0], end = line.arc_px[1];
+    EXPECT_EQ(closed(line, {{0, begin, begin + 0.1}, {0, end - 0.8, end}}).size(), 0u);
+    expect_runs(closed(line, {{0, begin, begin + 1.1}, {0, -50, -41}, {0, end - 1.1, end}}),
+                {{0, begin, begin + 1.1}, {0, end - 1.1, end}});
+    const double first = tiny.arc_px[0], last = tiny.arc_px[1];
+    expect_runs(closed(tiny, {{0, first, last}}), {{0, first, last}});
+    EXPECT_EQ(closed(tiny, {{0, first, last - 0.2}}).size(), 0u);
+}
+
 TEST(CloseGaps, HiddenRunsGiveWay) {
     const ClippedPaths clipped = straight();
     const Runs runs =
