@@ -203,17 +203,16 @@ TEST(CloseGaps, DoesNotSeeTheSeamOfARing) {
 }
 
 TEST(CloseGaps, SpecksAtTheEndsOfALineGoButNotAWholeLine) {
-    const auto closed = [&](const ClippedPaths& clipped, const std::vector<Part>& parts) {
-        return close_gaps(clipped, runs_of(parts), 3.0, everywhere(clipped, 10.0f), 1.0);
-    };
-    const ClippedPaths line = straight(), tiny = Wires({{at(100, 200), at(100.8, 200)}}).project(camera());
+    const ClippedPaths line = straight();
     const double begin = line.arc_px[0], end = line.arc_px[1];
-    EXPECT_EQ(closed(line, {{0, begin, begin + 0.1}, {0, end - 0.8, end}}).size(), 0u);
-    expect_runs(closed(line, {{0, begin, begin + 1.1}, {0, -50, -41}, {0, end - 1.1, end}}),
-                {{0, begin, begin + 1.1}, {0, end - 1.1, end}});
-    const double first = tiny.arc_px[0], last = tiny.arc_px[1];
-    expect_runs(closed(tiny, {{0, first, last}}), {{0, first, last}});
-    EXPECT_EQ(closed(tiny, {{0, first, last - 0.2}}).size(), 0u);
+    const auto closed = [&](const std::vector<Part>& parts, double speck) {
+        return close_gaps(line, runs_of(parts), 3.0, everywhere(line, 10.0f), speck);
+    };
+    EXPECT_EQ(closed({{0, begin, begin + 0.1}, {0, end - 0.8, end}}, 1.0).size(), 0u);
+    const std::vector<Part> longer{{0, begin, begin + 1.1}, {0, end - 1.1, end}};
+    expect_runs(closed({longer[0], {0, -50, -41}, longer[1]}, 1.0), longer);
+    expect_runs(closed({{0, begin, end}}, 300.0), {{0, begin, end}});
+    EXPECT_EQ(closed({{0, begin, end - 1.0}}, 300.0).size(), 0u);
 }
 
 TEST(CloseGaps, HiddenRunsGiveWay) {
