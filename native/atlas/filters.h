@@ -2,8 +2,8 @@
 // atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
 // Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
 //
-// Order: close_gaps, trim_folds, halo, overshoot. What overshoots after its halo shortens the gap; the other way round
-// it would come out beyond the line it passes behind.
+// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. After an overshoot a halo would leave what is beyond the line
+// that it passes behind.
 #pragma once
 
 #include "atlas/runs.h"
@@ -19,6 +19,13 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
 /// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of visible runs (not
 /// of pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
+
+/// Where a contour of mesh edges breaks off because facets of its own rough outline hide it, and another line goes on a
+/// little farther: draws visible runs of paths with `of_view` set on, by at most `reach_px` along their hidden way, and
+/// straight on beyond their line's end by three eighths of it, to where they come nearest to the end of a run of another
+/// path of the same `placement` (per path of Paths) that faces theirs, if they come near. Hidden runs give way.
+Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, In<Index> placement,
+               double reach_px);
 
 /// Lengthens visible runs by the path's `amount_px` where their line ends, straight on beyond it: such a run starts
 /// before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame, and a line that a surface

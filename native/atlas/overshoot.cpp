@@ -16,7 +16,7 @@ void check_amounts(const ClippedPaths& clipped, In<float> amounts, const char* n
 
 constexpr double hidden_rest_px = 1.0;  // what may be hidden of a line at its end: a corner that touches a surface
 
-/// How far a span whose line ends `rest` pixels farther on is drawn on beyond its end. Where a surface hides the line it
+/// How far a span whose line ends `rest` pixels farther on is drawn on beyond its end. Where a surface hides it, a line
 /// stops at the edge of that surface, as a pencil does; it may draw back from there.
 double beyond(double amount, bool line_ends, double rest) {
     if (amount <= 0.0) return amount;

@@ -52,6 +52,14 @@ both sides, or than speck_px and hidden on one. spur_px: (P,) float32 per path o
         py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("fold_px"),
         "Cuts folds of at most fold_px off the ends of contours.");
     m.def(
+        "meet_ends",
+        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double reach_px) {
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(meet_ends(clipped, runs, paths.of_view, paths.placement, reach_px));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("reach_px"),
+        "Visible runs of contours drawn on by at most reach_px where another line goes on from their end.");
+    m.def(
         "halo",
         [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, const Arg<float>& gap_px) {
             const In<float> gaps = borrow<float>(gap_px, "gap_px");
