@@ -67,8 +67,8 @@ def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
 
 
 def at_ends(frame, runs, style, scale, meet_px, mix=0.0):
-    """Runs cut back where they pass behind others, contours drawn on up to where other lines go on, and all beyond their
-    ends: the style's haloes and overshoot.
+    """Runs cut back where they pass behind others, contours drawn on by at most meet_px to where other lines go on, and
+    all beyond their ends: the style's haloes and overshoot.
     Short lines overshoot by at most a quarter of their length, as a hand would. `mix` (samples,): how far overshoot is
     on the way to that out of focus; or 0."""
     core, clipped = native.load(), frame.clipped

@@ -42,7 +42,7 @@ class Ends {
         std::ranges::sort(ends_, {}, [](const End& e) { return std::tuple(e.row, e.column, e.run, e.at_end); });
     }
 
-    /// Where an end of a run should be, at most at `limit`.
+    /// Where an end of a run should be, at most at `limit` [px of the piece].
     double met(Index run, bool at_end, double limit) const {
         const End own = end_of(run, at_end);
         const double start = at_end ? runs_.end_px[run] : runs_.start_px[run], sign = at_end ? 1.0 : -1.0;
@@ -76,7 +76,8 @@ class Ends {
         if (others == path || placement_[others] != placement_[path]) return 0.0;
         const dvec2 between = other.px - own.px;
         const double apart = glm::length(between);
-        if (!(apart > in_line_px && apart < reach_) || glm::dot(between, own.way) <= 0.0 || glm::dot(own.way, other.way) > facing) return 0.0;
+        const bool ahead = glm::dot(between, own.way) > 0.0 && glm::dot(own.way, other.way) <= facing;
+        if (!ahead || !(apart > in_line_px && apart < reach_)) return 0.0;
         const double rest = ((sign > 0.0 ? last_arc(clipped_, piece) : first_arc(clipped_, piece)) - start) * sign;
         double nearest = apart, found = 0.0;
         for (double way = step_px; way <= most; way += step_px) {
@@ -117,12 +118,12 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
             visible.clear();
             const bool contour = of_view[clipped.path[q]];
             double before = first_arc(clipped, q) - (clipped.ends[q] & path_start ? beyond : 0.0);
+            const double farthest = last_arc(clipped, q) + (clipped.ends[q] & path_end ? beyond : 0.0);
             for (Index r = rows.begin(q); r < rows.end(q); ++r) {
                 if (runs.invisibility[r] != 0) continue;
                 Index next = r + 1;
                 while (next < rows.end(q) && runs.invisibility[next] != 0) ++next;
-                const double after = next < rows.end(q) ? runs.start_px[next]
-                                                        : last_arc(clipped, q) + (clipped.ends[q] & path_end ? beyond : 0.0);
+                const double after = next < rows.end(q) ? runs.start_px[next] : farthest;
                 visible.push_back({contour ? ends.met(r, false, before) : runs.start_px[r],
                                    contour ? ends.met(r, true, after) : runs.end_px[r]});
                 before = visible.back().end;

@@ -55,7 +55,8 @@ Own own_samples(const PieceSamples& samples, double start_px, double end_px) {
     const Own own{samples.after(start_px), samples.after(end_px) - 1};
     if (own.first <= own.last) return own;
     const double middle = 0.5 * (start_px + end_px);
-    const std::ptrdiff_t next = std::min(own.first, samples.count() - 1), before = std::max<std::ptrdiff_t>(next - 1, 0);
+    const std::ptrdiff_t next = std::min(own.first, samples.count() - 1),
+                         before = std::max<std::ptrdiff_t>(next - 1, 0);
     const std::ptrdiff_t nearest = samples.arc(next) - middle < middle - samples.arc(before) ? next : before;
     return {nearest, nearest};
 }

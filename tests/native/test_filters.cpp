@@ -183,7 +183,8 @@ TEST(Overshoot, CrossesTheSeamOfARingThatTheFrameCuts) {
     const auto grown = [&](const std::vector<Part>& parts, float amount) {
         return overshoot(clipped, runs_of(parts), everywhere(clipped, amount));
     };
-    expect_runs(grown({{0, seam0, seam0 + 10}, {1, seam1 - 6, seam1}}, 5), {{0, seam0, seam0 + 10}, {1, seam1 - 6, seam1}});
+    expect_runs(grown({{0, seam0, seam0 + 10}, {1, seam1 - 6, seam1}}, 5),
+                {{0, seam0, seam0 + 10}, {1, seam1 - 6, seam1}});
     expect_runs(grown({{0, seam0, seam0 + 10}, {1, seam1 - 4, seam1}}, -5), {{0, seam0 + 1, seam0 + 5}});
     expect_runs(grown({{0, seam0 + 2, cut0}}, 5), {{0, seam0 + 2, cut0}});
     expect_runs(grown({{0, seam0, cut0}, {1, cut1, seam1}}, -5), {{0, seam0, cut0}, {1, cut1, seam1}});

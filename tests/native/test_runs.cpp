@@ -175,13 +175,12 @@ TEST(TrimFolds, CutsTheWayBackOffTheEndsOfContours) {
 TEST(MeetEnds, ContoursGoOnToLinesThatGoOnFromThere) {
     // A contour of 100 px, of which the last 6 are hidden; a line before it goes on from x = 196, a pixel above.
     const auto at = [](double x, double y) { return dvec3(3.2 * (x / 320.0 - 1.0), 2.4 * (y / 240.0 - 1.0), -4); };
-    const auto end_of = [&](std::vector<dvec3> other, std::uint8_t of_view, Index placement, double seen, double reach = 8.0) {
+    const auto end_of = [&](std::vector<dvec3> other, std::uint8_t of_view, Index placement, double seen,
+                            double reach = 8.0) {
         const ClippedPaths clipped = Wires({{at(100, 100), at(200, 100)}, other}).project(camera());
         Runs runs;
         add_run(runs, 0, -50.0, seen);
-        if (seen < 50.0) {
-            runs.push(0, seen, 50.0, 1);
-        }
+        runs.push(0, seen, 50.0, 1);
         add_run(runs, 1, clipped.arc_px[clipped.pieces.begin(1)], clipped.arc_px[clipped.pieces.end(1) - 1]);
         const Runs met =
             meet_ends(clipped, runs, std::vector<std::uint8_t>{of_view, 0}, std::vector<Index>{0, placement}, reach);
