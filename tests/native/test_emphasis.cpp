@@ -123,7 +123,7 @@ TEST(Emphasis, OfOneRunShowsNothingOfWhatIsBesideIt) {
     // Samples lie at -99, -97, ...: where no run is, elision takes nothing away.
     const ClippedPaths clipped = sampled_line();
     for (const auto& [start, end] :
-         {std::pair(-20.5, 30.5), {-20.5, -19.5}, {-20.2, -19.8}, {-100.0, -99.7}, {99.9, 100.0}}) {
+         {std::pair(-21.5, 29.5), {-20.5, 30.5}, {-21.9, -21.6}, {-20.2, -19.8}, {-100.0, -99.7}, {99.9, 100.0}}) {
         std::vector<float> shown(count, 1.0f);
         for (int i = 0; i < count; ++i)
             if (start < 2 * i - 98 && end > 2 * i - 100) shown[i] = 0.25f;
