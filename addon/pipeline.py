@@ -21,9 +21,10 @@ class Options:
     probes: int = 9  # looks into the depth buffer per sample
     layers: int = 3  # lines that a texel of the item buffer holds
     gap: float = 3.0  # reference pixels of hidden line that are drawn over; more than one sample
-    spur: float = 1.0  # reference pixels of visible line, alone, that are left out
-    contour_spur: float = 10.0  # the same for contours, which break up where they end on a smooth surface
+    spur: float = 1.0  # reference pixels of visible line that are left out
+    contour_spur: float = 10.0  # the same inside contours, which break up where they end on a smooth surface
     fold: float = 30.0  # reference pixels up to which a contour's end may fold back and is cut off
+    meet: float = 8.0  # reference pixels that a contour is drawn on over facets of its own, to a line that goes on
     beside: float = 4.0  # reference pixels to a visible line at which a hidden one that goes along it is left out
     least_hidden: float = 6.0  # reference pixels; shorter hidden parts between visible ones are left out
     # Drafts: line sets (index, kinds) that draw of these kinds only what is the outer boundary of its object. What is
@@ -104,7 +105,8 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
         with clock.stage("elision", 0.05):
             felt = emphasis.thinned(felt, frame, parts, style, backend, cancel, near)
     with clock.stage("shape", 0.05):
-        runs = cpu.at_ends(frame, parts, style, scale, emphasis.mix(style.effects.overshoot, felt.focus))
+        mix = emphasis.mix(style.effects.overshoot, felt.focus)
+        runs = cpu.at_ends(frame, parts, style, scale, options.meet * scale, mix)
         pen_of_run = None
         if options.outlines:
             runs, pen_of_run = cpu_lines.outlined(frame, runs, style, options.outlines, cancel)

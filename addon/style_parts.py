@@ -49,7 +49,7 @@ class LineSet:
     other_materials: bool = False  # only faces of others have them
     corner_angle: float = 60.0  # degrees of turn at which a path is split
     least_length: float = 30.0  # reference pixels; shorter lines with an end that touches no other are left out
-    overshoot: float = 0.0  # reference pixels that visible parts go on beyond their ends
+    overshoot: float = 0.0  # reference pixels that lines go on beyond their ends, where nothing hides these
     halo: float = 0.0  # reference pixels of gap where visible parts pass behind others
     overshoot_away: float | None = None  # the same out of focus; None: as in focus
     pen: Pen = Pen()  # of visible parts

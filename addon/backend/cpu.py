@@ -49,7 +49,7 @@ def tidy(frame, visible, gap_px, spur_px, contour_spur_px, fold_px):
     """Runs joined over small gaps, without small spurs; contours also without the folds they end in."""
     core = native.load()
     spur_of_path = np.where(frame.paths.of_view, np.float32(contour_spur_px), np.float32(spur_px))
-    joined = core.close_gaps(frame.clipped, visible, gap_px, spur_of_path)
+    joined = core.close_gaps(frame.clipped, visible, gap_px, spur_of_path, spur_px)
     return core.trim_folds(frame.clipped, joined, frame.paths, fold_px)
 
 
@@ -66,19 +66,21 @@ def parts(frame, visible, levels, beside_px, least_px, fold_px, cancel):
     return both if levels == 1 else core.count_invisibility(clipped, paths, frame.tracer, both, levels, cancel)
 
 
-def at_ends(frame, runs, style, scale, mix=0.0):
-    """Runs cut back where they pass behind others, and drawn on beyond their ends: the style's haloes and overshoot.
+def at_ends(frame, runs, style, scale, meet_px, mix=0.0):
+    """Runs cut back where they pass behind others, contours drawn on by at most meet_px to where other lines go on, and
+    all beyond their ends: the style's haloes and overshoot.
     Short lines overshoot by at most a quarter of their length, as a hand would. `mix` (samples,): how far overshoot is
     on the way to that out of focus; or 0."""
     core, clipped = native.load(), frame.clipped
     shorter = core.halo(clipped, runs, frame.paths, _by_path(frame, [s.halo for s in style.line_sets], scale))
+    joined = core.meet_ends(clipped, shorter, frame.paths, meet_px)
     sets, most = style.line_sets, _lengths(frame) / 4
     away = [s.overshoot if s.overshoot_away is None else s.overshoot_away for s in sets]
     reach, other = (
         np.minimum(_by_path(frame, amounts, scale), most).astype(np.float32)
         for amounts in ([s.overshoot for s in sets], away)
     )
-    return core.overshoot(clipped, shorter, reach, *((other, mix) if np.ndim(mix) else ()))
+    return core.overshoot(clipped, joined, reach, *((other, mix) if np.ndim(mix) else ()))
 
 
 def _lengths(frame):

@@ -97,7 +97,7 @@ WORDS = {
     ),
     "line_set.overshoot": (
         "Overshoot",
-        f"How far lines go on beyond their ends and behind what hides them, {_HIGH}",
+        f"How far lines go on beyond their ends, but not behind what hides them, {_HIGH}",
         {**_PX, "soft_max": 60.0},
     ),
     "line_set.overshoot_away": (

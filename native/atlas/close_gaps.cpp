@@ -29,15 +29,16 @@ void join(const Strand& strand, double gap_px, std::vector<Span>& spans) {
 
 }  // namespace
 
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px) {
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px, double speck_px) {
     check(clipped.path.empty() || clipped.path.back() < spur_px.size(), "spur_px: one value per path expected");
-    const auto changes = [&](Index path) { return gap_px > 0.0 || spur_px[path] > 0.0f; };
+    const auto changes = [&](Index path) { return gap_px > 0.0 || spur_px[path] > 0.0f || speck_px > 0.0; };
     return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
         join(strand, gap_px, spans);
         const double spur = spur_px[clipped.path[strand.parts()[0].piece]];
         std::erase_if(spans, [&](const Span& span) {
-            const bool to_an_end = strand.reaches_begin(span) || strand.reaches_end(span) || strand.is_whole(span);
-            return !to_an_end && span.length() < spur;
+            const bool from_begin = strand.reaches_begin(span), to_end = strand.reaches_end(span);
+            if ((from_begin && to_end) || strand.is_whole(span)) return false;
+            return span.length() < (from_begin || to_end ? speck_px : spur);
         });
     });
 }

@@ -2,27 +2,37 @@
 // atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
 // Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
 //
-// Order: close_gaps, trim_folds, halo, overshoot. What overshoots after its halo shortens the gap; the other way round
-// it would come out beyond the line it passes behind.
+// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. A halo after an overshoot would leave what is beyond the
+// line that it passes behind.
 #pragma once
 
 #include "atlas/runs.h"
 
 namespace fovea {
 
-/// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`, unless
-/// they begin or end where their line does, or the frame.
-Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px);
+/// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`; of those
+/// that begin or end where their line does, or the frame, only the ones shorter than `speck_px`. What is all of a line
+/// stays.
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px, double speck_px = 0.0);
 
 /// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
 /// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of visible runs (not
 /// of pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
 
-/// Lengthens visible runs at both ends by the path's `amount_px` (dilation), or shortens them by less than nothing
-/// (erosion). Runs that meet are joined, runs that vanish go. At the ends of its path a line goes straight on beyond
-/// them: such a run starts before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame.
-/// The result grows with the amount, without steps but where runs meet; an amount of 0 leaves a path as it is.
+/// Where a contour of mesh edges breaks off because facets of its own rough outline hide it, and another line goes on
+/// a little farther: draws visible runs of paths with `of_view` set on, by at most `reach_px` along their hidden way,
+/// and straight on beyond their line's end by three eighths of it, to where they come nearest to the end of a run of
+/// another path of the same `placement` (per path of Paths) that faces theirs, if they come near. Hidden runs give way.
+Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, In<Index> placement,
+               double reach_px);
+
+/// Lengthens visible runs by the path's `amount_px` where their line ends, straight on beyond it: such a run starts
+/// before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame, and a line that a
+/// surface hides stops at its edge; a pixel of it may be hidden at its end, and from two on it goes no farther.
+/// By less than nothing, shortens them at all their ends (erosion); runs that vanish go. The result grows with the
+/// amount, without steps but where runs meet; an amount of 0 leaves a path as it is. Cole 2009, section 5.1.2, dilates
+/// visibility instead, which draws lines on behind what hides them.
 Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
 
 /// The same, by `amount_px` mixed with the path's `other_px` as `mix` (per atlas sample, in [0,1]) says at each end.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "atlas/filters.h"
@@ -13,6 +14,15 @@ void check_amounts(const ClippedPaths& clipped, In<float> amounts, const char* n
     for (float amount : amounts) check(std::isfinite(amount), std::string(name) + ": not a finite number");
 }
 
+constexpr double hidden_rest_px = 1.0;  // what may be hidden of a line at its end: a corner that touches a surface
+
+/// How far a span whose line ends `rest` pixels farther on is drawn on beyond its end. Where a surface hides it, a line
+/// stops at the edge of that surface, as a pencil does; it may draw back from there.
+double beyond(double amount, bool line_ends, double rest) {
+    if (amount <= 0.0) return amount;
+    return line_ends ? amount * std::clamp(2.0 - rest / hidden_rest_px, 0.0, 1.0) : 0.0;
+}
+
 /// Lengthens spans by amount_at(path, strand, place).
 template <typename Changes, typename Amount>
 Runs lengthen(const ClippedPaths& clipped, const Runs& runs, const Changes& changes, const Amount& amount_at) {
@@ -21,9 +31,12 @@ Runs lengthen(const ClippedPaths& clipped, const Runs& runs, const Changes& chan
         for (Span& span : spans) {
             if (strand.is_whole(span)) continue;
             const double before = amount_at(path, strand, span.begin), after = amount_at(path, strand, span.end);
+            const double rest_before = span.begin - strand.begin, rest_after = strand.end - span.end;
             // At the frame the line only seems to end.
-            if (strand.ends_at_begin || !strand.reaches_begin(span)) span.begin -= before;
-            if (strand.ends_at_end || !strand.reaches_end(span)) span.end += after;
+            if (strand.ends_at_begin || !strand.reaches_begin(span))
+                span.begin -= beyond(before, strand.ends_at_begin, rest_before);
+            if (strand.ends_at_end || !strand.reaches_end(span))
+                span.end += beyond(after, strand.ends_at_end, rest_after);
         }
         std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
     });

@@ -35,14 +35,14 @@ source (R,) uint32 the point of Paths whose segment each begins on. Asked every 
 uint32 per path of Paths, bits of kinds whose segments are outer unasked.)");
     m.def(
         "close_gaps",
-        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px) {
+        [](const ClippedPaths& clipped, const Runs& runs, double gap_px, const Arg<float>& spur_px, double speck_px) {
             const In<float> spurs = borrow<float>(spur_px, "spur_px");
             py::gil_scoped_release release;
-            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spurs));
+            return std::make_shared<Runs>(close_gaps(clipped, runs, gap_px, spurs, speck_px));
         },
-        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"),
+        py::arg("clipped"), py::arg("runs"), py::arg("gap_px"), py::arg("spur_px"), py::arg("speck_px") = 0.0,
         R"(Joins visible runs over gaps shorter than gap_px, drops those that are shorter than spur_px and hidden on
-both sides. spur_px: (P,) float32 per path of Paths.)");
+both sides, or than speck_px and hidden on one. spur_px: (P,) float32 per path of Paths.)");
     m.def(
         "trim_folds",
         [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double fold_px) {
@@ -51,6 +51,14 @@ both sides. spur_px: (P,) float32 per path of Paths.)");
         },
         py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("fold_px"),
         "Cuts folds of at most fold_px off the ends of contours.");
+    m.def(
+        "meet_ends",
+        [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, double reach_px) {
+            py::gil_scoped_release release;
+            return std::make_shared<Runs>(meet_ends(clipped, runs, paths.of_view, paths.placement, reach_px));
+        },
+        py::arg("clipped"), py::arg("runs"), py::arg("paths"), py::arg("reach_px"),
+        "Visible runs of contours drawn on by at most reach_px where another line goes on from their end.");
     m.def(
         "halo",
         [](const ClippedPaths& clipped, const Runs& runs, const Paths& paths, const Arg<float>& gap_px) {
@@ -74,8 +82,8 @@ of Paths, 0 or more; 0 leaves a path as it is. Comes before overshoot.)");
         },
         py::arg("clipped"), py::arg("runs"), py::arg("amount_px"), py::arg("other_px") = py::none(),
         py::arg("mix") = py::none(),
-        R"(Visible runs longer at both ends by amount_px, beyond the ends of their paths, too, or shorter where it is
-less than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is. other_px (P,) and
+        R"(Visible runs longer by amount_px where their paths end, straight on, or shorter at all ends where it is less
+than 0. amount_px: (P,) float32 per path of Paths; 0 leaves a path as it is. other_px (P,) and
 mix (samples,) in [0, 1]: amounts out of focus, and how far each sample is on the way to them.)");
 }
 

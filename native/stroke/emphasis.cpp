@@ -46,6 +46,21 @@ class Fan {
     float low_[5] = {-1e30f, -1e30f, -1e30f, -1e30f, -1e30f}, high_[5] = {1e30f, 1e30f, 1e30f, 1e30f, 1e30f};
 };
 
+/// The samples in a run, or of one that is shorter than they are apart, the nearest to its middle.
+struct Own {
+    std::ptrdiff_t first, last;
+};
+
+Own own_samples(const PieceSamples& samples, double start_px, double end_px) {
+    const Own own{samples.after(start_px), samples.after(end_px) - 1};
+    if (own.first <= own.last) return own;
+    const double middle = 0.5 * (start_px + end_px);
+    const std::ptrdiff_t next = std::min(own.first, samples.count() - 1),
+                         before = std::max<std::ptrdiff_t>(next - 1, 0);
+    const std::ptrdiff_t nearest = samples.arc(next) - middle < middle - samples.arc(before) ? next : before;
+    return {nearest, nearest};
+}
+
 }  // namespace
 
 void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis) {
@@ -61,10 +76,15 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
     if (e.focus.empty() && e.distance.empty() && e.shown.empty()) return;
     const PieceSamples samples(clipped, piece);
     if (samples.count() == 0) return;
+    // From the sample before the run to the one after it. What these two show is of other runs, or of none.
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(samples.after(start_px) - 1, 0);
+    const std::ptrdiff_t last = std::min(samples.after(end_px), samples.count() - 1);
+    const Own own = own_samples(samples, start_px, end_px);
     const auto at = [&](std::ptrdiff_t s) {
         const std::size_t i = samples.in_atlas(s);
         const float f = e.focus.empty() ? 0.0f : e.focus[i], d = e.distance.empty() ? 0.0f : e.distance[i];
-        const float seen = e.shown.empty() ? 1.0f : std::clamp(e.shown[i], 0.0f, 1.0f);
+        const std::size_t shown_at = samples.in_atlas(std::clamp(s, own.first, own.last));
+        const float seen = e.shown.empty() ? 1.0f : std::clamp(e.shown[shown_at], 0.0f, 1.0f);
         const bool near = e.focus.empty(), flat = e.distance.empty();
         const auto by_focus = [&](const Transfer& transfer) { return near ? 0.0f : transfer(f); };
         const auto by_distance = [&](const Transfer& transfer) { return flat ? 0.0f : transfer(d); };
@@ -77,9 +97,6 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
         out.mix.push_back(place.mix);
         out.shown.push_back(place.shown);
     };
-    // From the sample before the run to the one after it.
-    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(samples.after(start_px) - 1, 0);
-    const std::ptrdiff_t last = std::min(samples.after(end_px), samples.count() - 1);
     Place before = at(first);
     keep(before);
     Fan fan(before);

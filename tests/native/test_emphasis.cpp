@@ -119,6 +119,23 @@ TEST(Emphasis, WhatIsNotShownFadesWhereItEnds) {
     });
 }
 
+TEST(Emphasis, OfOneRunShowsNothingOfWhatIsBesideIt) {
+    // Samples lie at -99, -97, ...: where no run is, elision takes nothing away.
+    const ClippedPaths clipped = sampled_line();
+    for (const auto& [start, end] :
+         {std::pair(-21.5, 29.5), {-20.5, 30.5}, {-21.9, -21.6}, {-20.2, -19.8}, {-100.0, -99.7}, {99.9, 100.0}}) {
+        std::vector<float> shown(count, 1.0f);
+        for (int i = 0; i < count; ++i)
+            if (start < 2 * i - 98 && end > 2 * i - 100) shown[i] = 0.25f;
+        Emphasis emphasis;
+        emphasis.shown = shown;
+        EmphasisAlong along;
+        find_emphasis(clipped, emphasis, 0, start, end, along);
+        ASSERT_FALSE(along.shown.empty());
+        for (float left : along.shown) EXPECT_EQ(left, 0.25f) << start;
+    }
+}
+
 TEST(Emphasis, PictureBlendsColorsAndInk) {
     const std::vector<float> half(count, 0.5f);
     Emphasis emphasis;

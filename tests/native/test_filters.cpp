@@ -53,11 +53,18 @@ TEST(Pieces, KnowHowTheyEnd) {
     EXPECT_EQ(ends_of(4), std::vector<int>{path_start | path_end});
 }
 
-TEST(Overshoot, GrowsBothEndsAndJoinsRunsThatMeet) {
+TEST(Overshoot, StopsWhereASurfaceHidesTheLine) {
     const ClippedPaths clipped = straight();
     const Runs runs = runs_of({{0, -80, -50}, {0, -40, -20}, {0, 30, 60}});
-    expect_runs(overshoot(clipped, runs, everywhere(clipped, 4)), {{0, -84, -46}, {0, -44, -16}, {0, 26, 64}});
-    expect_runs(overshoot(clipped, runs, everywhere(clipped, 5)), {{0, -85, -15}, {0, 25, 65}});
+    for (float amount : {4.0f, 5.0f, 40.0f})
+        expect_same(overshoot(clipped, runs, everywhere(clipped, amount)), runs);
+    expect_runs(overshoot(clipped, runs_of({{0, -100, 20}, {0, 40, 100}}), everywhere(clipped, 9)),
+                {{0, -109, 20}, {0, 40, 109}});
+}
+
+TEST(Overshoot, OfLessThanNothingDrawsBackEveryEnd) {
+    const ClippedPaths clipped = straight();
+    const Runs runs = runs_of({{0, -80, -50}, {0, -40, -20}, {0, 30, 60}});
     expect_runs(overshoot(clipped, runs, everywhere(clipped, -4)), {{0, -76, -54}, {0, -36, -24}, {0, 34, 56}});
     expect_runs(overshoot(clipped, runs, everywhere(clipped, -10)), {{0, -70, -60}, {0, 40, 50}});
     EXPECT_EQ(overshoot(clipped, runs, everywhere(clipped, -15)).size(), 0u);
@@ -68,19 +75,32 @@ TEST(Overshoot, GoesBeyondTheEndsOfALineButNotBeyondTheFrame) {
     const ClippedPaths line = straight();
     expect_runs(overshoot(line, whole(line), everywhere(line, 7)), {{0, -107, 107}});
     expect_runs(overshoot(line, whole(line), everywhere(line, -7)), {{0, -93, 93}});
-    expect_runs(overshoot(line, runs_of({{0, 20, 96}}), everywhere(line, 7)), {{0, 13, 103}});
     const ClippedPaths cut = Wires({{at(100, 100), at(900, 100)}}).project(camera());
     const double first = cut.arc_px[0], last = cut.arc_px[1];
     for (float amount : {7.0f, -7.0f})
         expect_runs(overshoot(cut, whole(cut), everywhere(cut, amount)), {{0, first - amount, last}});
 }
 
+TEST(Overshoot, GoesOverAHiddenPixelAtTheEndOfALine) {
+    const ClippedPaths line = straight();
+    double before = 107.0;
+    for (double rest = 0.0; rest < 4.0; rest += 0.125) {
+        const Runs runs = runs_of({{0, 20, 100 - rest}, {0, 100 - rest, 100, 1}});
+        const Runs longer = overshoot(line, runs, everywhere(line, 7));
+        const double end = longer.end_px[0];
+        EXPECT_NEAR(end, 100 - rest + (rest <= 1.0 ? 7.0 : rest < 2.0 ? 7.0 * (2.0 - rest) : 0.0), 1e-3) << rest;
+        EXPECT_LE(std::abs(end - before), 0.125 * 8.0 + 1e-6) << "no step, so that it is steady while something moves";
+        before = end;
+    }
+    expect_runs(overshoot(line, runs_of({{0, -100, -99, 1}, {0, -99, 0}, {0, 0, 100, 2}}), everywhere(line, 7)),
+                {{0, -106, 0}, {0, 0, 100, 2}});
+}
+
 TEST(Overshoot, HiddenRunsGiveWayAndStayOtherwise) {
     const ClippedPaths clipped = straight();
     const Runs runs =
         runs_of({{0, -100, -50, 2}, {0, -50, 0}, {0, 0, 4, 1}, {0, 4, 10, 3}, {0, 40, 60}, {0, 60, 100, 1}});
-    expect_runs(overshoot(clipped, runs, everywhere(clipped, 5)),
-                {{0, -100, -55, 2}, {0, -55, 5}, {0, 5, 10, 3}, {0, 35, 65}, {0, 65, 100, 1}});
+    expect_same(overshoot(clipped, runs, everywhere(clipped, 5)), runs);
     expect_runs(overshoot(clipped, runs, everywhere(clipped, -5)),
                 {{0, -100, -50, 2}, {0, -45, -5}, {0, 0, 4, 1}, {0, 4, 10, 3}, {0, 45, 55}, {0, 60, 100, 1}});
     expect_runs(overshoot(clipped, runs, everywhere(clipped, -25)),
@@ -109,7 +129,7 @@ TEST(Overshoot, GrowsWithItsAmountAndContinuously) {
         const Runs more = overshoot(clipped, runs, everywhere(clipped, amount));
         expect_sound(more);
         EXPECT_TRUE(holds(more, less)) << amount;
-        // No end moves farther than the amount does; a run that appears or fills a gap has two.
+        // No end moves farther than the amount does; a run that appears has two.
         EXPECT_LE(visible_length(more) - visible_length(less), 2.0 * (amount - before) * runs.size() + 1e-6) << amount;
         less = more;
         before = amount;
@@ -146,12 +166,13 @@ TEST(Overshoot, OfARingDoesNotSeeItsSeam) {
     };
     expect_runs(grown({{0, first, last}}, 5), {{0, first, last}});
     expect_runs(grown({{0, first, last}}, -5), {{0, first, last}});
-    expect_runs(grown({{0, first + 2, first + 20}}, 5), {{0, first, first + 25}, {0, last - 3, last}});
-    expect_runs(grown({{0, last - 20, last}}, 5), {{0, first, first + 5}, {0, last - 25, last}});
-    expect_runs(grown({{0, first, first + 10}, {0, last - 20, last}}, 5),
-                {{0, first, first + 15}, {0, last - 25, last}});
+    for (const auto& parts : std::vector<std::vector<Part>>{{{0, first + 2, first + 20}},
+                                                            {{0, last - 20, last}},
+                                                            {{0, first, first + 10}, {0, last - 20, last}},
+                                                            {{0, first + 4, last - 4}}})
+        expect_runs(grown(parts, 5), parts);
+    expect_runs(grown({{0, last - 20, last}}, -5), {{0, last - 15, last - 5}});
     expect_runs(grown({{0, first, first + 10}, {0, last - 20, last}}, -12), {{0, last - 8, last - 2}});
-    expect_runs(grown({{0, first + 4, last - 4}}, 5), {{0, first, last}});
 }
 
 TEST(Overshoot, CrossesTheSeamOfARingThatTheFrameCuts) {
@@ -163,9 +184,9 @@ TEST(Overshoot, CrossesTheSeamOfARingThatTheFrameCuts) {
         return overshoot(clipped, runs_of(parts), everywhere(clipped, amount));
     };
     expect_runs(grown({{0, seam0, seam0 + 10}, {1, seam1 - 6, seam1}}, 5),
-                {{0, seam0, seam0 + 15}, {1, seam1 - 11, seam1}});
+                {{0, seam0, seam0 + 10}, {1, seam1 - 6, seam1}});
     expect_runs(grown({{0, seam0, seam0 + 10}, {1, seam1 - 4, seam1}}, -5), {{0, seam0 + 1, seam0 + 5}});
-    expect_runs(grown({{0, seam0 + 2, cut0}}, 5), {{0, seam0, cut0}, {1, seam1 - 3, seam1}});
+    expect_runs(grown({{0, seam0 + 2, cut0}}, 5), {{0, seam0 + 2, cut0}});
     expect_runs(grown({{0, seam0, cut0}, {1, cut1, seam1}}, -5), {{0, seam0, cut0}, {1, cut1, seam1}});
 }
 
@@ -180,6 +201,19 @@ TEST(CloseGaps, DoesNotSeeTheSeamOfARing) {
     expect_runs(closed({{0, first + 2, 0}, {0, 20, last - 2}}), {{0, first + 2, 0}, {0, 20, last - 2}});
     expect_runs(closed({{0, first, first + 1}, {0, last - 2, last}}), {});
     expect_runs(closed({{0, first, first + 2}, {0, last - 3, last}}), {{0, first, first + 2}, {0, last - 3, last}});
+}
+
+TEST(CloseGaps, SpecksAtTheEndsOfALineGoButNotAWholeLine) {
+    const ClippedPaths line = straight();
+    const double begin = line.arc_px[0], end = line.arc_px[1];
+    const auto closed = [&](const std::vector<Part>& parts, double speck) {
+        return close_gaps(line, runs_of(parts), 3.0, everywhere(line, 10.0f), speck);
+    };
+    EXPECT_EQ(closed({{0, begin, begin + 0.1}, {0, end - 0.8, end}}, 1.0).size(), 0u);
+    const std::vector<Part> longer{{0, begin, begin + 1.1}, {0, end - 1.1, end}};
+    expect_runs(closed({longer[0], {0, -50, -41}, longer[1]}, 1.0), longer);
+    expect_runs(closed({{0, begin, end}}, 300.0), {{0, begin, end}});
+    EXPECT_EQ(closed({{0, begin, end - 1.0}}, 300.0).size(), 0u);
 }
 
 TEST(CloseGaps, HiddenRunsGiveWay) {
@@ -224,10 +258,10 @@ TEST(Overshoot, MixesItsAmountAtEitherEnd) {
     std::vector<float> mix(clipped.samples);
     for (std::size_t s = 0; s < mix.size(); ++s) mix[s] = (s + 0.5f) / mix.size();  // 0 at -100, 1 at 100
     const Runs runs = runs_of({{0, -50, 50}});
-    const Runs longer = overshoot(clipped, runs, everywhere(clipped, 4), everywhere(clipped, 20), mix);
-    ASSERT_EQ(longer.size(), 1u);
-    EXPECT_NEAR(longer.start_px[0], -50 - 8, 1e-3);
-    EXPECT_NEAR(longer.end_px[0], 50 + 16, 1e-3);
+    const Runs shorter = overshoot(clipped, runs, everywhere(clipped, -4), everywhere(clipped, -20), mix);
+    ASSERT_EQ(shorter.size(), 1u);
+    EXPECT_NEAR(shorter.start_px[0], -50 + 8, 1e-3);
+    EXPECT_NEAR(shorter.end_px[0], 50 - 16, 1e-3);
     const Runs whole_line = overshoot(clipped, whole(clipped), everywhere(clipped, 4), everywhere(clipped, 20), mix);
     EXPECT_NEAR(whole_line.start_px[0], -104, 0.2);
     EXPECT_NEAR(whole_line.end_px[0], 120, 0.2);
@@ -240,8 +274,8 @@ TEST(Overshoot, MixesAcrossTheSeamOfAClosedLine) {
     const std::vector<float> all(clipped.samples, 0.5f);
     // Visible across the seam.
     const Runs runs = runs_of({{0, -half, -half + 30}, {0, half - 30, half}});
-    const Runs longer = overshoot(clipped, runs, everywhere(clipped, 0), everywhere(clipped, 10), all);
-    ASSERT_EQ(longer.size(), 2u);
-    EXPECT_NEAR(longer.end_px[0], -half + 35, 1e-6);
-    EXPECT_NEAR(longer.start_px[1], half - 35, 1e-6);
+    const Runs shorter = overshoot(clipped, runs, everywhere(clipped, 0), everywhere(clipped, -10), all);
+    ASSERT_EQ(shorter.size(), 2u);
+    EXPECT_NEAR(shorter.end_px[0], -half + 25, 1e-6);
+    EXPECT_NEAR(shorter.start_px[1], half - 25, 1e-6);
 }

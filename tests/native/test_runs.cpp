@@ -172,6 +172,37 @@ TEST(TrimFolds, CutsTheWayBackOffTheEndsOfContours) {
     }
 }
 
+TEST(MeetEnds, ContoursGoOnToLinesThatGoOnFromThere) {
+    // A contour of 100 px, of which the last 6 are hidden; a line before it goes on from x = 196, a pixel above.
+    const auto at = [](double x, double y) { return dvec3(3.2 * (x / 320.0 - 1.0), 2.4 * (y / 240.0 - 1.0), -4); };
+    const auto end_of = [&](std::vector<dvec3> other, std::uint8_t of_view, Index placement, double seen,
+                            double reach = 8.0) {
+        const ClippedPaths clipped = Wires({{at(100, 100), at(200, 100)}, other}).project(camera());
+        Runs runs;
+        add_run(runs, 0, -50.0, seen);
+        runs.push(0, seen, 50.0, 1);
+        add_run(runs, 1, clipped.arc_px[clipped.pieces.begin(1)], clipped.arc_px[clipped.pieces.end(1) - 1]);
+        const Runs met =
+            meet_ends(clipped, runs, std::vector<std::uint8_t>{of_view, 0}, std::vector<Index>{0, placement}, reach);
+        EXPECT_EQ(met.start_px[0], -50.0);
+        const double rest = met.size() == 3 ? met.end_px[1] - met.start_px[1] : 0.0;
+        EXPECT_NEAR(rest, std::max(0.0, 50.0 - met.end_px[0]), 1e-9) << "the hidden part gives way";
+        return met.end_px[0];
+    };
+    const std::vector<dvec3> onward{at(196, 101), at(300, 101)}, back{at(300, 101), at(196, 101)};
+    EXPECT_NEAR(end_of(onward, 1, 0, 44.0 - 4.0), 46.0, 0.51);
+    EXPECT_NEAR(end_of(back, 1, 0, 40.0), 46.0, 0.51) << "whichever way it was found";
+    EXPECT_EQ(end_of(onward, 0, 0, 40.0), 40.0) << "not a line of the view";
+    EXPECT_EQ(end_of(onward, 1, 1, 40.0), 40.0) << "another object";
+    EXPECT_EQ(end_of(onward, 1, 0, 35.0), 35.0) << "too far";
+    EXPECT_EQ(end_of({at(196, 105), at(300, 105)}, 1, 0, 40.0), 40.0) << "beside";
+    EXPECT_EQ(end_of({at(196, 101), at(100, 101)}, 1, 0, 40.0), 40.0) << "a line that comes from there";
+    EXPECT_EQ(end_of({at(196, 101), at(196, 200)}, 1, 0, 40.0), 40.0) << "a corner";
+    EXPECT_NEAR(end_of({at(202.5, 100), at(300, 100)}, 1, 0, 50.0), 52.5, 0.01) << "straight on beyond its end";
+    EXPECT_NEAR(end_of({at(206, 100), at(300, 100)}, 1, 0, 50.0), 50.0, 0.01) << "but not far";
+    EXPECT_THROW(end_of(onward, 1, 0, 40.0, 0.0), std::invalid_argument);
+}
+
 TEST(CloseGaps, JoinsShortGapsAndDropsShortSpurs) {
     const ClippedPaths clipped = pieces_of({{100}, {100}});
     Runs runs;

@@ -110,7 +110,8 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     trimmed = core.trim_folds(clipped, closed, paths, 8.0)
     pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
     haloed = core.halo(clipped, trimmed, paths, np.full(len(paths), 2.5, np.float32))
-    shot = core.overshoot(clipped, haloed, np.full(len(paths), 1.5, np.float32))
+    met = core.meet_ends(clipped, haloed, paths, 8.0)
+    shot = core.overshoot(clipped, met, np.full(len(paths), 1.5, np.float32))
     parts = core.with_hidden(clipped, shot, paths)
     compact = core.compact(clipped, paths, parts)
     ranges = np.array([(i, 0, 9, 0) for i in range(len(line_sets))], np.uint32)

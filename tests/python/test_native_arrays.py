@@ -221,6 +221,8 @@ def test_stages_of_different_scenes_are_not_mixed(stages):
         lambda: core.close_gaps(clipped, runs, 1.0, np.ones(len(few_paths), np.float32)),
         lambda: core.trim_folds(few_clipped, runs, few_paths, 5.0),
         lambda: core.trim_folds(clipped, runs, few_paths, 5.0),
+        lambda: core.meet_ends(few_clipped, runs, few_paths, 8.0),
+        lambda: core.meet_ends(clipped, runs, few_paths, 8.0),
         lambda: core.halo(few_clipped, runs, paths, np.ones(len(paths), np.float32)),
         lambda: core.halo(clipped, runs, few_paths, np.ones(len(few_paths), np.float32)),
         lambda: core.overshoot(few_clipped, runs, np.ones(len(paths), np.float32)),
