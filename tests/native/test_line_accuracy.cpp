@@ -78,9 +78,9 @@ Match compare(const Body& body, const Case& of, bool orthographic, double reach 
 }
 
 /// Made once: exact curvatures and fields of so many vertices take seconds.
-const Body& body_of(const std::string& name, bool irregular) {
+const Body& body_of(const char* of, bool irregular) {
     static std::map<std::string, Body> made;
-    const std::string called = name + (irregular ? " irregular" : "");
+    const std::string name = of, called = name + (irregular ? " irregular" : "");
     if (const auto found = made.find(called); found != made.end()) return found->second;
     const GridOptions grid{.n = 256, .irregular = irregular};
     const auto sample = [&] {
