@@ -74,4 +74,11 @@ In<T> borrow(const std::optional<Arg<T>>& array, const char* name) {
     return array ? borrow<T>(*array, name) : In<T>{};
 }
 
+/// Elements of its own.
+template <typename T>
+Array<T> copy(const Arg<T>& array, const char* name) {
+    const In<T> in = borrow<T>(array, name);
+    return Array<T>(in.begin(), in.end());
+}
+
 }  // namespace fovea::bindings

@@ -48,12 +48,6 @@ std::shared_ptr<ColorTexture> make_texture(const Image& image, bool encoded) {
     return std::make_shared<ColorTexture>(all, int(image.shape(1)), int(image.shape(0)), int(image.shape(2)), encoded);
 }
 
-template <typename T>
-Array<T> copy(const Arg<T>& array, const char* name) {
-    const In<T> in = borrow<T>(array, name);
-    return Array<T>(in.begin(), in.end());
-}
-
 std::shared_ptr<SurfaceColor> make_surface_color(const std::vector<ColorSlot>& slots,
                                                  const std::optional<Arg<vec3>>& normals,
                                                  const std::vector<Arg<vec2>>& uvs,

@@ -15,7 +15,7 @@
 namespace fovea::bindings {
 namespace {
 
-SceneDepth draw(std::shared_ptr<Scene> scene, const View& view, DepthBuffer layout, const Cancel* cancel) {
+SceneDepth depth_of(std::shared_ptr<Scene> scene, const View& view, DepthBuffer layout, const Cancel* cancel) {
     py::gil_scoped_release release;
     const std::vector<DepthMesh> meshes = depth_meshes(*scene, view, DepthOptions().margin);
     DepthBuffer buffer = draw_depth_into(std::move(layout), view, meshes, cancel);
@@ -91,11 +91,11 @@ void bind_reference(py::module_& m) {
     m.def(
         "draw_depth",
         [](std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {
-            return draw(std::move(scene), view, depth_layout(view, {.scale = scale}), cancel);
+            return depth_of(std::move(scene), view, depth_layout(view, {.scale = scale}), cancel);
         },
         py::arg("scene"), py::arg("view"), py::arg("scale") = 2, py::arg("cancel") = py::none(),
         "SceneDepth with so many texels per pixel, along each axis.");
-    m.def("draw_depth", &draw, py::arg("scene"), py::arg("view"), py::arg("layout"), py::arg("cancel") = py::none(),
+    m.def("draw_depth", &depth_of, py::arg("scene"), py::arg("view"), py::arg("layout"), py::arg("cancel") = py::none(),
           "SceneDepth of a DepthLayout.");
     m.def("sampled_visibility", &sampled, py::arg("clipped"), py::arg("depth"), py::arg("probes") = 1,
           py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer; 0 where it does not decide.");

@@ -10,8 +10,8 @@
 namespace fovea::bindings {
 namespace {
 
-py::array draw(const Strokes& strokes, const std::vector<Pen>& pens, const std::vector<PenTexture>& textures,
-               const ClippedPaths& clipped, const SceneDepth& depth, int probes) {
+py::array draw_seen(const Strokes& strokes, const std::vector<Pen>& pens, const std::vector<PenTexture>& textures,
+                    const ClippedPaths& clipped, const SceneDepth& depth, int probes) {
     Array<vec4> image;
     {
         py::gil_scoped_release release;
@@ -28,7 +28,7 @@ void bind_spine(py::module_& m) {
     m.def(
         "whole_runs", [](const ClippedPaths& clipped) { return std::make_shared<Runs>(whole_pieces(clipped)); },
         py::arg("clipped"), "Runs over the whole of every piece.");
-    m.def("raster_seen", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"), py::arg("clipped"),
+    m.def("raster_seen", &draw_seen, py::arg("strokes"), py::arg("pens"), py::arg("textures"), py::arg("clipped"),
           py::arg("depth"), py::arg("probes") = 1,
           "As raster, over a SceneDepth's view, by the spine test; see native/atlas/spine.h.");
     m.def(

@@ -49,7 +49,7 @@ Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
     return pen;
 }
 
-PenTexture make_texture(const Image& ink) {
+PenTexture make_pen_texture(const Image& ink) {
     check(ink.ndim() == 2 && ink.size() > 0, "pen texture: expected ink of shape (rows, columns)");
     return {int(ink.shape(1)), int(ink.shape(0)),
             Array<float>(ink.data(), ink.data() + ink.size())};
@@ -57,12 +57,6 @@ PenTexture make_texture(const Image& ink) {
 
 py::array ink_of(PenTexture&& texture) {
     return to_numpy(std::move(texture.ink)).reshape({texture.height, texture.width});
-}
-
-template <typename T>
-Array<T> copy(const Arg<T>& array, const char* name) {
-    const In<T> in = borrow<T>(array, name);
-    return Array<T>(in.begin(), in.end());
 }
 
 Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width,
@@ -140,7 +134,7 @@ void bind_pens(py::module_& m) {
              R"(color scene-linear; texture: index into the frame's textures, None: solid; away: index of the pen that
 this one becomes out of focus.)");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
-        .def(py::init(&make_texture), py::arg("ink"),
+        .def(py::init(&make_pen_texture), py::arg("ink"),
              "(rows, columns) float32 in [0, 1]; first row: left side of the way.");
     m.def("read_texture", &read_texture, py::arg("path"), "A PenTexture from a PNG; white is full ink.");
     m.def(

@@ -11,77 +11,32 @@
 
 namespace fovea::drawing {
 
-inline dmat4 look_at(dvec3 eye, dvec3 target) {
-    const bool vertical = glm::length(glm::cross(target - eye, dvec3(0, 0, 1))) < 1e-9;
-    return glm::lookAt(eye, target, vertical ? dvec3(0, 1, 0) : dvec3(0, 0, 1));
-}
+dmat4 look_at(dvec3 eye, dvec3 target);
 
 /// A camera with a lens in millimetres over a sensor 36 mm wide.
-inline View perspective(dvec3 eye, dvec3 target, double lens = 50.0, int width = 640, int height = 480) {
-    View view;
-    view.world_to_view = look_at(eye, target);
-    view.width = width;
-    view.height = height;
-    const double right = view.near_clip * 18.0 / lens, top = right * height / width;
-    view.view_to_clip = glm::frustum(-right, right, -top, top, view.near_clip, view.far_clip);
-    return view;
-}
+View perspective(dvec3 eye, dvec3 target, double lens = 50.0, int width = 640, int height = 480);
 
 /// An orthographic camera that sees `across` units from the left to the right border.
-inline View orthographic(dvec3 eye, dvec3 target, double across, int width = 640, int height = 480) {
-    View view;
-    view.world_to_view = look_at(eye, target);
-    view.width = width;
-    view.height = height;
-    view.orthographic = true;
-    const double right = across / 2.0, top = right * height / width;
-    view.view_to_clip = glm::ortho(-right, right, -top, top, view.near_clip, view.far_clip);
-    return view;
-}
+View orthographic(dvec3 eye, dvec3 target, double across, int width = 640, int height = 480);
 
 /// The same camera with another near plane.
-inline View with_near(View view, double near_clip) {
-    const dmat4& old = view.view_to_clip;
-    const double right = near_clip / old[0][0], top = near_clip / old[1][1];
-    view.near_clip = near_clip;
-    view.view_to_clip = view.orthographic ? glm::ortho(-1.0 / old[0][0], 1.0 / old[0][0], -1.0 / old[1][1],
-                                                       1.0 / old[1][1], near_clip, view.far_clip)
-                                          : glm::frustum(-right, right, -top, top, near_clip, view.far_clip);
-    return view;
-}
+View with_near(View view, double near_clip);
 
 /// Where a point of the world falls in the image.
-inline dvec2 pixel_of(const View& view, dvec3 world) {
-    return to_pixels(view, view.view_to_clip * view.world_to_view * dvec4(world, 1.0));
-}
+dvec2 pixel_of(const View& view, dvec3 world);
 
-inline Kinds bit_of(const char* definition) { return Kinds(1 << definition_index(definition)); }
+Kinds bit_of(const char* definition);
 
 /// A line set of definitions with their defaults.
-inline LineSet line_set(const std::vector<const char*>& names, double corner_degrees = 60.0) {
-    LineSet set;
-    set.corner_angle_rad = glm::radians(corner_degrees);
-    for (const char* name : names) {
-        LineKind kind{definition_index(name), {}};
-        for (const Parameter& p : line_definitions()[kind.definition]->parameters) kind.values.push_back(p.value);
-        set.kinds.push_back(kind);
-    }
-    return set;
-}
+LineSet line_set(const std::vector<const char*>& names, double corner_degrees = 60.0);
 
 /// One definition with values of its own.
-inline LineSet line_set_with(const char* name, const Values& values, double corner_degrees = 60.0) {
-    LineSet set = line_set({name}, corner_degrees);
-    set.kinds[0].values = values;
-    return set;
-}
+LineSet line_set_with(const char* name, const Values& values, double corner_degrees = 60.0);
 
-inline Placement place(const meshes::Mesh& mesh, dmat4 object_to_world = dmat4(1.0), std::uint64_t id = 1,
-                       int usage = usage_draw | usage_occlude) {
-    return {mesh.surface(), object_to_world, id, std::uint8_t(usage)};
-}
-inline dmat4 moved(dvec3 by) { return glm::translate(dmat4(1.0), by); }
-inline dmat4 scaled(dvec3 by) { return glm::scale(dmat4(1.0), by); }
+Placement place(const meshes::Mesh& mesh, dmat4 object_to_world = dmat4(1.0), std::uint64_t id = 1,
+                int usage = usage_draw | usage_occlude);
+dmat4 moved(dvec3 by);
+dmat4 scaled(dvec3 by);
 
 /// One picture, from placements to runs.
 struct Drawing {
@@ -93,70 +48,23 @@ struct Drawing {
     Runs runs;
 
     Drawing(std::vector<Placement> placements, const View& seen, const std::vector<LineSet>& sets,
-            const ProjectOptions& options = {})
-        : scene(std::move(placements)),
-          view(seen),
-          tracer(scene, view),
-          paths(extract_paths(scene, view, sets, tracer, Cancel())),
-          clipped(project(paths, scene, view, options, Cancel())),
-          runs(exact_visibility(clipped, paths, tracer, Cancel())) {}
+            const ProjectOptions& options = {});
     Drawing(const Drawing&) = delete;
 
     /// Edges of a placement that are lines, each with its kinds; `none` is among them when an edge appears twice.
-    std::map<Index, Kinds> lines(Index placement = 0) const {
-        std::map<Index, Kinds> found;
-        for (Index p = 0; p < paths.count(); ++p) {
-            if (paths.placement[p] != placement) continue;
-            for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i)
-                if (!found.emplace(paths.place[i], paths.kinds[i]).second) found[none] = 0;
-        }
-        return found;
-    }
+    std::map<Index, Kinds> lines(Index placement = 0) const;
 
     /// Pixels of a mesh edge inside the frame, and how many of them are visible.
     struct Length {
         double all = 0.0, visible = 0.0;
     };
-    Length length_of(Index edge, Index placement = 0) const {
-        Length length;
-        for (Index q = 0; q < clipped.pieces.count(); ++q) {
-            if (paths.placement[clipped.path[q]] != placement) continue;
-            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-                if (paths.place[clipped.source[i]] != edge) continue;
-                const double from = clipped.arc_px[i], to = clipped.arc_px[i + 1];
-                length.all += to - from;
-                for (std::size_t r = 0; r < runs.piece.size(); ++r)
-                    if (runs.piece[r] == q)
-                        length.visible +=
-                            std::max(0.0, std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]));
-            }
-        }
-        return length;
-    }
+    Length length_of(Index edge, Index placement = 0) const;
 
     /// Edges of a placement that are visible over more than half of their length.
-    std::set<Index> visible_edges(Index placement = 0) const {
-        std::set<Index> edges;
-        for (const auto& [edge, kinds] : lines(placement)) {
-            const Length length = length_of(edge, placement);
-            if (length.visible > 0.5 * length.all) edges.insert(edge);
-        }
-        return edges;
-    }
+    std::set<Index> visible_edges(Index placement = 0) const;
 
-    double visible_px(Index placement) const {
-        double sum = 0.0;
-        for (std::size_t r = 0; r < runs.piece.size(); ++r)
-            if (paths.placement[clipped.path[runs.piece[r]]] == placement) sum += runs.end_px[r] - runs.start_px[r];
-        return sum;
-    }
-    double total_px(Index placement) const {
-        double sum = 0.0;
-        for (Index q = 0; q < clipped.pieces.count(); ++q)
-            if (paths.placement[clipped.path[q]] == placement)
-                sum += clipped.arc_px[clipped.pieces.end(q) - 1] - clipped.arc_px[clipped.pieces.begin(q)];
-        return sum;
-    }
+    double visible_px(Index placement) const;
+    double total_px(Index placement) const;
 };
 
 }  // namespace fovea::drawing

@@ -21,36 +21,21 @@ struct Mesh {
     std::vector<int> ngon_polygon, material;
     std::vector<std::uint8_t> occluding, sharp, seam, edge_mark;
 
-    Mesh(std::string called, std::vector<vec3> points) : name(std::move(called)), positions(std::move(points)) {}
+    Mesh(std::string called, std::vector<vec3> points);
 
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
                 material,  occluding,  sharp,        seam,         edge_mark};
     }
-    std::shared_ptr<Surface> surface() const { return std::make_shared<Surface>(name, arrays()); }
+    std::shared_ptr<Surface> surface() const;
 
     /// Number of the edge between two vertices; added when there is none.
-    int edge(int a, int b) {
-        const auto [it, inserted] =
-            edge_of_.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(edge_verts.size()));
-        if (inserted) edge_verts.push_back({a, b});
-        return it->second;
-    }
+    int edge(int a, int b);
 
-    void add_polygon(const std::vector<int>& verts) {
-        for (std::size_t i = 0; i < verts.size(); ++i) {
-            corner_verts.push_back(verts[i]);
-            corner_edges.push_back(edge(verts[i], verts[(i + 1) % verts.size()]));
-        }
-        polygon_offsets.push_back(static_cast<int>(corner_verts.size()));
-    }
+    void add_polygon(const std::vector<int>& verts);
 
     /// A per-edge flag array with the given edges set.
-    std::vector<std::uint8_t> edge_flags(const std::vector<int>& edges) const {
-        std::vector<std::uint8_t> flags(edge_verts.size(), 0);
-        for (int e : edges) flags[e] = 1;
-        return flags;
-    }
+    std::vector<std::uint8_t> edge_flags(const std::vector<int>& edges) const;
 
    private:
     std::map<std::pair<int, int>, int> edge_of_;
@@ -58,11 +43,7 @@ struct Mesh {
 
 using Polygons = std::vector<std::vector<int>>;
 
-inline Mesh of_polygons(const std::string& name, const std::vector<vec3>& positions, const Polygons& polygons) {
-    Mesh mesh(name, positions);
-    for (const auto& polygon : polygons) mesh.add_polygon(polygon);
-    return mesh;
-}
+Mesh of_polygons(const std::string& name, const std::vector<vec3>& positions, const Polygons& polygons);
 
 /// Polygons of another mesh with their winding turned around where `flip(polygon)` holds.
 template <typename Flip>
@@ -79,114 +60,32 @@ Mesh flipped(const Mesh& mesh, const Flip& flip) {
 }
 
 /// Vertex i has bit 0 of i in x, bit 1 in y, bit 2 in z. 6 quads, 12 edges, outward.
-inline Mesh box(vec3 low = vec3(-1), vec3 high = vec3(1)) {
-    std::vector<vec3> p;
-    for (int i = 0; i < 8; ++i) p.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-    return of_polygons("box", p, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
-}
+Mesh box(vec3 low = vec3(-1), vec3 high = vec3(1));
 
-inline Mesh tetrahedron() {
-    return of_polygons("tetrahedron", {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
-                       {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
-}
+Mesh tetrahedron();
 
 /// n x n squares in the plane z = 0 over [-1,1]^2, facing up; vertex i + (n + 1) j.
-inline Mesh grid(int n, float half = 1.0f) {
-    Mesh mesh("grid", {});
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) mesh.positions.push_back(half * vec3(2.0f * i / n - 1.0f, 2.0f * j / n - 1.0f, 0));
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const int v = i + (n + 1) * j;
-            mesh.add_polygon({v, v + 1, v + n + 2, v + n + 1});
-        }
-    return mesh;
-}
+Mesh grid(int n, float half = 1.0f);
 
 /// Unit sphere: 2n segments around z, n rings, triangles at the poles.
-inline Mesh sphere(int n) {
-    Mesh mesh("sphere", {{0, 0, 1}, {0, 0, -1}});
-    const int around = 2 * n;
-    for (int j = 1; j < n; ++j)
-        for (int i = 0; i < around; ++i) {
-            const double t = std::numbers::pi * j / n, p = 2.0 * std::numbers::pi * i / around;
-            mesh.positions.push_back(vec3(dvec3(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t))));
-        }
-    const auto at = [&](int j, int i) { return 2 + (j - 1) * around + i % around; };
-    for (int i = 0; i < around; ++i) {
-        mesh.add_polygon({0, at(1, i), at(1, i + 1)});
-        for (int j = 1; j + 1 < n; ++j) mesh.add_polygon({at(j, i), at(j + 1, i), at(j + 1, i + 1), at(j, i + 1)});
-        mesh.add_polygon({1, at(n - 1, i + 1), at(n - 1, i)});
-    }
-    return mesh;
-}
+Mesh sphere(int n);
 
 /// n quads around z, radius 1, from z = -1 to 1, open at both ends.
-inline Mesh cylinder(int n) {
-    Mesh mesh("cylinder", {});
-    for (int i = 0; i < n; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / n;
-        mesh.positions.push_back(vec3(dvec3(std::cos(a), std::sin(a), -1)));
-        mesh.positions.push_back(vec3(dvec3(std::cos(a), std::sin(a), 1)));
-    }
-    for (int i = 0; i < n; ++i) {
-        const int j = (i + 1) % n;
-        mesh.add_polygon({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
-    }
-    return mesh;
-}
+Mesh cylinder(int n);
 
 /// One-sided strip of n quads: exactly one edge where neighbours disagree about which side is out.
-inline Mesh moebius(int n) {
-    Mesh mesh("moebius", {});
-    for (int i = 0; i < n; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / n;
-        for (double s : {-0.4, 0.4}) {
-            const double r = 1.0 + s * std::cos(a / 2.0);
-            mesh.positions.push_back(vec3(dvec3(r * std::cos(a), r * std::sin(a), s * std::sin(a / 2.0))));
-        }
-    }
-    for (int i = 0; i + 1 < n; ++i) mesh.add_polygon({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
-    mesh.add_polygon({2 * n - 2, 1, 0, 2 * n - 1});
-    return mesh;
-}
+Mesh moebius(int n);
 
 /// Two boxes that touch along one edge: four polygons meet there.
-inline Mesh two_boxes_at_an_edge() {
-    Mesh mesh = box();
-    mesh.name = "two boxes";
-    // The second box spans [1,3] x [1,3]; its edge at x = y = 1 is the first one's 3-7.
-    const Mesh other = box(vec3(1, 1, -1), vec3(3, 3, 1));
-    std::vector<int> number(8);
-    for (int i = 0; i < 8; ++i) {
-        number[i] = i == 0 ? 3 : i == 4 ? 7 : static_cast<int>(mesh.positions.size());
-        if (i != 0 && i != 4) mesh.positions.push_back(other.positions[i]);
-    }
-    for (int f = 0; f < 6; ++f) {
-        std::vector<int> verts;
-        for (int c = 4 * f; c < 4 * f + 4; ++c) verts.push_back(number[other.corner_verts[c]]);
-        mesh.add_polygon(verts);
-    }
-    return mesh;
-}
+Mesh two_boxes_at_an_edge();
 
 /// A quad with one corner lifted: two triangles that meet at its diagonal 0-2.
-inline Mesh bent_quad(float lift = 0.5f) {
-    return of_polygons("bent quad", {{0, 0, 0}, {1, 0, 0}, {1, 1, lift}, {0, 1, 0}}, {{0, 1, 2, 3}});
-}
+Mesh bent_quad(float lift = 0.5f);
 
 /// An arrow head: the diagonal 0-2 lies outside, 1-3 inside.
-inline Mesh concave_quad() {
-    return of_polygons("concave quad", {{0, 0, 0}, {2, 1, 0}, {1, 0, 0}, {2, -1, 0}}, {{0, 3, 2, 1}});
-}
+Mesh concave_quad();
 
 /// A flat L of six corners, and the triangulation that Blender would give.
-inline Mesh l_shape() {
-    Mesh mesh = of_polygons("l shape", {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}},
-                            {{0, 1, 2, 3, 4, 5}});
-    mesh.ngon_triangles = {{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}};
-    mesh.ngon_polygon = {0, 0, 0, 0};
-    return mesh;
-}
+Mesh l_shape();
 
 }  // namespace fovea::meshes

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "curve_match.h"
 #include "exact_lines.h"
@@ -76,11 +77,16 @@ Match compare(const Body& body, const Case& of, bool orthographic, double reach 
     return m;
 }
 
-Body body_of(const std::string& name, bool irregular) {
+/// Made once: exact curvatures and fields of so many vertices take seconds.
+const Body& body_of(const char* of, bool irregular) {
+    static std::map<std::string, Body> made;
+    const std::string name = of, called = name + (irregular ? " irregular" : "");
+    if (const auto found = made.find(called); found != made.end()) return found->second;
     const GridOptions grid{.n = 256, .irregular = irregular};
-    return {name + (irregular ? " irregular" : ""), name == "waves"   ? waves(grid)
-                                                    : name == "torus" ? torus(grid)
-                                                                      : ellipsoid(6, irregular)};
+    const auto sample = [&] {
+        return name == "waves" ? waves(grid) : name == "torus" ? torus(grid) : ellipsoid(6, irregular);
+    };
+    return made.try_emplace(called, called, sample()).first->second;
 }
 
 /// Where a body has lines at all; the settings are the defaults unless those leave nothing of it. Three limits are
@@ -141,7 +147,7 @@ class BodyLines : public testing::TestWithParam<std::tuple<const char*, bool>> {
 
 TEST_P(BodyLines, LineAccuracy) {
     const auto [name, irregular] = GetParam();
-    const Body body = body_of(name, irregular);
+    const Body& body = body_of(name, irregular);
     for (const Case& of : cases_of(name))
         for (const bool orthographic : {true, false}) {
             if (!orthographic && line_definitions()[definition_index(of.name)]->scope == Scope::surface) continue;
@@ -186,7 +192,7 @@ TEST(LineAccuracy, NothingWhereThereIsNothing) {
 TEST(LineAccuracy, DemarcatingCurvesOfATorusAreTwoCircles) {
     // At cos(theta) = -R / 3r. Everywhere on a surface of revolution two directions are as good as each other.
     for (const bool irregular : {false, true}) {
-        const Body body = body_of("torus", irregular);
+        const Body& body = body_of("torus", irregular);
         const double cosine = -1.0 / 1.2, z = 0.4 * std::sqrt(1 - cosine * cosine);
         ExactCurves exact = circle(1 + 0.4 * cosine, z);
         for (const ExactSegment& s : circle(1 + 0.4 * cosine, -z)) exact.push_back(s);
@@ -206,7 +212,7 @@ TEST(LineAccuracy, DemarcatingCurvesOfATorusAreTwoCircles) {
 TEST(LineAccuracy, SuggestiveContoursSurviveNoise) {
     // Positions off by 1 % of an edge: nine tenths of the exact curves have one within two edges.
     for (const bool irregular : {false, true}) {
-        Body clean = body_of("waves", irregular);
+        const Body& clean = body_of("waves", irregular);
         const double feature_size = fields_of(*clean.surface)->feature_size;
         Sample rough = clean.sample;
         std::mt19937 random(11);
@@ -231,7 +237,7 @@ TEST(LineAccuracy, SuggestiveContoursSurviveNoise) {
 TEST(LineAccuracy, FeatureSizeIsThatOfTheSurface) {
     // The quantile of exact curvatures over a fine grid, by area.
     for (const char* name : {"waves", "torus", "ellipsoid"}) {
-        const Body body = body_of(name, true);
+        const Body& body = body_of(name, true);
         const ExactGrid& grid = body.grid;
         std::vector<std::pair<double, double>> pool;
         double total = 0.0;

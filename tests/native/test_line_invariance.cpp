@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <numeric>
 
 #include "curve_match.h"
@@ -85,17 +86,24 @@ Values values_of(const LineDefinition& definition) {
     return values;
 }
 
-/// Segments of one definition, moved back.
-ExactCurves lines_after(Index definition, const Change& change) {
-    std::vector<Placement> placements;
-    for (Mesh mesh : bodies(*line_definitions()[definition])) {
+/// The bodies of a definition after a change; made once, as surfaces keep their fields.
+const std::vector<Placement>& changed(const LineDefinition& definition, const Change& change) {
+    static std::map<std::pair<bool, std::string>, std::vector<Placement>> made;
+    std::vector<Placement>& placements = made[{bool(definition.find), change.name}];
+    if (!placements.empty()) return placements;
+    for (Mesh mesh : bodies(definition)) {
         mesh = reordered(mesh, change.shuffle, change.mirror);
         for (vec3& p : mesh.positions) p = vec3(change.motion * dvec4(dvec3(p), 1.0));
         placements.push_back(place(mesh, dmat4(1.0), placements.size() + 1));
     }
+    return placements;
+}
+
+/// Segments of one definition, moved back.
+ExactCurves lines_after(Index definition, const Change& change) {
     View view = perspective({3, 2.2, 3}, {0, 0, 0});
     view.world_to_view = view.world_to_view * glm::inverse(change.motion);
-    const Scene scene(std::move(placements));
+    const Scene scene(changed(*line_definitions()[definition], change));
     const Tracer tracer(scene, view);
     LineSet set;
     set.kinds.push_back({definition, values_of(*line_definitions()[definition])});

@@ -1,8 +1,10 @@
 """The viewport in a real window while files come and go."""
 
+SIZE = (480, 320)  # charcoal costs by the pixel
+
 
 def test_files_are_drawn_as_they_were_saved(play):
-    found = play("loading")
+    found = play("loading", size=SIZE)
     for pair, (state, apart) in found["same"].items():
         assert state and apart < 1e-5, (pair, state, apart)
     state, apart = found["other"]
@@ -15,7 +17,7 @@ def test_files_are_drawn_as_they_were_saved(play):
 
 
 def test_reverted_recovered_and_left_files(play):
-    found = play("coming_back")
+    found = play("coming_back", size=SIZE)
     for pair, (state, apart) in found["same"].items():
         assert state and apart < 1e-5, (pair, state, apart)
     assert all(apart > 1e-3 for apart in found["other"].values()), found["other"]
