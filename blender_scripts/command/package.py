@@ -39,13 +39,19 @@ def importable(target):
 
 
 def package(target, folder=None):
-    """The validated zip of the staged package."""
+    """The validated zip of the staged package; the one that is there, where it is of the very same files."""
     folder = folder or stage(target)
     manifest = tomllib.loads((folder / "blender_manifest.toml").read_text(encoding="utf-8"))
     archive = target.work / "package" / f"{ID}-{manifest['version']}.zip"
-    archive.unlink(missing_ok=True)
-    extension(target, "packaging", "build", "--source-dir", folder, "--output-filepath", archive)
-    extension(target, "validating the package", "validate", archive)
+    stamp, fresh = target.work / "packaged", archive.with_name("fresh.zip")
+    with target.lock():
+        content = _content(folder)
+        if not (archive.exists() and stamp.exists() and stamp.read_text() == content):
+            fresh.unlink(missing_ok=True)
+            extension(target, "packaging", "build", "--source-dir", folder, "--output-filepath", fresh)
+            extension(target, "validating the package", "validate", fresh)
+            fresh.replace(archive)
+            stamp.write_text(content)
     return archive
 
 
