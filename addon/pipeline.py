@@ -126,7 +126,10 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
             layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
         combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), frame.tracer, cancel)
-        depth = emphasis.depth_image(frame, cancel) if options.with_depth else None
+    depth = None
+    if options.with_depth:
+        with clock.stage("depth", 0.05):
+            depth = emphasis.depth_image(frame, cancel)
     statistics = {
         "stages": clock.stages,
         "strokes": strokes.count,

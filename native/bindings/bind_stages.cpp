@@ -3,6 +3,7 @@
 
 #include "atlas/beside.h"
 #include "atlas/beside_visible.h"
+#include "atlas/depth_image.h"
 #include "atlas/exact.h"
 #include "atlas/invisibility.h"
 #include "atlas/short_hidden.h"

@@ -108,6 +108,16 @@ def test_passes_in_a_multilayer_exr(scene, tmp_path):
     assert {f"{p}.{c}" for p in ("Combined", "Lines") for c in "RGBA"} | {"Depth.Z"} == set(named)
     assert named["Depth.Z"][45, 80] == pytest.approx(9.0, rel=1e-5)
     assert named["Depth.Z"][0, 0] > 1e9
+
+
+def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scene, tmp_path):
+    names = {}
+    for wanted in (False, True):
+        scene.view_layers[0].use_pass_z = wanted
+        drawn(scene, tmp_path / "box.png")
+        names[wanted] = set(session.last_statistics()["stages"])
+    assert names[True] - names[False] == {"depth"} and names[False] <= names[True]
+    assert names[True] <= part("blender.report").STAGES.keys()
     assert named["Combined.G"][45, 80] == pytest.approx(0.25)
     lines = named["Lines.A"]
     assert lines[0, 0] == 0 and lines.max() > 0.99
