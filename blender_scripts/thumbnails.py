@@ -12,9 +12,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 import sheet
 
 
-def main(folder):
-    for name in style.names():
+def main(folder, names):
+    for name in names:
         sheet.save(style_picture.draw(style.load(name)) / 255, Path(folder) / f"{name}.jpg")
 
 
-main(sys.argv[-1])
+if __name__ == "__main__":
+    main(sys.argv[-1], style.names())

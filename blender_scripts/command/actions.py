@@ -58,50 +58,16 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`,
-    `bench visibility`, `bench focus`, `bench viewport`."""
-    from bench import peers
-
+    """`bench NAME [WORDS]`; the name of a scene: `bench peers` for that scene alone."""
     name, *rest = words or ["peers"]
-    if name == "lines":
-        return bench_lines(target, rest)
-    if name == "visibility":
-        return bench_visibility(target, rest)
-    if name == "focus":
-        return bench_focus(target, rest)
-    if name == "viewport":
-        return bench_viewport(target, rest)
-    if name == "agreement":
-        return agreement(target, rest or ["office"])
-    if name != "peers":
-        rest = ["--scenes", name, *rest]
-    peers.parse(rest)  # mistakes show before anything is built
+    if name in ("lines", "agreement"):
+        return {"lines": bench_lines, "agreement": agreement}[name](target, rest)
+    if name not in ("peers", "visibility", "focus", "viewport"):
+        name, rest = "peers", ["--scenes", name, *rest]
+    module = importlib.import_module(f"bench.{name}")
+    module.parse(rest)  # mistakes show before anything is built
     extension.install(target)
-    return peers.main(rest, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
-
-
-def bench_visibility(target, words):
-    from bench import visibility
-
-    visibility.parse(words)
-    extension.install(target)
-    return visibility.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
-
-
-def bench_focus(target, words):
-    from bench import focus
-
-    focus.parse(words)
-    extension.install(target)
-    return focus.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
-
-
-def bench_viewport(target, words):
-    from bench import viewport
-
-    viewport.parse(words)
-    extension.install(target)
-    return viewport.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+    return module.main(rest, target.blender, target.environment(), shared())
 
 
 def bench_lines(target, words):
@@ -111,11 +77,17 @@ def bench_lines(target, words):
     extension.stage(target)
     sys.path.insert(0, str(extension.importable(target)))
     native = importlib.import_module("addon.native").load()
-    return lines.main(words, native, SHARED if SHARED.is_dir() else None)
+    return lines.main(words, native, shared())
+
+
+def shared():
+    """The folder of models that are not part of the project, if it is there."""
+    return SHARED if SHARED.is_dir() else None
 
 
 def agreement(target, words):
     """Prints, as JSON, how far depth-buffer visibility agrees with exact visibility on what `fovea draw` would draw."""
+    words = words or ["office"]
     scene = draw_options.parse(words).scene
     extension.install(target)
     out = target.work / "agreement.json"
