@@ -108,16 +108,6 @@ def test_passes_in_a_multilayer_exr(scene, tmp_path):
     assert {f"{p}.{c}" for p in ("Combined", "Lines") for c in "RGBA"} | {"Depth.Z"} == set(named)
     assert named["Depth.Z"][45, 80] == pytest.approx(9.0, rel=1e-5)
     assert named["Depth.Z"][0, 0] > 1e9
-
-
-def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scene, tmp_path):
-    names = {}
-    for wanted in (False, True):
-        scene.view_layers[0].use_pass_z = wanted
-        drawn(scene, tmp_path / "box.png")
-        names[wanted] = set(session.last_statistics()["stages"])
-    assert names[True] - names[False] == {"depth"} and names[False] <= names[True]
-    assert names[True] <= part("blender.report").STAGES.keys()
     assert named["Combined.G"][45, 80] == pytest.approx(0.25)
     lines = named["Lines.A"]
     assert lines[0, 0] == 0 and lines.max() > 0.99
@@ -156,6 +146,16 @@ def test_a_scene_that_wants_the_gpu_gets_it(scene, tmp_path, visibility):
     scene.frame_start, scene.frame_end, scene.render.filepath = 1, 2, str(tmp_path / "frame_")
     bpy.ops.render.render(animation=True)
     assert np.abs(pixels_of(tmp_path / "frame_0002.png") - by_gpu).max() < 0.01
+
+def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scene, tmp_path):
+    names = {}
+    for wanted in (False, True):
+        scene.view_layers[0].use_pass_z = wanted
+        drawn(scene, tmp_path / "box.png")
+        names[wanted] = set(session.last_statistics()["stages"])
+    assert names[True] - names[False] == {"depth"} and names[False] <= names[True]
+    assert names[True] <= part("blender.report").STAGES.keys()
+
 
 
 def test_both_views_of_a_stereo_pair_are_drawn(scene, tmp_path):
