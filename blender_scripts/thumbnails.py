@@ -9,12 +9,15 @@ from bl_ext.user_default.fovea.blender import style_picture
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import ending
 import sheet
 
 
-def main(folder):
+def main(words):
+    (folder,) = words
     for name in style.names():
         sheet.save(style_picture.draw(style.load(name)) / 255, Path(folder) / f"{name}.jpg")
 
 
-main(sys.argv[-1])
+if __name__ == "__main__":
+    ending.run(main)
