@@ -1,10 +1,9 @@
 """Focus Pull: keyframes that lead from one place to look at to another."""
 
 import bpy
-from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
-from . import focus_places
+from . import camera, focus_places
 
 SECONDS = 2  # that a pull takes where the scene is a still
 EASINGS = [  # interpolation of the keyframes
@@ -84,7 +83,7 @@ def _track_of(scene, at):
 
 def in_frame(scene, at):
     """Where the camera's frame shows world coordinates: from the left and the top."""
-    x, y, _ = world_to_camera_view(scene, scene.camera, Vector(at))
+    x, y = camera.in_frame(bpy.context.evaluated_depsgraph_get(), at)
     return x, 1 - y
 
 

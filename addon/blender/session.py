@@ -64,7 +64,8 @@ def _style_of(scene_):
 
 def render(engine, depsgraph):
     """Draws one view layer of a final render. Without a result Blender writes no file."""
-    with reported(lambda message: engine.report({"ERROR"}, message)):
+    what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
+    with reported(lambda message: engine.report({"ERROR"}, message), what):
         image = final_image(engine, depsgraph)
         if image is not None:
             passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
@@ -75,12 +76,14 @@ def render(engine, depsgraph):
 
 
 @contextmanager
-def reported(tell):
-    """Turns what goes wrong into one sentence for the user."""
+def reported(tell, what="this view"):
+    """Turns what goes wrong while `what` is drawn into one sentence for the user."""
     try:
         yield
     except (CannotDraw, native.Unavailable, style.StyleError) as problem:
         tell(str(problem))
+    except MemoryError:  # numpy's, and std::bad_alloc of the native module
+        tell(f"Memory is too small for {what}: make it smaller, or hide or simplify the largest objects")
     except Exception as error:
         _log.exception("drawing failed")
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")

@@ -20,7 +20,7 @@ from command.figures import DOCS, STYLES
 
 
 def test_a_thumbnail_is_what_ships_beside_its_style(tmp_path):
-    thumbnails.main(tmp_path, ["plain"])
+    thumbnails.main([str(tmp_path), "plain"])
     drawn, ships = (sheet.pixels(folder / "plain.jpg") for folder in (tmp_path, STYLES))
     assert drawn.shape == ships.shape and np.abs(drawn - ships).mean() < 0.02
 
