@@ -57,7 +57,6 @@ def followed(shown):
     yield from shown()
     with screen.override():
         bpy.ops.fovea.focus_pull("EXEC_DEFAULT", target="OBJECT", object="Bicycle", frame_start=1, frame_end=LAST)
-    scene.frame_end = LAST
     scene.frame_set(LAST)
     yield from shown()
 
