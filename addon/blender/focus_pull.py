@@ -93,6 +93,13 @@ def frames_of(scene):
     return first, last if last > first else first + SECONDS * scene.render.fps
 
 
+def hold(scene, first, last):
+    """Widens the scene's range of frames until it holds a pull; whether it had to."""
+    before = scene.frame_start, scene.frame_end
+    scene.frame_start, scene.frame_end = min(scene.frame_start, first), max(scene.frame_end, last)
+    return (scene.frame_start, scene.frame_end) != before
+
+
 class FOVEA_OT_focus_pull(bpy.types.Operator):
     """Lead the focus from where it is to another place, over some frames: keys the place and its two radii"""
 
@@ -172,6 +179,9 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
             getattr(scene.fovea, name) if radius < 0 else radius for name, radius in zip(names, (self.near, self.far))
         )
         pull(scene, at, near, max(near, far), self.frame_start, self.frame_end, self.easing)
+        if hold(scene, self.frame_start, self.frame_end):
+            told = f"The scene's frames are {scene.frame_start} to {scene.frame_end} now, so that all of the pull is played"
+            self.report({"INFO"}, told)
         return {"FINISHED"}
 
     def _problem(self, scene):

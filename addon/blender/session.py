@@ -126,10 +126,10 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)
 
 
-def draw(found, view, chosen, backend, options, progress, cancel, near=()):
-    """The Image of what was Gathered; touches nothing of Blender's unless the backend does. `near`: the lines of the
-    frames around it, for elision smoothed in time."""
-    seen, beside = scene.seen(native.load(), view), {"colors": found.colors, "notes": found.notes, "near": near}
+def draw(found, seen, chosen, backend, options, progress, cancel, near=()):
+    """The Image of what was Gathered as a native View sees it; touches nothing of Blender's unless the backend does.
+    `near`: the lines of the frames around it, for elision smoothed in time."""
+    beside = {"colors": found.colors, "notes": found.notes, "near": near}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
@@ -149,7 +149,7 @@ def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
             near_s = time.perf_counter() - start if near else 0.0
             # After the others: surfaces that move are as they were gathered last.
             found = gather(engine, depsgraph, chosen, with_colors=not lines_alone)
-            image = draw(found, view, chosen, backend, options, tell, cancel, near)
+            image = draw(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near)
         except core.Cancelled:
             return None
     note_statistics(found, image, near_s)
