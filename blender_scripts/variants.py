@@ -23,14 +23,16 @@ def main(words):
     parser.add_argument("output", type=Path, help="OUT.jpg")
     options = parser.parse_args(words)
     scene_name, tiles = variants.SHEETS[options.sheet]
-    size = (960, 540) if len(tiles) == 2 else (480, 270)
+    size = {1: (1280, 720), 2: (960, 540)}.get(len(tiles), (480, 270))
     columns = min(sheet.columns_for(len(tiles), size), 3 if len(tiles) == 9 else 4)
     draw.open_scene(scene_name)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "tile.png"
         drawn = [draw_tile(scene_name, tile, size, path) for _, tile in tiles]
-        labels = sheet.draw_labels([label for label, _ in tiles], columns, -(-len(tiles) // columns), size, path)
-    sheet.save(sheet.paste(drawn, np.repeat(labels[..., None], 3, axis=3), columns), options.output)
+        if len(tiles) > 1:
+            labels = sheet.draw_labels([label for label, _ in tiles], columns, -(-len(tiles) // columns), size, path)
+            drawn = [sheet.paste(drawn, np.repeat(labels[..., None], 3, axis=3), columns)]
+    sheet.save(drawn[0], options.output)
 
 
 def draw_tile(scene_name, words, size, path):

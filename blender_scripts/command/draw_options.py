@@ -10,6 +10,8 @@ from . import output, quantities
 MODELS = (".obj",)
 PICTURES = (".png", ".exr")
 TILE = (480, 360)  # of a sheet
+# How the demo scene is drawn where no word says it: with its door in focus, which is what Fovea is for.
+DEMO = {"style": "watercolor", "focus": (0.474, 0.6), "focus_radii": (0.12, 0.75)}
 LENSES = 1, 5000  # mm, as Blender's slider takes them
 
 
@@ -90,6 +92,8 @@ def _check(options):
         raise ValueError(f"{options.scene}: a scene is a {', '.join(MODELS)} or .blend file, or one of {scenes.names()}")
     else:
         scenes.parse(options.scene)
+    if options.scene == "demo" and not (options.style or options.lines or options.focus or options.focus_painted):
+        vars(options).update(DEMO)
     options.output = options.output or default_output(options.scene, "sheet" if options.sheet else "fovea")
     if options.output.suffix not in PICTURES:
         raise ValueError(f"a picture is {' or '.join(PICTURES)}, not {options.output.name}")

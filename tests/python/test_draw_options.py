@@ -17,6 +17,21 @@ def test_nothing_named_is_the_demo_in_the_current_folder():
     assert options.scene == "demo" and options.output == Path.cwd() / "demo-fovea.png"
 
 
+@pytest.mark.parametrize("words", [[], ["demo"], ["demo", "--size", "64x36", "--frames", "1-2"]])
+def test_the_demo_shows_stylized_focus(words):
+    options = draw_options.parse(words)
+    assert {name: getattr(options, name) for name in draw_options.DEMO} == draw_options.DEMO
+
+
+@pytest.mark.parametrize(
+    "words", [["--style", "pencil"], ["--lines", "crease"], ["--focus", "Bicycle"], ["--focus-painted", "Look"], ["--sheet"]]
+)
+def test_the_demo_is_drawn_as_words_say_where_they_do(words):
+    options, other = draw_options.parse(words), draw_options.parse(["office", *words])
+    names = ("style", "focus", "focus_painted", "focus_radii", "lines")
+    assert [getattr(options, name) for name in names] == [getattr(other, name) for name in names]
+
+
 def test_a_sheet_is_of_all_lines_on_something_smooth():
     options = draw_options.parse(["--sheet"])
     assert (options.scene, options.lines, options.output.name) == ("suzanne:3", ["all"], "suzanne-3-sheet.png")
