@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 
-from . import materials
+from . import shader_links
 
 # Shader node -> the input that is its colour.
 COLOR_INPUTS = {
@@ -39,10 +39,10 @@ def source(material):
     if material is None:
         return Source(attribute=ACTIVE)
     viewport = tuple(material.diffuse_color)[:3]
-    shader = _colored(materials.surface_shader(material))
+    shader = _colored(shader_links.surface_shader(material))
     if shader is None:
         # No surface at all looks as in the viewport; a shader without a colour is one that is not followed.
-        return Source(viewport, viewport=viewport, followed=materials.surface_shader(material) is None)
+        return Source(viewport, viewport=viewport, followed=shader_links.surface_shader(material) is None)
     found = _of_socket(shader.inputs[COLOR_INPUTS[shader.type]], shader.type == "EMISSION")
     return replace(found or Source(viewport, followed=False), viewport=viewport)
 
@@ -52,13 +52,13 @@ def _colored(shader):
     if shader is None or shader.type in COLOR_INPUTS:
         return shader
     if shader.type in {"MIX_SHADER", "ADD_SHADER"}:
-        parts = (materials.source(socket) for socket in shader.inputs if socket.type == "SHADER")
+        parts = (shader_links.source(socket) for socket in shader.inputs if socket.type == "SHADER")
         return next((found for part in parts if (found := _colored(part)) is not None), None)
     return None
 
 
 def _of_socket(socket, unlit):
-    node = materials.source(socket)
+    node = shader_links.source(socket)
     if node is None:
         return Source(tuple(socket.default_value)[:3], unlit=unlit)
     if node.type == "RGB":
@@ -75,7 +75,7 @@ def _of_socket(socket, unlit):
 
 def _where(socket):
     """(UV map, rows of the mapping) of an image's vector, or None where it is something else than a UV map."""
-    node = materials.source(socket)
+    node = shader_links.source(socket)
     if node is None:
         return ACTIVE, Source.place
     if node.type == "UVMAP" and not node.from_instancer:

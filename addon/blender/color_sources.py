@@ -6,7 +6,7 @@ import weakref
 import numpy as np
 
 from .. import color
-from . import color_nodes, kept, materials
+from . import color_nodes, kept, materials, shader_links
 from .color_corners import Corners
 from .color_images import ImageCache
 
@@ -111,7 +111,7 @@ def _world(scene):
     if world is None:
         return (0.0, 0.0, 0.0)
     output = world.node_tree.get_output_node("ALL") if world.node_tree and getattr(world, "use_nodes", True) else None
-    shader = materials.source(output.inputs["Surface"]) if output else None
+    shader = shader_links.source(output.inputs["Surface"]) if output else None
     if shader is not None and shader.type == "BACKGROUND" and not shader.inputs["Color"].links:
         strength = shader.inputs["Strength"].default_value
         return tuple(strength * channel for channel in tuple(shader.inputs["Color"].default_value)[:3])

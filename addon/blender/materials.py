@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-SEE_THROUGH = {"BSDF_TRANSPARENT", "BSDF_GLASS", "BSDF_REFRACTION"}
+from . import see_through, shader_links
 
 
 @dataclass(frozen=True)
@@ -14,6 +14,7 @@ class Slot:
     hides: bool = True
     holdout: bool = False
     lines: bool = field(default=True, compare=False)  # whether its faces have lines; the surface is the same without
+    remark: str = field(default="", compare=False)  # whether it hides, and why, where it might be otherwise
 
 
 def slots(obj, mesh, known):
@@ -32,43 +33,21 @@ def _slot(material, known):
         return Slot("")
     name = material.name_full
     if name not in known:
-        shader = surface_shader(material)
-        choice = material.fovea.occlusion
-        hides = choice == "ALWAYS" or (choice == "AUTOMATIC" and not _is_see_through(material, shader))
+        shader = shader_links.surface_shader(material)
         holdout = shader is not None and shader.bl_idname == "ShaderNodeHoldout"
-        known[name] = Slot(name, tuple(material.diffuse_color), hides, holdout, material.fovea.lines)
+        hides, remark = _hides(material)
+        known[name] = Slot(name, tuple(material.diffuse_color), hides, holdout, material.fovea.lines, remark)
     return known[name]
 
 
-def surface_shader(material):
-    """The shader node at the material's surface output, or None."""
-    # From Blender 5 on every material uses nodes, and the switch is going away.
-    if material.node_tree is None or not getattr(material, "use_nodes", True):
-        return None
-    output = material.node_tree.get_output_node("ALL")
-    return source(output.inputs["Surface"]) if output else None
-
-
-def source(socket):
-    """The node that feeds a socket, reroutes skipped, or None."""
-    while socket.links:
-        node = socket.links[0].from_node
-        if node.type != "REROUTE":
-            return node
-        socket = node.inputs[0]
-    return None
-
-
-def _is_see_through(material, shader):
-    """Whether one would see things through it: transparent, alpha-clipped, or glass."""
-    if shader is None:
-        return material.diffuse_color[3] < 1.0
-    if shader.type in SEE_THROUGH:
-        return True
-    if shader.type == "BSDF_PRINCIPLED":
-        alpha, transmission = shader.inputs["Alpha"], shader.inputs["Transmission Weight"]
-        return bool(alpha.links) or alpha.default_value < 1.0 or transmission.default_value > 0.5
-    if shader.type in {"MIX_SHADER", "ADD_SHADER"}:
-        parts = (source(socket) for socket in shader.inputs if socket.type == "SHADER")
-        return any(part is not None and _is_see_through(material, part) for part in parts)
-    return False
+def _hides(material):
+    """(whether a material hides what lies behind it, the Slot's remark)."""
+    choice, found = material.fovea.occlusion, see_through.through(material)
+    hides = choice == "ALWAYS" or (choice == "AUTOMATIC" and not found.is_enough)
+    what = "hides what lies behind it as a whole" if hides else "hides nothing"
+    if hides == found.is_enough:
+        return hides, f"{what}, as Hides Lines in the material's Line Drawing panel says"
+    if found.most > 0.0:
+        why = " and ".join(found.why)
+        return hides, f"{what}, since {why}; Hides Lines in the material's Line Drawing panel changes it"
+    return hides, ""

@@ -56,7 +56,7 @@ ESTIMATORS = [
     ("ONE_RING", "One-Ring", "Differences of normals: fast, for regular meshes"),
 ]
 OCCLUSIONS = [
-    ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is transparent or glass"),
+    ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is see-through as a whole, as glass is"),
     ("ALWAYS", "Always", "Hides what lies behind"),
     ("NEVER", "Never", "Lines behind it show"),
 ]

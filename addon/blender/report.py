@@ -89,6 +89,12 @@ def drawn(read):
     yield f"objects and instances: {len(read.snapshot.objects)}, meshes: {len(surfaces)}, triangles: {triangles}"
 
 
+def transparency(read):
+    """Lines about materials that hide nothing, or hide although something shows through them."""
+    remarks = {slot.name: slot.remark for slots in read.snapshot.slots for slot in slots if slot.remark}
+    yield from (f"'{name}' {remark}" for name, remark in sorted(remarks.items()))
+
+
 def times(statistics):
     """Lines about the last picture's stages; `statistics` as of session.last_statistics."""
     if not statistics:
@@ -125,6 +131,7 @@ def report(read, depsgraph, note=""):
     parts = {
         "Drawn": list(drawn(read)),
         "Left out, or looks wrong": skipped(read, depsgraph) or ["Nothing was left out"],
+        "Transparency": list(transparency(read)),
         "Last picture": list(times(session.last_statistics())),
         "Curvature": list(_grouped(curvature)),
         "Memory": list(memory()),

@@ -1,0 +1,114 @@
+"""How much of what lies behind a material shows through it, as far as its nodes tell without being run.
+
+Lines have no half tones of hiding, and alpha is not sampled from place to place: a material hides what lies behind it
+as a whole, unless it is see-through as a whole. So leaves and hair cut out of cards by an image hide, and glass does not.
+"""
+
+from dataclasses import dataclass
+
+from . import shader_links
+
+ENOUGH = 0.5  # a material is see-through where more than this shows through it
+
+# Factors of a Mix Shader as a camera ray meets a surface head-on: how panes of glass are made of other shaders.
+FACTORS = {"FRESNEL": 0.0, "LAYER_WEIGHT": 0.0, "LIGHT_PATH": 0.0}
+CAMERA_RAY = "Is Camera Ray"
+
+
+@dataclass(frozen=True)
+class Through:
+    """The share of what lies behind that shows through a shader, in [0, 1]."""
+
+    least: float = 0.0
+    most: float = 0.0  # more than the least where it changes from place to place, or nodes were not followed
+    why: tuple = ()  # phrases, of what lets anything through
+
+    @property
+    def is_enough(self):
+        return self.least > ENOUGH
+
+
+OPAQUE = Through()
+CLEAR = {  # by type of shader
+    "BSDF_TRANSPARENT": Through(1.0, 1.0, ("it has a Transparent BSDF",)),
+    "BSDF_GLASS": Through(1.0, 1.0, ("it is glass",)),
+    "BSDF_REFRACTION": Through(1.0, 1.0, ("it is glass",)),
+}
+
+
+def through(material):
+    """What shows Through a material."""
+    output = shader_links.output_of(material)
+    if output is not None:
+        if output.inputs["Volume"].links and not output.inputs["Surface"].links:
+            return Through(1.0, 1.0, ("it is a volume without a surface",))
+        if output.inputs["Surface"].links:
+            return _of_socket(output.inputs["Surface"], ())
+    alpha = min(max(material.diffuse_color[3], 0.0), 1.0)
+    return Through(1.0 - alpha, 1.0 - alpha, (f"the alpha of its viewport color is {alpha:.2g}",) if alpha < 1.0 else ())
+
+
+def _of_socket(socket, groups):
+    """What shows Through the shader at a socket; nothing where there is none: that is black."""
+    link, _, groups = shader_links.origin(socket, groups)
+    if link is None:
+        return OPAQUE
+    shader = link.from_node
+    if shader.type == "BSDF_PRINCIPLED":
+        return _of_principled(shader, groups)
+    if shader.type == "MIX_SHADER":
+        return _of_mix(shader, groups)
+    if shader.type == "ADD_SHADER":
+        return _of_sum(shader, groups)
+    return CLEAR.get(shader.type, OPAQUE)
+
+
+def _of_principled(shader, groups):
+    """Where alpha is linked, it cuts leaves or hair out of cards, and transmission is the light that they let through:
+    they hide."""
+    a0, a1, why_alpha = _value(shader.inputs["Alpha"], groups, "its alpha")
+    t0, t1, why_transmission = _value(shader.inputs["Transmission Weight"], groups, "its transmission")
+    why = (*(why_alpha if a0 < 1.0 else ()), *(why_transmission if t1 > 0.0 else ()))
+    return Through(1.0 - a1 * (1.0 - t0) if a0 == a1 else 0.0, 1.0 - a0 * (1.0 - t1), why)
+
+
+def _of_mix(shader, groups):
+    """Both shaders by their weights."""
+    low, high, why = _value(shader.inputs[0], groups, "its mix factor")
+    first, second = (_of_socket(socket, groups) for socket in shader.inputs[1:3])
+    used = [part for part, weight in ((first, 1.0 - low), (second, high)) if weight > 0.0]
+    why = [*(phrase for part in used for phrase in part.why), *(why if len(used) > 1 and (first.least, first.most) != (second.least, second.most) else ())]
+    least = min((1.0 - f) * first.least + f * second.least for f in (low, high))
+    most = max((1.0 - f) * first.most + f * second.most for f in (low, high))
+    return Through(least, most, tuple(dict.fromkeys(why)) if most > 0.0 else ())
+
+
+def _of_sum(shader, groups):
+    """Of added shaders what hides hides: leaves, say, are lit through by a Transparent BSDF that is added to their
+    surface. Emission only adds light: a glow is as clear as the other shader."""
+    parts = []
+    for socket in shader.inputs:
+        link, _, _ = shader_links.origin(socket, groups)
+        if link is not None and link.from_node.type != "EMISSION":
+            parts.append(_of_socket(socket, groups))
+    if not parts:
+        return OPAQUE
+    most = min(part.most for part in parts)
+    why = dict.fromkeys(phrase for part in parts for phrase in part.why)
+    return Through(min(part.least for part in parts), most, tuple(why) if most > 0.0 else ())
+
+
+def _value(socket, groups, name):
+    """(least, most, phrases about it) of the number in [0, 1] at a socket."""
+    link, socket, _ = shader_links.origin(socket, groups)
+    if link is None:
+        value = socket.default_value
+    elif link.from_node.type == "VALUE":
+        value = link.from_socket.default_value
+    elif link.from_node.type in FACTORS:
+        value = 1.0 if link.from_socket.name == CAMERA_RAY else FACTORS[link.from_node.type]
+        return value, value, ()
+    else:
+        return 0.0, 1.0, (f"{name} is linked",)
+    value = min(max(value, 0.0), 1.0)
+    return value, value, (f"{name} is {value:.2g}",)

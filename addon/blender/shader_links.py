@@ -1,0 +1,53 @@
+"""What feeds the sockets of shader nodes: links followed, not run."""
+
+
+def output_of(material):
+    """The node of the material's output, or None where it has no nodes."""
+    # From Blender 5 on every material uses nodes, and the switch is going away.
+    if material.node_tree is None or not getattr(material, "use_nodes", True):
+        return None
+    return material.node_tree.get_output_node("ALL")
+
+
+def surface_shader(material):
+    """The shader node at the material's surface output, or None."""
+    output = output_of(material)
+    return source(output.inputs["Surface"]) if output else None
+
+
+def link_to(socket):
+    """The link that feeds a socket, reroutes skipped, or None."""
+    while link := next((link for link in socket.links if link.is_valid and not link.is_muted), None):
+        if link.from_node.type != "REROUTE":
+            return link
+        socket = link.from_node.inputs[0]
+    return None
+
+
+def source(socket):
+    """The node that feeds a socket, reroutes skipped, or None."""
+    link = link_to(socket)
+    return link and link.from_node
+
+
+def origin(socket, groups):
+    """(link, socket, groups): what feeds a socket, followed into node groups and out of them; the link is None where
+    the value is that of the socket itself. `groups`: the group nodes that one is in, the innermost last."""
+    while link := link_to(socket):
+        node, identifier = link.from_node, link.from_socket.identifier
+        if node.type == "GROUP" and (inside := _group_output(node)):
+            socket, groups = _by_identifier(inside.inputs, identifier), (*groups, node)
+        elif node.type == "GROUP_INPUT" and groups:
+            socket, groups = _by_identifier(groups[-1].inputs, identifier), groups[:-1]
+        else:
+            return link, socket, groups
+    return None, socket, groups
+
+
+def _group_output(node):
+    nodes = node.node_tree.nodes if node.node_tree else ()
+    return next((inside for inside in nodes if inside.type == "GROUP_OUTPUT" and inside.is_active_output), None)
+
+
+def _by_identifier(sockets, identifier):
+    return next(socket for socket in sockets if socket.identifier == identifier)
