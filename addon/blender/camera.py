@@ -28,8 +28,8 @@ def of_scene(depsgraph, camera=None):
 
 
 def _of_frame(camera, camera_to_world, depsgraph, width, height):
-    full = _projection(camera, depsgraph, width, height)
     near, far = _clip_distances(camera, OBJECT_CLIP)
+    full = _projection(camera, depsgraph, width, height)
     left, bottom, right, top = _border(depsgraph.scene.render, width, height)
     return View(
         world_to_view=_world_to_view(camera, camera_to_world),

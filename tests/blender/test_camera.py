@@ -163,6 +163,7 @@ def test_places_in_the_frame_are_blenders():
 
 UNUSABLE = {
     "clips all": (lambda obj: setattr(obj.data, "clip_end", 0.05), "'Camera' sees from a distance of 0.1 up to one of 0.05"),
+    "clips all but a plane": (lambda obj: setattr(obj.data, "clip_start", 1000), "set its Clip Start below its Clip End"),
     "scaled to 0": (lambda obj: setattr(obj, "scale", (0, 1, 1)), "'Camera' looks in no direction"),
     "shifted away": (lambda obj: setattr(obj.data, "shift_x", 1e30), "'Camera' shows nothing"),
 }
