@@ -17,11 +17,12 @@ import sheet
 import thumbnails
 import variants
 from command.figures import DOCS, STYLES
+from picture import pixels
 
 
 def test_a_thumbnail_is_what_ships_beside_its_style(tmp_path):
     thumbnails.main([str(tmp_path), "plain"])
-    drawn, ships = (sheet.pixels(folder / "plain.jpg") for folder in (tmp_path, STYLES))
+    drawn, ships = (pixels(folder / "plain.jpg") for folder in (tmp_path, STYLES))
     assert drawn.shape == ships.shape and np.abs(drawn - ships).mean() < 0.02
 
 
@@ -29,7 +30,7 @@ def test_a_sheet_has_a_tile_for_each_of_its_drawings(tmp_path, monkeypatch):
     tiles = [("with lines", ["--style", "plain"]), ("without", ["--style", "plain", "--without", "lines"])]
     monkeypatch.setitem(variants.variants.SHEETS, "least", ("boxes:2", tiles))
     variants.main(["least", str(tmp_path / "sheet.jpg")])
-    lined, empty = np.split(sheet.pixels(tmp_path / "sheet.jpg")[..., 0], 2, axis=1)
+    lined, empty = np.split(pixels(tmp_path / "sheet.jpg")[..., 0], 2, axis=1)
     picture = slice(sheet.strip((960, 540)), None)
     assert lined.shape == (540 + sheet.strip((960, 540)), 960)
     assert lined[picture].min() < 0.2 and empty[picture].min() > 0.9
@@ -43,7 +44,7 @@ def test_a_picture_of_the_documentation_has_its_size_and_something_on_it(tmp_pat
     picture = tmp_path / pages.pages.file_of(name)
     picture.parent.mkdir()
     pages.main([str(tmp_path), name])
-    drawn, ships = (sheet.pixels(path) for path in (picture, DOCS / pages.pages.file_of(name)))
+    drawn, ships = (pixels(path) for path in (picture, DOCS / pages.pages.file_of(name)))
     assert drawn.shape == ships.shape and np.ptp(drawn[..., :3]) > 0.3
 
 
