@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 
 from .focus import OFF
 
-# Lines that take long to find, and what stands for them in drafts, where it is the outer boundary of its object.
+# Lines that take long to find for each view, and what stands for them in drafts, where it is the outer boundary of its
+# object. Intersections are none of them: they are kept while the view turns.
 STANDS_FOR = {
     "silhouette": {"contour": {}, "border": {}},
     "smooth_silhouette": {"smooth_contour": {"end_at_cusps": 0.0}},

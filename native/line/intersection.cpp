@@ -2,13 +2,15 @@
 // In   triangles of all placements that are drawn; the view has no part in it
 // Out  curves in two triangles at once; they belong to the placement of the lower id (object space), and `other` is the
 //      triangle of the second. Surfaces that only touch have none (scene/crossings.h): a box on a floor is outlined by
-//      its own creases. Placements that flatten a surface to nothing have none with others that do.
+//      its own creases. Placements that flatten a surface to nothing have none with others that do, and instances in
+//      a heap none with each other.
 // Crossings are kept with the first surface, by the second's version and its placement relative to the first, to single
 // precision: nothing is found again when the camera, or two objects together, move, and pairs of instances share.
 #include <atomic>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include "base/hash.h"
 #include "line/definition.h"
@@ -20,6 +22,10 @@ namespace {
 
 /// Frames for which crossings that nobody asks for are kept.
 constexpr std::uint64_t kept_frames = 16;
+
+/// Instances of one surface that each meet as many others of them are leaves, grass or gravel: there are as many lines
+/// where they pass through each other as there is nothing to see in them.
+constexpr Index heap = 24;
 
 /// Larger numbers are nobody's scene.
 constexpr double farthest = 1e18;
@@ -45,8 +51,12 @@ struct KeptPairs {
     }
     void keep(std::uint64_t key, std::uint64_t frame, std::shared_ptr<const KeptCurves> curves) const {
         const std::lock_guard lock(state->mutex);
-        std::erase_if(state->entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
         state->entries[key] = {std::move(curves), frame};
+    }
+    /// Lets go of what has not been asked for.
+    void forget(std::uint64_t frame) const {
+        const std::lock_guard lock(state->mutex);
+        std::erase_if(state->entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
     }
 };
 
@@ -82,12 +92,29 @@ bool relate(const Scene& scene, Pair& pair) {
     return true;
 }
 
+/// Per position in `drawn`: 1 where a placement lies in a heap of its surface's.
+Array<std::uint8_t> heaped_placements(const Scene& scene, In<Index> drawn,
+                                      const std::vector<std::pair<Index, Index>>& overlaps) {
+    Array<Index> alike(drawn.size(), 0);
+    for (const auto& [i, j] : overlaps) {
+        if (scene.placements[drawn[i]].surface != scene.placements[drawn[j]].surface) continue;
+        ++alike[i];
+        ++alike[j];
+    }
+    Array<std::uint8_t> heaped(drawn.size());
+    for (std::size_t i = 0; i < heaped.size(); ++i) heaped[i] = alike[i] >= heap;
+    return heaped;
+}
+
 std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, bool between, bool within) {
     std::vector<Pair> pairs;
     if (within)
         for (const Index placement : drawn) pairs.push_back({placement, placement});
     if (!between) return pairs;
-    for (const auto& [i, j] : overlapping_placements(scene, drawn)) {
+    const auto overlaps = overlapping_placements(scene, drawn);
+    const Array<std::uint8_t> heaped = heaped_placements(scene, drawn, overlaps);
+    for (const auto& [i, j] : overlaps) {
+        if (heaped[i] && heaped[j]) continue;
         Pair pair{drawn[i], drawn[j]};
         if (scene.placements[pair.second].id < scene.placements[pair.first].id) std::swap(pair.first, pair.second);
         if (relate(scene, pair)) {
@@ -135,6 +162,7 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Values&
         const std::size_t i = jobs[j];
         stores[i]->keep(pairs[i].key, frame, find_pair(scene, pairs[i], cancel));
     });
+    for (const auto& store : std::set(stores.begin(), stores.end())) store->forget(frame);
     for (std::size_t i = 0; i < pairs.size(); ++i)
         if (!found[i].curves) found[i].curves = stores[i]->find(pairs[i].key, frame);
     return found;

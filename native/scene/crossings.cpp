@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "base/hash.h"
 #include "scene/contact.h"
@@ -16,13 +17,14 @@ namespace {
 /// Sine of the angle up to which two triangles, each within the tolerance of the other's plane, lie in one.
 constexpr double flat_sine = 0.01;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Corners of a triangle on the grid, and which surface they are of (as bits of `second` of an orientation).
 struct Corners {
     dvec3 p[3];
     unsigned second;
 
     bool collapsed() const { return p[0] == p[1] || p[1] == p[2] || p[2] == p[0]; }
-    dvec3 normal() const { return glm::cross(p[1] - p[0], p[2] - p[0]); }
 };
 
 struct End {
@@ -51,9 +53,9 @@ class Grid {
         size_ = size;
     }
     bool usable() const { return usable_; }
-    /// In object space; in steps of the grid.
+    /// Of contact and of the grid, in object space.
     double tolerance() const { return contact_tolerance * size_; }
-    double tolerance_steps() const { return tolerance() * scale_; }
+    double step() const { return 1.0 / scale_; }
 
     /// Without a sign on zero: positions are compared and hashed by their bits.
     dvec3 point(const dvec3& p) const {
@@ -92,6 +94,42 @@ bool meet_side(const Corners& s, int k, const Orientation (&heights)[3], const C
     return true;
 }
 
+/// A triangle in the object space of the first surface, not on the grid.
+struct Plain {
+    dvec3 p[3];
+};
+
+/// Six times the signed volumes of tetrahedra over a triangle.
+struct Heights {
+    dvec3 normal;  ///< of the triangle, not normalized
+    double size;   ///< square of no less than half the distance of any two of the points
+    double lowest = infinity, highest = -infinity;
+
+    /// Of the corners of `c`, but for those of the bits `shared`.
+    Heights(const Plain& c, const Plain& over, unsigned shared) {
+        const dvec3 first = over.p[1] - over.p[0], second = over.p[2] - over.p[0];
+        normal = glm::cross(first, second);
+        size = std::max(squared(first), squared(second));
+        for (int i = 0; i < 3; ++i) {
+            if (shared >> i & 1u) continue;
+            const dvec3 along = c.p[i] - over.p[0];
+            const double height = glm::dot(normal, along);
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+            size = std::max(size, squared(along));
+        }
+    }
+    double farthest() const { return std::max(std::abs(lowest), std::abs(highest)); }
+    /// Also of the points rounded to a grid of this step. A volume changes with the place of a point by the area of the
+    /// other three, at most twice `size` in each of four points; a step counts for more than rounding does.
+    bool on_one_side(double step) const {
+        const double room = 16.0 * size * step;
+        return lowest > room || highest < -room;
+    }
+
+    static double squared(const dvec3& v) { return glm::dot(v, v); }
+};
+
 /// Finds the pieces of two surfaces, or of one with itself.
 class Finder {
    public:
@@ -99,14 +137,16 @@ class Finder {
         : mapped_{first, second}, grid_(grid), within_(within) {}
 
     void meet(Index first, Index second, std::vector<Piece>& out) const {
-        if (within_ && shared_vertices(first, second) > 1) return;
-        const Corners a = corners(0, first), b = corners(1, second);
+        unsigned shared = 0;  // corners of the second triangle that the first has, too, and of the first from bit 3 on
+        if (within_ && shared_vertices(first, second, shared) > 1) return;
+        const Plain plain_a = plain(0, first), plain_b = plain(1, second);
+        if (apart(plain_a, plain_b, shared)) return;
+        const Corners a = on_grid(plain_a, 0), b = on_grid(plain_b, 1);
         if (a.collapsed() || b.collapsed()) return;
         int shared_a = -1, shared_b = -1;
         if (within_ && shared_corners(a, b, shared_a, shared_b) > 1) return;
         Orientation of_a[3], of_b[3];  // heights of corners over the other triangle
         if (!heights(b, shared_b, a, of_b) || !heights(a, shared_a, b, of_a)) return;
-        if (in_one_plane(a, of_a, b, of_b)) return;
         End ends[6];
         int count = 0;
         for (int k = 0; k < 3; ++k) {
@@ -118,18 +158,41 @@ class Finder {
     }
 
    private:
-    Corners corners(int of, Index triangle) const {
-        Corners c{{}, unsigned(of)};
-        for (int i = 0; i < 3; ++i) c.p[i] = grid_.point(mapped_[of].corner(triangle, i));
-        return c;
+    /// The first surface stays as it is.
+    Plain plain(int of, Index triangle) const {
+        if (of == 1 && !within_)
+            return {{mapped_[1].corner(triangle, 0), mapped_[1].corner(triangle, 1), mapped_[1].corner(triangle, 2)}};
+        const Surface& surface = mapped_[0].surface;
+        const Triangle& t = surface.triangles[triangle];
+        return {{dvec3(surface.positions[t.x]), dvec3(surface.positions[t.y]), dvec3(surface.positions[t.z])}};
     }
 
-    int shared_vertices(Index first, Index second) const {
+    Corners on_grid(const Plain& plain, unsigned second) const {
+        return {{grid_.point(plain.p[0]), grid_.point(plain.p[1]), grid_.point(plain.p[2])}, second};
+    }
+
+    int shared_vertices(Index first, Index second, unsigned& which) const {
         const Triangle &a = mapped_[0].surface.triangles[first], &b = mapped_[0].surface.triangles[second];
         int shared = 0;
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) shared += a[i] == b[j];
+            for (int j = 0; j < 3; ++j) {
+                if (a[i] != b[j]) continue;
+                ++shared;
+                which |= 8u << i | 1u << j;
+            }
         return shared;
+    }
+
+    /// True where the corners of one, but for shared ones, surely lie on one side of the other, whatever the grid does
+    /// to them; and where both lie in one plane.
+    bool apart(const Plain& a, const Plain& b, unsigned shared) const {
+        const Heights of_b(b, a, shared & 7u);
+        if (of_b.on_one_side(grid_.step())) return true;
+        const Heights of_a(a, b, shared >> 3);
+        if (of_a.on_one_side(grid_.step())) return true;
+        const double length_a = glm::length(of_b.normal), length_b = glm::length(of_a.normal);
+        return (of_b.farthest() <= grid_.tolerance() * length_a || of_a.farthest() <= grid_.tolerance() * length_b) &&
+               glm::length(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * length_a * length_b;
     }
 
     static int shared_corners(const Corners& a, const Corners& b, int& of_a, int& of_b) {
@@ -154,17 +217,6 @@ class Finder {
             below = below || of[i].sign < 0;
         }
         return above && below;
-    }
-
-    bool in_one_plane(const Corners& a, const Orientation (&of_a)[3], const Corners& b,
-                      const Orientation (&of_b)[3]) const {
-        const dvec3 na = a.normal(), nb = b.normal();
-        const double length_a = glm::length(na), length_b = glm::length(nb), tolerance = grid_.tolerance_steps();
-        const auto within = [](const Orientation(&of)[3], double room) {
-            return std::max({std::abs(of[0].value), std::abs(of[1].value), std::abs(of[2].value)}) <= room;
-        };
-        return (within(of_b, tolerance * length_a) || within(of_a, tolerance * length_b)) &&
-               glm::length(glm::cross(na, nb)) <= flat_sine * length_a * length_b;
     }
 
     const Mapped mapped_[2];

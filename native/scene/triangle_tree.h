@@ -15,10 +15,11 @@ using Affine = glm::dmat4x3;
 struct Box {
     vec3 low, high;
 
-    /// Boxes that touch meet.
+    /// Boxes that touch meet. Without branches: which of the comparisons fails cannot be foreseen.
     bool meets(const Box& other) const {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
-               low.z <= other.high.z && other.low.z <= high.z;
+        return bool(unsigned(low.x <= other.high.x) & unsigned(other.low.x <= high.x) &
+                    unsigned(low.y <= other.high.y) & unsigned(other.low.y <= high.y) &
+                    unsigned(low.z <= other.high.z) & unsigned(other.low.z <= high.z));
     }
     Box grown(float by) const { return {low - by, high + by}; }
     /// A box around this one's image.
@@ -63,25 +64,28 @@ class TreeMeeting {
     template <typename Out>
     void block(std::size_t block, Out& out) const {
         const std::size_t parts = b_.levels[start_b_].size();
-        nodes(start_a_, static_cast<Index>(block / parts), start_b_, static_cast<Index>(block % parts), out);
+        const Index b = static_cast<Index>(block % parts);
+        nodes(start_a_, static_cast<Index>(block / parts), start_b_, b, of_b(b_.levels[start_b_][b]), out);
     }
 
    private:
     Box of_b(const Box& box) const { return (within_ ? box : box.mapped(b_to_a_)).grown(margin_); }
 
+    /// `box_b`: that of node b, as of_b gives it.
     template <typename Out>
-    void nodes(Index level_a, Index a, Index level_b, Index b, Out& out) const {
+    void nodes(Index level_a, Index a, Index level_b, Index b, const Box& box_b, Out& out) const {
         // All of b comes before a.
         if (within_ && (std::uint64_t(b) + 1) << level_b <= std::uint64_t(a) << level_a) return;
-        if (!a_.levels[level_a][a].meets(of_b(b_.levels[level_b][b]))) return;
+        if (!a_.levels[level_a][a].meets(box_b)) return;
         if (level_a == 0 && level_b == 0) {
             leaves(a, b, out);
         } else if (level_a >= level_b) {
             for (Index child = 2 * a; child < std::min<std::size_t>(2 * a + 2, a_.levels[level_a - 1].size()); ++child)
-                nodes(level_a - 1, child, level_b, b, out);
+                nodes(level_a - 1, child, level_b, b, box_b, out);
         } else {
-            for (Index child = 2 * b; child < std::min<std::size_t>(2 * b + 2, b_.levels[level_b - 1].size()); ++child)
-                nodes(level_a, a, level_b - 1, child, out);
+            const Array<Box>& below = b_.levels[level_b - 1];
+            for (Index child = 2 * b; child < std::min<std::size_t>(2 * b + 2, below.size()); ++child)
+                nodes(level_a, a, level_b - 1, child, of_b(below[child]), out);
         }
     }
 
@@ -92,6 +96,7 @@ class TreeMeeting {
         const Index end_b = std::min<std::size_t>(size * (b + 1), b_.order.size());
         for (Index j = size * b; j < end_b; ++j) {
             const Box box = of_b(b_.boxes[j]);
+            if (!a_.levels[0][a].meets(box)) continue;
             for (Index i = size * a; i < (within_ ? std::min(end_a, j) : end_a); ++i)
                 if (a_.boxes[i].meets(box)) visit_(i, j, out);
         }

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "intersections.h"
@@ -162,6 +163,40 @@ TEST(Intersection, IsFoundOnceForAllViewsAndForWhatMovesTogether) {
     const auto grown = find(dmat4(1.0), apart);
     EXPECT_NE(grown, once);
     EXPECT_NE(grown->pieces.size(), once->pieces.size());
+}
+
+TEST(Intersection, OfHeapedInstancesIsWithOtherObjectsOnly) {
+    const LineDefinition& definition = *line_definitions()[definition_index("intersection")];
+    const auto leaf = box().surface(), ground = grid(3, 9).surface();
+    const auto pairs = [&](Index leaves) {
+        std::vector<Placement> placements = {{ground, dmat4(1.0), 100}};
+        for (Index i = 0; i < leaves; ++i) placements.push_back({leaf, turned(0.1 * i, {1, 2, 3}), i + 1});
+        std::vector<Index> drawn(placements.size());
+        std::iota(drawn.begin(), drawn.end(), Index(0));
+        std::size_t with_ground = 0, with_leaves = 0;
+        for (const SceneCurves& part : definition.find_in_scene(Scene(placements), drawn, {1, 0}, Cancel())) {
+            if (part.curves->pieces.empty()) continue;
+            ++(part.placement == 0 || part.other == 0 ? with_ground : with_leaves);
+        }
+        return std::pair(with_ground, with_leaves);
+    };
+    EXPECT_EQ(pairs(24), std::pair(std::size_t(24), std::size_t(24 * 23 / 2))) << "each meets 23 others";
+    EXPECT_EQ(pairs(25), std::pair(std::size_t(25), std::size_t(0))) << "each meets 24 others";
+}
+
+TEST(Intersection, ThatNobodyAsksForIsLetGoOf) {
+    const LineDefinition& definition = *line_definitions()[definition_index("intersection")];
+    const auto ball = sphere(8).surface(), brick = box().surface();
+    const auto find = [&](double shift) {
+        const Scene scene({{ball, dmat4(1.0), 1}, {brick, moved({0.5, 0.5, shift}), 2}});
+        const std::vector<Index> drawn = {0, 1};
+        return definition.find_in_scene(scene, drawn, {1, 0}, Cancel()).at(0).curves;
+    };
+    const std::weak_ptr<const KeptCurves> first = find(0.5);
+    for (int frame = 0; frame < 10; ++frame) find(0.4);
+    EXPECT_FALSE(first.expired());
+    for (int frame = 0; frame < 10; ++frame) find(0.4);
+    EXPECT_TRUE(first.expired());
 }
 
 TEST(Intersection, FlattenedAndHiddenObjectsDoNoHarm) {

@@ -29,6 +29,13 @@ def test_shipped_styles_load_and_come_back_the_same(name):
     assert loaded.line_sets[-1].kinds
 
 
+@pytest.mark.parametrize("name", style.names())
+def test_shipped_styles_draw_intersections_with_the_pen_of_creases(name):
+    kinds = [set(line_set.kinds) & {"crease", "intersection"} for line_set in style.load(name).line_sets]
+    assert {"crease", "intersection"} in kinds
+    assert all(found in ({"crease", "intersection"}, set()) for found in kinds)
+
+
 def test_the_default_style_comes_first():
     assert style.names()[0] == style.DEFAULT
 
