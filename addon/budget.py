@@ -28,7 +28,8 @@ class Quality:
     step: float = 1.0  # between visibility samples, times that of the options
     probes: int = 16  # at most
     depth_scale: int = 3  # at most
-    effects: bool = True  # what focus does to colours
+    focus_step: int = 1  # pixels between those whose focus is evaluated for colours
+    blur: bool = True  # of colours out of focus; that they are faded and desaturated is in every draft
     hidden: bool = True  # hidden lines, haloes and overshoot
     elision: bool = True
     definitions: bool = True  # lines that take long to find
@@ -36,11 +37,11 @@ class Quality:
 
 QUALITIES = (
     Quality(),
-    Quality(probes=4, effects=False),
-    Quality(probes=4, depth_scale=2, step=2.0, effects=False, hidden=False, elision=False),
-    Quality(1.0, 4.0, 1, 1, effects=False, hidden=False, elision=False, definitions=False),
-    Quality(0.5, 4.0, 1, 1, effects=False, hidden=False, elision=False, definitions=False),
-    Quality(0.34, 4.0, 1, 1, effects=False, hidden=False, elision=False, definitions=False),
+    Quality(probes=4, focus_step=2, blur=False),
+    Quality(probes=4, depth_scale=2, step=2.0, focus_step=2, blur=False, hidden=False, elision=False),
+    Quality(1.0, 4.0, 1, 1, focus_step=4, blur=False, hidden=False, elision=False, definitions=False),
+    Quality(0.5, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False, definitions=False),
+    Quality(0.34, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False, definitions=False),
 )
 UNKNOWN = 3  # what to draw in when nothing has been measured
 
@@ -54,7 +55,7 @@ DEPENDS = {
     "shape": ("definitions", "hidden"),
     "strokes": ("definitions", "scale"),
     "color": ("scale",),
-    "focus": ("scale", "effects"),
+    "focus": ("scale", "focus_step", "blur"),
     "paper": ("scale",),
     "show": ("scale",),
 }
@@ -68,8 +69,7 @@ def simplified(style, quality):
     if not quality.definitions:
         drawn = {kind for s in sets for kind in s.kinds}
         sets = tuple(replace(s, kinds=_quick(s.kinds, drawn)) for s in sets)
-    off = {} if quality.effects else {name: OFF for name in ("desaturation", "fade", "blur")}
-    effects = replace(style.effects, **off)
+    effects = style.effects if quality.blur else replace(style.effects, blur=OFF)
     elision = replace(style.elision, enabled=style.elision.enabled and quality.elision)
     return replace(style, line_sets=sets, effects=effects, elision=elision)
 
@@ -106,18 +106,8 @@ def coarser(options, quality):
         gap=max(options.gap, options.sample_step * quality.step + 1),
         probes=min(options.probes, quality.probes),
         depth_scale=min(options.depth_scale, quality.depth_scale),
+        focus_step=max(options.focus_step, quality.focus_step),
     )
-
-
-def smaller(view, scale):
-    """A View of the same in fewer pixels, as many as make a whole picture."""
-    width, height = (max(1, round(side * scale)) for side in (view.width, view.height))
-    if (width, height) == (view.width, view.height):
-        return view
-    shares = (width / view.width, height / view.height) * 2
-    frame = view.frame and tuple(side * share for side, share in zip(view.frame, shares))
-    reference = view.reference_scale * height / view.height
-    return replace(view, width=width, height=height, frame=frame, reference_scale=reference)
 
 
 class Budget:

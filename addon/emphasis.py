@@ -41,16 +41,25 @@ def _left(felt, frame, runs, style, backend, cancel, cut=0.0):
     return backend.elide(frame, runs, ranks, _half_width(felt, frame, runs, style), cancel, **options)
 
 
-def of_pixels(frame, style, cancel):
-    """(H, W) float32 focus of what each pixel shows, or None where all is in focus."""
+def of_pixels(frame, style, cancel, step=1):
+    """(H, W) float32 focus of what each pixel shows, or None where all is in focus. Evaluated at pixels so many apart,
+    where it takes rays; those between are as the nearest of them."""
     focus, view = style.focus, frame.view
     if not focus.active():
         return None
+    if step > 1 and focus.model != "image":
+        return cpu_focus.magnified(of_pixels(_with_fewer_pixels(frame, focus, step), style, cancel), view)
     if focus.model == "painted":
         return 1 - cpu_focus.painted_image(frame, focus.attribute, cancel)
     flat = focus.model == "image"
     distance = np.zeros((view.height, view.width), np.float32) if flat else depth_image(frame, cancel)
     return cpu_focus.focus_of_pixels(view, distance, _focus(frame, focus))
+
+
+def _with_fewer_pixels(frame, focus, step):
+    """A Frame, as far as the focus of its pixels asks for it; focus in the scene does not depend on them."""
+    view = frame.view.smaller(1 / step)
+    return replace(frame, view=view, tracer=cpu.trace(frame.scene, view), made={"focus": _focus(frame, focus)})
 
 
 def depth_image(frame, cancel):

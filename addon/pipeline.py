@@ -30,6 +30,7 @@ class Options:
     # Drafts: line sets (index, kinds) that draw of these kinds only what is the outer boundary of its object. What is
     # not goes to the next set that wants it. Hidden parts have no pens then.
     outlines: tuple = ()
+    focus_step: int = 1  # drafts: pixels between those whose focus is evaluated for the colours under the lines
     with_depth: bool = False  # also make the depth pass
     with_focus: bool = False  # and that of focus, where the style has one
 
@@ -121,12 +122,15 @@ def draw(scene, view, style, backend, options, *, colors=None, notes=Notes(), ne
             layer = cpu.color_layer(frame.tracer, colors, style.color, cancel)
     with clock.stage("focus", 0.05):
         if options.with_focus or emphasis.colors_answer(layer, style):
-            focus = emphasis.of_pixels(frame, style, cancel)
+            focus = emphasis.of_pixels(frame, style, cancel, options.focus_step)
         if layer is not None:
             layer = emphasis.on_color(layer, focus, frame, style)
     with clock.stage("paper", 0.05):
         combined = cpu.on_paper(lines, layer, style, papers.texture(style.paper), frame.tracer, cancel)
-        depth = emphasis.depth_image(frame, cancel) if options.with_depth else None
+    depth = None
+    if options.with_depth:
+        with clock.stage("depth", 0.05):
+            depth = emphasis.depth_image(frame, cancel)
     statistics = {
         "stages": clock.stages,
         "strokes": strokes.count,

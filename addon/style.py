@@ -14,7 +14,7 @@ from . import color, elision, style_json
 from .focus import MOST_NAME, parse_distance, parse_effects, parse_focus
 from .stages import Pen
 from .style_parts import FILTERS, Hidden, LineSet, Paper, Style
-from .style_values import RANGES, StyleError, check_keys, check_range, check_text, finite, one_of, record
+from .style_values import MOST_SURFACES, RANGES, StyleError, check_keys, check_range, check_text, finite, one_of, record
 
 SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
@@ -27,7 +27,6 @@ CHOICES = {  # field of a pen: what it can be
     "width_unit": ("reference", "pixels", "millimetres"),
     "texture_anchor": ("screen", "path"),
 }
-MOST_SURFACES = 100  # that a range of invisibility can name
 MOST_TOLD = 8  # unknown fields that are named
 PARTS = ("schema", "paper", "color", "elision", "focus", "effects", "distance", "line_sets")
 

@@ -32,8 +32,7 @@ RANGES = {
     "height_mm": (10, 10000),
 }
 MOST_ATTRIBUTE = 63  # letters in the name of an attribute
-
-
+MOST_SURFACES = 100  # that a range of invisibility can name
 MOST_LIGHT = 1000  # of a colour, scene-linear
 MOST_WORDS = 500  # characters of what is told about a style: files may hold anything
 

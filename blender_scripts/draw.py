@@ -1,18 +1,19 @@
 """Runs inside Blender for `fovea draw`: opens or builds the scene, frames it, and renders it with Fovea."""
 
 import sys
-from functools import partial
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, focus, style, style_values
+from bl_ext.user_default.fovea import catalogue, focus, style
 from bl_ext.user_default.fovea.blender import focus_settings, line_kinds, style_data
 from bl_ext.user_default.fovea.blender import style_read, style_words, style_write
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import ending
 import framing
+import picture
 import scenes
 import sheet
 from command import draw_options
@@ -28,7 +29,7 @@ def main(words):
     set_drawing(scene, options)
     set_output(scene, options)
     if options.sheet:
-        sheet.render(scene, catalogue.definitions(), options.output, partial(still, scene))
+        sheet.render(scene, catalogue.definitions(), options.output)
     else:
         render(scene, options)
 
@@ -36,13 +37,23 @@ def main(words):
 def open_scene(spec):
     """A .blend as it is; a model or a scene's name in an empty file. The add-on stays enabled all the while."""
     if spec.endswith(".blend"):
-        bpy.ops.wm.open_mainfile(filepath=str(Path(spec).absolute()), load_ui=False)
+        open_file(Path(spec).absolute())
         return
     bpy.ops.wm.read_homefile(use_empty=True)
     if spec.endswith(".obj"):
         bpy.ops.wm.obj_import(filepath=str(Path(spec).absolute()))
     else:
         scenes.build(spec, SHARED if SHARED.is_dir() else None)
+
+
+def open_file(path):
+    """Runs no script of the file's. Blender's operators raise what they report as errors, and opening a file reports
+    parts of it that were left out, too: the file is open for all that."""
+    try:
+        bpy.ops.wm.open_mainfile(filepath=str(path), load_ui=False, use_scripts=False)
+    except RuntimeError:
+        if not (bpy.data.filepath and Path(bpy.data.filepath).samefile(path)):
+            raise
 
 
 def set_size(scene, options):
@@ -57,7 +68,7 @@ def set_camera(scene, options):
     turned = options.azimuth is not None or options.elevation is not None
     if scene.camera and not turned:
         if options.lens:
-            scene.camera.data.lens = options.lens
+            set_lens(scene.camera, options.lens)
         return
     framing.frame(
         scene,
@@ -66,6 +77,12 @@ def set_camera(scene, options):
         options.lens or framing.LENS,
         options.margin / 100,
     )
+
+
+def set_lens(camera, lens):
+    if camera.type != "CAMERA":
+        raise ValueError(f"--lens: '{camera.name}', which the scene is seen from, is no camera and has no lens")
+    camera.data.lens = lens
 
 
 def keeps_own(options):
@@ -118,7 +135,7 @@ def set_hidden(held, options):
         for name in ("halo", "overshoot"):
             given = getattr(options, name)
             if given is not None:
-                setattr(line_set, name, style_values.check_range(given, style_values.RANGES[name], f"--{name}"))
+                setattr(line_set, name, given)
 
 
 def set_focus(scene, options):
@@ -163,12 +180,16 @@ def focus_radii(scene, place):
 
 
 def set_output(scene, options):
-    """Paper stays white and ink as it was mixed: neither a film look nor dither."""
+    """One picture a frame, whatever the file was to be rendered to. Paper stays white and ink as it was mixed: neither
+    a film look nor dither."""
+    scene.render.use_multiview = False
     scene.view_settings.view_transform = "Standard"
     scene.view_settings.look = "None"
     scene.render.dither_intensity = 0
     scene.render.film_transparent = options.transparent or scene.render.film_transparent
     image = scene.render.image_settings
+    if "media_type" in image.bl_rna.properties:  # from Blender 5.0 on; else only formats of the file's own can be set
+        image.media_type = "IMAGE"
     image.file_format = "PNG" if options.output.suffix == ".png" else "OPEN_EXR"
     image.color_mode = "RGBA" if scene.render.film_transparent else "RGB"
     scene.render.use_file_extension = False
@@ -176,18 +197,10 @@ def set_output(scene, options):
 
 def render(scene, options):
     frames = options.frames or (scene.frame_current, scene.frame_current)
-    for frame, picture in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), strict=True):
+    for frame, path in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), strict=True):
         scene.frame_set(frame)
-        still(scene, picture)
-
-
-def still(scene, picture):
-    scene.render.filepath = str(picture)
-    bpy.ops.render.render(write_still=True)
+        picture.render(scene, path)
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[sys.argv.index("--") + 1 :])
-    except (ValueError, RuntimeError) as error:  # what the user can mend; anything else keeps its traceback
-        sys.exit(f"Error: {str(error).removeprefix('Error: ').strip()}")
+    ending.run(main)

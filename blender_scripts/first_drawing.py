@@ -1,10 +1,10 @@
-"""The pictures of addon/docs/first_drawing.md: Blender's own window while the demo scene is drawn step by step. Runs
-inside that window (window/inside.py)."""
+"""What addon/docs/first_drawing.md says, done in Blender's own window, and the page's pictures. Runs inside that window
+(window/inside.py)."""
 
+import subprocess
 from pathlib import Path
 
 import bpy
-import scenes
 import sheet
 from bl_ext.user_default.fovea.blender import caretaker
 from command import pages
@@ -14,15 +14,35 @@ LAST = 48  # frame
 DOOR = (0.475, 0.4)  # of the viewport: where one shall look first
 
 
-def steps(_folder, output):
+def steps(folder, output):
     """The pictures, in the folder `output`."""
-    scene, names = bpy.context.scene, iter(pages.STEPS)
+    names = iter(pages.STEPS)
 
     def shown():
         yield from settled()
         sheet.save(screen.whole(), Path(output) / f"{next(names)}.jpg")
 
-    yield from opened(scene)
+    yield from opened(folder)
+    yield from followed(shown)
+
+
+def opened(folder):
+    """The demo scene, as `fovea scene` writes it, in a window as Blender starts with; the render tab beside the view."""
+    path, script = str(folder / "demo.blend"), Path(__file__).with_name("save_scene.py")
+    subprocess.run([bpy.app.binary_path, "-b", "-P", str(script), "--", "demo", "-o", path], check=True)
+    bpy.ops.wm.open_mainfile(filepath=path, load_ui=False)
+    yield from screen.rest(0.3)
+    areas = bpy.context.window_manager.windows[0].screen.areas
+    beside = next(area for area in areas if area.type == "PROPERTIES")
+    beside.spaces.active.context = "RENDER"
+
+
+def followed(shown):
+    """The page's actions from the second to the eighth: `yield from` it, as `shown()` is when there is a picture."""
+    scene = bpy.context.scene
+    with screen.override():
+        bpy.ops.view3d.view_camera()
+    screen.space().region_3d.view_camera_zoom = 29.0  # the frame fills the viewport
     scene.render.engine = "FOVEA"
     yield from shown()
     screen.space().shading.type = "RENDERED"
@@ -37,24 +57,8 @@ def steps(_folder, output):
     yield from shown()
     with screen.override():
         bpy.ops.fovea.focus_pull("EXEC_DEFAULT", target="OBJECT", object="Bicycle", frame_start=1, frame_end=LAST)
-    scene.frame_end = LAST
     scene.frame_set(LAST)
     yield from shown()
-
-
-def opened(scene):
-    """The demo scene in the camera's view, the render tab beside it."""
-    for obj in list(scene.objects):
-        bpy.data.objects.remove(obj)
-    scenes.build("demo", None)
-    scene.render.fps = 24
-    view = screen.space().region_3d
-    view.view_perspective = "CAMERA"
-    view.view_camera_zoom = 29.0  # the frame fills the viewport
-    areas = bpy.context.window_manager.windows[0].screen.areas
-    beside = next(area for area in areas if area.type == "PROPERTIES")
-    yield from screen.rest(0.3)
-    beside.spaces.active.context = "RENDER"
 
 
 def sidebar():

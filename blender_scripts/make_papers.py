@@ -30,14 +30,49 @@ class Sheet:
         noise = np.fft.irfft2(spectrum * response, s=(SIZE, SIZE))
         return (noise - noise.mean()) / noise.std()
 
-    def bumps(self, along_x, along_y=None):
-        """Bumps of one size, so many texels large."""
-        radius = np.hypot(self.fx * along_x, self.fy * (along_y or along_x))
-        return self.shaped(radius * np.exp(-2 * radius**2))
-
-    def clouds(self, size):
+    def clouds(self, along_x, along_y=None):
         """Everything that is larger than so many texels."""
-        return self.shaped(np.exp(-2 * (np.hypot(self.fx, self.fy) * size) ** 2))
+        radius = np.hypot(self.fx * along_x, self.fy * (along_y or along_x))
+        return self.shaped(np.exp(-2 * radius**2))
+
+    def grain(self, size):
+        """Everything that is smaller than so many texels. Noise of one size alone has contours like worms: what breaks
+        them up is that all smaller sizes are there, too; but for the very finest, of which texels make checkers."""
+        square = self.fx**2 + self.fy**2
+        return self.shaped((1 - np.exp(-2 * square * size**2)) * np.exp(-4 * square))
+
+    def blurred(self, height, width):
+        """Heights of mean 0 and deviation 1, blurred by a Gaussian of so many texels."""
+        soft = np.exp(-2 * (np.pi * width) ** 2 * (self.fx**2 + self.fy**2))
+        height = np.fft.irfft2(np.fft.rfft2(height) * soft, s=height.shape)
+        return (height - height.mean()) / height.std()
+
+    def pebbles(self, apart):
+        """Round heights and the creases between them, as felt leaves them: the upper envelope of paraboloids, about so
+        many texels apart, no two of one size, height or shape."""
+        height = np.full((SIZE, SIZE), -np.inf)
+        reach = np.arange(-int(2.5 * apart), int(2.5 * apart) + 1)
+        for x, y in self.scattered(apart):
+            radius, top = apart * np.exp(self.random.normal(0, 0.2)), self.random.normal(0, 0.3)
+            angle, longer = self.random.uniform(0, np.pi), self.random.uniform(1, 1.3)
+            columns, rows = int(x) + reach, int(y) + reach
+            dx, dy = (columns + 0.5 - x)[None, :] / radius, (rows + 0.5 - y)[:, None] / radius
+            along, across = dx * np.cos(angle) + dy * np.sin(angle), dy * np.cos(angle) - dx * np.sin(angle)
+            place = np.ix_(rows % SIZE, columns % SIZE)
+            height[place] = np.maximum(height[place], top - (along / longer) ** 2 - (across * longer) ** 2)
+        return self.blurred(height, 0.6)
+
+    def scattered(self, apart):
+        """(n, 2) places x, y, as many as fit where none is nearer than that to another: a Poisson disk."""
+        free, found = np.ones((SIZE, SIZE), bool), []
+        reach = np.arange(-int(apart), int(apart) + 1)
+        near = np.hypot(reach[:, None], reach[None, :]) < apart
+        for place in self.random.permutation(SIZE * SIZE):
+            y, x = divmod(int(place), SIZE)
+            if free[y, x]:
+                found.append((x, y))
+                free[np.ix_((y + reach) % SIZE, (x + reach) % SIZE)] &= ~near
+        return np.array(found) + self.random.uniform(0, 1, (len(found), 2))
 
     def fibres(self, count, length, width, bend):
         """Thin curved threads lying over each other, each as high as it is thick."""
@@ -49,24 +84,19 @@ class Sheet:
             x, y = at[0] + np.cumsum(np.cos(turned)) / 2, at[1] + np.cumsum(np.sin(turned)) / 2
             ends = 1 - (2 * np.abs(steps) / length) ** 4
             np.maximum.at(height, (np.floor(y).astype(int) % SIZE, np.floor(x).astype(int) % SIZE), ends)
-        soft = np.exp(-2 * (np.pi * width) ** 2 * (self.fx**2 + self.fy**2))
-        blurred = np.fft.irfft2(np.fft.rfft2(height) * soft, s=height.shape)
-        return (blurred - blurred.mean()) / blurred.std()
+        return self.blurred(height, width)
 
 
 def cold_press():
-    """Watercolour paper: soft irregular bumps of the felt, and a fine tooth on them."""
+    """Watercolour paper: what the felt has pressed into it, coarse and fine, and a tooth on that."""
     s = Sheet(11)
-    felt = 0.9 * s.bumps(9) + 0.6 * s.bumps(5.5)
-    # Hollows are rounder than what lies between them.
-    return np.tanh(0.9 * felt) + 0.3 * s.bumps(3) + 0.12 * s.clouds(60)
+    return s.pebbles(4.5) + 0.5 * s.pebbles(8) + 0.8 * s.grain(7) + 0.1 * s.clouds(60)
 
 
 def rough():
-    """Handmade: deep, uneven hollows."""
+    """Handmade: deeper and coarser, uneven."""
     s = Sheet(12)
-    felt = s.bumps(15) + 0.75 * s.bumps(9) + 0.45 * s.bumps(5)
-    return np.tanh(0.8 * felt) + 0.35 * s.bumps(3) + 0.15 * s.clouds(80)
+    return s.pebbles(6.5) + 0.5 * s.pebbles(12) + 0.5 * s.pebbles(3.5) + 0.8 * s.grain(8) + 0.15 * s.clouds(80)
 
 
 def laid():
@@ -75,32 +105,32 @@ def laid():
     sway = 0.5 * s.clouds(50)
     wires = np.cos(2 * np.pi * (s.y + 0.8 * sway) / 6)
     chains = np.exp(-(((s.x + sway) % 96 - 48) ** 2) / 12)
-    return 0.7 * wires * (1 + 0.25 * s.clouds(30)) + 1.1 * chains + 0.5 * s.bumps(4) + 0.3 * s.bumps(11)
+    return 0.7 * wires * (1 + 0.25 * s.clouds(30)) + 1.1 * chains + 0.5 * s.grain(6) + 0.3 * s.pebbles(6)
 
 
 def canvas():
     """Plain weave: threads that pass over and under each other."""
     s = Sheet(14)
     pitch = 8
-    slub_x, slub_y = 0.35 * s.bumps(40, 8), 0.35 * s.bumps(8, 40)
+    slub_x, slub_y = 0.35 * s.clouds(40, 8), 0.35 * s.clouds(8, 40)
     u, v = (s.x + 0.5 * s.clouds(40)) / pitch, (s.y + 0.5 * s.clouds(40)) / pitch
     over = np.cos(np.pi * u) * np.cos(np.pi * v)
     warp = np.abs(np.sin(np.pi * u)) * (1 + 0.6 * over + 0.3 * slub_y)
     weft = np.abs(np.sin(np.pi * v)) * (1 - 0.6 * over + 0.3 * slub_x)
-    return np.maximum(warp, weft) + 0.06 * s.bumps(3)
+    return np.maximum(warp, weft) + 0.06 * s.grain(4)
 
 
 def kraft():
     """Wrapping paper: fibres that lie every way."""
     s = Sheet(15)
     threads = s.fibres(1400, 26, 0.8, 0.03) + 0.6 * s.fibres(900, 12, 0.7, 0.05)
-    return 0.6 * threads + 0.7 * s.bumps(4) + 0.5 * s.bumps(8) + 0.3 * s.clouds(24)
+    return 0.7 * threads + 0.5 * s.grain(6) + 0.5 * s.pebbles(5) + 0.3 * s.clouds(24)
 
 
 def bristol():
     """Smooth board: nothing but a fine tooth."""
     s = Sheet(16)
-    return s.bumps(3.4) + 0.6 * s.bumps(5.5) + 0.3 * s.clouds(40)
+    return s.grain(5) + 0.6 * s.pebbles(3) + 0.15 * s.clouds(40)
 
 
 PAPERS = (cold_press, rough, laid, canvas, kraft, bristol)

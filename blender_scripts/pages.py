@@ -15,8 +15,10 @@ from bl_ext.user_default.fovea.blender import style_data
 sys.path.insert(0, str(Path(__file__).parent))
 
 import draw
+import ending
+import picture
 import sheet
-from command import draw_options, pages
+from command import draw_options, pages, quantities
 from command.target import SHARED
 from scenes import lessons
 
@@ -37,29 +39,29 @@ def main(words):
             sheet.save(made, options.folder / pages.file_of(name))
 
 
-def line(name, picture):
+def line(name, path):
     """(H, W) of one line definition."""
     shown = pages.LINES[name]
     open_model(shown.model)
-    faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, picture)
-    both = np.minimum(faint, draw_lines(shown, (name,), (), BOLD, picture))
+    faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, path)
+    both = np.minimum(faint, draw_lines(shown, (name,), (), BOLD, path))
     return np.round(both * (GREYS - 1)) / (GREYS - 1)
 
 
-def stage(name, picture):
+def stage(name, path):
     """(H, W, 3) of the demo scene at one stage, or with one focus, drawn at twice the size and averaged down."""
     shown = (pages.WAY | pages.FOCUS)[name]
     draw.open_scene("demo")
     scene = bpy.context.scene
-    width, height = draw_options.frame_size(pages.STAGE_SIZE)
-    words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(picture)]
+    width, height = quantities.frame_size(pages.STAGE_SIZE)
+    words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
     set_drawing(scene, draw_options.parse(words), shown.settings)
     magnify(scene, *pages.STAGE_VIEW)
-    draw.still(scene, picture)
-    return sheet.pixels(picture)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+    picture.render(scene, path)
+    return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
 
 
-def plot(name, picture):
+def plot(name, path):
     """(N, N) of a transfer function over focus: a frame with quarters in grey, the curve in black."""
     transfer = focus.parse_transfer(pages.TRANSFERS[name], name, focus.Transfer())
     size, margin, fine = pages.PLOT, 0.06, 8
@@ -94,13 +96,13 @@ def open_model(model):
         draw.open_scene(str(SHARED / "models" / model) if model.endswith(".obj") else model)
 
 
-def draw_lines(shown, lines, params, pen, picture):
+def draw_lines(shown, lines, params, pen, path):
     """(H, W) of some lines of the model, drawn with one pen."""
     scene = bpy.context.scene
-    chosen = ["--size", pages.SIZE, "--style", "plain", "--lines", ",".join(lines), *params, "-o", str(picture)]
+    chosen = ["--size", pages.SIZE, "--style", "plain", "--lines", ",".join(lines), *params, "-o", str(path)]
     set_drawing(scene, draw_options.parse([*shown.camera, *chosen]), pen)
-    draw.still(scene, picture)
-    return sheet.grey(picture)
+    picture.render(scene, path)
+    return sheet.grey(path)
 
 
 def set_drawing(scene, options, settings):
@@ -128,7 +130,4 @@ def parts(held, part):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[sys.argv.index("--") + 1 :])
-    except (ValueError, RuntimeError) as error:  # what the user can mend; anything else keeps its traceback
-        sys.exit(f"Error: {str(error).removeprefix('Error: ').strip()}")
+    ending.run(main)

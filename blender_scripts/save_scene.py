@@ -8,7 +8,9 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import ending
 import scenes
+from command import output
 from command.target import SHARED
 
 
@@ -21,8 +23,9 @@ def main(words):
     scenes.build(options.scene, SHARED if SHARED.is_dir() else None)
     bpy.context.scene.render.engine = "FOVEA"
     bpy.context.scene.view_settings.view_transform = "Standard"
-    bpy.ops.wm.save_as_mainfile(filepath=str(options.output.absolute()))
+    with output.written(options.output) as fresh:
+        bpy.ops.wm.save_as_mainfile(filepath=str(fresh))
 
 
 if __name__ == "__main__":
-    main(sys.argv[sys.argv.index("--") + 1 :])
+    ending.run(main)

@@ -6,7 +6,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+import picture
 from bl_ext.user_default.fovea.blender import style_data
+from command import output
 
 ASPECT = 16 / 9  # that the columns of a sheet aim for
 LABEL, LETTERS = 0.12, 0.06  # height of the strip beneath a tile and of its letters, shares of the tile's height
@@ -15,8 +17,8 @@ SHAPE_PEN = {"width": 1.6, "color": (0.25, 0.25, 0.25), "taper": 0.0}
 PEN = {"width": 5.0, "color": (0.0, 0.0, 0.0), "taper": 0.0}
 
 
-def render(scene, definitions, path, still):
-    """Writes the sheet of the definitions that are on to `path`, an 8-bit grey PNG. `still(path)` renders the scene."""
+def render(scene, definitions, path):
+    """Writes the sheet of the definitions that are on to `path`, an 8-bit grey PNG."""
     held = style_data.own(scene)
     drawn = style_data.drawn_kinds(held)
     shown = [definition for definition in definitions if definition["name"] in drawn]
@@ -24,18 +26,18 @@ def render(scene, definitions, path, still):
     columns = columns_for(len(shown), size)
     rows = -(-len(shown) // columns)
     with tempfile.TemporaryDirectory() as folder:
-        picture = Path(folder) / "tile.png"
+        tile = Path(folder) / "tile.png"
 
         def draw(kinds, pen):
             style_data.choose_lines(held, kinds)
             for name, value in pen.items():
                 setattr(held.line_sets[-1].pen, name, value)
-            still(picture)
-            return grey(picture)
+            picture.render(scene, tile)
+            return grey(tile)
 
         shape = draw({SHAPE}, SHAPE_PEN)
         tiles = [np.minimum(shape, draw({definition["name"]}, PEN)) for definition in shown]
-        labels = draw_labels([d["label"] for d in shown], columns, rows, size, picture)
+        labels = draw_labels([d["label"] for d in shown], columns, rows, size, tile)
     save(paste(tiles, labels, columns), path)
 
 
@@ -65,7 +67,7 @@ def paste(tiles, labels, columns):
     return np.vstack(bands[::-1])
 
 
-def draw_labels(labels, columns, rows, size, picture):
+def draw_labels(labels, columns, rows, size, path):
     """(rows, strip, columns * width): the labels of each row of tiles. Fovea draws them: as holes that Blender's text
     objects cut into transparent paper."""
     wide, high = columns * size[0], strip(size)
@@ -80,12 +82,11 @@ def draw_labels(labels, columns, rows, size, picture):
         scene.collection.objects.link(written)
     _look_down(scene, wide, rows * high)
     style_data.own(scene).paper.color = (1, 1, 1)
-    scene.render.filepath = str(picture)
     scene.render.image_settings.file_format, scene.render.image_settings.color_mode = "PNG", "RGBA"
-    bpy.ops.render.render(scene=scene.name, write_still=True)
-    paper = pixels(picture)[..., 3].reshape(rows, high, 2, wide, 2).mean(axis=(2, 4)) ** (1 / 2.2)  # as tiles are stored
+    picture.render(scene, path)
+    paper = picture.pixels(path)[..., 3].reshape(rows, high, 2, wide, 2).mean(axis=(2, 4))
     bpy.data.scenes.remove(scene)
-    return paper[::-1]
+    return paper[::-1] ** (1 / 2.2)  # as tiles are stored
 
 
 def _look_down(scene, width, height):
@@ -100,19 +101,8 @@ def _look_down(scene, width, height):
     scene.render.resolution_x, scene.render.resolution_y = 2 * width, 2 * height
 
 
-def pixels(path):
-    """(H, W, C) of a picture as it is stored, bottom row first."""
-    image = bpy.data.images.load(str(path))
-    image.colorspace_settings.name = "Non-Color"
-    flat = np.empty(len(image.pixels), np.float32)
-    image.pixels.foreach_get(flat)
-    width, height = image.size
-    bpy.data.images.remove(image)
-    return flat.reshape(height, width, -1)
-
-
 def grey(path):
-    return pixels(path)[..., :3].mean(axis=2)
+    return picture.pixels(path)[..., :3].mean(axis=2)
 
 
 def save(sheet, path):
@@ -130,6 +120,7 @@ def save(sheet, path):
         stored.file_format, stored.color_mode, stored.color_depth, stored.compression = "PNG", "BW", "8", 100
     else:
         stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", 88
-    image.save_render(str(path), scene=scene)
+    with output.written(path, picture.is_whole) as fresh:
+        image.save_render(str(fresh), scene=scene)
     bpy.data.scenes.remove(scene)
     bpy.data.images.remove(image)

@@ -9,12 +9,16 @@ from bl_ext.user_default.fovea.blender import style_picture
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import ending
 import sheet
 
 
-def main(folder):
-    for name in style.names():
+def main(words):
+    """words: the folder, then names of styles; all of them where none is named."""
+    folder, *names = words
+    for name in names or style.names():
         sheet.save(style_picture.draw(style.load(name)) / 255, Path(folder) / f"{name}.jpg")
 
 
-main(sys.argv[-1])
+if __name__ == "__main__":
+    ending.run(main)

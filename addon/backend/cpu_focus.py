@@ -48,6 +48,13 @@ def focus_of_pixels(view, distance, focus):
     return native.load().focus_of_pixels(view, distance, focus)
 
 
+def magnified(image, view):
+    """(H, W) values of a View's pixels: of those of an image of the same in fewer pixels, the nearest."""
+    sides = (view.height, view.width)
+    rows, columns = ((np.arange(new) + 0.5) * old / new for old, new in zip(image.shape, sides))
+    return image[np.ix_(rows.astype(np.intp), columns.astype(np.intp))]
+
+
 def values_on_paths(frame, attribute):
     """(N,) float32 in [0, 1]: what is painted along a Frame's paths; .5 where nothing is."""
     return native.load().values_on_paths(frame.paths, frame.scene, _painted(frame, attribute))

@@ -1,10 +1,15 @@
-"""Cameras as the pipeline takes them: a world-to-view and a view-to-clip matrix, in float64, and the drawn region."""
+"""Cameras as the pipeline takes them: a world-to-view and a view-to-clip matrix, in float64, and the drawn region.
+
+As in Blender any object may be the scene's camera: `calc_matrix_camera` gives those that are none a projection, too (a
+light's is as wide as its spot)."""
 
 import numpy as np
 
 from ..stages import REFERENCE_HEIGHT, View
 from .problem import CannotDraw
 
+LEAST_VOLUME = 1e-6  # that a camera's normalized axes span
+OBJECT_CLIP = 0.1, 100.0  # near and far of Blender's projection for objects that are no cameras
 
 
 def of_render(engine, depsgraph):
@@ -23,19 +28,17 @@ def of_scene(depsgraph, camera=None):
 
 
 def _of_frame(camera, camera_to_world, depsgraph, width, height):
-    render = depsgraph.scene.render
-    full = camera.calc_matrix_camera(
-        depsgraph, x=width, y=height, scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y
-    )
-    left, bottom, right, top = _border(render, width, height)
+    near, far = _clip_distances(camera, OBJECT_CLIP)
+    full = _projection(camera, depsgraph, width, height)
+    left, bottom, right, top = _border(depsgraph.scene.render, width, height)
     return View(
-        world_to_view=np.linalg.inv(np.array(camera_to_world, np.float64)),
-        view_to_clip=_crop(width, height, left, bottom, right, top) @ np.array(full, np.float64),
+        world_to_view=_world_to_view(camera, camera_to_world),
+        view_to_clip=_crop(width, height, left, bottom, right, top) @ full,
         width=right - left,
         height=top - bottom,
-        orthographic=camera.data.type == "ORTHO",
-        near_clip=camera.data.clip_start,
-        far_clip=camera.data.clip_end,
+        orthographic=bool(full[3, 3] != 0.0),
+        near_clip=near,
+        far_clip=far,
         reference_scale=height / REFERENCE_HEIGHT,
         frame=(-left, -bottom, width, height),
     )
@@ -51,6 +54,14 @@ def engine_matrix(engine, camera):
     return engine.camera_model_matrix(camera, use_spherical_stereo=False)
 
 
+def in_frame(depsgraph, at):
+    """(x, y) where the scene camera's frame shows a place in world coordinates: from 0 to 1, from the lower left."""
+    camera, render = depsgraph.scene.camera.evaluated_get(depsgraph), depsgraph.scene.render
+    full = _projection(camera, depsgraph, render.resolution_x, render.resolution_y)
+    clip = full @ _world_to_view(camera, camera.matrix_world.normalized()) @ (*at, 1.0)
+    return (clip[:2] / clip[3] + 1.0) / 2.0
+
+
 def of_region(context, depsgraph):
     """The View of a 3D viewport."""
     region, region_3d, space = context.region, context.region_data, context.space_data
@@ -61,7 +72,8 @@ def of_region(context, depsgraph):
     scale, frame = region.height / REFERENCE_HEIGHT, (0, 0, region.width, region.height)
     if region_3d.view_perspective == "CAMERA":
         camera = _checked(space.camera or depsgraph.scene.camera).evaluated_get(depsgraph)
-        near, far = camera.data.clip_start, camera.data.clip_end
+        _world_to_view(camera, camera.matrix_world.normalized())  # the region's own is no inverse where there is none
+        near, far = _clip_distances(camera, (near, far))
         frame = _frame(camera, depsgraph, view_to_clip, region)
         scale = frame[3] / REFERENCE_HEIGHT
     if orthographic:
@@ -71,14 +83,47 @@ def of_region(context, depsgraph):
 
 def _checked(camera):
     """The camera, when it is one that can be drawn with."""
-    if camera is None or camera.type != "CAMERA":
+    if camera is None:
         raise CannotDraw("The scene has no camera: add one, or make one the scene's active camera")
-    if camera.data.type not in {"PERSP", "ORTHO"}:
+    if camera.type == "CAMERA" and camera.data.type not in {"PERSP", "ORTHO"}:
         raise CannotDraw(
             f"Camera '{camera.name}' is {camera.data.type.lower().replace('pano', 'panoramic')}: "
             "lines can be drawn with perspective and orthographic cameras"
         )
     return camera
+
+
+def _projection(camera, depsgraph, width, height):
+    """(4, 4) view to clip space of the full frame, width x height pixels."""
+    render = depsgraph.scene.render
+    aspect = {"scale_x": render.pixel_aspect_x, "scale_y": render.pixel_aspect_y}
+    found = np.array(camera.calc_matrix_camera(depsgraph, x=width, y=height, **aspect), np.float64)
+    if not (np.isfinite(found).all() and found[0, 0] and found[1, 1]):
+        raise CannotDraw(f"Camera '{camera.name}' shows nothing: its focal length, sensor or shift is too large; reset it")
+    return found
+
+
+def _clip_distances(camera, otherwise):
+    """Near and far, in units of the scene; `otherwise`: those of objects that are no cameras."""
+    if camera.type != "CAMERA":
+        return otherwise
+    near, far = camera.data.clip_start, camera.data.clip_end
+    if near >= far:
+        raise CannotDraw(
+            f"Camera '{camera.name}' sees from a distance of {near:g} up to one of {far:g}, which is nothing: "
+            "set its Clip Start below its Clip End"
+        )
+    return near, far
+
+
+def _world_to_view(camera, camera_to_world):
+    """(4, 4) inverse of where a camera is."""
+    matrix = np.array(camera_to_world, np.float64)
+    if not (np.isfinite(matrix).all() and abs(np.linalg.det(matrix[:3, :3])) > LEAST_VOLUME):
+        raise CannotDraw(
+            f"Camera '{camera.name}' looks in no direction, as it is scaled to 0: clear its scale, or that of its parents"
+        )
+    return np.linalg.inv(matrix)
 
 
 def _border(render, width, height):
@@ -101,15 +146,9 @@ def _crop(width, height, left, bottom, right, top):
 def _frame(camera, depsgraph, view_to_clip, region):
     """Left, lower, width and height of the camera's frame in pixels of the viewport that shows it."""
     render = depsgraph.scene.render
-    full = camera.calc_matrix_camera(
-        depsgraph,
-        x=render.resolution_x,
-        y=render.resolution_y,
-        scale_x=render.pixel_aspect_x,
-        scale_y=render.pixel_aspect_y,
-    )
+    full = _projection(camera, depsgraph, render.resolution_x, render.resolution_y)
     # From the frame to the viewport, both from -1 to 1: a zoom and a shift.
-    placed = view_to_clip @ np.linalg.inv(np.array(full, np.float64))
+    placed = view_to_clip @ np.linalg.inv(full)
     size, middle = np.diag(placed)[:2] / placed[3, 3], placed[:2, 3] / placed[3, 3]
     region_size = np.array((region.width, region.height))
     lower = (middle - size + 1) / 2 * region_size

@@ -9,8 +9,26 @@ MOVEMENT = 1.0  # most seconds between two changes of one movement
 TICK = 0.02  # seconds between looks
 
 _pending = {}  # Viewport that has something under way -> its engine
-_changed_at = 0.0  # when a viewport last had to show something else
-_rest = REST  # longer where changes come slowly
+
+
+class Movement:
+    """Changes that follow each other, and whether they have come to an end."""
+
+    def __init__(self):
+        self._changed_at = 0.0
+        self._rest = REST  # longer where changes come slowly
+
+    def note_change(self):
+        gap, self._changed_at = time.monotonic() - self._changed_at, time.monotonic()
+        self._rest = max(REST, 1.5 * gap) if gap < MOVEMENT else REST
+
+    def rests(self):
+        return time.monotonic() > self._changed_at + self._rest
+
+
+_movement = Movement()  # of all viewports
+note_change = _movement.note_change  # a viewport has to show something else
+rests = _movement.rests  # whether nothing changes in any viewport
 
 
 def look_after(viewport, engine):
@@ -19,18 +37,6 @@ def look_after(viewport, engine):
     _pending[viewport] = engine
     if not bpy.app.timers.is_registered(tick):
         bpy.app.timers.register(tick, first_interval=TICK)
-
-
-def note_change():
-    """A viewport has to show something else."""
-    global _changed_at, _rest
-    gap, _changed_at = time.monotonic() - _changed_at, time.monotonic()
-    _rest = max(REST, 1.5 * gap) if gap < MOVEMENT else REST
-
-
-def rests():
-    """Whether nothing changes in any viewport."""
-    return time.monotonic() > _changed_at + _rest
 
 
 def tick():

@@ -1,8 +1,11 @@
 """An overlay of 3D viewports that shows focus as colors: warm where it is, cool far from it.
 
 The native module evaluates it at low resolution, when a viewport is drawn and its view, the focus or the scene has
-changed since; idle viewports draw nothing. The scene is read for it only where Fovea does not draw the viewport anyway.
+changed since: with every change, as finely as is done in the time for a draw, and once more when all rests. Idle
+viewports draw nothing. The scene is read for it only where Fovea does not draw the viewport anyway.
 """
+
+import time
 
 import bpy
 import numpy as np
@@ -10,15 +13,16 @@ from bpy.app.handlers import persistent
 
 from .. import native, style
 from ..backend import gpu_overlay
-from . import camera, properties, reading, subdivision, viewport
+from . import camera, caretaker, properties, reading, subdivision, viewport, viewport_settings
 from .problem import CannotDraw
 
-SCALE = 0.25  # of the viewport's size
+SCALE = 0.25  # of the viewport's size, at rest
+LEAST = SCALE / 4  # the same while something changes
 # Colours from focus 0 to 1, in the display's space; what they cover shows through.
 STOPS = np.array([(0.95, 0.25, 0.1), (1.0, 0.8, 0.2), (0.3, 0.75, 0.6), (0.15, 0.3, 0.8)], np.float32)
 OPACITY = 0.45
 
-_shown = {}  # region's address -> _Shown, until the scene changes
+_shown = {}  # region's address -> _Shown
 _readers = []  # one, while it is needed
 
 
@@ -26,18 +30,34 @@ class _Shown:
     """What is kept for one region."""
 
     def __init__(self):
-        self.read = self.found = self.key = self.veil = None
+        self.veil = None
+        self.scale = SCALE  # of what is shown
+        self.movement = caretaker.Movement()
+        self._took = None  # what was evaluated last: its scale, and the ms that it took
+        self.forget()
+
+    def forget(self):
+        """The scene has changed."""
+        self.read = self.found = self.key = None
 
     def update(self, context):
-        """Evaluates focus anew where something has changed."""
+        """Evaluates focus anew where something has changed, or finely where all has come to rest."""
         depsgraph = context.evaluated_depsgraph_get()
         chosen, view = properties.style_of(depsgraph.scene_eval), camera.of_region(context, depsgraph)
         found = self._read(context, depsgraph, chosen)
         key = (chosen.focus, view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
-        if self.key == key and self.found is found:
+        if self.key != key or self.found is not found:
+            budget_ms = viewport_settings.budget_ms(depsgraph.scene)
+            self.key, self.found = key, found
+            self.scale = affordable(*self._took, budget_ms) if self._took else LEAST
+            self.movement.note_change()
+        elif self.scale < SCALE and self.movement.rests():
+            self.scale = SCALE
+        else:
             return
-        self.key, self.found = key, found
-        values = reading.focus_of_pixels(found, view, chosen.focus, SCALE)
+        start = time.perf_counter()
+        values = reading.focus_of_pixels(found, view, chosen.focus, self.scale)
+        self._took = self.scale, 1000 * (time.perf_counter() - start)
         self.veil = None if values is None else gpu_overlay.Veil(colors(values))
 
     def _read(self, context, depsgraph, chosen):
@@ -56,6 +76,11 @@ def _reader():
     if not _readers:
         _readers.append(reading.Reader())
     return _readers[0]
+
+
+def affordable(scale, ms, budget_ms):
+    """The scale that is done within a budget, as one is known to take so long: most of it grows with the pixels."""
+    return min(max(scale * (budget_ms / max(ms, 1e-3)) ** 0.5, LEAST), SCALE)
 
 
 def colors(values):
@@ -81,11 +106,27 @@ def _draw():
         return  # the panels and the engine say what is wrong
     if shown.veil:
         shown.veil.show(context.region.width, context.region.height)
+    if shown.scale < SCALE and not bpy.app.timers.is_registered(_refine):
+        bpy.app.timers.register(_refine, first_interval=caretaker.REST)
+
+
+def _refine():
+    """Has what was drawn coarsely drawn again when all rests: a timer, there only until then."""
+    coarse = [shown for shown in _shown.values() if shown.scale < SCALE]
+    if not all(shown.movement.rests() for shown in coarse):
+        return caretaker.TICK
+    if coarse:
+        _redraw(bpy.context.window_manager)
+    return None
 
 
 def _toggled(manager, _context):
     if not manager.fovea_show_focus:
         _forget()
+    _redraw(manager)
+
+
+def _redraw(manager):
     for window in manager.windows:
         for area in window.screen.areas:
             if area.type == "VIEW_3D":
@@ -96,13 +137,16 @@ def _toggled(manager, _context):
 def _changed(_scene, depsgraph):
     """Something in the scene changed, unless it was us who read a cage: it is read again when it is shown next."""
     if not subdivision.is_echo(depsgraph.updates):
-        _shown.clear()
+        for shown in list(_shown.values()):
+            shown.forget()
 
 
 @persistent
 def _forget(*_arguments):
     _shown.clear()
     _readers.clear()
+    if bpy.app.timers.is_registered(_refine):
+        bpy.app.timers.unregister(_refine)
 
 
 def _in_popover(self, context):

@@ -1,10 +1,9 @@
 """Focus Pull: keyframes that lead from one place to look at to another."""
 
 import bpy
-from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
-from . import focus_places
+from . import camera, focus_places
 
 SECONDS = 2  # that a pull takes where the scene is a still
 EASINGS = [  # interpolation of the keyframes
@@ -84,7 +83,7 @@ def _track_of(scene, at):
 
 def in_frame(scene, at):
     """Where the camera's frame shows world coordinates: from the left and the top."""
-    x, y, _ = world_to_camera_view(scene, scene.camera, Vector(at))
+    x, y = camera.in_frame(bpy.context.evaluated_depsgraph_get(), at)
     return x, 1 - y
 
 
@@ -92,6 +91,13 @@ def frames_of(scene):
     """The first and the last frame that a pull is offered."""
     first, last = scene.frame_start, scene.frame_end
     return first, last if last > first else first + SECONDS * scene.render.fps
+
+
+def hold(scene, first, last):
+    """Widens the scene's range of frames until it holds a pull; whether it had to."""
+    before = scene.frame_start, scene.frame_end
+    scene.frame_start, scene.frame_end = min(scene.frame_start, first), max(scene.frame_end, last)
+    return (scene.frame_start, scene.frame_end) != before
 
 
 class FOVEA_OT_focus_pull(bpy.types.Operator):
@@ -173,6 +179,9 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
             getattr(scene.fovea, name) if radius < 0 else radius for name, radius in zip(names, (self.near, self.far))
         )
         pull(scene, at, near, max(near, far), self.frame_start, self.frame_end, self.easing)
+        if hold(scene, self.frame_start, self.frame_end):
+            told = f"The scene's frames are {scene.frame_start} to {scene.frame_end} now, so that all of the pull is played"
+            self.report({"INFO"}, told)
         return {"FINISHED"}
 
     def _problem(self, scene):

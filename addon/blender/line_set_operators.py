@@ -1,13 +1,16 @@
 """Operators on the line sets of the scene's style, and on the hidden pens of the one that is edited."""
 
+from dataclasses import replace
+
 import bpy
 from bpy.props import EnumProperty
 
 from .. import style
-from ..style_parts import Hidden, LineSet
+from ..style_parts import FILTERS, Hidden, LineSet
 from . import style_animation, style_data, style_read, style_write
 
 MOST = 64  # line sets of a style
+_FOR_ALL = {name: getattr(LineSet, name) for pair in FILTERS.items() for name in pair}  # as without filters
 DIRECTIONS = (("UP", "Up", "Draws its lines before"), ("DOWN", "Down", "Draws what is left after"))
 
 
@@ -51,7 +54,7 @@ class _Edit:
 
 
 class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
-    """Add a line set, which draws what the sets above it leave"""
+    """Add a line set above the edited one, with its line types and pens, for all objects and without hidden pens"""
 
     bl_idname, bl_label = "fovea.line_set_add", "Add Line Set"
 
@@ -60,12 +63,13 @@ class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
         return f"A style has at most {MOST} line sets" if len(held.line_sets) >= MOST else None
 
     def act(self, held):
-        style_write.write_line_set(held.line_sets.add(), LineSet(name=_free_name(held, "Lines")))
-        held.line_set_index = len(held.line_sets) - 1
+        source, place = edited(held), min(held.line_set_index, len(held.line_sets))
+        like = style_read.line_set(source) if source else style.load("plain").line_sets[0]
+        _insert(held, replace(like, name=_free_name(held, "Lines"), hidden=(), **_FOR_ALL), place)
 
 
 class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
-    """Add a line set as the one that is edited, after it"""
+    """Add a copy of the edited line set below it, filters and hidden pens included: it draws what that one leaves"""
 
     bl_idname, bl_label = "fovea.line_set_duplicate", "Duplicate Line Set"
 
@@ -75,12 +79,9 @@ class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
 
     def act(self, held):
         source = edited(held)
-        wanted, name, kept = style_read.line_set(source), _free_name(held, source.name), source.kept
-        made = held.line_sets.add()
-        style_write.write_line_set(made, wanted)
-        made.name, made.kept = name, kept
-        move(held, len(held.line_sets) - 1, held.line_set_index + 1)
-        held.line_set_index += 1
+        kept, place = source.kept, held.line_set_index + 1
+        _insert(held, replace(style_read.line_set(source), name=_free_name(held, source.name)), place)
+        held.line_sets[place].kept = kept
 
 
 class FOVEA_OT_line_set_remove(_Edit, bpy.types.Operator):
@@ -150,6 +151,13 @@ def move(held, source, to):
     order.insert(to, order.pop(source))
     held.line_sets.move(source, to)
     style_animation.follow(held.id_data, [order.index(i) for i in range(len(order))])
+
+
+def _insert(held, wanted, place):
+    """A new line set at a place among the others, to be edited."""
+    style_write.write_line_set(held.line_sets.add(), wanted)
+    move(held, len(held.line_sets) - 1, place)
+    held.line_set_index = place
 
 
 def _free_name(held, wanted):

@@ -29,6 +29,7 @@ STAGES = {  # of a picture, in words
     "color": "colours under lines",
     "focus": "focus and its effects",
     "paper": "paper",
+    "depth": "depth pass",
 }
 _IN_POPUP = 24  # lines that a popup shows
 _NAMED = 3  # objects of many that have the same to be said of them

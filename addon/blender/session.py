@@ -64,7 +64,8 @@ def _style_of(scene_):
 
 def render(engine, depsgraph):
     """Draws one view layer of a final render. Without a result Blender writes no file."""
-    with reported(lambda message: engine.report({"ERROR"}, message)):
+    what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
+    with reported(lambda message: engine.report({"ERROR"}, message), what):
         image = final_image(engine, depsgraph)
         if image is not None:
             passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
@@ -75,12 +76,14 @@ def render(engine, depsgraph):
 
 
 @contextmanager
-def reported(tell):
-    """Turns what goes wrong into one sentence for the user."""
+def reported(tell, what="this view"):
+    """Turns what goes wrong while `what` is drawn into one sentence for the user."""
     try:
         yield
     except (CannotDraw, native.Unavailable, style.StyleError) as problem:
         tell(str(problem))
+    except MemoryError:  # numpy's, and std::bad_alloc of the native module
+        tell(f"Memory is too small for {what}: make it smaller, or hide or simplify the largest objects")
     except Exception as error:
         _log.exception("drawing failed")
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
@@ -101,7 +104,7 @@ class Gathered:
 def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
     start, core = time.perf_counter(), native.load()
-    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core))
+    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core, refit=depsgraph.mode == "VIEWPORT"))
     with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
     colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
@@ -123,10 +126,10 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)
 
 
-def draw(found, view, chosen, backend, options, progress, cancel, near=()):
-    """The Image of what was Gathered; touches nothing of Blender's unless the backend does. `near`: the lines of the
-    frames around it, for elision smoothed in time."""
-    seen, beside = scene.seen(native.load(), view), {"colors": found.colors, "notes": found.notes, "near": near}
+def draw(found, seen, chosen, backend, options, progress, cancel, near=()):
+    """The Image of what was Gathered as a native View sees it; touches nothing of Blender's unless the backend does.
+    `near`: the lines of the frames around it, for elision smoothed in time."""
+    beside = {"colors": found.colors, "notes": found.notes, "near": near}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
@@ -146,7 +149,7 @@ def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
             near_s = time.perf_counter() - start if near else 0.0
             # After the others: surfaces that move are as they were gathered last.
             found = gather(engine, depsgraph, chosen, with_colors=not lines_alone)
-            image = draw(found, view, chosen, backend, options, tell, cancel, near)
+            image = draw(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near)
         except core.Cancelled:
             return None
     note_statistics(found, image, near_s)

@@ -25,8 +25,10 @@ class _Entry:
 class SurfaceCache:
     """Surfaces by a key that names where a mesh comes from; the content decides whether one is still good."""
 
-    def __init__(self, core):
-        self._core = core  # the native module
+    def __init__(self, core, *, refit=False):
+        """`refit`: what moves is followed faster, by rays whose last bits depend on where it was before. Not for final
+        renders, whose frames depend on nothing but themselves."""
+        self._core, self._refit = core, refit  # the native module
         self._entries = {}
         self._asked = {}  # how often each key came up in this pass
         self._buffers = mesh_arrays.Buffers()
@@ -67,7 +69,7 @@ class SurfaceCache:
             triangles, polygon = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
             ngons = (self._hash(triangles), self._hash(polygon))
             if entry is not None and repair is None and (entry.topology, entry.ngons) == (topology, ngons):
-                entry.surface.set_positions(arrays.positions)
+                entry.surface.set_positions(arrays.positions, refit=self._refit)
                 entry.positions = positions
                 self.moved.append(entry.surface)
             else:
@@ -117,7 +119,7 @@ class SurfaceCache:
             except ValueError as error:
                 self.remarks.append(f"{error}; drawn as Blender subdivides it")
         elif entry.surface is not None and moved:
-            entry.surface.set_positions(arrays.positions)
+            entry.surface.set_positions(arrays.positions, refit=self._refit)
             entry.positions = positions
             self.moved.append(entry.surface)
         return entry

@@ -16,7 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import budget, native, pipeline
 from ..backend import gpu_program, gpu_viewport
-from . import camera, caretaker, changes, methods, session, viewport_settings, worker
+from . import camera, caretaker, changes, methods, scene, session, viewport_settings, worker
 
 PATIENCE = 0.25  # seconds that draws of the region wait for a picture
 WORD = 0.3  # seconds between words in the header about what is under way
@@ -200,10 +200,11 @@ class Viewport:
 def _made(wanted, quality, tell, cancel):
     """The _Picture that is wanted, in this quality."""
     chosen = budget.QUALITIES[quality]
-    view, options = budget.smaller(wanted.view, chosen.scale), budget.coarser(wanted.options, chosen)
     style = budget.simplified(wanted.scene.style, chosen)
-    options = replace(options, outlines=budget.outlines(wanted.scene.style, chosen))
-    image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
+    outlines = budget.outlines(wanted.scene.style, chosen)
+    options = replace(budget.coarser(wanted.options, chosen), outlines=outlines)
+    seen = scene.seen(native.load(), wanted.view).smaller(chosen.scale)
+    image = session.draw(wanted.scene.gathered, seen, style, wanted.backend, options, tell, cancel)
     return _Picture(wanted, quality, image)
 
 

@@ -18,6 +18,7 @@ from bl_ext.user_default.fovea.backend import cpu
 from command import draw_options
 
 import draw
+import ending
 
 METHODS = ((1, 1), (1, 2), (4, 2), (9, 1), (9, 2), (16, 2), (16, 3))  # probes, depth scale
 
@@ -54,4 +55,4 @@ def main(out, *words):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[sys.argv.index("--") + 1 :])
+    ending.run(lambda words: main(*words))

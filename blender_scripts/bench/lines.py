@@ -17,8 +17,10 @@ from command import eye as camera
 from command import obj
 
 from . import line_meshes
+from .peers import count
 
 VIEW = ("smooth_contour", "suggestive_contour", "apparent_ridge", "suggestive_highlight", "laplacian_line", "isophote")
+TRIANGLES = (1 << 16, 1 << 18, 1 << 20)
 STATIC = ("ridge", "valley", "parabolic", "zero_mean_curvature", "demarcating_curve")
 TOGETHER = VIEW[:3]
 KEPT = STATIC[:4]
@@ -42,27 +44,38 @@ REFERENCE = {
 
 def parse(words):
     parser = argparse.ArgumentParser("fovea bench lines", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="meshes of up to 262k triangles, fewer views")
-    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
-    return parser.parse_args(words)
+    add = parser.add_argument
+    add("--triangles", type=counts, metavar="A,B", help="of the generated meshes (65536,262144,1048576)")
+    add("--views", type=count, metavar="N", help="of which medians are taken (15)")
+    add("--quick", action="store_true", help="generated meshes of up to 262k triangles, 5 views")
+    add("--json", action="store_true", help="print JSON instead of a table")
+    options = parser.parse_args(words)
+    options.triangles = options.triangles or TRIANGLES[: 2 if options.quick else 3]
+    options.views = options.views or (5 if options.quick else 15)
+    return options
+
+
+def counts(text):
+    return [count(word) for word in text.split(",")]
 
 
 def main(words, native, shared: Path | None) -> int:
     options = parse(words)
     rows = []
-    for name, reference, mesh in meshes(options.quick, shared):
+    for name, reference, mesh in meshes(options.triangles, shared):
         print(f"fovea: {name}", file=sys.stderr, flush=True)
-        for step, timed, count in steps(native, name, mesh, 5 if options.quick else 15):
+        for step, timed, count in steps(native, name, mesh, options.views):
             rows.append(row(name, len(mesh.triangles), step, timed, count, REFERENCE.get(reference, {})))
     growth = exponents(rows)
     print(json.dumps({"rows": rows, "growth": growth}, indent=1) if options.json else table(rows, growth))
     return 0
 
 
-def meshes(quick, shared):
-    """Name, key of the reference figures, mesh."""
+def meshes(sizes, shared):
+    """Name, key of the reference figures, mesh; of the generated ones, those with so many triangles."""
     for shape in line_meshes.SHAPES:
-        for label, triangles in (("65k", 1 << 16), ("262k", 1 << 18), ("1M", 1 << 20))[: 2 if quick else 3]:
+        for triangles in sizes:
+            label = f"{triangles // 10**6}M" if triangles >= 10**6 else f"{triangles // 10**3}k"
             yield f"{shape} {label}", label, line_meshes.SHAPES[shape](triangles)
     for name, file in (("bunny", "stanford-bunny"), ("rocker arm", "rocker-arm")):
         path = shared / "models" / "organic" / f"{file}.obj" if shared else None

@@ -22,11 +22,14 @@ def parse(words):
     add = parser.add_argument
     add("--scenes", type=scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--renderers", type=some_of(RENDERERS), metavar="A,B", help=", ".join(RENDERERS))
-    add("--quick", action="store_true", help="without Freestyle, medians of 3 instead of 5")
+    add("--size", type=frame_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
+    add("--repeats", type=count, metavar="N", help="of which medians are taken (5); Freestyle draws once")
+    add("--quick", action="store_true", help="without Freestyle, medians of 3")
     add("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
     add("--json", action="store_true", help="print JSON instead of a table")
     options = parser.parse_args(words)
     options.renderers = options.renderers or [r for r in RENDERERS if not (options.quick and r == "freestyle")]
+    options.repeats = options.repeats or (3 if options.quick else 5)
     return options
 
 
@@ -40,6 +43,13 @@ def some_of(known):
         return text.split(",")
 
     return parse_names
+
+
+def count(text):
+    """A whole number, at least 1."""
+    if not (text.isdecimal() and int(text)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1 on")
+    return int(text)
 
 
 def frame_size(text):
@@ -62,17 +72,15 @@ def main(words, blender, environment, shared: Path | None) -> int:
     """`environment`: of a Blender that has the extension installed."""
     options = parse(words)
     rows = []
-    with tempfile.TemporaryDirectory() as folder:
-        for spec in options.scenes:
-            for renderer in options.renderers:
-                print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
-                repeats = 1 if renderer == "freestyle" else 3 if options.quick else 5
-                out = Path(folder) / f"{len(rows)}.json"
-                work = [spec, renderer, str(repeats), str(shared or ""), str(out)]
-                command = [blender, "-b", "--python-exit-code", "1", "-P", str(WORKER), "--", *work]
-                problem = run(command, environment, options.timeout)
-                record = json.loads(out.read_text()) if out.is_file() else {}
-                rows.append(row(spec, renderer, record, problem))
+    for spec in options.scenes:
+        for renderer in options.renderers:
+            print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
+            asked = {
+                "scene": spec, "renderer": renderer, "size": options.size, "shared": str(shared or ""),
+                "repeats": 1 if renderer == "freestyle" else options.repeats,
+            }  # fmt: skip
+            record, problem = measured(WORKER, asked, blender, environment, options.timeout)
+            rows.append(row(spec, renderer, record or {}, problem))
     print(as_json(rows) if options.json else table(rows))
     return 1 if any("problem" in row for row in rows) else 0
 
@@ -117,7 +125,7 @@ def median(frames, field):
 
 
 def measured(worker, asked, blender, environment, timeout):
-    """(rows, problem): what a worker script, in a Blender of its own, writes when it is asked; see `run`."""
+    """(found, problem): what a worker script, in a Blender of its own, writes when it is asked; see `run`."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "rows.json"
         words = json.dumps({**asked, "out": str(out)})

@@ -1,7 +1,8 @@
-"""One renderer on one scene, in a Blender of its own: blender -b -P worker.py -- SCENE RENDERER REPEATS SHARED OUT.json
+"""Runs inside Blender for `fovea bench peers`: blender -b -P worker.py -- JSON (scene, renderer, size, repeats, shared,
+out).
 
 Each repeat starts from a new file: the first frame, then one after a small turn of the camera. A cold round goes first:
-it tells the memory, and compiles what is compiled once per process. OUT.json is written after every frame, so that a
+it tells the memory, and compiles what is compiled once per process. OUT is written after every frame, so that a
 time-out loses only what came after."""
 
 import json
@@ -20,15 +21,17 @@ from mathutils import Matrix
 STEP = math.radians(1)
 
 
-def main(spec, name, repeats, shared, out):
-    repeats, shared, out = int(repeats), Path(shared) if shared else None, Path(out)
+def main(asked):
+    repeats, make = asked["repeats"], renderers.BY_NAME[asked["renderer"]]
     if repeats == 1:  # too slow to be done twice
-        warm(renderers.BY_NAME[name])
+        warm(make)
     record = {"first": [], "moved": []}
     for cold in (True, *[False] * repeats) if repeats > 1 else (True,):
         bpy.ops.wm.read_homefile()  # renderers that keep things between frames let go of them here
-        scenes.build(spec, shared)
-        renderer = renderers.BY_NAME[name](bpy.context.scene)
+        scenes.build(asked["scene"], Path(asked["shared"]) if asked["shared"] else None)
+        render = bpy.context.scene.render
+        render.resolution_x, render.resolution_y = asked["size"]
+        renderer = make(bpy.context.scene)
         if cold:
             record["triangles"] = triangles()
             reset_peak()
@@ -39,7 +42,7 @@ def main(spec, name, repeats, shared, out):
                 record[kind].append(told)
             if cold:
                 record["peak_mb"] = (memory("VmHWM") - before) / 1024
-            out.write_text(json.dumps(record))
+            Path(asked["out"]).write_text(json.dumps(record))
 
 
 def frame(renderer, moved: bool):
@@ -81,6 +84,6 @@ def reset_peak():
 
 if __name__ == "__main__":
     try:
-        main(*sys.argv[sys.argv.index("--") + 1 :])
+        main(json.loads(sys.argv[sys.argv.index("--") + 1]))
     except (RuntimeError, ImportError, AttributeError, TypeError) as error:  # what a Blender lacks; said in the table
         sys.exit(f"Error: {error}")

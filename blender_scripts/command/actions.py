@@ -7,8 +7,11 @@ import shutil
 import sys
 from pathlib import Path
 
+import ending
+import scenes
+
 from . import build as native
-from . import draw_options
+from . import draw_options, output
 from . import package as extension
 from .target import PROJECT, SHARED, StepFailed, tail
 
@@ -22,9 +25,15 @@ def build(target, words):
 def package(target, words):
     parser = argparse.ArgumentParser("fovea package")
     parser.add_argument("-o", "--output", type=Path, help="copy the zip there: a folder or a file")
-    output = parser.parse_args(words).output
+    place = parser.parse_args(words).output
+    if place:
+        output.check(place / f"{extension.ID}.zip" if place.is_dir() else place)
     archive = extension.package(target)
-    print(shutil.copy2(archive, output) if output else archive)
+    if place:
+        place = place / archive.name if place.is_dir() else place
+        with output.written(place) as fresh:
+            shutil.copy2(archive, fresh)
+    print(place or archive)
     return 0
 
 
@@ -38,9 +47,6 @@ def draw(target, words):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "draw.py"
     in_blender(target, f"drawing {options.scene}", script, words)
-    missing = [str(picture) for picture in draw_options.pictures(options) if not picture.is_file()]
-    if missing:
-        raise StepFailed(f"Blender wrote no {', '.join(missing)}")
     for picture in draw_options.pictures(options):
         print(picture)
     return 0
@@ -51,6 +57,10 @@ def scene(target, words):
     parser.add_argument("scene", help="NAME[:N]")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT.blend")
     options = parser.parse_args(words)
+    scenes.parse(options.scene)
+    if options.output.suffix != ".blend":
+        raise ValueError(f"a scene is saved as a .blend, not {options.output.name}")
+    output.check(options.output)
     extension.install(target)
     in_blender(target, f"building {options.scene}", PROJECT / "blender_scripts" / "save_scene.py", words)
     print(options.output.absolute())
@@ -58,50 +68,16 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench peers`, or the name of a scene: the same for that scene alone; `bench agreement [WORDS OF draw]`, `bench lines`,
-    `bench visibility`, `bench focus`, `bench viewport`."""
-    from bench import peers
-
+    """`bench NAME [WORDS]`; the name of a scene: `bench peers` for that scene alone."""
     name, *rest = words or ["peers"]
-    if name == "lines":
-        return bench_lines(target, rest)
-    if name == "visibility":
-        return bench_visibility(target, rest)
-    if name == "focus":
-        return bench_focus(target, rest)
-    if name == "viewport":
-        return bench_viewport(target, rest)
-    if name == "agreement":
-        return agreement(target, rest or ["office"])
-    if name != "peers":
-        rest = ["--scenes", name, *rest]
-    peers.parse(rest)  # mistakes show before anything is built
+    if name in ("lines", "agreement"):
+        return {"lines": bench_lines, "agreement": agreement}[name](target, rest)
+    if name not in ("peers", "visibility", "focus", "viewport"):
+        name, rest = "peers", ["--scenes", name, *rest]
+    module = importlib.import_module(f"bench.{name}")
+    module.parse(rest)  # mistakes show before anything is built
     extension.install(target)
-    return peers.main(rest, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
-
-
-def bench_visibility(target, words):
-    from bench import visibility
-
-    visibility.parse(words)
-    extension.install(target)
-    return visibility.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
-
-
-def bench_focus(target, words):
-    from bench import focus
-
-    focus.parse(words)
-    extension.install(target)
-    return focus.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
-
-
-def bench_viewport(target, words):
-    from bench import viewport
-
-    viewport.parse(words)
-    extension.install(target)
-    return viewport.main(words, target.blender, target.environment(), SHARED if SHARED.is_dir() else None)
+    return module.main(rest, target.blender, target.environment(), shared())
 
 
 def bench_lines(target, words):
@@ -111,11 +87,17 @@ def bench_lines(target, words):
     extension.stage(target)
     sys.path.insert(0, str(extension.importable(target)))
     native = importlib.import_module("addon.native").load()
-    return lines.main(words, native, SHARED if SHARED.is_dir() else None)
+    return lines.main(words, native, shared())
+
+
+def shared():
+    """The folder of models that are not part of the project, if it is there."""
+    return SHARED if SHARED.is_dir() else None
 
 
 def agreement(target, words):
     """Prints, as JSON, how far depth-buffer visibility agrees with exact visibility on what `fovea draw` would draw."""
+    words = words or ["office"]
     scene = draw_options.parse(words).scene
     extension.install(target)
     out = target.work / "agreement.json"
@@ -126,10 +108,13 @@ def agreement(target, words):
 
 
 def in_blender(target, sentence, script, words):
-    """Runs a script in Blender without a window; what it says in `Error:` lines is the message when it fails."""
+    """Runs a script in Blender without a window. When it fails, the message is the line that it ends with (ending.py)."""
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
     log, status = target.attempt(sentence, command)
     if status == 0:
         return
-    errors = [line for line in log.read_text(errors="replace").splitlines() if line.startswith("Error: ")]
-    raise StepFailed("\n".join(errors) or f"{sentence} FAILED ({status}); the last lines of {log}:\n{tail(log, 25)}")
+    for line in log.read_text(errors="replace").splitlines():
+        if line.startswith(ending.MARK):
+            raise StepFailed(line.removeprefix(ending.MARK))
+    how = f"by signal {-status}, as when memory is too small" if status < 0 else status
+    raise StepFailed(f"{sentence} FAILED ({how}); the last lines of {log}:\n{tail(log, 25)}")

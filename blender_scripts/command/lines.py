@@ -7,16 +7,18 @@ from pathlib import Path
 
 import numpy as np
 
-from . import assignment, draw_options, eye, obj, package
+from . import eye, obj, output, package, quantities
 from .target import say
 
 
 def lines(target, words):
     options = parse(words)
+    output.check(options.output)
     package.stage(target)
     sys.path.insert(0, str(package.importable(target)))
     arrays, report, reason = extract(importlib.import_module("addon.native").load(), options)
-    np.savez_compressed(options.output, **arrays)
+    with output.written(options.output) as fresh:
+        np.savez_compressed(fresh, **arrays)
     if reason:
         say(f"curvature: {reason}")
     skipped = "".join(f", {count} {name.replace('_', ' ')}" for name, count in report.items() if count)
@@ -31,15 +33,16 @@ def parse(words):
     parser.add_argument("--definition", required=True, metavar="NAME")
     parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
-    parser.add_argument("--param", action="append", type=assignment.parse, default=[], metavar="NAME=VALUE")
-    parser.add_argument("--corner-angle", type=float, default=60.0, metavar="DEG", help="paths end at sharper turns")
+    parser.add_argument("--param", action="append", type=quantities.assignment, default=[], metavar="NAME=VALUE")
+    turn = quantities.within(*quantities.STYLE_RANGES["corner_angle"], "degrees")
+    parser.add_argument("--corner-angle", type=turn, default=60.0, metavar="DEG", help="paths end at sharper turns")
     parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic")
     parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
     parser.add_argument("--rings", type=int, default=0, help="of neighbours that jets are fitted to (0: automatic)")
     parser.add_argument("--smoothing", type=float, default=0.0, metavar="EDGES", help="how far curvature is averaged")
     parser.add_argument("--visible", action="store_true", help="only what is seen, also in pixels")
     parser.add_argument("--hidden", action="store_true", help="with --visible: hidden parts, too")
-    parser.add_argument("--size", type=draw_options.frame_size, default=(1024, 1024), metavar="WxH", help="pixels")
+    parser.add_argument("--size", type=quantities.frame_size, default=(1024, 1024), metavar="WxH", help="pixels")
     parser.add_argument("--fov", type=_angle, metavar="DEG", help="over the frame's shorter side (all of the model)")
     parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
     # argparse would take "-1,2,3" for an option.
@@ -71,8 +74,8 @@ def extract(native, options):
 
 def _output(text):
     path = Path(text).absolute()
-    if path.suffix != ".npz" or not path.parent.is_dir():
-        raise argparse.ArgumentTypeError(f"'{text}' is no .npz file in a folder that exists")
+    if path.suffix != ".npz":
+        raise argparse.ArgumentTypeError(f"'{text}' is no .npz file")
     return path
 
 

@@ -60,12 +60,12 @@ def install(target):
     folder = stage(target)
     content = _content(folder)
     stamp = target.work / "installed"
-    if stamp.exists() and stamp.read_text() == content and _installed(target):
+    if stamp.exists() and stamp.read_text() == content and _is_installed(target, content):
         return
     archive = package(target, folder)
     with target.lock():
         log = extension(target, "installing", "install-file", "-r", "user_default", "--enable", archive)
-        if not _installed(target):
+        if not _is_installed(target, content):
             raise StepFailed(f"Blender did not install the extension; the last lines of {log}:\n{tail(log, 25)}")
         stamp.write_text(content)
 
@@ -74,13 +74,16 @@ def extension(target, sentence, *words):
     return target.run(sentence, [target.blender, "--command", "extension", *words])
 
 
-def _installed(target):
-    return any(target.home.glob(f".config/blender/*/extensions/user_default/{ID}/blender_manifest.toml"))
+def _is_installed(target, content):
+    """Whether files of this content are where Blender looks for them."""
+    folders = target.home.glob(f".config/blender/*/extensions/user_default/{ID}")
+    return any(_content(folder) == content for folder in folders)
 
 
 def _content(folder):
+    """Digest of names and bytes of all files of the package in a folder; Python leaves compiled ones beside them."""
     digest = hashlib.sha256()
-    for file in sorted(path for path in folder.rglob("*") if path.is_file()):
+    for file in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"):
         digest.update(f"{file.relative_to(folder)}\0".encode())
         digest.update(hashlib.sha256(file.read_bytes()).digest())
     return digest.hexdigest()

@@ -1,4 +1,5 @@
-"""Sheets of one scene drawn in several ways: what each tile is called, and the words of `fovea draw` for it."""
+"""Sheets of one scene drawn in several ways: what each tile is called, and the words of `fovea draw` for it. A tile alone
+needs no name."""
 
 AT = ["--focus", "0.4,0.52", "--focus-radii", "0.1,0.7"]
 DENSITY = ["--style", "pen_and_ink", "--effects", "density"]
@@ -14,6 +15,7 @@ def _effects(scene):
 
 
 SHEETS = {  # name: (scene, tiles), after Cole 2009: figures 5.7, 5.8, 5.9, and the viewing conditions of section 5.3.3
+    "demo": ("demo", [("", [])]),
     "styles": ("demo", [(name, ["--style", name, *AT]) for name in STYLES]),
     "elision": (
         "office",

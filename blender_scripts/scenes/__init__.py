@@ -5,6 +5,7 @@ from pathlib import Path
 
 # Name -> its argument when none is given. None: the scene takes no argument.
 DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5}
+RANGES = {"boxes": (1, 1000), "suzanne": (0, 7)}  # of arguments: ten million triangles and more
 
 
 def names() -> list[str]:
@@ -21,6 +22,9 @@ def parse(spec: str) -> tuple[str, int | None]:
     if DEFAULTS[name] is None or not argument.isdecimal():
         example = name if DEFAULTS[name] is None else f"{name}:{DEFAULTS[name]}"
         raise ValueError(f"'{spec}' is no scene; try '{example}'")
+    least, most = RANGES[name]
+    if not least <= int(argument) <= most:
+        raise ValueError(f"'{spec}' is no scene: N of {name}:N is a number from {least} to {most}")
     return name, int(argument)
 
 

@@ -1,6 +1,9 @@
 // A camera and the image it makes.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/types.h"
 
 namespace fovea {
@@ -22,6 +25,18 @@ struct View {
     /// The camera's full frame, of which a render border or a viewport shows a part: left, lower, width, height [px].
     dvec4 frame{0.0};
 };
+
+/// The same part of the world in fewer pixels, `scale` times as many along each axis, rounded to a whole picture.
+inline View smaller(const View& view, double scale) {
+    const auto side = [&](int pixels) { return std::max(1, int(std::nearbyint(pixels * scale))); };
+    View made = view;
+    made.width = side(view.width);
+    made.height = side(view.height);
+    const double x = double(made.width) / view.width, y = double(made.height) / view.height;
+    made.frame *= dvec4(x, y, x, y);
+    made.reference_scale *= y;
+    return made;
+}
 
 /// Pixel position of a view-space point; meaningless where `clip_w` <= 0.
 inline dvec2 to_pixels(const View& view, const dvec4& clip) {

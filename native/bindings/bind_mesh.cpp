@@ -139,12 +139,14 @@ triangulation of polygons with more than four corners; material (F,) int32; occl
 edge_marks (E,) bool. Raises ValueError, naming the object, where sizes or indices do not fit together.)")
         .def(
             "set_positions",
-            [](Surface& surface, const Arg<vec3>& positions) {
+            [](Surface& surface, const Arg<vec3>& positions, bool refit) {
                 const In<vec3> moved = borrow<vec3>(positions, "positions");
                 py::gil_scoped_release release;
-                surface.set_positions(moved);
+                surface.set_positions(moved, refit);
             },
-            py::arg("positions"), "Moves the vertices, (V, 3) float32; the topology stays.")
+            py::arg("positions"), py::kw_only(), py::arg("refit") = false,
+            R"(Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
+one, which is faster; distances then differ in their last bits from those of a new surface.)")
         .def("set_field_options", &set_field_options, py::arg("estimator") = "automatic", py::arg("degree") = 0,
              py::arg("rings") = 0, py::arg("smoothing") = 0.0,
              R"(How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and
@@ -187,12 +189,13 @@ a border; edge_creases (E,) and vertex_creases (V,) float32, weights from 0 to 1
 for a cage without a limit surface.)")
         .def(
             "set_positions",
-            [](RefinedSurface& surface, const Arg<vec3>& positions) {
+            [](RefinedSurface& surface, const Arg<vec3>& positions, bool refit) {
                 const In<vec3> moved = borrow<vec3>(positions, "positions");
                 py::gil_scoped_release release;
-                surface.move_cage(moved);
+                surface.move_cage(moved, refit);
             },
-            py::arg("positions"), "Moves the cage's vertices, (V, 3) float32; the topology stays.")
+            py::arg("positions"), py::kw_only(), py::arg("refit") = false,
+            "Moves the cage's vertices, (V, 3) float32; the topology stays. refit: as Surface has it.")
         .def(
             "mix_corners",
             [](const RefinedSurface& surface, const Arg<float>& values, const Arg<int>& polygon_offsets) {

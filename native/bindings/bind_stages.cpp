@@ -3,6 +3,7 @@
 
 #include "atlas/beside.h"
 #include "atlas/beside_visible.h"
+#include "atlas/depth_image.h"
 #include "atlas/exact.h"
 #include "atlas/invisibility.h"
 #include "atlas/short_hidden.h"
@@ -82,7 +83,8 @@ void bind_scene(py::module_& m) {
         .def_readonly("orthographic", &View::orthographic)
         .def_readonly("near_clip", &View::near_clip)
         .def_readonly("far_clip", &View::far_clip)
-        .def_readonly("reference_scale", &View::reference_scale);
+        .def_readonly("reference_scale", &View::reference_scale)
+        .def("smaller", &smaller, py::arg("scale"), "The same in fewer pixels, as many as make a whole picture.");
 
     m.attr("DRAW") = int(usage_draw);
     m.attr("OCCLUDE") = int(usage_occlude);

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
-#include "atlas/depth_tiles.h"
+#include "atlas/depth_triangles.h"
 #include "color/shader.h"
 
 namespace fovea {
 namespace {
 
 constexpr int fine_samples = 16;
-/// Pixels along a side of what is looked at at once: its texels take 120 MB.
-constexpr int most_side = 2048;
 /// Colours, as seen, that differ by more are worth the fine samples.
 constexpr float fine_color = 1.0f / 96.0f;
 
@@ -20,21 +17,31 @@ constexpr float fine_color = 1.0f / 96.0f;
 class Items {
    public:
     Items(const Scene& scene, const View& view, const Cancel& cancel) : width_(view.width) {
-        Index most = 0, total = 0;
-        std::vector<DepthMesh> meshes = depth_meshes(scene, view, 0.0);
-        for (const auto& mesh : meshes) most = std::max(most, static_cast<Index>(mesh.triangles.size()));
-        Array<Index> numbers(most);
-        std::iota(numbers.begin(), numbers.end(), Index(0));
-        for (DepthMesh& mesh : meshes) {
-            mesh.triangle_facet = In<Index>(numbers).first(mesh.triangles.size());
-            mesh.facet_base = total;
+        const std::vector<DepthMesh> meshes = depth_meshes(scene, view, 0.0);
+        Index total = 0;
+        for (const DepthMesh& mesh : meshes) {
             first_.push_back(total);
             total += static_cast<Index>(mesh.triangles.size());
         }
         for (const Occluder& occluder : occluders(scene, view, 0.0)) placement_.push_back(occluder.placement);
-        items_.resize(std::size_t(view.width) * view.height);
-        for (const DepthBuffer& tile : depth_tiles(view, {.scale = 1, .margin = 0.0}, most_side, 0))
-            take(draw_depth_into(tile, view, meshes, &cancel), view.height);
+        items_.assign(std::size_t(view.width) * view.height, none);
+        Array<float> depths(items_.size());
+        const auto draw = [&](const DepthTriangle& triangle, int y0, int y1) {
+            const Index item = first_[triangle.mesh] + triangle.triangle;
+            for (int y = y0; y < y1; ++y) {
+                Index* items = &items_[std::size_t(y) * width_];
+                float* nearest = &depths[std::size_t(y) * width_];
+                const auto in_front = [&](int x, double exact) {
+                    const float depth = static_cast<float>(exact);
+                    return items[x] == none || depth > nearest[x] || (depth == nearest[x] && item < items[x]);
+                };
+                each_texel(triangle, y, in_front, [&](int x, double depth) {
+                    items[x] = item;
+                    nearest[x] = static_cast<float>(depth);
+                });
+            }
+        };
+        draw_triangles(depth_layout(view, {.scale = 1, .margin = 0.0}), view, meshes, &cancel, draw);
     }
 
     Index at(int x, int y) const { return items_[std::size_t(y) * width_ + x]; }
@@ -44,17 +51,6 @@ class Items {
     }
 
    private:
-    void take(const DepthBuffer& tile, int height) {
-        parallel_for(
-            height,
-            [&](std::size_t y) {
-                for (int x = 0; x < width_; ++x)
-                    if (tile.decides(vec2(float(x) + 0.5f, float(y) + 0.5f)))
-                        items_[y * width_ + x] = tile.at(x + tile.border_x, int(y) + tile.border_y).facet;
-            },
-            16);
-    }
-
     int width_;
     Array<Index> items_, first_, placement_;
 };

@@ -15,6 +15,35 @@ constexpr float soft = 0.25f;
 /// Darkest that pigment is, as a share of what lies under it: denser is all the same.
 constexpr float darkest = 1e-4f;
 
+/// Of each value, the share of all that are lower, ties in the middle of their range; not a number: the lowest.
+Array<float> shares_lower(In<float> values) {
+    Array<Index> order(values.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    const auto key = [&](Index i) { return std::isnan(values[i]) ? -HUGE_VALF : values[i]; };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+    Array<float> shares(values.size());
+    const auto count = static_cast<float>(order.size());
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        while (end < order.size() && key(order[end]) == key(order[begin])) ++end;
+        for (std::size_t i = begin; i < end; ++i) shares[order[i]] = 0.5f * float(begin + end) / count;
+    }
+    return shares;
+}
+
+/// How steeply each texel rises away from the upper left, where the light is; what repeats goes on at its borders.
+Array<float> slopes(In<float> heights, int width, int height) {
+    Array<float> result(heights.size());
+    const auto at = [&](int x, int y) { return heights[std::size_t(y) * width + x]; };
+    for (int y = 0; y < height; ++y) {
+        const int above = (y + 1) % height, below = (y + height - 1) % height;
+        for (int x = 0; x < width; ++x) {
+            const int right = (x + 1) % width, left = (x + width - 1) % width;
+            result[std::size_t(y) * width + x] = at(right, below) - at(left, above);
+        }
+    }
+    return result;
+}
+
 int wrapped(float i, int size) {
     const float turns = std::floor(i / float(size));
     return std::clamp(int(i - turns * float(size)), 0, size - 1);
@@ -38,26 +67,23 @@ vec3 granulated(const vec3& seen, const vec3& under, float share) {
 
 }  // namespace
 
-PaperTexture::PaperTexture(In<float> heights, int w, int h) : width(w), height(h), lower(heights.size()) {
+PaperTexture::PaperTexture(In<float> heights, int w, int h) : width(w), height(h), places(heights.size()) {
     check(w > 0 && h > 0 && heights.size() == std::size_t(w) * h, "paper: the number of heights is not its size");
-    Array<Index> order(heights.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    const auto key = [&](Index i) { return std::isnan(heights[i]) ? -HUGE_VALF : heights[i]; };
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-    const auto count = static_cast<float>(order.size());
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        while (end < order.size() && key(order[end]) == key(order[begin])) ++end;
-        for (std::size_t i = begin; i < end; ++i) lower[order[i]] = 0.5f * float(begin + end) / count;
-    }
+    const Array<float> lower = shares_lower(heights), lit = shares_lower(slopes(heights, w, h));
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = {lower[i], lit[i]};
 }
 
-float PaperTexture::at(const vec2& texel) const {
+PaperPlace PaperTexture::at(const vec2& texel) const {
     const vec2 at = texel - 0.5f, low = glm::floor(at), share = at - low;
     const int x0 = wrapped(low.x, width), x1 = x0 + 1 == width ? 0 : x0 + 1;
     const int y0 = wrapped(low.y, height), y1 = y0 + 1 == height ? 0 : y0 + 1;
-    const auto height_at = [&](int x, int y) { return lower[std::size_t(y) * width + x]; };
-    return glm::mix(glm::mix(height_at(x0, y0), height_at(x1, y0), share.x),
-                    glm::mix(height_at(x0, y1), height_at(x1, y1), share.x), share.y);
+    const auto place_at = [&](int x, int y) {
+        const PaperPlace& place = places[std::size_t(y) * width + x];
+        return vec2(place.lower, place.lit);
+    };
+    const vec2 mean = glm::mix(glm::mix(place_at(x0, y0), place_at(x1, y0), share.x),
+                               glm::mix(place_at(x0, y1), place_at(x1, y1), share.x), share.y);
+    return {mean.x, mean.y};
 }
 
 float toothed(float opacity, float lower, float tooth) {
@@ -88,8 +114,8 @@ void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& vie
     parallel_blocks(count, width, [&](std::size_t y, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const vec2 px(float(i - begin) + 0.5f, float(y) + 0.5f);
-            const float lower = texture ? texture->at((px - origin) / options.texel_px) : 0.5f;
-            const float shade = 1.0f + options.tint * (2.0f * lower - 1.0f);
+            const auto [lower, lit] = texture ? texture->at((px - origin) / options.texel_px) : PaperPlace{};
+            const float shade = 1.0f + options.tint * (2.0f * lit - 1.0f);
             const float alpha = options.transparent ? 0.0f : holdout.empty() ? 1.0f : 1.0f - holdout[i];
             vec4 pixel(ground * alpha, alpha);
             const vec4 color = layer.empty() ? vec4(0.0f) : layer[i] * options.layer_opacity;

@@ -8,18 +8,23 @@
 
 namespace fovea {
 
-/// Paper as heights, repeated over the picture. Kept as the share of the paper that is lower, so that heights of any
-/// paper are spread evenly over [0, 1]: what follows keeps the mean.
+/// A place on paper, as shares of all of it: any paper is spread evenly over [0, 1], and what follows keeps the mean.
+struct PaperPlace {
+    float lower = 0.5f;  ///< of the paper, lies lower
+    float lit = 0.5f;    ///< of the paper, is lit less by light that comes from the upper left
+};
+
+/// Paper as heights, repeated over the picture.
 struct PaperTexture {
     int width = 0, height = 0;
-    Array<float> lower;  ///< rows from bottom to top
+    Array<PaperPlace> places;  ///< rows from bottom to top
 
     PaperTexture() = default;
     /// Throws std::invalid_argument where there are not width * height heights. Not a number: the lowest.
     PaperTexture(In<float> heights, int width, int height);
 
     /// Bilinear, in texels.
-    float at(const vec2& texel) const;
+    PaperPlace at(const vec2& texel) const;
 };
 
 /// Colours scene-linear; shares in [0, 1].
@@ -31,7 +36,7 @@ struct PaperOptions {
     float texel_px = 1.0f;     ///< pixels of the picture that a texel of the texture covers
     float tooth = 0.0f;        ///< how far thin ink stays on the heights
     float granulation = 0.0f;  ///< how much more pigment the valleys take, as a share of its density
-    float tint = 0.0f;         ///< how much the paper's relief shades the whole picture
+    float tint = 0.0f;         ///< how much the paper's relief, lit from the upper left, shades the whole picture
 };
 
 /// Share of a place that ink of that opacity covers where `lower` of the paper is lower than there: heights first. The

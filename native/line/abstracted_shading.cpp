@@ -33,7 +33,7 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
     const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
         const auto deep = [&](int k) { return nodes[triangle.node[k]].depth > low; };
         if (!deep(0) && !deep(1) && !deep(2)) return;
-        Crossing ends[3];
+        ZeroCrossing ends[3];
         int count = 0;
         for (const Index number : triangle.side) {
             const LatticeSide side = lattice_side(lattice, number);

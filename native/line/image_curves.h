@@ -36,26 +36,26 @@ struct SmoothTone {
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values);
 
 /// Nodes near the border of the lattice, where nothing is known.
-inline constexpr int border = fit_reach;
+inline constexpr int lattice_border = fit_reach;
 
 /// make(x, y) for all other nodes.
 template <typename Node, typename Make>
 Array<Node> per_node(const Lattice& lattice, const Make& make) {
     Array<Node> nodes(lattice.size());
-    parallel_for(lattice.height - 2 * border, [&](std::size_t row) {
-        const int y = int(row) + border;
-        for (int x = border; x < lattice.width - border; ++x) nodes[lattice.at(x, y)] = make(x, y);
+    parallel_for(lattice.height - 2 * lattice_border, [&](std::size_t row) {
+        const int y = int(row) + lattice_border;
+        for (int x = lattice_border; x < lattice.width - lattice_border; ++x) nodes[lattice.at(x, y)] = make(x, y);
     }, 8);
     return nodes;
 }
 
-/// emit(triangle, out) for all triangles of the lattice whose sides go on inside the border.
+/// emit(triangle, out) for all triangles of the lattice whose sides go on inside its border.
 template <typename Emit>
 Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     return collect_pieces(2 * lattice.size(), [&](Index number, std::vector<CurvePiece>& out) {
         const int node = int(number / 2), x = node % lattice.width, y = node / lattice.width;
-        const int last_x = lattice.width - border - 2, last_y = lattice.height - border - 2;
-        const bool inside = x > border && y > border && x < last_x && y < last_y;
+        const int last_x = lattice.width - lattice_border - 2, last_y = lattice.height - lattice_border - 2;
+        const bool inside = x > lattice_border && y > lattice_border && x < last_x && y < last_y;
         if (inside) emit(lattice_triangle(lattice, x, y, number % 2), out);
     });
 }
@@ -63,7 +63,7 @@ Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
 /// Appends the part of a piece where `measure` (per node) exceeds the low threshold: strength 0 there, 1 at the high
 /// one.
 template <typename Measure>
-void append_in_lattice(const Lattice& lattice, const LatticeTriangle& triangle, const Crossing (&ends)[2],
+void append_in_lattice(const Lattice& lattice, const LatticeTriangle& triangle, const ZeroCrossing (&ends)[2],
                        const Measure& measure, const ImageValues& values, std::vector<CurvePiece>& out) {
     const auto low = static_cast<float>(values.low), range = static_cast<float>(values.high - values.low);
     const auto place = [&](Index node) { return vec3(lattice_place(lattice, node), 0.0f); };

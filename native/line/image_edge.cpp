@@ -39,7 +39,7 @@ Curves find(const FrameView& frame, const Values& given) {
         const vec2 change = triangle.slope(n[0]->growth, n[1]->growth, n[2]->growth);
         // Up to the greatest slope the tone bends upwards, then downwards.
         if (!(glm::dot(change, n[0]->gradient + n[1]->gradient + n[2]->gradient) < 0.0f)) return;
-        Crossing ends[2];
+        ZeroCrossing ends[2];
         int count = 0;
         for (const Index number : triangle.side) {
             const LatticeSide side = lattice_side(lattice, number);

@@ -11,7 +11,7 @@
 namespace fovea {
 
 /// A zero crossing on a side of a triangle, from vertex a to vertex b of the side as it is numbered.
-struct Crossing {
+struct ZeroCrossing {
     Index side;
     Index a, b;
     float t;  ///< 0 at a, 1 at b
@@ -22,7 +22,7 @@ struct Crossing {
 };
 
 /// Between a and b, from values there of unlike sign (zero counts as positive). The same from either side of an edge.
-inline Crossing crossing(const TriangleSides& sides, Index side, float at_a, float at_b) {
+inline ZeroCrossing crossing(const TriangleSides& sides, Index side, float at_a, float at_b) {
     const Edge e = sides.vertices[side];
     const float t = at_a / (at_a - at_b);
     return {side, e.x, e.y, t >= 0.0f && t <= 1.0f ? t : 0.5f};
@@ -49,7 +49,7 @@ inline vec2 margins(const vec2& two) { return two; }
 /// Appends the part of a piece between two crossings where the margins, linear between their values at the two, are
 /// positive. strength(margin) is asked at both ends of what is left.
 template <typename Position, typename Margin, typename Strength>
-void append_trimmed(const Position& position, Index triangle, const Crossing (&ends)[2], const Margin& margin,
+void append_trimmed(const Position& position, Index triangle, const ZeroCrossing (&ends)[2], const Margin& margin,
                     const Strength& strength, std::vector<CurvePiece>& out) {
     const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
     float from = 0.0f, to = 1.0f;  // of the way from end 0 to end 1
@@ -93,7 +93,7 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
         const Edge e = sides.vertices[side];
         return crossing(sides, side, value(e.x), value(e.y));
     };
-    const Crossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
+    const ZeroCrossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
     append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
 }
 
@@ -183,7 +183,7 @@ void append_maximum(const Surface& surface, const TriangleSides& sides, Index tr
                     float least_bend, const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
     const Triangle& corners = surface.triangles[triangle];
     const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
-    Crossing ends[2];
+    ZeroCrossing ends[2];
     int count = 0, alone = 0;
     for (int i = 0; i < 3; ++i) {
         if (!(glm::dot(climb[i], climb[(i + 1) % 3]) <= 0.0f)) {

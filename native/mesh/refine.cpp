@@ -48,9 +48,9 @@ RefinedSurface::RefinedSurface(const std::string& name, std::unique_ptr<Limit> l
 
 RefinedSurface::~RefinedSurface() = default;
 
-void RefinedSurface::move_cage(In<vec3> cage_positions) {
+void RefinedSurface::move_cage(In<vec3> cage_positions, bool refit) {
     limit_->patches->evaluate(name(), cage_positions);
-    set_positions(limit_->patches->positions);
+    set_positions(limit_->patches->positions, refit);
     jets = std::move(limit_->patches->jets);
 }
 

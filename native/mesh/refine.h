@@ -35,8 +35,8 @@ class RefinedSurface : public Surface {
     RefinedSurface(const std::string& name, const MeshArrays& cage, const Refinement& refinement);
     ~RefinedSurface();
 
-    /// Moves the cage's vertices; topology and creases stay.
-    void move_cage(In<vec3> positions);
+    /// Moves the cage's vertices; topology and creases stay. `refit`: see Surface::set_positions.
+    void move_cage(In<vec3> positions, bool refit = false);
 
     /// Values at the corners of the cage's polygons, `columns` numbers each, mixed bilinearly over its faces: the same
     /// at the corners of the refined mesh. `polygon_offsets`: the cage's, as it was built from. Throws

@@ -129,7 +129,7 @@ Index orient(Polygons& all) {
     Index turned = 0;
     std::vector<std::uint8_t> seen(all.polygons.size(), 0);  // 1: as it is, 2: turned
     for (Index seed = 0; seed < all.polygons.size(); ++seed) {
-        if (seen[seed]) continue;
+        if (seen[seed] || all.polygons[seed].vertices.empty()) continue;  // without corners there is no side to turn
         std::vector<Index> part{seed};
         seen[seed] = 1;
         bool closed = true;

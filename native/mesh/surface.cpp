@@ -72,7 +72,7 @@ Surface::Surface(std::string name, const MeshArrays& mesh) : name_(std::move(nam
     set_positions(mesh.positions);
 }
 
-void Surface::set_positions(In<vec3> moved) {
+void Surface::set_positions(In<vec3> moved, bool refit) {
     check(positions.empty() || moved.size() == vertex_count(),
           name_ + ": " + std::to_string(moved.size()) + " positions for " + std::to_string(vertex_count()) + " vertices");
     positions.resize(moved.size() + 1);
@@ -81,6 +81,7 @@ void Surface::set_positions(In<vec3> moved) {
     jets.clear();
     version_ = next_version();
     cache_->clear();
+    if (!refit) lasting_cache_->clear();
     build_geometry();
 }
 

@@ -66,8 +66,10 @@ class Surface {
     /// told from the source's, and it must not outlive it.
     Surface(const Surface& source, const dmat3& stretch);
 
-    /// Moves the vertices; topology stays. Everything derived from positions is dropped.
-    void set_positions(In<vec3> positions);
+    /// Moves the vertices; topology stays. Everything derived from positions is dropped; with `refit`, what is in
+    /// `lasting_cache` stays and follows. That is faster, but what it tells differs in the last bits from what a new
+    /// surface there would tell, so it depends on where the vertices were before.
+    void set_positions(In<vec3> positions, bool refit = false);
 
     /// How fields are to be estimated; other options, other fields. Throws std::invalid_argument, naming the object,
     /// for options out of range.
@@ -119,7 +121,7 @@ class Surface {
 
     /// What later stages derive from this surface (BVH, static lines, chains).
     Cache& cache() const { return *cache_; }
-    /// What is brought up to date when the vertices move, instead of being derived anew.
+    /// What is brought up to date when the vertices move with `refit`, instead of being derived anew.
     Cache& lasting_cache() const { return *lasting_cache_; }
     /// Changes whenever the positions do.
     std::uint64_t version() const { return version_; }

@@ -18,8 +18,8 @@ RTCDevice bvh_device();
 void check_bvh_device(const std::string& what);
 
 /// BVH over the occluding triangles of a surface; borrows the surface's arrays, in whose lasting cache it lives. A
-/// surface that never moves has the best for rays. When vertices move it is refitted, and built anew only where the
-/// triangles are others, or lie so differently that its boxes no longer keep them apart.
+/// surface that never moves has the best for rays. Where vertices moved with `refit` it is refitted, and built anew only
+/// if the triangles are others, or lie so differently that its boxes no longer keep them apart.
 class SurfaceBvh {
    public:
     explicit SurfaceBvh(const Surface& surface);

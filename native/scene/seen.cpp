@@ -3,34 +3,12 @@
 #include <algorithm>
 
 namespace fovea {
-namespace {
-
-template <typename Value>
-Array<float> per_pixel(const Tracer& tracer, const Cancel& cancel, const Value& value) {
-    tracer.check_current();
-    const View& view = tracer.view();
-    Array<float> image(std::size_t(view.width) * view.height);
-    parallel_blocks(view.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
-        cancel.poll();
-        for (int x = 0; x < view.width; ++x) image[y * view.width + x] = value(dvec2(x + 0.5, y + 0.5));
-    });
-    return image;
-}
-
-}  // namespace
-
-Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
-    return per_pixel(tracer, cancel, [&](const dvec2& px) {
-        const auto hit = tracer.seen(px);
-        return hit ? std::min(hit->t, background_depth) : background_depth;  // rays overflow at huge distances
-    });
-}
-
 Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
     const auto& placements = tracer.scene().placements;
     if (std::none_of(placements.begin(), placements.end(), [](const Placement& p) { return p.usage & usage_holdout; }))
         return {};
-    return per_pixel(tracer, cancel, [&](const dvec2& px) {
+    tracer.check_current();
+    const auto cut_at = [&](const dvec2& px) {
         // A rotated grid: no two samples share a row or a column.
         static constexpr double offsets[4][2] = {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}};
         int cut = 0;
@@ -39,7 +17,14 @@ Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
             cut += hit && (placements[hit->placement].usage & usage_holdout);
         }
         return static_cast<float>(cut) / 4.0f;
+    };
+    const View& view = tracer.view();
+    Array<float> image(std::size_t(view.width) * view.height);
+    parallel_blocks(view.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
+        cancel.poll();
+        for (int x = 0; x < view.width; ++x) image[y * view.width + x] = cut_at(dvec2(x + 0.5, y + 0.5));
     });
+    return image;
 }
 
 }  // namespace fovea

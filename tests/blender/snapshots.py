@@ -24,7 +24,7 @@ class RecordedSurface(SimpleNamespace):
     def set_field_options(self, *options):
         self.field_options = options
 
-    def set_positions(self, positions):
+    def set_positions(self, positions, *, refit):
         self.positions = positions.copy()
 
 

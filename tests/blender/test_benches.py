@@ -4,6 +4,7 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -18,6 +19,7 @@ from bench import focus as bench
 from bench.focus import PER_SAMPLE, coherence, density, reproject, world
 from bench.focus import emphasis as emphasis_bench
 from bench.focus.places import Places
+from bench.visibility import methods
 from bench.visibility.worker import orbit
 
 SIZE = (320, 180)
@@ -30,7 +32,26 @@ def test_agreement_judges_the_samples_of_a_render(tmp_path, monkeypatch):
     agreement.main(out, "boxes:2", "--size", "160x120")
     rows = json.loads(out.read_text())
     assert [(row["probes"], row["depth_scale"]) for row in rows] == list(agreement.METHODS)
-    assert all(row["samples"] > 100 and row["all"]["agree"] > 0.95 for row in rows)
+    assert all(row["samples"] > 100 and row["ms"] >= 0 and row["all"]["agree"] > 0.95 for row in rows)
+    shares = [row[far][name] for row in rows for far in ("all", "path", "image") for name in row[far]]
+    assert len(shares) == len(rows) * 3 * 4 and all(0 <= share <= 1 for share in shares)
+
+
+@pytest.mark.parametrize("method", part("visibility").METHODS.values(), ids=lambda method: method.name)
+def test_a_recorded_method_is_that_method_to_the_pipeline(method):
+    recorded = methods.Recorder(method)
+    facts = {name for name in dir(method) if not name.startswith("_")} - {"runs", "draw"}
+    assert facts and all(getattr(recorded, name) == getattr(method, name) for name in facts)
+
+
+def test_passes_of_later_stages_are_not_counted_among_those_of_visibility():
+    clock = part("backend.gpu_clock").Clock()
+    with methods.passes(SimpleNamespace(clock=clock)) as found:
+        clock.start()
+        clock.mark("depth")
+    clock.start()
+    clock.mark("bands")
+    assert list(found) == ["depth"]
 
 
 def lines(*ends, step=2.0):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Euler, Matrix, Vector
-from the_addon import add_camera, empty_scene, part
+from the_addon import add_camera, empty_scene, new_object, part
 
 camera = part("blender.camera")
 CannotDraw = part("blender.problem").CannotDraw
@@ -117,6 +117,69 @@ def test_panoramic_camera():
     add_camera().data.type = "PANO"
     with pytest.raises(CannotDraw, match="panoramic"):
         rendered_view()
+
+
+ANY = {  # objects that are no cameras, and the lens that Blender gives them, for its sensor of 36 mm
+    "an Empty": (lambda: None, 35.0),
+    "a mesh": (lambda: bpy.data.meshes.new("Any"), 35.0),
+    "a spot light": (lambda: bpy.data.lights.new("Any", "SPOT"), 16.0 / np.tan(np.pi / 8)),
+}
+
+
+@pytest.mark.parametrize("kind", ANY)
+def test_any_object_may_be_the_camera(kind):
+    make, lens = ANY[kind]
+    like = add_camera()
+    like.data.lens, like.data.sensor_width = lens, 36.0
+    like.data.clip_start, like.data.clip_end = 0.1, 100.0
+    bpy.context.view_layer.update()
+    wanted = rendered_view()
+    other = new_object(make(), "Any")
+    other.matrix_world = like.matrix_world
+    bpy.context.scene.camera = other
+    bpy.context.view_layer.update()
+    view = rendered_view()
+    assert np.allclose(view.view_to_clip, wanted.view_to_clip, atol=1e-6)
+    assert np.allclose(view.world_to_view, wanted.world_to_view, atol=1e-6)
+    assert (view.near_clip, view.far_clip, view.orthographic) == pytest.approx((0.1, 100.0, False))
+
+
+def test_a_viewport_sees_from_any_object_as_far_as_viewports_do():
+    scene, depsgraph = bpy.context.scene, bpy.context.evaluated_depsgraph_get()
+    scene.camera = new_object(None, "Empty")
+    bpy.context.view_layer.update()
+    full = scene.camera.calc_matrix_camera(depsgraph, x=400, y=300)
+    view = camera.of_region(viewport(full, perspective="CAMERA"), depsgraph)
+    assert (view.near_clip, view.far_clip) == (0.1, 100.0) and not view.orthographic
+
+
+def test_places_in_the_frame_are_blenders():
+    obj, scene = random_camera(np.random.default_rng(0)), bpy.context.scene
+    bpy.context.view_layer.update()
+    for point in points_in_front(obj, np.random.default_rng(1)):
+        place = camera.in_frame(bpy.context.evaluated_depsgraph_get(), point)
+        assert np.allclose(place, world_to_camera_view(scene, obj, Vector(point))[:2], atol=1e-4)
+
+
+UNUSABLE = {
+    "clips all": (lambda obj: setattr(obj.data, "clip_end", 0.05), "'Camera' sees from a distance of 0.1 up to one of 0.05"),
+    "clips all but a plane": (lambda obj: setattr(obj.data, "clip_start", 1000), "set its Clip Start below its Clip End"),
+    "scaled to 0": (lambda obj: setattr(obj, "scale", (0, 1, 1)), "'Camera' looks in no direction"),
+    "shifted away": (lambda obj: setattr(obj.data, "shift_x", 1e30), "'Camera' shows nothing"),
+}
+
+
+@pytest.mark.parametrize("case", UNUSABLE)
+@pytest.mark.parametrize("where", ["render", "viewport"])
+def test_a_camera_that_sees_nothing_is_named(case, where):
+    spoil, words = UNUSABLE[case]
+    spoil(add_camera())
+    bpy.context.view_layer.update()
+    with pytest.raises(CannotDraw, match=words):
+        if where == "render":
+            rendered_view()
+        else:
+            camera.of_region(viewport(Matrix(), perspective="CAMERA"), bpy.context.evaluated_depsgraph_get())
 
 
 def viewport(projection, *, perspective, width=400, height=300):

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import box_scene, drawn, ink, pixels_of
-from the_addon import fovea, part
+from the_addon import fovea, new_object, part
 
 native = part("native")
 session = part("blender.session")
@@ -24,6 +24,8 @@ def scene():
 ERRORS = {
     "no camera": (lambda scene: bpy.data.objects.remove(scene.camera), "no camera"),
     "panoramic": (lambda scene: setattr(scene.camera.data, "type", "PANO"), "panoramic"),
+    "clips all": (lambda scene: setattr(scene.camera.data, "clip_end", 0.05), "set its Clip Start below its Clip End"),
+    "scaled to 0": (lambda scene: setattr(scene.camera, "scale", (1, 0, 1)), "clear its scale"),
     "empty": (lambda scene: bpy.data.objects.remove(bpy.data.objects["Box"]), "empty"),
 }
 
@@ -56,6 +58,25 @@ def test_any_other_failure_is_said_too(scene, tmp_path, monkeypatch, caplog):
         drawn(scene, tmp_path / "none.png")
     assert not (tmp_path / "none.png").exists()
     assert "ink ran out" in caplog.text
+
+
+def test_too_little_memory_is_said_in_one_sentence(scene, tmp_path, monkeypatch, caplog):
+    def too_much(*_arguments, **_options):
+        raise MemoryError("std::bad_alloc")
+
+    monkeypatch.setattr(session.pipeline, "draw", too_much)
+    with pytest.raises(RuntimeError, match="Memory is too small for a picture of 160 x 90 pixels: make it smaller"):
+        drawn(scene, tmp_path / "none.png")
+    assert not (tmp_path / "none.png").exists() and not caplog.records
+
+
+def test_a_scene_is_drawn_from_an_empty_that_is_its_camera(scene, tmp_path):
+    like = scene.camera
+    like.data.lens, like.data.sensor_width = 35.0, 36.0
+    wanted = drawn(scene, tmp_path / "camera.png")
+    scene.camera = new_object(None, "Empty")
+    scene.camera.matrix_world = like.matrix_world
+    assert np.abs(drawn(scene, tmp_path / "empty.png") - wanted).max() < 0.02 and ink(wanted).max() > 0.9
 
 
 def test_a_scene_whose_objects_are_all_hidden_is_blank_paper(scene, tmp_path):

@@ -86,6 +86,19 @@ def test_a_pull_away_from_a_mesh_leaves_it_there(scene):
     assert first == pytest.approx((1, 2, 0)) and last == pytest.approx((9, 9, 9))
 
 
+def test_a_pull_widens_the_frames_of_the_scene_where_it_must_and_says_so(scene, capfd):
+    scene.frame_start, scene.frame_end = 10, 20
+    bpy.ops.fovea.pick_focus(location=(0, 0, 0))
+    asked = {"target": "LOCATION", "location": (3, 1, 1)}
+    bpy.ops.fovea.focus_pull(**asked, frame_start=12, frame_end=20)
+    assert (scene.frame_start, scene.frame_end) == (10, 20) and "frames are" not in capfd.readouterr().out
+    bpy.ops.fovea.focus_pull(**asked, frame_start=12, frame_end=60)
+    assert (scene.frame_start, scene.frame_end) == (10, 60)
+    assert "The scene's frames are 10 to 60 now" in capfd.readouterr().out
+    bpy.ops.fovea.focus_pull(**asked, frame_start=1, frame_end=5)
+    assert (scene.frame_start, scene.frame_end) == (1, 60)
+
+
 def test_what_cannot_be_pulled_is_told(scene):
     for model in ("NONE", "OBJECT", "PAINTED"):
         scene.fovea.focus_model = model

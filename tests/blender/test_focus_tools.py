@@ -217,6 +217,13 @@ def test_the_overlay_is_warm_in_focus():
     assert (found[:, 3] == np.float32(overlay.OPACITY)).all()
 
 
+def test_the_overlay_is_as_fine_as_is_done_in_the_time_for_a_draw():
+    assert overlay.affordable(overlay.SCALE, 20, 33) == overlay.affordable(overlay.LEAST, 0, 33) == overlay.SCALE
+    assert overlay.affordable(overlay.SCALE, 132, 33) == overlay.SCALE / 2
+    assert overlay.affordable(overlay.SCALE / 2, 33, 33) == overlay.SCALE / 2
+    assert overlay.affordable(overlay.SCALE, 5000, 33) == overlay.LEAST
+
+
 def leftovers():
     """What the tools put into Blender, apart from their operators."""
     kept = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}

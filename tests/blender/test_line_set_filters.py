@@ -56,6 +56,26 @@ def test_two_line_sets_share_a_scene(pair, tmp_path):
     assert np.array_equal(picture, drawn(scene, tmp_path / "again.png"))
 
 
+def test_a_new_line_set_draws_at_once_and_its_filter_gives_the_others_their_lines_back(pair, tmp_path):
+    scene, left = pair
+    before = drawn(scene, tmp_path / "before.png")
+    bpy.ops.fovea.line_set_add()
+    held = own_style(scene)
+    made = held.line_sets[held.line_set_index]
+    assert np.array_equal(drawn(scene, tmp_path / "added.png"), before), "the same lines in the same pen"
+    made.pen.color = (1, 0, 0)
+    assert reds(drawn(scene, tmp_path / "red.png")) == (True, True)
+    made.collection = left.name
+    picture = drawn(scene, tmp_path / "left.png")
+    assert reds(picture) == (True, False) and ink(picture)[:, picture.shape[1] // 2 :].max() > 0.9
+
+
+def reds(picture):
+    """Whether there is red ink at the left, and at the right."""
+    red, half = picture[..., 0] - picture[..., 2] > 0.5, picture.shape[1] // 2
+    return bool(red[:, :half].any()), bool(red[:, half:].any())
+
+
 def test_the_filter_is_in_the_file(pair):
     scene, left = pair
     lines_of(scene).collection, lines_of(scene).outside = left.name, True

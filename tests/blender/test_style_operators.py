@@ -1,5 +1,6 @@
 """Operators on styles and line sets: what they do, undo, refuse and say."""
 
+import dataclasses
 import json
 
 import bpy
@@ -114,10 +115,31 @@ def test_line_sets_are_added_copied_moved_and_removed(scene):
     assert names(scene) == ["outline", "marks", "lines", "outline.001"] and held.line_set_index == 3
     bpy.ops.fovea.line_set_remove()
     bpy.ops.fovea.line_set_add()
-    assert names(scene) == ["outline", "marks", "lines", "Lines"] and drawn(scene).line_sets[3].kinds == {}
+    assert names(scene) == ["outline", "marks", "Lines", "lines"] and held.line_set_index == 2
     for _ in range(3):
         bpy.ops.fovea.line_set_remove()
     assert names(scene) == ["outline"] and not bpy.ops.fovea.line_set_remove.poll()
+
+
+def test_a_new_line_set_is_as_the_edited_one_but_for_filters_and_hidden_pens(scene):
+    held = use_style(scene, "pen_and_ink")
+    source = held.line_sets[held.line_set_index]
+    source.kinds.crease_angle, source.collection, source.outside, source.halo = 1.0, "Scenery", True, 5.0
+    bpy.ops.fovea.hidden_pen_add()
+    bpy.ops.fovea.line_set_add()
+    made, below = drawn(scene).line_sets[held.line_set_index :][:2]
+    assert below.hidden and below.collection == "Scenery" and below.pen_away is not None
+    assert made == dataclasses.replace(below, name="Lines", collection="", outside=False, hidden=())
+    bpy.ops.fovea.line_set_add()
+    assert names(scene) == ["outline", "Lines.001", "Lines", "lines"]
+
+
+def test_a_style_without_line_sets_gets_one_that_draws(scene):
+    held = use_style(scene, "technical")
+    held.line_sets.clear()
+    bpy.ops.fovea.line_set_add()
+    (made,) = drawn(scene).line_sets
+    assert made.name == "Lines" and {"contour", "crease"} < set(made.kinds) and made.pen.opacity == 1
 
 
 def test_hidden_pens_are_added_behind_those_there_are(scene):
@@ -180,6 +202,10 @@ def test_what_is_keyed_and_driven_follows_its_line_set(scene):
     held.line_set_index = 0
     bpy.ops.fovea.line_set_duplicate()
     assert numbers(scene) == {"marks": (2, 6), "marks.001": (99, 99), "lines": (3, 9)}
+    held.line_set_index = 0
+    bpy.ops.fovea.line_set_add()
+    assert names(scene) == ["Lines", "marks", "marks.001", "lines"]
+    assert numbers(scene) == {"Lines": (99, 99), "marks": (2, 6), "marks.001": (99, 99), "lines": (3, 9)}
 
 
 def test_a_copy_of_a_style_is_animated_by_itself(scene):

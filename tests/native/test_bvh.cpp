@@ -46,10 +46,10 @@ TEST(Bvh, FollowsASurfaceThatMoves) {
     const auto surface = bent(0).surface();
     expect_same(surface, bent(0), "at rest");
     for (int k = 1; k <= 6; ++k) {
-        surface->set_positions(bent(k).positions);
+        surface->set_positions(bent(k).positions, true);
         expect_same(surface, bent(k), "bent");
     }
-    surface->set_positions(bent(0).positions);
+    surface->set_positions(bent(0).positions, true);
     expect_same(surface, bent(0), "back again");
 }
 
@@ -60,7 +60,7 @@ TEST(Bvh, FollowsVerticesThatAreThrownAbout) {
         // Vertices change places: what lay side by side no longer does.
         Mesh mesh = bent(1);
         std::shuffle(mesh.positions.begin(), mesh.positions.end(), random);
-        surface->set_positions(mesh.positions);
+        surface->set_positions(mesh.positions, true);
         const auto fresh = mesh.surface();
         const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{fresh, dmat4(1.0), 1}});
         const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
@@ -98,13 +98,33 @@ TEST(Bvh, FollowsAQuadThatBendsAndLosesATriangle) {
     const int at_first = hit_at(mesh);
     EXPECT_GT(at_first, 300);
     mesh.positions[2] = vec3(0.2f, 0.2f, 0.4f);  // an arrow head
-    surface->set_positions(mesh.positions);
+    surface->set_positions(mesh.positions, true);
     EXPECT_LT(hit_at(mesh), at_first);
     for (vec3& p : mesh.positions) p.y = 0.0f;  // no area
     mesh.positions[2].z = 0.0f;
-    surface->set_positions(mesh.positions);
+    surface->set_positions(mesh.positions, true);
     EXPECT_EQ(hit_at(mesh), 0);
     mesh.positions = bent_quad(0.5f).positions;
-    surface->set_positions(mesh.positions);
+    surface->set_positions(mesh.positions, true);
     EXPECT_EQ(hit_at(mesh), at_first);
+}
+
+TEST(Bvh, OfASurfaceMovedWithoutRefitTellsWhatThatOfANewOneDoesToTheLastBit) {
+    const auto surface = bent(0).surface();
+    for (int k = 1; k <= 4; ++k) {
+        surface->set_positions(bent(k).positions);
+        const auto fresh = bent(k).surface();
+        const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{fresh, dmat4(1.0), 1}});
+        const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
+        int hits = 0;
+        for (int y = 0; y < 480; y += 3)
+            for (int x = 0; x < 640; x += 3) {
+                const auto a = old_tracer.seen({x + 0.5, y + 0.5}), b = new_tracer.seen({x + 0.5, y + 0.5});
+                ASSERT_EQ(a.has_value(), b.has_value());
+                if (!a) continue;
+                EXPECT_EQ(std::tuple(a->triangle, a->t, a->u, a->v), std::tuple(b->triangle, b->t, b->u, b->v));
+                ++hits;
+            }
+        EXPECT_GT(hits, 3000) << k;
+    }
 }

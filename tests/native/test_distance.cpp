@@ -4,11 +4,11 @@
 #include <cmath>
 #include <random>
 
+#include "atlas/depth_image.h"
 #include "drawing.h"
 #include "focus/each_sample.h"
 #include "focus/focus.h"
 #include "scene/distance.h"
-#include "scene/seen.h"
 
 using namespace fovea;
 

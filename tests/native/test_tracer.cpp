@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "drawing.h"
+#include "atlas/depth_image.h"
 #include "scene/seen.h"
 #include "scene/tracer.h"
 
@@ -160,6 +161,30 @@ TEST(Seen, DepthIsTheDistanceAlongTheView) {
                 const float expected = inside ? 4.0f : background_depth;
                 EXPECT_NEAR(depth[64 * y + x], expected, 1e-5f) << x << " " << y;
             }
+    }
+}
+
+TEST(Seen, DepthIsWhatARayThroughThePixelsCentreMeets) {
+    // Crossing bodies, one of them mirrored, a sheet, and a floor on which the camera stands.
+    const Placement ball = place(sphere(20), scaled({-1.3, 1, 1}), 1), crate = place(box(), moved({0.8, 0.3, 0.2}), 2),
+                    sheet = place(grid(5), moved({-1, 1, 0.5}) * scaled(dvec3(2)), 3),
+                    floor = place(grid(3), moved({0, 0, -1}) * scaled(dvec3(60)), 4);
+    const Scene scene({ball, crate, sheet, floor});
+    for (const bool ortho : {false, true}) {
+        const View view = ortho ? orthographic({4, -5, 3}, {0, 0, 0}, 8, 320, 240)
+                                : perspective({4, -5, 3}, {0, 0, 0}, 30, 320, 240);
+        const Tracer tracer(scene, view);
+        const Array<float> depth = depth_image(tracer, Cancel());
+        int differing = 0, hits = 0;
+        for (int y = 0; y < 240; ++y)
+            for (int x = 0; x < 320; ++x) {
+                const auto hit = tracer.seen({x + 0.5, y + 0.5});
+                const float traced = hit ? hit->t : background_depth;
+                differing += std::abs(depth[320 * y + x] - traced) > 2e-5f * traced;
+                hits += hit.has_value();
+            }
+        EXPECT_GT(hits, 30000);
+        EXPECT_LE(differing, 2);  // centres that lie on an edge to the last bits
     }
 }
 

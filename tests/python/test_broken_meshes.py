@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from broken_meshes import broken_matrix, broken_mesh
-from native_core import ALL_LINES, SIZE, box, core, draw, scene, sphere, view
+from native_core import ALL_LINES, SIZE, Mesh, box, core, draw, scene, sphere, view
 
 SEEDS, PER_TEST = 500, 25
 LINE_SETS = [({"contour": {}, "silhouette": {}}, 60.0), (ALL_LINES, 30.0), ({"crease": {"angle": 0.0}}, 180.0)]
@@ -75,6 +75,44 @@ def test_random_broken_meshes(first):
             raise AssertionError(f"seed {seed}: {mesh.name}") from error
         drawn += len(result["runs.piece"])
     assert drawn > 0
+
+
+def spoiled_repair(rng, size):
+    """Some of what a repair can do, for a mesh of this size."""
+    options = {"weld": rng.choice([0.0, 1e-4, 0.3]) * size, "orient": rng.random() < 0.7}
+    return options | {"smooth": int(rng.choice([0, 3])), "resample": int(rng.choice([0, 1]))}
+
+
+@pytest.mark.parametrize("first", range(0, 200, 50))
+def test_broken_meshes_are_repaired_into_meshes_that_draw(first):
+    for seed in range(first, first + 50):
+        mesh, rng = broken_mesh(seed)
+        for name in ("ngon_triangles", "ngon_polygon"):  # Blender's name none but the polygon's own vertices
+            mesh.extra.pop(name, None)
+        arrays = mesh.arrays()
+        finite = arrays["positions"][np.isfinite(arrays["positions"]).all(axis=1)]
+        size = float(np.ptp(finite, axis=0).max()) if len(finite) else 1.0
+        try:
+            options = spoiled_repair(rng, size if np.isfinite(size) else 1.0)
+            whole, report = core.repaired(mesh.name, **arrays, **options)
+            surface = core.Surface(mesh.name, *whole)
+        except BaseException as error:
+            raise AssertionError(f"seed {seed}: {mesh.name}") from error
+        assert surface.polygon_count <= 4 * len(arrays["corner_verts"]) + len(arrays["polygon_offsets"])
+        assert report["turned_polygons"] <= len(arrays["polygon_offsets"]) - 1
+
+
+def test_polygons_without_corners_are_oriented_with_the_others():
+    """However many there are; what has corners is turned as it is without them."""
+    mesh = box()
+    mesh.polygons[2] = mesh.polygons[2][::-1]
+    alone, report = core.repaired("box", **mesh.arrays(), orient=True)
+    mesh.polygons = [(), *mesh.polygons[:3], (), (), *mesh.polygons[3:], ()]
+    beside, report_beside = core.repaired("box", **mesh.arrays(), orient=True)
+    assert report_beside == report and report["turned_polygons"] == 1
+    assert np.array_equal(beside[2], alone[2])
+    alone = Mesh("empty", np.zeros((1, 3)), [()])
+    assert core.repaired("empty", **alone.arrays(), orient=True)[1]["turned_polygons"] == 0
 
 
 @pytest.mark.parametrize("seed", range(40))

@@ -1,11 +1,9 @@
 """The ladder of qualities: what they leave out, and which is chosen for a budget."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from addon import budget, pipeline, style
-from addon.stages import View
+from native_core import core
 
 
 def cost(quality):
@@ -117,11 +115,13 @@ def test_options_never_get_finer():
 
 
 def test_a_smaller_view_shows_the_same_part_of_the_world():
-    view = View(np.eye(4), np.eye(4), 961, 541, True, 0.1, 9.0, reference_scale=0.5, frame=(100.0, 50.0, 700.0, 400.0))
-    half = budget.smaller(view, 0.5)
+    frame = (100.0, 50.0, 700.0, 400.0)
+    view = core.View(np.eye(4), np.eye(4), 961, 541, True, 0.1, 9.0, reference_scale=0.5, frame=frame)
+    half = view.smaller(0.5)
     assert (half.width, half.height) == (480, 270)
-    assert np.array_equal(half.view_to_clip, view.view_to_clip)
-    assert half.frame[2] / half.width == pytest.approx(view.frame[2] / view.width)
+    for i, (old, new) in enumerate(((961, 480), (541, 270)) * 2):
+        assert half.frame[i] / new == pytest.approx(frame[i] / old)
     assert half.reference_scale / half.height == pytest.approx(view.reference_scale / view.height)
-    assert budget.smaller(view, 1.0) is view
-    assert budget.smaller(replace(view, frame=None), 0.01).width == 10
+    whole, least = view.smaller(1.0), view.smaller(1e-4)
+    assert (whole.width, whole.height, whole.frame, whole.reference_scale) == (961, 541, frame, 0.5)
+    assert (least.width, least.height) == (1, 1)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from native_core import box, core, scene, sphere, view
 
-from addon import budget, pipeline, stages, style
+from addon import budget, color, focus, pipeline, stages, style
 from addon.backend import cpu
 
 DRAFT = budget.QUALITIES[3]
@@ -82,6 +82,65 @@ def test_drafts_keep_what_is_found_quickly():
     chosen = replace(style.load("plain"), line_sets=(style.LineSet(kinds={kind: {} for kind in kinds}),))
     assert set(budget.simplified(chosen, DRAFT).line_sets[0].kinds) == kinds
     assert budget.outlines(chosen, DRAFT) == ()
+
+
+PLACES = {
+    "image": {"points": (focus.Point((0.25, 0.5, 0.0), 0.1, 0.3),)},
+    "scene": {"points": (focus.Point((-3.0, 0.0, 0.0), 1.0, 2.0),)},
+    "object": {"points": (focus.Point(near=0.1, far=0.5, object="Ball"),)},
+    "painted": {"attribute": "seen"},
+}
+DIMMED = {name: focus.Transfer(strength=0.7) for name in ("desaturation", "fade", "blur")}
+
+
+def dimmed(model, quality=None, effects=focus.Effects(**DIMMED)):
+    """The Image of red things, of which the ball on the left is in focus; final or as a quality draws it."""
+    chosen = replace(
+        style.load("plain"),
+        line_sets=(style.LineSet(),),
+        color=color.Color("flat"),
+        effects=effects,
+        focus=focus.Focus(model, **PLACES[model]),
+    )
+    options, seen, placed = pipeline.Options(), view((0, -14, 4), (0, 0, 0), size=(480, 270)), bumps()
+    if quality:
+        options, chosen = budget.coarser(options, quality), budget.simplified(chosen, quality)
+        seen = seen.smaller(quality.scale)
+    ball, cube = (sum(map(len, mesh.polygons)) for mesh in (sphere(24), box()))
+    painted = {"seen": [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]}
+    sources = color.Sources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3)
+    beside = {"colors": sources, "notes": stages.Notes(painted=painted, objects=(("Ball",), ("Cube",), ("Pair",)))}
+    beside |= {"progress": lambda *_: None, "cancel": core.Cancel()}
+    return pipeline.draw(placed, seen, chosen, cpu.Backend(), replace(options, with_focus=True), **beside)
+
+
+def halves(image):
+    """(2, 3) mean colours of what lies in focus and of what does not, at the left and at the right."""
+    left, right = np.array_split(image.combined[..., :3], 2, axis=1)
+    return np.array([left.mean((0, 1)), right.mean((0, 1))])
+
+
+@pytest.mark.parametrize("model", PLACES)
+@pytest.mark.parametrize("index", range(1, len(budget.QUALITIES)))
+def test_a_draft_of_any_quality_fades_and_desaturates_as_the_final_picture_does(model, index):
+    final, draft = dimmed(model), dimmed(model, budget.QUALITIES[index])
+    plain = halves(dimmed(model, effects=focus.Effects()))
+    assert np.abs(plain - halves(final))[1].max() > 0.05, "what is out of focus is another colour without the effects"
+    assert np.abs(halves(draft) - halves(final)).max() < 0.005
+
+
+@pytest.mark.parametrize("model", PLACES)
+def test_focus_evaluated_at_fewer_pixels_is_that_of_the_final_picture_but_along_outlines(model):
+    final, draft = dimmed(model).focus, dimmed(model, DRAFT).focus
+    assert draft.shape == final.shape and DRAFT.focus_step > 1
+    assert (np.abs(draft - final) > 0.1).mean() < 0.03
+
+
+def test_blur_is_left_out_of_every_draft():
+    blurred = replace(style.load("plain"), effects=focus.Effects(**DIMMED))
+    for quality in budget.QUALITIES[1:]:
+        effects = budget.simplified(blurred, quality).effects
+        assert effects == replace(blurred.effects, blur=focus.OFF)
 
 
 def test_parts_do_not_depend_on_threads():

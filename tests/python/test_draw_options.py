@@ -17,6 +17,21 @@ def test_nothing_named_is_the_demo_in_the_current_folder():
     assert options.scene == "demo" and options.output == Path.cwd() / "demo-fovea.png"
 
 
+@pytest.mark.parametrize("words", [[], ["demo"], ["demo", "--size", "64x36", "--frames", "1-2"]])
+def test_the_demo_shows_stylized_focus(words):
+    options = draw_options.parse(words)
+    assert {name: getattr(options, name) for name in draw_options.DEMO} == draw_options.DEMO
+
+
+@pytest.mark.parametrize(
+    "words", [["--style", "pencil"], ["--lines", "crease"], ["--focus", "Bicycle"], ["--focus-painted", "Look"], ["--sheet"]]
+)
+def test_the_demo_is_drawn_as_words_say_where_they_do(words):
+    options, other = draw_options.parse(words), draw_options.parse(["office", *words])
+    names = ("style", "focus", "focus_painted", "focus_radii", "lines")
+    assert [getattr(options, name) for name in names] == [getattr(other, name) for name in names]
+
+
 def test_a_sheet_is_of_all_lines_on_something_smooth():
     options = draw_options.parse(["--sheet"])
     assert (options.scene, options.lines, options.output.name) == ("suzanne:3", ["all"], "suzanne-3-sheet.png")
@@ -66,6 +81,15 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
         (["--size", "100"], "WIDTHxHEIGHT"),
         (["--frames", "5-3"], "FIRST-LAST"),
         (["--margin", "50"], "leaves no picture"),
+        (["-o", "/"], "a picture is .png or .exr"),
+        (["boxes:0"], "a number from 1 to 1000"),
+        (["suzanne:12"], "a number from 0 to 7"),
+        (["--size", "3x100"], "not 4 to 65536 pixels"),
+        (["--size", "100x65537"], "not 4 to 65536 pixels"),
+        (["--frames", "1-99999999"], "FIRST-LAST, frames up to"),
+        (["--hidden-by", "1-999999999"], "up to 100 surfaces"),
+        (["--focus", "1e30,0,0"], "X,Y,Z in space"),
+        (["--focus-radii", "0,1e30"], "not NEAR,FAR"),
         (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
         (["--sheet", "--frames", "1-2"], "a sheet has no --frames"),
         (["--sheet", "--style", "pen_and_ink"], "a sheet has no --style"),
@@ -81,3 +105,36 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
 )
 def test_mistakes_are_named(capsys, words, reason):
     assert reason in refused(capsys, *words)
+
+
+RANGES = {
+    "--lens": "millimeters from 1 to 5000",
+    "--margin": "percent from 0 to 100",
+    "--azimuth": "degrees from -360 to 360",
+    "--elevation": "degrees from -360 to 360",
+    "--halo": "pixels from 0 to 100",
+    "--overshoot": "pixels from 0 to 200",
+}
+
+
+@pytest.mark.parametrize("option", RANGES)
+@pytest.mark.parametrize("number", ["nan", "inf", "-inf", "-1e9", "1e9", "1e400", "", "5mm"])
+def test_a_number_that_nothing_can_be_drawn_with_is_refused(capsys, option, number):
+    assert f"argument {option}: '{number}' is not a number of {RANGES[option]}" in refused(capsys, f"{option}={number}")
+
+
+@pytest.mark.parametrize("number", ["nan", "inf", "1e400"])
+def test_parameters_are_finite(capsys, number):
+    assert "is not NAME=NUMBER" in refused(capsys, "--param", f"crease.angle={number}")
+    assert "is not NEAR,FAR" in refused(capsys, "--focus-radii", f"0,{number}")
+
+
+def test_a_folder_is_no_picture(capsys, tmp_path):
+    folder = tmp_path / "out.png"
+    folder.mkdir()
+    assert f"{folder} is a folder" in refused(capsys, "-o", str(folder))
+
+
+def test_each_frame_must_be_writable(capsys, tmp_path):
+    (tmp_path / "out_0002.png").mkdir()
+    assert "out_0002.png is a folder" in refused(capsys, "--frames", "1-3", "-o", str(tmp_path / "out.png"))

@@ -55,14 +55,18 @@ def test_generated_meshes_are_whole(shape):
 
 
 def test_the_benchmark_measures_every_step(monkeypatch, capsys):
-    small = [(f"waves {n}", "1M", line_meshes.waves(n)) for n in (512, 2048)]
-    monkeypatch.setattr(lines, "meshes", lambda quick, shared: small)
-    lines.main(["--json", "--quick"], core, None)
+    monkeypatch.setitem(lines.REFERENCE, "2k", lines.REFERENCE["1M"])
+    small = ["--triangles", "512,2048", "--views", "2"]
+    lines.main([*small, "--json"], core, None)
     measured = json.loads(capsys.readouterr().out)
+    meshes = {f"{shape} {size}" for shape in line_meshes.SHAPES for size in ("0k", "2k")}
+    assert {row["mesh"] for row in measured["rows"]} == meshes
     steps = {row["step"] for row in measured["rows"]}
     assert {"one_ring", "together", "apparent_ridge: find", "apparent_ridge: chain", "kept 4: per view"} <= steps
-    assert all(row["ms"] >= 0 for row in measured["rows"])
+    assert all(set(row) == set(lines.COLUMNS) for row in measured["rows"])
+    assert all(row["ms"] >= 0 and row["triangles"] > 0 for row in measured["rows"])
+    assert any(row["ratio"] for row in measured["rows"])
     assert all((row["ratio"] is None) == (row["reference_ms"] is None) for row in measured["rows"])
     assert len(measured["growth"]) > 10
-    lines.main(["--quick"], core, None)
+    lines.main(small, core, None)
     assert "exponent" in capsys.readouterr().out

@@ -79,6 +79,35 @@ def test_tint_keeps_the_mean(paper):
     assert (picture[..., 3] == 1).all()
 
 
+def test_relief_is_lit_from_the_upper_left():
+    """A dome: the side towards the light is brighter than flat paper, the other one darker; rows go upwards."""
+    away = np.hypot(*(np.mgrid[:SIDE, :SIDE] - SIDE / 2)) / 100
+    dome = core.PaperTexture(np.maximum(1 - away**2, 0).astype(np.float32))
+    shade = drawn(dome, tint=0.2)[..., 0] / 0.9
+    high, low, flat = SIDE // 2 + 40, SIDE // 2 - 40, shade[10, 10]
+    assert shade[high, low] > flat + 0.1 and shade[low, high] < flat - 0.1
+    assert shade[high, high] == pytest.approx(flat, abs=0.01)
+    assert np.ptp(drawn(core.PaperTexture(np.ones((SIDE, SIDE), np.float32)), tint=0.2)[..., 0]) == 0
+
+
+def coherence(picture, window=2.0):
+    """In [0, 1], how far all contours within about so many pixels run the same way: that of the structure tensor, which
+    is 1 for stripes. The picture repeats on all sides."""
+    f = np.fft.fftfreq(SIDE)
+    soft = np.exp(-2 * (np.pi * window) ** 2 * (f[:, None] ** 2 + f[None, : SIDE // 2 + 1] ** 2))
+    dy, dx = (np.roll(picture, -1, axis) - np.roll(picture, 1, axis) for axis in (0, 1))
+    xx, yy, xy = (np.fft.irfft2(np.fft.rfft2(part) * soft, s=picture.shape) for part in (dx * dx, dy * dy, dx * dy))
+    return np.hypot(xx - yy, 2 * xy).sum() / (xx + yy).sum()
+
+
+@pytest.mark.parametrize("name", ["bristol", "cold_press", "rough"])
+def test_ink_breaks_up_into_specks_and_not_into_worms(name):
+    """On papers without wires, threads or fibres."""
+    paper = core.read_paper(str(FOLDER / f"{name}.png"))
+    for opacity in (0.3, 0.5, 0.8):
+        assert coherence(drawn(paper, (0, 0, 0, opacity), tooth=1.0)[..., 0]) < 0.26, opacity
+
+
 def test_without_amounts_a_paper_is_its_colour(paper):
     lines, layer = (0.1, 0.2, 0.1, 0.5), (0.1, 0.3, 0.2, 0.6)
     expected = np.array([0.9, 0.8, 0.6, 1.0])

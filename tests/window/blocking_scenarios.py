@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from showing import is_calm, opened, threads, turn
+from showing import calm, opened, threads, turn
 from slow import held
 from the_addon import part
 from window import screen
@@ -72,7 +72,7 @@ def long_pictures(folder):
     told["back"] = float(np.abs(screen.picture()[16:] - shown).mean())
     # What refines a picture gives way at once to what changes.
     told["gave way"] = yield from gave_way(watch)
-    return told | {"quality": watch.of(screen.area()).shown.quality, "calm": is_calm()}
+    return told | {"quality": watch.of(screen.area()).shown.quality, "calm": (yield from calm())}
 
 
 def gave_way(watch):

@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from showing import caretaker, is_calm, opened, threads, turn
+from showing import calm, caretaker, opened, threads, turn
 from slow import held
 from the_addon import add_camera, box_mesh, new_object, part
 from window import screen
@@ -99,7 +99,7 @@ def loading(folder):
     pairs += "; second, second in the middle"
     told["same"] = {pair: gallery.same(*pair.split(", ")) for pair in pairs.split("; ")}
     told["other"] = gallery.same("first", "second")
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}
 
 
 def coming_back(folder):
@@ -138,4 +138,4 @@ def coming_back(folder):
     same, other = ("start, reverted", "turned, recovered"), ("start, changed", "start, turned", "start-up, new")
     told["same"] = {pair: gallery.same(*pair.split(", ")) for pair in same}
     told["other"] = {pair: gallery.same(*pair.split(", "))[1] for pair in other}
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}

@@ -3,7 +3,7 @@ tests to judge."""
 
 import bpy
 import numpy as np
-from showing import Steps, is_calm, of_file, opened, still, turn
+from showing import Steps, calm, of_file, opened, still, turn
 from the_addon import part, use_style
 from window import screen
 
@@ -50,7 +50,7 @@ def keyed(folder):
     same, other = ("first, first again", "last, last again"), ("first, middle", "middle, last")
     told["same"] = {pair: steps.differ(*pair.split(", ")) for pair in same}
     told["other"] = {pair: steps.differ(*pair.split(", ")) for pair in other}
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}
 
 
 def rendering(folder):
@@ -93,4 +93,4 @@ def rendering(folder):
         yield from steps.step(f"{name} undone", bpy.ops.ed.undo)
     names = [name for name in steps.pictures if name not in ("start", "strokes")]  # Blender draws strokes over it
     told["same"] = {name: steps.differ("start", name) for name in names}
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}

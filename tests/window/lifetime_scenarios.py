@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import bpy
-from showing import caretaker, is_calm, opened, threads, turn
+from showing import calm, caretaker, opened, threads, turn
 from the_addon import fovea
 from watch import Watch
 from window import screen
@@ -32,7 +32,7 @@ def switching(folder):
         if turn_number % 2:
             yield from watch.refined()
         told.append(memory())
-    return {"memory": told, "calm": is_calm()}
+    return {"memory": told, "calm": (yield from calm())}
 
 
 def leftovers():

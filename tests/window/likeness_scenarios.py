@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 from mathutils import Matrix
-from showing import is_calm, opened, still, turn
+from showing import calm, opened, still, turn
 from the_addon import part
 from window import screen
 
@@ -145,5 +145,5 @@ def on_gpu(folder):
     turn(-15)
     yield from watch.refined()
     told["back"] = float(np.abs(screen.picture() - by_cpu)[16:].mean())
-    told["calm"] = is_calm()
+    told["calm"] = yield from calm()
     return told

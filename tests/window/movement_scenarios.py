@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from showing import SHARED, Steps, caretaker, is_calm, opened, side_by_side, threads, turn
+from showing import SHARED, Steps, calm, caretaker, opened, side_by_side, threads, turn
 from the_addon import box_mesh, new_object, part
 from window import screen
 
@@ -79,7 +79,7 @@ def shapes(folder):
     told["two"] = yield from two_viewports(watch)
     pairs = ("shape", "wide"), ("boned", "posed"), ("posed", "paper"), ("paper", "top")
     told["differences"] = {f"{a}, {b}": steps.differ(a, b) for a, b in pairs}
-    told["calm"] = is_calm()
+    told["calm"] = yield from calm()
     return told
 
 

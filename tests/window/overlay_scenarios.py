@@ -62,7 +62,8 @@ def heat(folder):
 
 
 def rendered(folder, spec="office"):
-    """Focus as colours over Fovea's own picture of a scene, and what a draw of it costs while the view turns."""
+    """Focus as colours over Fovea's own picture of a scene; while the view turns, in no time at all, what a draw of it
+    costs, how coarse it is and how much bluer than red the ground is, which is out of focus."""
     scenes.build(spec, SHARED if SHARED.is_dir() else None)
     scene = bpy.context.scene
     scene.render.engine = "FOVEA"
@@ -73,24 +74,29 @@ def rendered(folder, spec="office"):
     with screen.override():
         bpy.ops.fovea.pick_focus(x=screen.region().width // 2, y=screen.region().height // 2)
     bpy.context.window_manager.fovea_show_focus = True
-    old = overlay._Shown.update
+    old, scales, cool = overlay._Shown.update, [], []
 
     def update(self, context):
-        start = time.perf_counter()
+        start, key = time.perf_counter(), self.key
         old(self, context)
         took.append(1000 * (time.perf_counter() - start))
+        scales.append((self.scale / overlay.SCALE, self.key != key))
 
     reads, read = [], reading.Reader.read
     overlay._Shown.update, reading.Reader.read = update, lambda *words: reads.append(1) or read(*words)
     yield from screen.rest(4)
     screen.swap()
     np.save(folder / "rendered.npy", screen.picture())
-    first, took[:] = max(took), []
-    space.region_3d.view_perspective = "PERSP"
+    first, (finest, _), took[:], scales[:] = max(took), scales[-1], [], []
+    space.region_3d.view_perspective, scene.fovea_viewport.budget_ms = "PERSP", 1
     for _ in range(5):
         space.region_3d.view_rotation = Quaternion((0, 0, 1), 0.03) @ space.region_3d.view_rotation
         screen.swap()
+        cool.append(coolness(screen.picture()))
         yield
+    np.save(folder / "turning.npy", screen.picture())
+    coarse = {scale for scale, changed in scales if changed}
+    yield from screen.until(lambda: scales[-1] == (finest, False))
     overlay._Shown.update = old
     told = {"rendered": len(reads)}
     space.shading.type = "SOLID"
@@ -99,4 +105,11 @@ def rendered(folder, spec="office"):
     np.save(folder / "solid.npy", screen.picture())
     told["solid"] = len(reads)
     reading.Reader.read = read
-    return {"reads": told, "first_ms": first, "turning_ms": sorted(took)[len(took) // 2], **state()}
+    turning = {"turning_ms": sorted(took)[len(took) // 2], "coarse": sorted(coarse), "cool": cool}
+    return {"reads": told, "first_ms": first, "finest": finest, **turning, **state()}
+
+
+def coolness(picture):
+    """How much bluer than red the lower left corner is."""
+    corner = picture[40:80, 40:80].mean(axis=(0, 1))
+    return float(corner[2] - corner[0])

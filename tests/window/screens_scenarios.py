@@ -2,7 +2,7 @@
 
 import bpy
 from pointer import drag
-from showing import Steps, is_calm, opened, side_by_side, turn
+from showing import Steps, calm, opened, side_by_side, turn
 from the_addon import box_mesh, new_object
 from window import screen
 
@@ -57,7 +57,7 @@ def switches(folder):
     told["same"] = {pair: steps.differ(*pair.split(", ")) for pair in pairs.split("; ")}
     pairs = "start, second layer; start, hidden here; start, no meshes; start, clipped"
     told["other"] = {pair: steps.differ(*pair.split(", ")) for pair in pairs.split("; ")}
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}
 
 
 def locked_camera(folder):
@@ -79,7 +79,7 @@ def locked_camera(folder):
     camera.matrix_world = place
     yield from steps.step("back", bool)
     told["differences"] = [steps.differ("start", name) for name in ("view left", "camera moved", "back")]
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}
 
 
 def many(folder):
@@ -134,7 +134,7 @@ def many(folder):
     yield from steps.step("alone", bool)
     pairs = ("start", "one again"), ("start", "alone"), ("start", "moved")
     told["differences"] = [steps.differ(*pair) for pair in pairs]
-    return told | {"windows": len(windows), "calm": is_calm()}
+    return told | {"windows": len(windows), "calm": (yield from calm())}
 
 
 def local(folder):
@@ -156,7 +156,7 @@ def local(folder):
         bpy.ops.view3d.localview()
     yield from watch.refined(*both)
     told.append(placed(watch, both))
-    return {"placed": told, "calm": is_calm()}
+    return {"placed": told, "calm": (yield from calm())}
 
 
 def placed(watch, areas):

@@ -3,7 +3,7 @@ to judge."""
 
 import bpy
 import numpy as np
-from showing import is_calm, opened
+from showing import calm, opened
 from the_addon import add_hidden, only_lines, part, use_style
 from window import screen
 
@@ -111,7 +111,7 @@ def every_property(folder):
             told += 1
     yield from watch.refined()
     apart = float(np.abs(screen.picture()[16:] - start).mean())
-    return {"count": told, "missing": missing, "pictures": len(seen), "apart": apart, "calm": is_calm()}
+    return {"count": told, "missing": missing, "pictures": len(seen), "apart": apart, "calm": (yield from calm())}
 
 
 def shows(watch):

@@ -1,5 +1,6 @@
 """What scenarios share: a scene that is drawn in a viewport, and what is done to it and seen there."""
 
+import contextlib
 import math
 import sys
 import threading
@@ -81,6 +82,13 @@ def threads():
 def is_calm():
     """Whether nothing is under way."""
     return not threads() and not bpy.app.timers.is_registered(caretaker.tick)
+
+
+def calm():
+    """Whether nothing is under way before long; a busy machine needs a while to come to its rest. `yield from` it."""
+    with contextlib.suppress(TimeoutError):
+        yield from screen.until(is_calm, seconds=20)
+    return is_calm()
 
 
 class Steps:

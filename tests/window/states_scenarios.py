@@ -3,7 +3,7 @@ judge."""
 
 import bpy
 import numpy as np
-from showing import Steps, is_calm, opened, turn
+from showing import Steps, calm, is_calm, opened, turn
 from the_addon import add_camera, box_mesh, new_object
 from window import screen
 
@@ -30,7 +30,7 @@ def modes(folder):
         yield from steps.step(f"left {mode}", ops.object.mode_set, "EXEC_DEFAULT", True, mode="OBJECT")
     names = [name for name in steps.pictures if name not in ("start", "sculpted")]
     told = {"same": {name: steps.differ("start", name, MIDDLE) for name in names}}
-    return told | {"sculpted": steps.differ("start", "sculpted", MIDDLE), "calm": is_calm()}
+    return told | {"sculpted": steps.differ("start", "sculpted", MIDDLE), "calm": (yield from calm())}
 
 
 def troubles(folder):
@@ -44,7 +44,7 @@ def troubles(folder):
     scene.render.engine = "FOVEA"
     window.scene = scene
     yield from at_rest()
-    told = {"empty": [watch.of(screen.area()).shown is None, is_calm()]}
+    told = {"empty": [watch.of(screen.area()).shown is None, (yield from calm())]}
     scene.view_settings.view_transform = "Standard"
     scene.collection.objects.link(bpy.data.objects.new("Box", box_mesh()))
     yield from steps.step("second", bool)
@@ -60,13 +60,13 @@ def troubles(folder):
     camera = first.camera
     camera.data.type = "PANO"
     yield from at_rest()
-    told["panoramic"] = is_calm()
+    told["panoramic"] = yield from calm()
     camera.data.type = "PERSP"
     yield from steps.step("camera again", bool)
     place = camera.matrix_world.copy()
     bpy.data.objects.remove(camera)
     yield from at_rest()
-    told["no camera"] = is_calm()
+    told["no camera"] = yield from calm()
     add_camera().matrix_world = place
     first.camera.data.lens = 50
     space.region_3d.view_perspective = "CAMERA"
@@ -74,14 +74,14 @@ def troubles(folder):
     for obj in list(first.objects):
         bpy.data.objects.remove(obj)
     yield from at_rest()
-    told["all gone"] = is_calm()
+    told["all gone"] = yield from calm()
     space.region_3d.view_perspective = "PERSP"
     new_object(box_mesh(), "Box")
     yield from steps.step("box", bool)
     same, other = ("start, first again", "camera, camera again"), ("start, second", "start, camera", "first again, box")
     told["same"] = {pair: steps.differ(*pair.split(", ")) for pair in same}
     told["other"] = {pair: steps.differ(*pair.split(", ")) for pair in other}
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}
 
 
 def at_rest():

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import operations
 import our_operations
-from showing import is_calm, opened
+from showing import calm, opened
 from window import screen
 
 ALL = {"OBJECT": operations.WORKING + our_operations.WORKING, "EDIT_MESH": operations.EDITING}
@@ -55,7 +55,7 @@ def many(folder, seed, count):
     told = {"names": names, "changed": sum(bool((a != b).any()) for a, b in zip(pictures, pictures[1:]))}
     told["undone"] = yield from go(watch, bpy.ops.ed.undo, range(count - 1, -1, -1), pictures, names, folder)
     told["redone"] = yield from go(watch, bpy.ops.ed.redo, range(1, count + 1), pictures, names, folder)
-    return told | {"calm": is_calm()}
+    return told | {"calm": (yield from calm())}
 
 
 def go(watch, step, places, pictures, names, folder):

@@ -2,7 +2,7 @@
 
 import bpy
 from pointer import drag, event, press
-from showing import Steps, is_calm, opened
+from showing import Steps, calm, opened
 from window import screen
 
 
@@ -35,7 +35,7 @@ def operators(folder):
     told["same"], told["other"] = (
         {pair: steps.differ(*pair.split()) for pair in pairs.split(",")} for pairs in (same, other)
     )
-    told["calm"] = is_calm()
+    told["calm"] = yield from calm()
     return told
 
 
@@ -63,5 +63,5 @@ def events(folder):
     yield from steps.step("undone", bool)
     pairs = ("start", "turned"), ("turned", "grabbed"), ("turned", "undone")
     told["differences"] = [steps.differ(*pair) for pair in pairs]
-    told["calm"] = is_calm()
+    told["calm"] = yield from calm()
     return told

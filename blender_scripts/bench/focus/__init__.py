@@ -28,10 +28,13 @@ def parse(words):
     add("--size", type=peers.frame_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
     add("--distance", type=float, default=10.0, metavar="PX", help="that lines keep, of 1080 pixels (10)")
     add("--smoothed", type=some_frames, default=[1, 2, 3], metavar="A,B", help="frames to each side, in time (1,2,3)")
+    add("--frames", type=peers.count, metavar="N", help=f"of the coherence ({FRAMES})")
     add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames, not {FRAMES}; one place to look at, not three")
     add("--timeout", type=float, default=3600, metavar="S", help="seconds a part of a scene may take (3600)")
     add("--json", action="store_true", help="print JSON instead of a table")
-    return parser.parse_args(words)
+    options = parser.parse_args(words)
+    options.frames = options.frames or (QUICK_FRAMES if options.quick else FRAMES)
+    return options
 
 
 def some_frames(text):
@@ -49,8 +52,8 @@ def main(words, blender, environment, shared: Path | None) -> int:
             print(f"fovea: {part}, {spec}", file=sys.stderr, flush=True)
             asked = {
                 "part": part, "scene": spec, "size": options.size, "distance": options.distance,
-                "frames": QUICK_FRAMES if options.quick else FRAMES, "places": 1 if options.quick else 3,
-                "smoothed": options.smoothed, "shared": str(shared or ""),
+                "frames": options.frames, "places": 1 if options.quick else 3, "smoothed": options.smoothed,
+                "shared": str(shared or ""),
             }  # fmt: skip
             gpu = {"FOVEA_BACKEND": "gpu"} if part == "cost" else {}
             found, problem = peers.measured(WORKER, asked, blender, environment | gpu, options.timeout)

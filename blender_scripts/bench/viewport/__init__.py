@@ -28,7 +28,8 @@ def parse(words):
     add = parser.add_argument
     add("--scenes", type=peers.scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--size", type=peers.frame_size, default=(960, 540), metavar="WxH", help="of the view (960x540)")
-    add("--frames", type=int, default=30, help="of the orbit, two degrees apart (30)")
+    add("--frames", type=peers.count, default=30, metavar="N", help="of the orbit, two degrees apart (30)")
+    add("--rest", type=float, default=3, metavar="S", help="seconds that it is watched idling (3)")
     add("--style", default="", metavar="NAME", help="instead of the default one")
     add("--timeout", type=float, default=300, metavar="S", help="seconds a scene may take (300)")
     add("--json", action="store_true", help="print JSON instead of a table")
@@ -40,7 +41,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
     options, rows, failed = parse(words), [], False
     for spec in options.scenes:
         print(f"fovea: {spec}", file=sys.stderr, flush=True)
-        asked = spec, shared or "", options.frames, options.style
+        asked = spec, shared or "", options.frames, options.style, options.rest
         how = {"size": options.size, "timeout": options.timeout}
         with tempfile.TemporaryDirectory() as folder:
             try:

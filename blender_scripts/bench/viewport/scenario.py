@@ -15,7 +15,8 @@ STEP = math.radians(2)
 TURNS = 3  # Solid and Fovea take
 
 
-def measure(_folder, spec, shared, frames, style):
+def measure(_folder, spec, shared, frames, style, rest):
+    turn = math.ceil(int(frames) / TURNS)
     scenes.build(spec, Path(shared) if shared else None)
     bpy.context.scene.render.engine = "FOVEA"
     if style:
@@ -29,7 +30,7 @@ def measure(_folder, spec, shared, frames, style):
     with screen.override():
         bpy.ops.view3d.view_selected()
     yield from screen.rest(1.0)
-    told = {"scene": spec, "triangles": triangles(), "idle_solid": (yield from idle())}
+    told = {"scene": spec, "triangles": triangles(), "idle_solid": (yield from idle(rest))}
     orbit(view, 5)
 
     start = time.perf_counter()
@@ -46,7 +47,7 @@ def measure(_folder, spec, shared, frames, style):
             space.shading.type = shading
             orbit(view, 2)  # what is compiled or read once
             clock.pictures = set()
-            times[shading] += orbit(view, int(frames) // TURNS)
+            times[shading] += orbit(view, turn)
         pictures += len(clock.pictures)
     stages, clock.block = session.last_statistics()["stages"], max(clock.block, *times["RENDERED"])
     space.shading.type = "RENDERED"
@@ -58,7 +59,7 @@ def measure(_folder, spec, shared, frames, style):
     told |= {"drawing_ms": clock.drawing, "block_ms": clock.block}
     clock.draws = 0
     yield from screen.rest(0.5)
-    told |= {"idle": (yield from idle()), "idle_draws": clock.draws}
+    told |= {"idle": (yield from idle(rest)), "idle_draws": clock.draws}
     rounded = {name: round(value, 2) if isinstance(value, float) else value for name, value in told.items()}
     return rounded | {"stages": stages}
 
@@ -74,10 +75,10 @@ def orbit(view, frames):
     return times
 
 
-def idle():
+def idle(seconds):
     """Share of one core that this process takes while nothing is done."""
     start, used = time.perf_counter(), time.process_time()
-    yield 3.0
+    yield float(seconds)
     return (time.process_time() - used) / (time.perf_counter() - start)
 
 

@@ -19,7 +19,7 @@ def parse(words):
     add = parser.add_argument
     add("--scenes", type=peers.scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--methods", type=peers.some_of(METHODS), default=list(METHODS), metavar="A,B", help=", ".join(METHODS))
-    add("--frames", type=int, default=20, help="of the orbit, one degree apart (20)")
+    add("--frames", type=peers.count, default=20, metavar="N", help="of the orbit, one degree apart (20)")
     add("--size", type=peers.frame_size, default=(1024, 768), metavar="WxH", help="of the picture (1024x768)")
     add("--timeout", type=float, default=3600, metavar="S", help="seconds a scene may take (3600)")
     add("--json", action="store_true", help="print JSON instead of a table")

@@ -63,25 +63,34 @@ def make(name, world, style, options):
 
 
 class Recorder:
-    """A method of the pipeline that keeps what went through it."""
+    """A method of the pipeline that keeps what went through it; in all else it is that method."""
 
     def __init__(self, method):
-        self.method, self.counts = method, method.counts
+        self.method = method
 
-    def told(self, frame):
-        return self.method.told(frame)
+    def __getattr__(self, name):
+        return getattr(self.method, name)
 
     def runs(self, frame, backend, cancel):
-        backend.clock.stages = {}
-        found, samples = self.method.runs(frame, backend, cancel)
-        self.frame, self.found, self.inside = frame, found, backend.clock.stages
-        return found, samples
+        with passes(backend) as self.inside:
+            self.frame, (self.found, samples) = frame, self.method.runs(frame, backend, cancel)
+        return self.found, samples
 
     def draw(self, frame, backend, strokes, pens, textures):
-        backend.clock.stages = {}
-        picture = self.method.draw(frame, backend, strokes, pens, textures)
-        self.drawn = {name: ms for name, ms in backend.clock.stages.items() if name != "read"}
+        with passes(backend) as drawn:
+            picture = self.method.draw(frame, backend, strokes, pens, textures)
+        self.drawn = {name: ms for name, ms in drawn.items() if name != "read"}
         return picture
+
+
+@contextmanager
+def passes(backend):
+    """{name: milliseconds} of the passes inside the block, and of none that a later stage draws."""
+    backend.clock.stages = found = {}
+    try:
+        yield found
+    finally:
+        backend.clock.stages = None
 
 
 class Method:
@@ -98,7 +107,7 @@ class Method:
         )
         whole = image.statistics["stages"]
         stages = {name: whole[name] for name in ("bvh", "lines", "project")}
-        stages |= recorder.inside or {"rays": whole["visibility"]}
+        stages |= recorder.inside or {"visibility": whole["visibility"]}
         rest = whole["visibility"] - sum(recorder.inside.values()) if recorder.inside else 0.0
         stages |= {"runs": rest + whole["runs"], "shape": whole["shape"]}
         for name, ms in recorder.drawn.items():

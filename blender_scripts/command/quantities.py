@@ -1,0 +1,96 @@
+"""Numbers among the words of a command. Each parser takes a word and raises argparse.ArgumentTypeError, in words for the
+user, when it is none or out of range."""
+
+import argparse
+import math
+import re
+import runpy
+
+from .target import PROJECT
+
+# Read without importing the add-on: which copy of it runs is chosen later.
+_STYLE_VALUES = runpy.run_path(str(PROJECT / "addon" / "style_values.py"))
+STYLE_RANGES = _STYLE_VALUES["RANGES"]  # {name: (least, most)}
+MOST_SURFACES = _STYLE_VALUES["MOST_SURFACES"]
+FRAME_SIDES = 4, 65536  # pixels, as Blender takes them
+LAST_FRAME = 1048574  # Blender's
+FAR = STYLE_RANGES["far"][1]  # from the origin
+
+
+def within(least, most, what):
+    """A parser of numbers from least to most; `what` they count, in plural."""
+
+    def parse(text):
+        number = _float(text)
+        if not least <= number <= most:
+            raise argparse.ArgumentTypeError(f"'{text}' is not a number of {what} from {least:g} to {most:g}")
+        return number
+
+    return parse
+
+
+def frame_size(text):
+    """(width, height) of WIDTHxHEIGHT."""
+    found = re.fullmatch(r"(\d{1,9})x(\d{1,9})", text)
+    if not found:
+        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
+    size = int(found[1]), int(found[2])
+    if not all(FRAME_SIDES[0] <= side <= FRAME_SIDES[1] for side in size):
+        raise argparse.ArgumentTypeError(f"'{text}' is not {FRAME_SIDES[0]} to {FRAME_SIDES[1]} pixels wide and high")
+    return size
+
+
+def frames(text):
+    """(first, last) of FIRST-LAST, or of FIRST alone."""
+    found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", text)
+    first, last = (int(found[1]), int(found[2] or found[1])) if found else (1, 0)
+    if not first <= last <= LAST_FRAME:
+        raise argparse.ArgumentTypeError(f"'{text}' is not FIRST-LAST, frames up to {LAST_FRAME}")
+    return first, last
+
+
+def surfaces(text):
+    """(first, last): A, A-B or A-, whose last is None."""
+    found = re.fullmatch(r"([1-9]\d{0,8})(-(\d{0,9}))?", text)
+    first, last = (int(found[1]), int(found[3] or 0) if found[2] else int(found[1])) if found else (1, -1)
+    if (last and last < first) or max(first, last) > MOST_SURFACES:
+        raise argparse.ArgumentTypeError(f"'{text}' is not FIRST-LAST of up to {MOST_SURFACES} surfaces that hide a line")
+    return first, last or None
+
+
+def focus(text):
+    """Two or three numbers; what is no number is a name."""
+    if re.search(r"[^\W\d]", re.sub(r"(?<=[\d.])[eE](?=[-+\d])", "", text)):
+        return text
+    return _numbers(text, (2, 3), "U,V in the image, X,Y,Z in space, or an object's name")
+
+
+def radii(text):
+    near, far = _numbers(text, (2,), "NEAR,FAR")
+    if not 0 <= near <= far:
+        raise argparse.ArgumentTypeError(f"'{text}' is not NEAR,FAR, neither below 0 and FAR the larger")
+    return near, far
+
+
+def assignment(text):
+    """NAME=NUMBER as (name, number); which names and numbers there are is for the line definition to say."""
+    name, _, value = text.partition("=")
+    number = _float(value)
+    if not math.isfinite(number):
+        raise argparse.ArgumentTypeError(f"'{text}' is not NAME=NUMBER")
+    return name, number
+
+
+def _numbers(text, counts, what):
+    numbers = tuple(_float(part) for part in text.split(","))
+    if len(numbers) not in counts or not all(abs(number) <= FAR for number in numbers):
+        raise argparse.ArgumentTypeError(f"'{text}' is not {what}")
+    return numbers
+
+
+def _float(text):
+    """NaN, which lies in no range, for what is no number."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan

@@ -1,0 +1,71 @@
+"""Pictures in files, by Blender: rendered, and read back."""
+
+import struct
+
+import bpy
+import numpy as np
+
+from command import output
+
+
+def render(scene, path):
+    """Renders the scene to `path`, which is replaced when all of the picture is written."""
+    with output.written(path, is_whole) as fresh:
+        scene.render.filepath = _literal(fresh)
+        try:
+            bpy.ops.render.render(scene=scene.name, write_still=True)
+        except RuntimeError as error:
+            if fresh.name in str(error):
+                raise  # it was drawn, but not written
+            raise ValueError(str(error)) from error
+
+
+def _literal(path):
+    """A path as Blender's render settings take it: from 5.0 on braces hold the names of variables."""
+    return str(path).replace("{", "{{").replace("}", "}}") if bpy.app.version >= (5, 0, 0) else str(path)
+
+
+def is_whole(path):
+    """Whether a file is there, ends as its format does, and Blender reads it. Its end comes first: Blender 4.3 takes an
+    OpenEXR file that lacks its last tenth for a picture, and never comes to an end with one that breaks off in its header."""
+    if not path.is_file() or not ENDS[path.suffix](path.read_bytes()):
+        return False
+    image = bpy.data.images.load(str(path))
+    found = len(image.pixels) > 0 and image.has_data  # pixels are read when they are asked for
+    bpy.data.images.remove(image)
+    return found
+
+
+def exr_ends(data):
+    """Whether the last chunk of an OpenEXR file of one part ends where the file does. The header is a list of attributes
+    (name, type, size, value); then come the places of all chunks (8 bytes each, 0 until written) and the chunks, each of
+    two integers, the second of which is the size of what follows."""
+    try:
+        at = 8
+        while data[at]:
+            size_at = data.index(0, data.index(0, at) + 1) + 1
+            at = size_at + 4 + struct.unpack_from("<I", data, size_at)[0]
+        table = at + 1
+        (first,) = struct.unpack_from("<Q", data, table)
+        places = struct.unpack_from(f"<{(first - table) // 8}Q", data, table)
+        return all(places) and max(places) + 8 + struct.unpack_from("<I", data, max(places) + 4)[0] == len(data)
+    except (IndexError, ValueError, struct.error):
+        return False
+
+
+ENDS = {  # suffix -> whether all bytes of a file are there
+    ".png": lambda data: data.endswith(b"IEND\xaeB`\x82"),
+    ".jpg": lambda data: data.endswith(b"\xff\xd9"),
+    ".exr": exr_ends,
+}
+
+
+def pixels(path):
+    """(H, W, C) of a picture as it is stored, bottom row first."""
+    image = bpy.data.images.load(str(path))
+    image.colorspace_settings.name = "Non-Color"
+    flat = np.empty(len(image.pixels), np.float32)
+    image.pixels.foreach_get(flat)
+    width, height = image.size
+    bpy.data.images.remove(image)
+    return flat.reshape(height, width, -1)

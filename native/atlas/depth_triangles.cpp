@@ -1,0 +1,212 @@
+#include "atlas/depth_triangles.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/check.h"
+
+namespace fovea {
+namespace {
+
+constexpr int band_rows = 16;
+constexpr std::size_t block_triangles = 2048;
+constexpr std::size_t group_blocks = 128;
+
+struct Target {
+    int width, height;
+    dmat4 view_to_depth_clip;
+};
+
+/// What is left out of a mesh, by the sign of a triangle's area on the screen; 0: nothing.
+double away_sign(const DepthMesh& mesh) {
+    if (!mesh.one_sided) return 0.0;
+    return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0;
+}
+
+/// Twice the signed area of (a, b, p). Computed the same way for (b, a), with the other sign.
+double edge_function(dvec2 a, dvec2 b, dvec2 p) {
+    const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
+    if (swapped) std::swap(a, b);
+    const double area = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    return swapped ? -area : area;
+}
+
+/// First texel whose centre is not below `edge`, clamped to [0, size].
+int first_texel(double edge, int size) {
+    return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
+}
+
+/// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
+/// of the near plane; `whole`: its plane and number.
+void append_on_screen(const std::array<dvec3, 3>& clip, const DepthTriangle& whole, const Target& target,
+                      double away, const std::array<bool, 3>& of_mesh, std::vector<DepthTriangle>& out) {
+    DepthTriangle t = whole;
+    t.of_mesh = of_mesh;
+    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
+    const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
+    const auto [ay, by, cy] = std::array{t.corner[0].y, t.corner[1].y, t.corner[2].y};
+    t.x0 = first_texel(std::min({ax, bx, cx}), target.width);
+    t.x1 = first_texel(std::max({ax, bx, cx}), target.width);
+    t.y0 = first_texel(std::min({ay, by, cy}), target.height);
+    t.y1 = first_texel(std::max({ay, by, cy}), target.height);
+    if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
+    const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
+    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
+    if (area < 0.0) {
+        std::swap(t.corner[1], t.corner[2]);
+        std::swap(t.of_mesh[0], t.of_mesh[2]);
+    }
+    out.push_back(t);
+}
+
+/// Depth over texels as a plane: the screen image of the triangle's own plane, found without dividing by w, so that
+/// corners behind the eye do no harm. `corner`: (x w, y w, depth w, w) in texels. False for a triangle seen edge on.
+bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
+    const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
+        c(corner[2].x, corner[2].y, corner[2].w);
+    const double det = glm::dot(a, glm::cross(b, c));
+    plane = (glm::cross(b, c) * corner[0].z + glm::cross(c, a) * corner[1].z + glm::cross(a, b) * corner[2].z) / det;
+    return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
+}
+
+/// Cuts the triangle at the near plane (depth <= 1) and appends what is left, as one triangle or two.
+void append_clipped(const std::array<dvec4, 3>& corner, DepthTriangle whole, const Target& target, double away,
+                    std::vector<DepthTriangle>& out) {
+    std::array<double, 3> inside;
+    int kept = 0;
+    for (int i = 0; i < 3; ++i) kept += (inside[i] = corner[i].w - corner[i].z) >= 0.0;
+    if (kept == 0 || !depth_plane(corner, whole.plane)) return;
+    std::array<dvec3, 4> polygon;
+    std::array<bool, 4> of_mesh;  // the edge from each corner to the next
+    int count = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const dvec3 p(corner[i].x, corner[i].y, corner[i].w), q(corner[j].x, corner[j].y, corner[j].w);
+        if (inside[i] >= 0.0) {
+            of_mesh[count] = true;
+            polygon[count++] = p;
+        }
+        if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
+            of_mesh[count] = inside[i] < 0.0;
+            polygon[count++] = glm::mix(p, q, inside[i] / (inside[i] - inside[j]));
+        }
+    }
+    for (int i = 2; i < count; ++i)
+        append_on_screen({polygon[0], polygon[i - 1], polygon[i]}, whole, target, away,
+                         {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
+}
+
+/// A share of the work: triangles begin .. end of a mesh.
+struct Block {
+    Index mesh;
+    std::size_t begin, end;
+};
+
+std::vector<Block> divide(In<DepthMesh> meshes) {
+    std::vector<Block> blocks;
+    for (Index m = 0; m < meshes.size(); ++m) {
+        const std::size_t count = meshes[m].triangles.size();
+        for (std::size_t begin = 0; begin < count; begin += block_triangles)
+            blocks.push_back({m, begin, std::min(begin + block_triangles, count)});
+    }
+    return blocks;
+}
+
+void append_triangles(In<DepthMesh> meshes, const Block& block, const Target& target,
+                      std::vector<DepthTriangle>& out) {
+    const DepthMesh& mesh = meshes[block.mesh];
+    // Pixels of homogeneous points: (x / w * .5 + .5) * size, kept homogeneous.
+    dmat4 to_texels(1.0);
+    to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
+    to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
+    const dmat4 matrix = to_texels * target.view_to_depth_clip * mesh.object_to_view;
+    const double away = away_sign(mesh);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+        std::array<dvec4, 3> corner;
+        for (int k = 0; k < 3; ++k) corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
+        DepthTriangle whole;
+        whole.mesh = block.mesh;
+        whole.triangle = static_cast<Index>(i);
+        append_clipped(corner, whole, target, away, out);
+    }
+}
+
+/// Bands of rows that each triangle touches, as rows of triangle numbers in drawing order.
+Rows bin_triangles(const std::vector<DepthTriangle>& triangles, int bands, Array<Index>& members) {
+    Rows rows;
+    rows.offsets.assign(bands, 0);
+    for (const auto& t : triangles)
+        for (int b = t.y0 / band_rows; b <= (t.y1 - 1) / band_rows; ++b) ++rows.offsets[b];
+    counts_to_offsets(rows.offsets);
+    members.resize(rows.offsets.back());
+    Array<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+    for (Index i = 0; i < triangles.size(); ++i)
+        for (int b = triangles[i].y0 / band_rows; b <= (triangles[i].y1 - 1) / band_rows; ++b) members[next[b]++] = i;
+    return rows;
+}
+
+void check_mesh(const DepthMesh& mesh, std::size_t number) {
+    const std::string name = "depth mesh " + std::to_string(number) + ": ";
+    check(mesh.triangles.size() == mesh.triangle_facet.size(), name + "one facet per triangle expected");
+    Index highest = 0;
+    for (const auto& t : mesh.triangles) highest = std::max({highest, t.x, t.y, t.z});
+    check(mesh.triangles.empty() || highest < mesh.positions.size(), name + "triangle refers to a missing vertex");
+}
+
+}  // namespace
+
+bool DepthTriangle::covers(dvec2 p) const {
+    for (int i = 0; i < 3; ++i)
+        if (edge_function(corner[i], corner[(i + 1) % 3], p) < 0.0) return false;
+    return true;
+}
+
+TexelRow texel_row(const DepthTriangle& t, int y) {
+    double begin = t.x0, end = t.x1, sure_begin = begin, sure_end = end;
+    for (int i = 0; i < 3; ++i) {
+        const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
+        if (a.y == b.y) continue;
+        const double x = a.x + (b.x - a.x) * ((y + 0.5 - a.y) / (b.y - a.y)) - 0.5;
+        if (!std::isfinite(x)) {  // the edge has next to no height
+            sure_end = t.x0;
+            continue;
+        }
+        const double off = 1e-9 * (1.0 + std::abs(a.x) + std::abs(b.x));  // far more than what rounding moves it by
+        if (a.y > b.y) {
+            begin = std::max(begin, std::ceil(x - off));
+            sure_begin = std::max(sure_begin, std::ceil(x + off));
+        } else {
+            end = std::min(end, std::floor(x + off) + 1.0);
+            sure_end = std::min(sure_end, std::floor(x - off) + 1.0);
+        }
+    }
+    const auto texel = [&](double edge) { return static_cast<int>(std::clamp(edge, double(t.x0), double(t.x1))); };
+    return {texel(begin), texel(end), texel(sure_begin), texel(sure_end)};
+}
+
+void draw_triangles(const DepthBuffer& layout, const View& view, In<DepthMesh> meshes, const Cancel* cancel,
+                    const std::function<void(const DepthTriangle&, int, int)>& draw) {
+    for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
+    const Target target{layout.width, layout.height, view_to_depth_clip(view, layout)};
+    const std::vector<Block> blocks = divide(meshes);
+    const int bands = (layout.height + band_rows - 1) / band_rows;
+    // Groups bound the memory; their order, and the order inside, is that of the input.
+    for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {
+        if (cancel) cancel->poll();
+        std::vector<std::vector<DepthTriangle>> parts(std::min(group_blocks, blocks.size() - start));
+        parallel_for(parts.size(), [&](std::size_t i) { append_triangles(meshes, blocks[start + i], target, parts[i]); }, 1);
+        std::vector<DepthTriangle> triangles;
+        for (const auto& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());
+        Array<Index> members;
+        const Rows rows = bin_triangles(triangles, bands, members);
+        parallel_for(bands, [&](std::size_t band) {
+            const int begin = int(band) * band_rows, end = std::min(begin + band_rows, layout.height);
+            for (Index m = rows.begin(Index(band)); m < rows.end(Index(band)); ++m) {
+                const DepthTriangle& t = triangles[members[m]];
+                draw(t, std::max(begin, t.y0), std::min(end, t.y1));
+            }
+        }, 1);
+    }
+}
+
+}  // namespace fovea

@@ -1,0 +1,81 @@
+"""Benchmarks that start Blenders of their own, at their smallest size: what each prints as JSON and as a table."""
+
+import json
+import math
+import os
+import re
+import sys
+from pathlib import Path
+
+import bpy
+import pytest
+from the_addon import part
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+from bench import focus, peers, visibility
+
+SMALL = ("--size", "160x90", "--scenes", "boxes:3", "--json")
+
+
+@pytest.fixture(autouse=True)
+def opengl():
+    if part("blender.preferences").gl_renderer() is None:
+        pytest.skip("OpenGL is unusable here")
+
+
+@pytest.fixture
+def rows_of(capfd):
+    """A function from a benchmark and its words to the rows of its JSON."""
+
+    def run(bench, *words):
+        status = bench.main([*SMALL, *words], bpy.app.binary_path, dict(os.environ), None)
+        told, problems = capfd.readouterr()
+        assert status == 0, problems
+        rows = json.loads(told)
+        assert len(bench.table(rows).splitlines()) > len(rows)
+        return rows
+
+    return run
+
+
+def are_times(stages):
+    return bool(stages) and all(0 <= ms < math.inf for ms in stages.values())
+
+
+def test_bench_peers_tells_times_and_strokes_of_each_renderer(rows_of):
+    """Without Freestyle, which compiles shaders for minutes."""
+    rows = rows_of(peers, "--quick", "--repeats", "1")
+    assert [row["renderer"] for row in rows] == [name for name in peers.RENDERERS if name != "freestyle"]
+    for row in rows:
+        assert row["triangles"] == 9 * 12 and row["first_s"] > 0 and row["moved_s"] > 0
+        assert math.isfinite(row["peak_mb"])
+        assert row["renderer"] == "workbench" or row["strokes"] > 0
+    for row in rows[-2:]:
+        assert are_times(row["stages"]) and row["lines_s"] > 0 and row["lines_moved_s"] > 0
+
+
+def test_bench_visibility_tells_stages_and_errors_of_every_method(rows_of):
+    rows = rows_of(visibility, "--frames", "2")
+    assert {row["method"] for row in rows} == set(visibility.METHODS)
+    for row in rows:
+        assert row["segments"] > 0 and row["samples"] > 0 and row["fps"] > 0
+        assert are_times(row["stages"]), row
+        if row["method"] == "OGL":
+            assert row["disagree"] is None and row["flicker"] is None
+        else:
+            assert 0 <= row["disagree"] < 0.2 and 0 <= row["flicker"] < 0.2
+        if row["method"] == "exact":
+            assert row["disagree"] == row["flicker"] == 0
+
+
+def test_bench_focus_tells_figures_of_every_part(rows_of):
+    rows = rows_of(focus, "--quick", "--frames", "2", "--smoothed", "1")
+    value = {row["figure"]: row["value"] for row in rows}
+    assert all(set(row) == {"figure", "scene", "value", "wanted"} for row in rows) and len(value) == len(rows)
+    assert all(0 <= each < math.inf for each in value.values())
+    assert all(each <= 1 for figure, each in value.items() if re.search(r", share\b", figure))
+    counts = ("samples drawn", "static lines: places a frame", "Workbench, ms a frame", focus.PER_SAMPLE)
+    assert all(value[figure] > 0 for figure in counts)
+    assert any("gpu" in figure for figure in value)
+    assert sum("in focus / out of it" in figure for figure in value) == 14  # of two styles, two kinds of focus

@@ -1,0 +1,66 @@
+"""The extension is installed again when what is installed is not the package, and only then."""
+
+import shutil
+
+import pytest
+from command import package, target
+
+FILES = {"__init__.py": "", "blender_manifest.toml": "id = 'fovea'", "styles/plain.json": "{}"}
+
+
+class Installation:
+    """A package of a few files, and a Blender that only copies them. `count`: how often it was asked to."""
+
+    def __init__(self, folder, monkeypatch):
+        self.staged, self.count = folder / "staged", 0
+        for name, text in FILES.items():
+            (self.staged / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.staged / name).write_text(text)
+        self.target = target.Target("sid", folder / "work", folder / "cache", "blender", "")
+        self.place = self.target.home / ".config/blender/5.2/extensions/user_default/fovea"
+        monkeypatch.setattr(package, "stage", lambda target: self.staged)
+        monkeypatch.setattr(package, "package", lambda target, folder: folder)
+        monkeypatch.setattr(package, "extension", self.copy)
+
+    def copy(self, target, sentence, *words):
+        shutil.rmtree(self.place, ignore_errors=True)
+        shutil.copytree(words[-1], self.place)
+        self.count += 1
+
+    def install(self):
+        package.install(self.target)
+        return self.count
+
+
+@pytest.fixture
+def installation(tmp_path, monkeypatch):
+    made = Installation(tmp_path, monkeypatch)
+    assert made.install() == 1
+    return made
+
+
+def test_what_is_installed_is_left_alone(installation):
+    (installation.place / "__pycache__").mkdir()
+    (installation.place / "__pycache__" / "__init__.cpython-313.pyc").touch()
+    assert installation.install() == 1
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_lost_file_is_installed_again(installation, name):
+    (installation.place / name).unlink()
+    assert installation.install() == 2 and (installation.place / name).read_text() == FILES[name]
+
+
+def test_a_changed_file_is_installed_again(installation):
+    (installation.place / "__init__.py").write_text("import nothing")
+    assert installation.install() == 2 and (installation.place / "__init__.py").read_text() == ""
+
+
+def test_a_lost_folder_is_installed_again(installation):
+    shutil.rmtree(installation.place)
+    assert installation.install() == 2
+
+
+def test_another_package_is_installed(installation):
+    (installation.staged / "__init__.py").write_text("VERSION = 2")
+    assert installation.install() == 2

@@ -1,0 +1,67 @@
+"""What `fovea` says when a script inside Blender fails: each sentence once, without Blender's own lines."""
+
+import sys
+
+import ending
+import pytest
+from command import actions
+from command.target import StepFailed
+
+REPORTED = "Error: Camera 'A' looks in no direction\n"
+
+
+class Blender:
+    """A target whose Blender leaves this log and exit status."""
+
+    blender = "blender"
+
+    def __init__(self, folder, log, status):
+        self.log, self.status = folder / "blender.log", status
+        self.log.write_text(log)
+
+    def attempt(self, sentence, command):
+        return self.log, self.status
+
+
+def said(tmp_path, log, status=1):
+    with pytest.raises(StepFailed) as failure:
+        actions.in_blender(Blender(tmp_path, log, status), "drawing A", "draw.py", [])
+    return str(failure.value)
+
+
+def ended(error, monkeypatch):
+    def main(words):
+        raise error
+
+    monkeypatch.setattr(sys, "argv", ["blender", "--", "A.blend"])
+    with pytest.raises(SystemExit) as end:
+        ending.run(main)
+    return f"{end.value}\n"
+
+
+def test_what_blender_reports_and_raises_is_said_once(tmp_path, monkeypatch):
+    last = ended(RuntimeError(REPORTED), monkeypatch)
+    assert said(tmp_path, f"Read blend: A\n{REPORTED}{last}Blender quit\n") == "Camera 'A' looks in no direction"
+
+
+def test_what_every_view_layer_reports_is_said_once(tmp_path, monkeypatch):
+    assert said(tmp_path, ended(RuntimeError(2 * REPORTED), monkeypatch)) == "Camera 'A' looks in no direction"
+
+
+def test_different_reports_are_all_said(tmp_path, monkeypatch):
+    assert said(tmp_path, ended(RuntimeError("Error: one\nError: two\n"), monkeypatch)) == "one; two"
+
+
+def test_too_little_memory_in_blender_is_said(tmp_path, monkeypatch):
+    assert "memory is too small" in said(tmp_path, ended(MemoryError(), monkeypatch))
+
+
+def test_what_only_a_programmer_can_mend_shows_the_end_of_the_log(tmp_path, monkeypatch):
+    with pytest.raises(TypeError):
+        ended(TypeError("enum not found"), monkeypatch)
+    words = said(tmp_path, "Traceback\nTypeError: enum not found\nError: script failed\n")
+    assert "drawing A FAILED (1)" in words and "TypeError: enum not found" in words
+
+
+def test_a_blender_that_is_killed_is_told_from_one_that_ends(tmp_path):
+    assert "FAILED (by signal 9, as when memory is too small)" in said(tmp_path, "", -9)

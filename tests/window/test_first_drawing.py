@@ -1,0 +1,12 @@
+"""The page of the first drawing, followed to the letter in a real window."""
+
+
+def test_the_page_leads_to_a_focus_pull_that_is_played_and_rendered(play):
+    found = play("follow", size=(1280, 800))
+    assert found["pictures"] and min(found["changes"]) > 0.005, "each action is seen"
+    assert found["range"] == [1, 48], "the demo scene is a still: the pull gives it the frames to play and render"
+    assert len(found["played"]) > 2 and set(found["played"]) <= set(range(1, 49))
+    assert found["led"] < 1e-4
+    for place, others in found["contrast"].items():
+        (elsewhere,) = (there for name, there in others.items() if name != place)
+        assert others[place] > 1.15 * elsewhere, f"the {place} has more contrast where it is in focus"
