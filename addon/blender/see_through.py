@@ -77,7 +77,8 @@ def _of_mix(shader, groups):
     low, high, why = _value(shader.inputs[0], groups, "its mix factor")
     first, second = (_of_socket(socket, groups) for socket in shader.inputs[1:3])
     used = [part for part, weight in ((first, 1.0 - low), (second, high)) if weight > 0.0]
-    why = [*(phrase for part in used for phrase in part.why), *(why if len(used) > 1 and (first.least, first.most) != (second.least, second.most) else ())]
+    differ = len(used) > 1 and (first.least, first.most) != (second.least, second.most)
+    why = [*(phrase for part in used for phrase in part.why), *(why if differ else ())]
     least = min((1.0 - f) * first.least + f * second.least for f in (low, high))
     most = max((1.0 - f) * first.most + f * second.most for f in (low, high))
     return Through(least, most, tuple(dict.fromkeys(why)) if most > 0.0 else ())
