@@ -49,10 +49,9 @@ void Runs::push(Index of, double start, double end, std::uint8_t hidden_by) {
 }
 
 void Runs::append(const Runs& more) {
-    piece.insert(piece.end(), more.piece.begin(), more.piece.end());
-    start_px.insert(start_px.end(), more.start_px.begin(), more.start_px.end());
-    end_px.insert(end_px.end(), more.end_px.begin(), more.end_px.end());
-    invisibility.insert(invisibility.end(), more.invisibility.begin(), more.invisibility.end());
+    const std::size_t before = size();
+    resize_columns(*this, columns, before + more.size());
+    copy_columns(more, columns, *this, before);
 }
 
 void check_runs(const ClippedPaths& clipped, const Runs& runs) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "base/columns.h"
 #include "base/types.h"
 
 namespace fovea::bindings {
@@ -42,6 +43,17 @@ py::array view_numpy(const Array<T>& array, py::handle owner) {
     py::array_t<Scalar> result(shape_of<T>(array.size()), data, owner);
     result.attr("flags").attr("writeable") = false;
     return result;
+}
+
+/// The columns of a bound structure (base/columns.h) as read-only properties.
+template <typename Class, typename Columns>
+void bind_columns(Class& bound, const Columns& columns) {
+    for_each_column(columns, [&]<typename S, typename V>(const Column<S, V>& column) {
+        const auto view = [array = column.array](py::object self) {
+            return view_numpy(self.cast<const S&>().*array, self);
+        };
+        bound.def_property_readonly(column.name, view, column.doc);
+    });
 }
 
 /// Numpy array that takes the memory over; no copy.

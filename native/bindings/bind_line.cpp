@@ -108,31 +108,15 @@ void bind_line(py::module_& m) {
     m.def("line_definitions", &definitions,
           "The registry: one dict per definition, in the order of its bits, with its parameters.");
 
-    const auto array = [](auto member) {
-        return [member](py::object self) { return view_numpy(self.cast<const Paths&>().*member, self); };
-    };
-    py::class_<Paths, std::shared_ptr<Paths>>(m, "Paths", "Segments chained into paths, in object space; N points, P paths.")
+    py::class_<Paths, std::shared_ptr<Paths>> paths(m, "Paths",
+                                                    "Segments chained into paths, in object space; N points, P paths.");
+    paths
         .def_property_readonly(
             "offsets", [](py::object self) { return view_numpy(self.cast<const Paths&>().rows.offsets, self); },
             "(P + 1,) uint32: points of path p are offsets[p] .. offsets[p + 1]")
-        .def_property_readonly("points_obj", array(&Paths::points_obj), "(N, 3) float32")
-        .def_property_readonly("arc_obj", array(&Paths::arc_obj), "(N,) float64 arc length from the path's start, object units")
-        .def_property_readonly("place", array(&Paths::place),
-                               "(N,) uint32 where the segment from this point lies: an edge, or the number of edges + a triangle")
-        .def_property_readonly("edge_t", array(&Paths::edge_t), "(N,) float32, where on that edge the point is")
-        .def_property_readonly("kinds", array(&Paths::kinds), "(N,) uint32, registry bits of the segment from this point")
-        .def_property_readonly("strength", array(&Paths::strength), "(N,) float32 in [0, 1]")
-        .def_property_readonly("other_facet", array(&Paths::other_facet),
-                               "(N,) uint32 of a line on two surfaces: the second's facet over the scene; else 0xffffffff")
-        .def_property_readonly("closed", array(&Paths::closed), "(P,) uint8; a closed path repeats its first point")
-        .def_property_readonly("ids", array(&Paths::id), "(P,) uint64, stable over frames for static lines")
-        .def_property_readonly("placement", array(&Paths::placement),
-                               "(P,) uint32; 0xffffffff: found in the image, in view space")
-        .def_property_readonly("line_set", array(&Paths::line_set), "(P,) uint8")
-        .def_property_readonly("free_ends", array(&Paths::free_ends),
-                               "(P,) uint8: 1 where the start touches no other line, 2 where the end does not")
-        .def_property_readonly("of_view", array(&Paths::of_view), "(P,) uint8: not 0 where the path changes with the view; 2 where it ends at cusps")
         .def("__len__", &Paths::count);
+    bind_columns(paths, Paths::path_columns);
+    bind_columns(paths, Paths::point_columns);
 
     m.def(
         "extract_paths",

@@ -143,33 +143,16 @@ usage (n,) uint8, bits DRAW, OCCLUDE, HOLDOUT.)")
 
 void bind_stages(py::module_& m) {
     bind_scene(m);
-    const auto array = [](auto member) {
-        return [member](py::object self) { return view_numpy(self.cast<const ClippedPaths&>().*member, self); };
-    };
-    py::class_<ClippedPaths, std::shared_ptr<ClippedPaths>>(
-        m, "ClippedPaths", "Paths projected and clipped: Q pieces, M points; see native/project/clipped_paths.h.")
+    py::class_<ClippedPaths, std::shared_ptr<ClippedPaths>> clipped_paths(
+        m, "ClippedPaths", "Paths projected and clipped: Q pieces, M points; see native/project/clipped_paths.h.");
+    clipped_paths
         .def_property_readonly(
             "offsets", [](py::object self) { return view_numpy(self.cast<const ClippedPaths&>().pieces.offsets, self); },
             "(Q + 1,) uint32: points of piece q")
-        .def_property_readonly("path", array(&ClippedPaths::path), "(Q,) uint32 path it comes from")
-        .def_property_readonly("closed", array(&ClippedPaths::closed), "(Q,) uint8")
-        .def_property_readonly("free_ends", array(&ClippedPaths::free_ends), "(Q,) uint8: 1 free start, 2 free end")
-        .def_property_readonly("ends", array(&ClippedPaths::ends),
-                               R"((Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the frame
-cuts it)")
-        .def_property_readonly("px", array(&ClippedPaths::px), "(M, 2) float32")
-        .def_property_readonly("depth", array(&ClippedPaths::depth), "(M,) float32, reversed and screen-linear")
-        .def_property_readonly("position_view", array(&ClippedPaths::position_view), "(M, 3) float32")
-        .def_property_readonly("path_length_px", array(&ClippedPaths::path_length_px), "(Q,) float64 of the whole path")
-        .def_property_readonly("arc_px", array(&ClippedPaths::arc_px), "(M,) float64, 0 at the path's middle")
-        .def_property_readonly("source", array(&ClippedPaths::source), "(M,) uint32 point of Paths")
-        .def_property_readonly("source_t", array(&ClippedPaths::source_t), "(M,) float32 fraction towards the next point")
-        .def_property_readonly("facet0", array(&ClippedPaths::facet0), "(M,) uint32, 0xffffffff: none")
-        .def_property_readonly("facet1", array(&ClippedPaths::facet1), "(M,) uint32, 0xffffffff: none")
-        .def_property_readonly("sample_start", array(&ClippedPaths::sample_start), "(M,) uint32")
-        .def_property_readonly("sample_count", array(&ClippedPaths::sample_count), "(M,) uint32, 0 at the end of a piece")
         .def_readonly("samples", &ClippedPaths::samples, "size of the atlas")
         .def("__len__", [](const ClippedPaths& c) { return c.path.size(); });
+    bind_columns(clipped_paths, ClippedPaths::piece_columns);
+    bind_columns(clipped_paths, ClippedPaths::point_columns);
 
     m.def(
         "project",
@@ -188,14 +171,10 @@ cuts it)")
         R"(ClippedPaths of paths; sample_step_px: pixels between visibility samples; least_length_px: by line set, shorter
 paths with an end that touches no other line are left out.)");
 
-    py::class_<Runs, std::shared_ptr<Runs>>(m, "Runs", "Parts of pieces, sorted by piece, then by start; see native/atlas/runs.h.")
-        .def_property_readonly("piece", [](py::object self) { return view_numpy(self.cast<const Runs&>().piece, self); }, "(R,) uint32")
-        .def_property_readonly("start_px", [](py::object self) { return view_numpy(self.cast<const Runs&>().start_px, self); }, "(R,) float64")
-        .def_property_readonly("end_px", [](py::object self) { return view_numpy(self.cast<const Runs&>().end_px, self); }, "(R,) float64")
-        .def_property_readonly(
-            "invisibility", [](py::object self) { return view_numpy(self.cast<const Runs&>().invisibility, self); },
-            "(R,) uint8, how many surfaces hide it; 0: visible")
-        .def("__len__", [](const Runs& runs) { return runs.piece.size(); });
+    py::class_<Runs, std::shared_ptr<Runs>> runs(
+        m, "Runs", "Parts of pieces, sorted by piece, then by start; see native/atlas/runs.h.");
+    runs.def("__len__", [](const Runs& runs) { return runs.piece.size(); });
+    bind_columns(runs, Runs::columns);
 
     m.def(
         "exact_visibility",

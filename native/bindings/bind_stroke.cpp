@@ -148,32 +148,18 @@ this one becomes out of focus.)");
 }
 
 void bind_strokes(py::module_& m) {
-    const auto array = [](auto member) {
-        return [member](py::object self) {
-            return view_numpy(self.cast<const Strokes&>().*member, self);
-        };
-    };
-    py::class_<Strokes, std::shared_ptr<Strokes>>(
-        m, "Strokes", "Visible runs shaped into V vertices and T triangles; see addon/stages.py.")
+    py::class_<Strokes, std::shared_ptr<Strokes>> strokes(
+        m, "Strokes", "Visible runs shaped into V vertices and T triangles; see native/stroke/strokes.h.");
+    strokes
         .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"),
              py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0,
              py::arg("mix") = py::none(), py::arg("path_px") = py::none())
-        .def_property_readonly("px", array(&Strokes::px), "(V, 2) float32")
-        .def_property_readonly("arc", array(&Strokes::arc),
-                               "(V, 4) float32: u, v, u of the run's start and end")
-        .def_property_readonly("half_width", array(&Strokes::half_width), "(V,) float32")
-        .def_property_readonly("opacity", array(&Strokes::opacity), "(V,) float32")
-        .def_property_readonly("mix", array(&Strokes::mix),
-                               "(V, 2) float32: how far colour and ink are those of the pen out of focus")
-        .def_property_readonly("path_px", array(&Strokes::path_px), "(V,) float32, length of the whole path")
-        .def_property_readonly("pen", array(&Strokes::pen),
-                               "(V,) uint32 index into the frame's pens")
-        .def_property_readonly("piece", array(&Strokes::piece),
-                               "(V,) uint32 piece of ClippedPaths, (0,) where it is not known")
-        .def_property_readonly("triangles", array(&Strokes::triangles),
-                               "(T, 3) uint32, in drawing order")
+        .def_property_readonly(
+            "triangles", [](py::object self) { return view_numpy(self.cast<const Strokes&>().triangles, self); },
+            "(T, 3) uint32, in drawing order")
         .def_readonly("count", &Strokes::count, "strokes")
         .def("__len__", [](const Strokes& s) { return s.count; });
+    bind_columns(strokes, Strokes::vertex_columns);
 }
 
 }  // namespace

@@ -190,17 +190,13 @@ Bands join(const std::vector<Bands>& parts) {
     counts_to_offsets(corners);
     counts_to_offsets(triangles);
     Bands all;
-    all.px.resize(corners.back());
-    all.across.resize(corners.back());
-    all.owner.resize(corners.back());
+    resize_columns(all, Bands::corner_columns, corners.back());
     all.triangles.resize(triangles.back());
     parallel_for(
         parts.size(),
         [&](std::size_t b) {
             const std::size_t base = corners[b];
-            std::ranges::copy(parts[b].px, all.px.begin() + base);
-            std::ranges::copy(parts[b].across, all.across.begin() + base);
-            std::ranges::copy(parts[b].owner, all.owner.begin() + base);
+            copy_columns(parts[b], Bands::corner_columns, all, base);
             std::ranges::transform(parts[b].triangles, all.triangles.begin() + triangles[b],
                                    [&](const glm::uvec3& t) { return t + glm::uvec3(Index(base)); });
         },

@@ -1,6 +1,7 @@
 // The bands that lines want for themselves, as triangles: what both backends draw into the priority buffer.
 #pragma once
 
+#include "base/columns.h"
 #include "elision/own_band.h"
 
 namespace fovea {
@@ -11,11 +12,17 @@ namespace fovea {
 /// their width before their run does.
 struct Bands {
     Array<vec2> px;
-    /// v: pixels across, positive to the left of the way, h: half the band's width, e: how near the run's end is, from
-    /// 0 at OwnBands::reach_px, or half way along the run, to 1 there; negative towards the start.
-    Array<vec3> across;
-    /// x, y: unit vector to the left of the way, z: rank. The same for the corners of a triangle.
-    Array<vec3> owner;
+    Array<vec3> across, owner;
+
+    static constexpr std::tuple corner_columns{
+        Column{"px", &Bands::px, "(V, 2) float32 pixels"},
+        Column{"across", &Bands::across,
+               "(V, 3) float32: v: pixels across, positive to the left of the way, h: half the band's width, e: how near "
+               "the run's end is, from 0 at OwnBands::reach_px, or half way along the run, to 1 there; negative towards "
+               "the start"},
+        Column{"owner", &Bands::owner,
+               "(V, 3) float32: unit vector to the left of the way, and rank; the same for the corners of a triangle"}};
+
     Array<glm::uvec3> triangles;
 };
 

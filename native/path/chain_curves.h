@@ -1,7 +1,7 @@
 // Pieces of curves chained into polylines.
 #pragma once
 
-#include "base/types.h"
+#include "base/columns.h"
 #include "line/curves.h"
 
 namespace fovea {
@@ -9,16 +9,23 @@ namespace fovea {
 /// Polylines across triangles; points of curve c are rows.begin(c) .. rows.end(c).
 struct CurveChains {
     Rows rows;
-    // Per curve.
-    Array<std::uint8_t> closed;  ///< the last point repeats the first
-    /// No two have the same: level (high half) and lowest triangle, or the lowest triangles of both surfaces.
+    Array<std::uint8_t> closed;
     Array<std::uint64_t> anchor;
-    // Per point.
-    Array<vec3> point;           ///< object space
+    Array<vec3> point;
     Array<float> strength;
-    Array<Index> triangle;       ///< of the piece from this point; the last repeats the one before
-    Array<Index> side;           ///< of triangles (mesh/triangle_sides.h) that the point is on; `none`: inside a triangle
-    Array<Index> other;          ///< the same of the second surface, or `none`
+    Array<Index> triangle, side, other;
+
+    static constexpr std::tuple curve_columns{
+        Column{"closed", &CurveChains::closed, "the last point repeats the first"},
+        Column{"anchor", &CurveChains::anchor,
+               "level (high half) and lowest triangle, or the lowest triangles of both surfaces: no two have the same"}};
+    static constexpr std::tuple point_columns{
+        Column{"point", &CurveChains::point, "object space"},
+        Column{"strength", &CurveChains::strength, "in [0, 1]"},
+        Column{"triangle", &CurveChains::triangle, "of the piece from this point; the last repeats the one before"},
+        Column{"side", &CurveChains::side,
+               "side of triangles (mesh/triangle_sides.h) that the point is on; `none`: inside a triangle"},
+        Column{"other", &CurveChains::other, "the triangle of the second surface, or `none`"}};
 };
 
 /// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where

@@ -192,19 +192,8 @@ void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths
 void resize(Paths& paths, Index path_count, Index point_count) {
     paths.rows.offsets.resize(path_count + 1);
     paths.rows.offsets[path_count] = point_count;
-    paths.closed.resize(path_count);
-    paths.id.resize(path_count);
-    paths.placement.resize(path_count);
-    paths.line_set.resize(path_count);
-    paths.free_ends.resize(path_count);
-    paths.of_view.resize(path_count);
-    paths.points_obj.resize(point_count);
-    paths.arc_obj.resize(point_count);
-    paths.place.resize(point_count);
-    paths.edge_t.resize(point_count);
-    paths.kinds.resize(point_count);
-    paths.strength.resize(point_count);
-    paths.other_facet.resize(point_count);
+    resize_columns(paths, Paths::path_columns, path_count);
+    resize_columns(paths, Paths::point_columns, point_count);
 }
 
 }  // namespace

@@ -157,12 +157,8 @@ CurveChains gather(const CurveChains& chains, const std::vector<Stretch>& stretc
     CurveChains out;
     Index points = 0;
     for (const Stretch& stretch : stretches) out.rows.offsets.push_back(points += stretch.points());
-    out.closed.resize(stretches.size());
-    out.anchor.resize(stretches.size());
-    out.point.resize(points);
-    out.strength.resize(points);
-    out.triangle.resize(points);
-    out.side.resize(points);
+    resize_columns(out, CurveChains::curve_columns, stretches.size());
+    resize_columns(out, CurveChains::point_columns, points);
     parallel_for(stretches.size(), [&](std::size_t s) {
         const Stretch& stretch = stretches[s];
         const Walk walk(chains, stretch.chain);
@@ -175,6 +171,7 @@ CurveChains gather(const CurveChains& chains, const std::vector<Stretch>& stretc
             out.strength[o] = uniform ? 1.0f : walk.strength(place);
             // The piece from the last point is not of this stretch.
             out.triangle[o] = last && n > 0 ? out.triangle[o - 1] : chains.triangle[here];
+            out.other[o] = last && n > 0 ? out.other[o - 1] : chains.other[here];
             out.side[o] = place.t > 0.0f ? none : chains.side[here];
             lowest = std::min(lowest, out.triangle[o]);
         }

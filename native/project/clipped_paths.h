@@ -1,7 +1,7 @@
 // What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
 #pragma once
 
-#include "base/types.h"
+#include "base/columns.h"
 
 namespace fovea {
 
@@ -18,33 +18,49 @@ enum PieceEnds : std::uint8_t { path_start = 1, path_end = 2, seam_start = 4, se
 struct ClippedPaths {
     /// Pieces: points pieces.begin(q) .. pieces.end(q).
     Rows pieces;
-    /// Per piece: index of the path it comes from.
     Array<Index> path;
-    /// Per piece: 1 where a whole closed path lies inside the frame (first and last point coincide).
-    Array<std::uint8_t> closed;
-    /// Per piece: 1 where it starts, 2 where it ends with an end of the path that touches no other line: there pens taper.
-    Array<std::uint8_t> free_ends;
-    /// Per piece: pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies behind the
-    /// near plane, which has no pixels, does not count.
+    Array<std::uint8_t> closed, free_ends, ends;
     Array<double> path_length_px;
-    /// Per piece: PieceEnds bits.
-    Array<std::uint8_t> ends;
-    /// Per point: pixels (screen), reversed screen-linear depth (base/view.h; before_all where nothing hides the
-    /// path), view space.
     Array<vec2> px;
     Array<float> depth;
     Array<vec3> position_view;
-    /// Per point: arc length in pixels along the whole path, 0 at the path's middle, independent of clipping.
     Array<double> arc_px;
-    /// Per point: where on the path it is: point index in Paths, and the fraction towards the next one.
     Array<Index> source;
     Array<float> source_t;
-    /// Per segment (indexed by its first point): the two facets at its mesh edge, numbered over the whole scene;
-    /// `none` where there are fewer. Visibility ignores them.
     Array<Index> facet0, facet1;
-    /// Per segment: its samples are sample_start .. sample_start + sample_count of the atlas; sample j lies at the
-    /// screen fraction (j + 0.5) / sample_count of the segment.
     Array<Index> sample_start, sample_count;
+
+    static constexpr std::tuple piece_columns{
+        Column{"path", &ClippedPaths::path, "(Q,) uint32 path it comes from"},
+        Column{"closed", &ClippedPaths::closed,
+               "(Q,) uint8: 1 where a whole closed path lies inside the frame (first and last point coincide)"},
+        Column{"free_ends", &ClippedPaths::free_ends,
+               "(Q,) uint8: 1 where it starts, 2 where it ends with an end of the path that touches no other line: "
+               "there pens taper"},
+        Column{"path_length_px", &ClippedPaths::path_length_px,
+               "(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies "
+               "behind the near plane, which has no pixels, does not count"},
+        Column{"ends", &ClippedPaths::ends,
+               "(Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the "
+               "frame cuts it"}};
+    static constexpr std::tuple point_columns{
+        Column{"px", &ClippedPaths::px, "(M, 2) float32 pixels"},
+        Column{"depth", &ClippedPaths::depth,
+               "(M,) float32, reversed and screen-linear (base/view.h); before_all where nothing hides the path"},
+        Column{"position_view", &ClippedPaths::position_view, "(M, 3) float32 view space"},
+        Column{"arc_px", &ClippedPaths::arc_px,
+               "(M,) float64 arc length in pixels along the whole path, 0 at its middle, independent of clipping"},
+        Column{"source", &ClippedPaths::source, "(M,) uint32 point of Paths"},
+        Column{"source_t", &ClippedPaths::source_t, "(M,) float32 fraction towards the next point"},
+        Column{"facet0", &ClippedPaths::facet0,
+               "(M,) uint32: with facet1 the facets at the mesh edge of the segment from this point, numbered over the "
+               "whole scene, which visibility ignores; 0xffffffff: none"},
+        Column{"facet1", &ClippedPaths::facet1, "(M,) uint32: see facet0"},
+        Column{"sample_start", &ClippedPaths::sample_start,
+               "(M,) uint32: the segment from this point has the samples sample_start .. sample_start + sample_count of "
+               "the atlas; sample j lies at its screen fraction (j + 0.5) / sample_count"},
+        Column{"sample_count", &ClippedPaths::sample_count, "(M,) uint32, 0 at the end of a piece"}};
+
     /// Samples in the atlas.
     Index samples = 0;
     /// Whether screen fractions of a segment are also fractions of it in space.

@@ -43,10 +43,9 @@ class Projector {
 
     /// Room for so many pieces and points, so that arrays do not grow step by step.
     void reserve(std::size_t pieces, std::size_t points) {
-        const auto each = [](std::size_t count, auto&... arrays) { (arrays.reserve(count), ...); };
-        each(pieces, out.path, out.closed, out.free_ends, out.ends, out.path_length_px, out.pieces.offsets);
-        each(points, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
-             out.sample_start, out.sample_count);
+        reserve_columns(out, ClippedPaths::piece_columns, pieces);
+        reserve_columns(out, ClippedPaths::point_columns, points);
+        out.pieces.offsets.reserve(pieces);
     }
 
     void add(Index path) {
@@ -210,8 +209,7 @@ class Projector {
     void finish_piece(Index path, Index begin) {
         if (stops_.empty()) return;
         const std::size_t count = stops_.size(), first = out.px.size();
-        grow(count, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0, out.facet1,
-             out.sample_start, out.sample_count);
+        resize_columns(out, ClippedPaths::point_columns, first + count);
         std::uint64_t total = 0;
         for (std::size_t k = 0; k < count; ++k) {
             write_point(first + k, begin, stops_[k]);
@@ -222,25 +220,17 @@ class Projector {
         check(out.samples + total < none, too_many_samples);
         stops_.clear();
         if (total == 0 || (count == 2 && total == 1)) {
-            grow(-count, out.px, out.depth, out.position_view, out.arc_px, out.source, out.source_t, out.facet0,
-                 out.facet1, out.sample_start, out.sample_count);
+            resize_columns(out, ClippedPaths::point_columns, first);
             return;
         }
         for (std::size_t i = first; i < first + count; ++i) {
             out.sample_start[i] = out.samples;
             out.samples += out.sample_count[i];
         }
-        out.path.push_back(path);
-        out.closed.push_back(0);
-        out.free_ends.push_back(0);
-        out.ends.push_back(0);
-        out.path_length_px.push_back(p_.arc_px.back());
+        append_zeros(out, ClippedPaths::piece_columns);
+        out.path.back() = path;
+        out.path_length_px.back() = p_.arc_px.back();
         out.pieces.offsets.push_back(static_cast<Index>(first + count));
-    }
-
-    template <typename... T>
-    static void grow(std::size_t by, Array<T>&... arrays) {
-        (arrays.resize(arrays.size() + by), ...);
     }
 
     void write_point(std::size_t at, Index begin, const Stop& stop) {
@@ -307,24 +297,9 @@ struct Start {
 };
 
 void append(const ClippedPaths& part, Start at, ClippedPaths& all) {
-    const auto copy = [](const auto& from, auto& to, std::size_t where) {
-        std::copy(from.begin(), from.end(), to.begin() + where);
-    };
     for (Index q = 0; q < part.path.size(); ++q) all.pieces.offsets[at.piece + q] = at.point + part.pieces.begin(q);
-    copy(part.path, all.path, at.piece);
-    copy(part.closed, all.closed, at.piece);
-    copy(part.free_ends, all.free_ends, at.piece);
-    copy(part.ends, all.ends, at.piece);
-    copy(part.path_length_px, all.path_length_px, at.piece);
-    copy(part.px, all.px, at.point);
-    copy(part.depth, all.depth, at.point);
-    copy(part.position_view, all.position_view, at.point);
-    copy(part.arc_px, all.arc_px, at.point);
-    copy(part.source, all.source, at.point);
-    copy(part.source_t, all.source_t, at.point);
-    copy(part.facet0, all.facet0, at.point);
-    copy(part.facet1, all.facet1, at.point);
-    copy(part.sample_count, all.sample_count, at.point);
+    copy_columns(part, ClippedPaths::piece_columns, all, at.piece);
+    copy_columns(part, ClippedPaths::point_columns, all, at.point);
     for (std::size_t i = 0; i < part.px.size(); ++i) all.sample_start[at.point + i] = at.sample + part.sample_start[i];
 }
 
@@ -342,10 +317,8 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
     all.pieces.offsets.resize(piece + 1);
     all.pieces.offsets[piece] = Index(point);
     all.samples = Index(sample);
-    const auto resize = [](std::size_t count, auto&... arrays) { (arrays.resize(count), ...); };
-    resize(piece, all.path, all.closed, all.free_ends, all.ends, all.path_length_px);
-    resize(point, all.px, all.depth, all.position_view, all.arc_px, all.source, all.source_t, all.facet0, all.facet1,
-           all.sample_start, all.sample_count);
+    resize_columns(all, ClippedPaths::piece_columns, piece);
+    resize_columns(all, ClippedPaths::point_columns, point);
     parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) { append(parts[b], starts[b], all); });
     return all;
 }

@@ -69,14 +69,7 @@ Strokes join(std::vector<Strokes>& blocks) {
     check(vertices.back() < none, "strokes: too many vertices for 32-bit indices");
 
     Strokes all;
-    all.px.resize(vertices.back());
-    all.arc.resize(vertices.back());
-    all.half_width.resize(vertices.back());
-    all.opacity.resize(vertices.back());
-    all.mix.resize(vertices.back());
-    all.path_px.resize(vertices.back());
-    all.pen.resize(vertices.back());
-    all.piece.resize(vertices.back());
+    resize_columns(all, Strokes::vertex_columns, vertices.back());
     all.triangles.resize(triangles.back());
     for (const Strokes& b : blocks) all.count += b.count;
     parallel_for(
@@ -84,14 +77,7 @@ Strokes join(std::vector<Strokes>& blocks) {
         [&](std::size_t i) {
             const Strokes block = std::move(blocks[i]);
             const std::size_t v = vertices[i];
-            std::ranges::copy(block.px, all.px.begin() + v);
-            std::ranges::copy(block.arc, all.arc.begin() + v);
-            std::ranges::copy(block.half_width, all.half_width.begin() + v);
-            std::ranges::copy(block.opacity, all.opacity.begin() + v);
-            std::ranges::copy(block.mix, all.mix.begin() + v);
-            std::ranges::copy(block.path_px, all.path_px.begin() + v);
-            std::ranges::copy(block.pen, all.pen.begin() + v);
-            std::ranges::copy(block.piece, all.piece.begin() + v);
+            copy_columns(block, Strokes::vertex_columns, all, v);
             std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
                                    [&](glm::uvec3 t) { return t + Index(v); });
         },

@@ -75,19 +75,11 @@ void expect_same_bytes(const Array<T>& a, const Array<T>& b, const std::string& 
 
 void expect_same(const Paths& a, const Paths& b, const std::string& name) {
     expect_same_bytes(a.rows.offsets, b.rows.offsets, name + ": rows");
-    expect_same_bytes(a.closed, b.closed, name + ": closed");
-    expect_same_bytes(a.id, b.id, name + ": id");
-    expect_same_bytes(a.placement, b.placement, name + ": placement");
-    expect_same_bytes(a.line_set, b.line_set, name + ": line set");
-    expect_same_bytes(a.free_ends, b.free_ends, name + ": free ends");
-    expect_same_bytes(a.of_view, b.of_view, name + ": of the view");
-    expect_same_bytes(a.points_obj, b.points_obj, name + ": points");
-    expect_same_bytes(a.arc_obj, b.arc_obj, name + ": arc");
-    expect_same_bytes(a.place, b.place, name + ": place");
-    expect_same_bytes(a.edge_t, b.edge_t, name + ": place on the edge");
-    expect_same_bytes(a.other_facet, b.other_facet, name + ": other facet");
-    expect_same_bytes(a.kinds, b.kinds, name + ": kinds");
-    expect_same_bytes(a.strength, b.strength, name + ": strength");
+    const auto compare = [&](const auto& column) {
+        expect_same_bytes(a.*column.array, b.*column.array, name + ": " + column.name);
+    };
+    for_each_column(Paths::path_columns, compare);
+    for_each_column(Paths::point_columns, compare);
 }
 
 /// Corners of the edge or triangle that a segment lies on.
