@@ -154,7 +154,7 @@ void bind_strokes(py::module_& m) {
         };
     };
     py::class_<Strokes, std::shared_ptr<Strokes>>(
-        m, "Strokes", "Visible runs shaped into V vertices and T triangles; see addon/stages.py.")
+        m, "Strokes", "Visible runs shaped into V vertices and T triangles; see native/stroke/strokes.h.")
         .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"),
              py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0,
              py::arg("mix") = py::none(), py::arg("path_px") = py::none())
