@@ -30,7 +30,7 @@ FIGURES = {  # name: the words of `fovea draw`
     "hidden-office": ["office", "--style", "technical", "--hidden-by", "1"],
     "halo-crank-arm": [CRANK_ARM, "--style", "plain", "--halo", "8"],
     "halo-office": ["office", "--style", "plain", "--halo", "5"],
-    "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20"],
+    "overshoot-crank-arm": [CRANK_ARM, "--style", "pencil", "--overshoot", "20", "--size", "1200x675"],
     "overshoot-office": ["office", "--style", "plain", "--overshoot", "9"],
 }  # fmt: skip
 
