@@ -23,6 +23,7 @@ CurveChains chain_of(const std::vector<float>& strengths, bool closed = false) {
         chains.strength.push_back(strengths[i]);
         chains.triangle.push_back(Index(last && i > 0 ? i - 1 : i) + 10);
         chains.side.push_back(Index(i));
+        chains.other.push_back(chains.triangle.back() + 100);
     }
     if (closed) chains.point.back() = chains.point.front();
     chains.closed.push_back(closed);
@@ -68,6 +69,13 @@ TEST(Hysteresis, AWeakChainGoesAndSoDoesAShortOne) {
     EXPECT_EQ(select_stretches(chain_of({.5f, .5f, .5f, .5f}), {.reach = 0.5f, .least = 2.5}).rows.count(), 1u);
     EXPECT_EQ(select_stretches(chain_of({1, 1, 1}), {.reach = 0.5f, .least = 2.5}).rows.count(), 1u)
         << "a stronger one may be shorter";
+}
+
+TEST(Hysteresis, WhatStaysOfAChainLiesInTheSameTrianglesOfBothSurfaces) {
+    const CurveChains cut = select_stretches(chain_of({1, 1, 0, 0, 1, 1}), {.level = 0.5f, .reach = 0.5f});
+    ASSERT_GT(cut.point.size(), 3u);
+    ASSERT_EQ(cut.other.size(), cut.point.size());
+    for (std::size_t i = 0; i < cut.other.size(); ++i) EXPECT_EQ(cut.other[i], cut.triangle[i] + 100) << i;
 }
 
 TEST(Hysteresis, CutsWhereTheStrengthCrossesTheLevel) {
