@@ -111,42 +111,48 @@ def coarser(options, quality):
 
 
 class Budget:
-    """Chooses among QUALITIES by what their stages cost when they were drawn last."""
+    """Chooses among QUALITIES by what their stages cost when they were drawn last. `cold`: of the first picture of a
+    scene that has changed, for which all must be found that is kept for those after it; such costs are told apart."""
 
     def __init__(self):
-        self._cost = {}  # (stage, what of the quality changes it) -> ms
+        self._cost = {}  # (stage, what of the quality changes it, cold) -> ms
 
-    def note(self, index, stages):
+    def note(self, index, stages, *, cold=False):
         """What the stages {name: ms} of a picture in the quality of that index took. Where a stage takes longer than it
         used to, the machine has more to do or the scene has more in it: so it will in the other qualities, too."""
         for stage, ms in stages.items():
-            key = self._key(stage, QUALITIES[index])
+            key = self._key(stage, QUALITIES[index], cold)
             before = self._cost.setdefault(key, ms)
             now = 0.5 * (before + ms)
-            for other in [key for key in self._cost if key[0] == stage]:
+            for other in [other for other in self._cost if (other[0], other[2]) == (stage, cold)]:
                 self._cost[other] *= now / before if before > 0 else 1.0
             self._cost[key] = now
 
     def known(self):
         return bool(self._cost)
 
-    def predicted(self, index):
-        """ms that a picture in this quality takes. A stage that was not measured in it costs as much as the dearest
-        way in which it was."""
-        quality, total = QUALITIES[index], 0.0
-        for stage in {stage for stage, _ in self._cost}:
-            if stage == "elision" and not quality.elision:
-                continue
-            exact = self._cost.get(self._key(stage, quality))
-            total += exact if exact is not None else max(ms for key, ms in self._cost.items() if key[0] == stage)
-        return total
+    def predicted(self, index, *, cold=False):
+        """ms that a picture in this quality takes."""
+        quality = QUALITIES[index]
+        stages = {key[0] for key in self._cost if key[0] != "elision" or quality.elision}
+        return sum(self._cost_of(stage, quality, cold) for stage in stages)
 
-    def choose(self, budget_ms, last=None):
+    def _cost_of(self, stage, quality, cold):
+        """ms that a stage takes. Where it was not measured so, as much as the dearest way in which it was, or as it took
+        cold."""
+        exact = self._cost.get(self._key(stage, quality, cold))
+        if exact is not None:
+            return exact
+        found = {key: ms for key, ms in self._cost.items() if key[0] == stage}
+        dearest = max([ms for key, ms in found.items() if key[2] == cold] or found.values())
+        return dearest if cold else min(dearest, found.get(self._key(stage, quality, True), dearest))
+
+    def choose(self, budget_ms, last=None, *, cold=False):
         """Index of the best quality that keeps within the budget, or that is nearly as fast as the fastest. `last`: the
         one drawn before, which needs no margin."""
         if not self.known():
             return UNKNOWN
-        predicted = [self.predicted(i) for i in range(len(QUALITIES))]
+        predicted = [self.predicted(i, cold=cold) for i in range(len(QUALITIES))]
         chosen = self._least_within(budget_ms, predicted, last)
         # What is coarser than all that was ever drawn may be faster than it is thought to be.
         coarser = 1 + max(i for i in range(len(QUALITIES)) if i == 0 or self._measured(i))
@@ -166,8 +172,8 @@ class Budget:
     def _measured(self, index):
         """Whether all stages were drawn in this quality."""
         quality = QUALITIES[index]
-        stages = {stage for stage, _ in self._cost if stage != "elision" or quality.elision}
-        return all(self._key(stage, quality) in self._cost for stage in stages)
+        stages = {key[0] for key in self._cost if key[0] != "elision" or quality.elision}
+        return all(any(self._key(stage, quality, cold) in self._cost for cold in (False, True)) for stage in stages)
 
     def next_at_rest(self, shown):
         """Index of the quality that comes after that of the picture shown, on the way to the best."""
@@ -178,5 +184,5 @@ class Budget:
         return 0
 
     @staticmethod
-    def _key(stage, quality):
-        return stage, tuple(getattr(quality, name) for name in DEPENDS.get(stage, ()))
+    def _key(stage, quality, cold):
+        return stage, tuple(getattr(quality, name) for name in DEPENDS.get(stage, ())), cold

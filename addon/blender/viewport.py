@@ -83,6 +83,7 @@ class Viewport:
         self.budget = budget.Budget()
         self._programs = gpu_program.Programs()
         self.wanted = self.shown = self.job = None
+        self._warm = None  # what was Gathered for the picture that was made last
         self.playing = False
         self._said_at = 0.0
 
@@ -127,12 +128,17 @@ class Viewport:
     def _draw(self, engine, budget_ms, deadline):
         """Begins what is to be drawn next, and takes it if it is made before the deadline."""
         if not self._is_current():
-            self._start(self.budget.choose(budget_ms, self.shown and self.shown.quality), draft=True)
+            cold = self._is_cold(self.wanted)
+            self._start(self.budget.choose(budget_ms, self.shown and self.shown.quality, cold=cold), draft=True)
             if self.job.wait(deadline - time.monotonic()):
                 self._take(engine)
         elif self.job is None and not self._in_thread() and not self.is_final() and caretaker.rests():
             self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
             self._take(engine)
+
+    def _is_cold(self, wanted):
+        """Whether a picture is the first one of a scene that has changed."""
+        return wanted.scene.gathered.changed and wanted.scene.gathered is not self._warm
 
     def _in_thread(self):
         return self.wanted.backend.name == "cpu"
@@ -158,7 +164,9 @@ class Viewport:
             start, made = time.perf_counter(), job.result
             self.shown = _Picture(made.wanted, made.quality, gpu_viewport.Picture(made.image.combined))
             show = 1000 * (time.perf_counter() - start)
-            self.budget.note(made.quality, {**made.image.statistics["stages"], "show": show})
+            stages = {**made.image.statistics["stages"], "show": show}
+            self.budget.note(made.quality, stages, cold=self._is_cold(made.wanted))
+            self._warm = made.wanted.scene.gathered
             session.note_statistics(made.wanted.scene.gathered, made.image)
             engine.update_stats("", "")
 

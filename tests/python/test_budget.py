@@ -125,3 +125,17 @@ def test_a_smaller_view_shows_the_same_part_of_the_world():
     whole, least = view.smaller(1.0), view.smaller(1e-4)
     assert (whole.width, whole.height, whole.frame, whole.reference_scale) == (961, 541, frame, 0.5)
     assert (least.width, least.height) == (1, 1)
+
+
+def test_what_the_first_picture_of_a_changed_scene_took_says_nothing_of_those_after_it():
+    """A draft that had to find all that is kept: others are not thought to be as much faster as the next draft is."""
+    one = budget.Budget()
+    one.note(3, {"lines": 500, "visibility": 50}, cold=True)
+    one.note(0, {"lines": 300, "visibility": 200})
+    whole = one.predicted(0)
+    for _ in range(6):
+        one.note(4, {"lines": 30, "visibility": 20})
+        one.note(5, {"lines": 30, "visibility": 15})
+    assert one.predicted(0) == pytest.approx(whole, rel=0.3)
+    assert one.choose(1.0) >= 4
+    assert one.predicted(4, cold=True) >= 500, "as it was the last time"

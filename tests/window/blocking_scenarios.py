@@ -78,7 +78,7 @@ def long_pictures(folder):
 def gave_way(watch):
     """A refinement is held up, then a thing moves: drafts that came meanwhile, and what was drawn in the end."""
     old, caught = viewport.budget.Budget.choose, []
-    viewport.budget.Budget.choose = lambda *_: 3  # so that there is something to refine
+    viewport.budget.Budget.choose = lambda *_, **__: 3  # so that there is something to refine
     nudge()
     screen.swap()
     yield from screen.until(lambda: watch.of(screen.area()).job is None)

@@ -87,7 +87,7 @@ def coarse(watch, obj):
     """A draft of half the size beside the refined picture: how far apart they are where blurred, how much ink each has,
     and the same when the draft is shifted by two pixels of it."""
     budget = part("budget")
-    old, budget.Budget.choose = budget.Budget.choose, lambda *_: 4
+    old, budget.Budget.choose = budget.Budget.choose, lambda *_, **__: 4
     obj.matrix_world = Matrix.Rotation(0.1, 4, "Z") @ obj.matrix_world
     screen.swap()
     chosen = watch.of(screen.area()).shown.quality

@@ -15,7 +15,7 @@ class Watch:
         self.kept = {}  # region -> its Viewport, of those drawn
         self._old = viewport.draw, session.gather, Budget.choose
         viewport.draw, session.gather = self._draw, self._gather
-        Budget.choose = lambda *arguments: self._choose(*arguments)
+        Budget.choose = lambda *arguments, **options: self._choose(*arguments, **options)
         self.reset()
 
     def reset(self):
@@ -32,8 +32,8 @@ class Watch:
         self.draws, self.longest = self.draws + 1, max(self.longest, time.perf_counter() - start)
         self.kept[context.region.as_pointer()] = engine.viewport
 
-    def _choose(self, *arguments):
-        self.drafts.append(self._old[2](*arguments))
+    def _choose(self, *arguments, **options):
+        self.drafts.append(self._old[2](*arguments, **options))
         return self.drafts[-1]
 
     def _gather(self, *arguments, **options):
