@@ -1,10 +1,15 @@
 """A scene to render, and the pictures that renders of it write."""
 
 import subprocess
+import sys
+from pathlib import Path
 
 import bpy
-import numpy as np
 from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, use_style
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+from picture import pixels as pixels_of
 
 SIZE = (160, 90)
 
@@ -30,16 +35,6 @@ def drawn(scene, path):
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
     return pixels_of(path)
-
-
-def pixels_of(path):
-    image = bpy.data.images.load(str(path))
-    image.colorspace_settings.name = "Non-Color"
-    pixels = np.empty(len(image.pixels), np.float32)
-    image.pixels.foreach_get(pixels)
-    width, height = image.size
-    bpy.data.images.remove(image)
-    return pixels.reshape(height, width, -1)
 
 
 def ink(picture):
