@@ -33,6 +33,7 @@ struct RowEdge {
 
 /// Draws rows y0 to y1 of a triangle that lies on a facet.
 void draw_rows(const DepthTriangle& t, int y0, int y1, Index facet, DepthBuffer& buffer) {
+    const TriangleRows rows(t);
     const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), facet, {}};
     for (int y = y0; y < y1; ++y) {
         const RowEdge first(t.corner[0], t.corner[1], y, t.of_mesh[0]), second(t.corner[1], t.corner[2], y, t.of_mesh[1]),
@@ -43,7 +44,7 @@ void draw_rows(const DepthTriangle& t, int y0, int y1, Index facet, DepthBuffer&
             const DepthTexel& texel = row[x];
             return texel.facet == none || depth > texel.depth || (depth == texel.depth && facet < texel.facet);
         };
-        each_texel(t, y, in_front, [&](int x, double depth) {
+        each_texel(rows, y, in_front, [&](int x, double depth) {
             row[x] = plane;
             row[x].depth = static_cast<float>(depth);
             row[x].edges = pack_edges(first.code(x), second.code(x), third.code(x));

@@ -10,7 +10,7 @@ namespace fovea {
 inline constexpr float background_depth = 1e10f;
 
 /// Distance along -z [view space] of the nearest occluding surface at each pixel centre of the tracer's view; width *
-/// height, bottom row first. Drawn, not traced, which takes a third to a fifth of the time or less. Throws
+/// height, bottom row first. Drawn, not traced, which takes a tenth of the time or less. Throws
 /// std::invalid_argument where a surface has moved since the tracer was made.
 Array<float> depth_image(const Tracer& tracer, const Cancel& cancel);
 

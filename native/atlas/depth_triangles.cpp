@@ -8,7 +8,6 @@
 namespace fovea {
 namespace {
 
-constexpr int band_rows = 16;
 constexpr std::size_t block_triangles = 2048;
 constexpr std::size_t group_blocks = 128;
 
@@ -36,11 +35,27 @@ int first_texel(double edge, int size) {
     return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
 }
 
+/// Depth over texels as a plane: the screen image of the triangle's own plane, found without dividing by w, so that
+/// corners behind the eye do no harm. `corner`: (x w, y w, depth w, w) in texels. False for a triangle seen edge on.
+bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
+    const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
+        c(corner[2].x, corner[2].y, corner[2].w);
+    const double det = glm::dot(a, glm::cross(b, c));
+    plane = (glm::cross(b, c) * corner[0].z + glm::cross(c, a) * corner[1].z + glm::cross(a, b) * corner[2].z) / det;
+    return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
+}
+
+/// A triangle of a mesh before it is on the screen.
+struct Source {
+    std::array<dvec4, 3> corner;  ///< (x w, y w, depth w, w) in texels
+    Index mesh, triangle;
+};
+
 /// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
-/// of the near plane; `whole`: its plane and number.
-void append_on_screen(const std::array<dvec3, 3>& clip, const DepthTriangle& whole, const Target& target,
-                      double away, const std::array<bool, 3>& of_mesh, std::vector<DepthTriangle>& out) {
-    DepthTriangle t = whole;
+/// of the near plane.
+void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, const Target& target, double away,
+                      const std::array<bool, 3>& of_mesh, std::vector<DepthTriangle>& out) {
+    DepthTriangle t;
     t.of_mesh = of_mesh;
     for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
     const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
@@ -56,26 +71,25 @@ void append_on_screen(const std::array<dvec3, 3>& clip, const DepthTriangle& who
         std::swap(t.corner[1], t.corner[2]);
         std::swap(t.of_mesh[0], t.of_mesh[2]);
     }
+    if (!depth_plane(source.corner, t.plane)) return;
+    t.mesh = source.mesh;
+    t.triangle = source.triangle;
     out.push_back(t);
 }
 
-/// Depth over texels as a plane: the screen image of the triangle's own plane, found without dividing by w, so that
-/// corners behind the eye do no harm. `corner`: (x w, y w, depth w, w) in texels. False for a triangle seen edge on.
-bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
-    const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
-        c(corner[2].x, corner[2].y, corner[2].w);
-    const double det = glm::dot(a, glm::cross(b, c));
-    plane = (glm::cross(b, c) * corner[0].z + glm::cross(c, a) * corner[1].z + glm::cross(a, b) * corner[2].z) / det;
-    return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
-}
-
 /// Cuts the triangle at the near plane (depth <= 1) and appends what is left, as one triangle or two.
-void append_clipped(const std::array<dvec4, 3>& corner, DepthTriangle whole, const Target& target, double away,
-                    std::vector<DepthTriangle>& out) {
+void append_clipped(const Source& source, const Target& target, double away, std::vector<DepthTriangle>& out) {
+    const auto& corner = source.corner;
     std::array<double, 3> inside;
     int kept = 0;
     for (int i = 0; i < 3; ++i) kept += (inside[i] = corner[i].w - corner[i].z) >= 0.0;
-    if (kept == 0 || !depth_plane(corner, whole.plane)) return;
+    if (kept == 0) return;
+    if (kept == 3) {
+        append_on_screen({dvec3(corner[0].x, corner[0].y, corner[0].w), dvec3(corner[1].x, corner[1].y, corner[1].w),
+                          dvec3(corner[2].x, corner[2].y, corner[2].w)},
+                         source, target, away, {true, true, true}, out);
+        return;
+    }
     std::array<dvec3, 4> polygon;
     std::array<bool, 4> of_mesh;  // the edge from each corner to the next
     int count = 0;
@@ -92,7 +106,7 @@ void append_clipped(const std::array<dvec4, 3>& corner, DepthTriangle whole, con
         }
     }
     for (int i = 2; i < count; ++i)
-        append_on_screen({polygon[0], polygon[i - 1], polygon[i]}, whole, target, away,
+        append_on_screen({polygon[0], polygon[i - 1], polygon[i]}, source, target, away,
                          {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
 }
 
@@ -122,27 +136,36 @@ void append_triangles(In<DepthMesh> meshes, const Block& block, const Target& ta
     const dmat4 matrix = to_texels * target.view_to_depth_clip * mesh.object_to_view;
     const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
-        std::array<dvec4, 3> corner;
-        for (int k = 0; k < 3; ++k) corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
-        DepthTriangle whole;
-        whole.mesh = block.mesh;
-        whole.triangle = static_cast<Index>(i);
-        append_clipped(corner, whole, target, away, out);
+        Source source{{}, block.mesh, static_cast<Index>(i)};
+        for (int k = 0; k < 3; ++k) source.corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
+        append_clipped(source, target, away, out);
     }
 }
 
-/// Bands of rows that each triangle touches, as rows of triangle numbers in drawing order.
-Rows bin_triangles(const std::vector<DepthTriangle>& triangles, int bands, Array<Index>& members) {
-    Rows rows;
-    rows.offsets.assign(bands, 0);
-    for (const auto& t : triangles)
-        for (int b = t.y0 / band_rows; b <= (t.y1 - 1) / band_rows; ++b) ++rows.offsets[b];
-    counts_to_offsets(rows.offsets);
-    members.resize(rows.offsets.back());
-    Array<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-    for (Index i = 0; i < triangles.size(); ++i)
-        for (int b = triangles[i].y0 / band_rows; b <= (triangles[i].y1 - 1) / band_rows; ++b) members[next[b]++] = i;
-    return rows;
+/// What is to be drawn of a block: its triangles, and those of each band of rows in the order of the mesh.
+struct Binned {
+    std::vector<DepthTriangle> triangles;
+    Rows bands;
+    Array<Index> members;
+};
+
+Binned bin_block(In<DepthMesh> meshes, const Block& block, const Target& target, int bands) {
+    Binned binned;
+    append_triangles(meshes, block, target, binned.triangles);
+    const auto each_band = [&](const auto& visit) {
+        for (Index i = 0; i < binned.triangles.size(); ++i) {
+            const int first = binned.triangles[i].y0 / depth_band_rows;
+            const int last = (binned.triangles[i].y1 - 1) / depth_band_rows;
+            for (int band = first; band <= last; ++band) visit(band, i);
+        }
+    };
+    binned.bands.offsets.assign(bands, 0);
+    each_band([&](int band, Index) { ++binned.bands.offsets[band]; });
+    counts_to_offsets(binned.bands.offsets);
+    binned.members.resize(binned.bands.offsets.back());
+    Array<Index> next(binned.bands.offsets.begin(), binned.bands.offsets.end() - 1);
+    each_band([&](int band, Index i) { binned.members[next[band]++] = i; });
+    return binned;
 }
 
 void check_mesh(const DepthMesh& mesh, std::size_t number) {
@@ -161,27 +184,43 @@ bool DepthTriangle::covers(dvec2 p) const {
     return true;
 }
 
-TexelRow texel_row(const DepthTriangle& t, int y) {
-    double begin = t.x0, end = t.x1, sure_begin = begin, sure_end = end;
+TriangleRows::TriangleRows(const DepthTriangle& t) : triangle_(t), plane_(t.plane) {
+    left_.fill({-HUGE_VAL, 0.0});
+    right_.fill({HUGE_VAL, 0.0});
+    int lefts = 0, rights = 0;
+    double reach = 1.0;
     for (int i = 0; i < 3; ++i) {
         const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
+        reach = std::max({reach, std::abs(a.x), std::abs(a.y)});
         if (a.y == b.y) continue;
-        const double x = a.x + (b.x - a.x) * ((y + 0.5 - a.y) / (b.y - a.y)) - 0.5;
-        if (!std::isfinite(x)) {  // the edge has next to no height
-            sure_end = t.x0;
+        const double step = (b.x - a.x) / (b.y - a.y);
+        const Side side{a.x - 0.5 + step * (0.5 - a.y), step};
+        if (!std::isfinite(side.at)) {  // the edge has next to no height
+            unsure_ = HUGE_VAL;
             continue;
         }
-        const double off = 1e-9 * (1.0 + std::abs(a.x) + std::abs(b.x));  // far more than what rounding moves it by
-        if (a.y > b.y) {
-            begin = std::max(begin, std::ceil(x - off));
-            sure_begin = std::max(sure_begin, std::ceil(x + off));
-        } else {
-            end = std::min(end, std::floor(x + off) + 1.0);
-            sure_end = std::min(sure_end, std::floor(x - off) + 1.0);
-        }
+        reach = std::max(reach, std::abs(side.at));
+        (a.y > b.y ? left_[lefts++] : right_[rights++]) = side;
     }
-    const auto texel = [&](double edge) { return static_cast<int>(std::clamp(edge, double(t.x0), double(t.x1))); };
-    return {texel(begin), texel(end), texel(sure_begin), texel(sure_end)};
+    unsure_ = std::max(unsure_, 1e-9 * reach);  // far more than what rounding moves a crossing by
+}
+
+TriangleRows::Texels TriangleRows::covered(int y) const {
+    const auto in_box = [&](double x) { return std::clamp(x, double(triangle_.x0), double(triangle_.x1)); };
+    const auto from = [&](double x) {  // x rounded up
+        const double edge = in_box(x);
+        const int whole = static_cast<int>(edge);
+        return whole + (whole < edge);
+    };
+    const auto up_to = [&](double x) { return static_cast<int>(in_box(x + 1.0)); };
+    const double left = std::max(left_[0].at + left_[0].step * y, left_[1].at + left_[1].step * y);
+    const double right = std::min(right_[0].at + right_[0].step * y, right_[1].at + right_[1].step * y);
+    int begin = from(left - unsure_), end = up_to(right + unsure_);
+    const int sure_begin = from(left + unsure_), sure_end = up_to(right - unsure_);
+    const auto covers = [&](int x) { return triangle_.covers(dvec2(x + 0.5, y + 0.5)); };
+    while (begin < std::min(sure_begin, end) && !covers(begin)) ++begin;
+    while (end > std::max(sure_end, begin) && !covers(end - 1)) --end;
+    return {begin, end};
 }
 
 void draw_triangles(const DepthBuffer& layout, const View& view, In<DepthMesh> meshes, const Cancel* cancel,
@@ -189,22 +228,20 @@ void draw_triangles(const DepthBuffer& layout, const View& view, In<DepthMesh> m
     for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
     const Target target{layout.width, layout.height, view_to_depth_clip(view, layout)};
     const std::vector<Block> blocks = divide(meshes);
-    const int bands = (layout.height + band_rows - 1) / band_rows;
+    const int bands = (layout.height + depth_band_rows - 1) / depth_band_rows;
     // Groups bound the memory; their order, and the order inside, is that of the input.
     for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {
         if (cancel) cancel->poll();
-        std::vector<std::vector<DepthTriangle>> parts(std::min(group_blocks, blocks.size() - start));
-        parallel_for(parts.size(), [&](std::size_t i) { append_triangles(meshes, blocks[start + i], target, parts[i]); }, 1);
-        std::vector<DepthTriangle> triangles;
-        for (const auto& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());
-        Array<Index> members;
-        const Rows rows = bin_triangles(triangles, bands, members);
+        std::vector<Binned> binned(std::min(group_blocks, blocks.size() - start));
+        const auto bin = [&](std::size_t i) { binned[i] = bin_block(meshes, blocks[start + i], target, bands); };
+        parallel_for(binned.size(), bin, 1);
         parallel_for(bands, [&](std::size_t band) {
-            const int begin = int(band) * band_rows, end = std::min(begin + band_rows, layout.height);
-            for (Index m = rows.begin(Index(band)); m < rows.end(Index(band)); ++m) {
-                const DepthTriangle& t = triangles[members[m]];
-                draw(t, std::max(begin, t.y0), std::min(end, t.y1));
-            }
+            const int begin = int(band) * depth_band_rows, end = std::min(begin + depth_band_rows, layout.height);
+            for (const Binned& part : binned)
+                for (Index m = part.bands.begin(Index(band)); m < part.bands.end(Index(band)); ++m) {
+                    const DepthTriangle& t = part.triangles[part.members[m]];
+                    draw(t, std::max(begin, t.y0), std::min(end, t.y1));
+                }
         }, 1);
     }
 }

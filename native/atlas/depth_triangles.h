@@ -22,25 +22,46 @@ struct DepthTriangle {
     bool covers(dvec2 p) const;
 };
 
-/// Texels begin to end of a row: those whose centres a triangle covers, and those that lie so near to an edge that
-/// `covers` must be asked: before `sure_begin` and from `sure_end` on.
-struct TexelRow {
-    int begin, end, sure_begin, sure_end;
+/// Which texels a triangle covers, row by row. The triangle is borrowed.
+class TriangleRows {
+   public:
+    explicit TriangleRows(const DepthTriangle& triangle);
+
+    /// Texels of a row, from left to right; `end` is excluded.
+    struct Texels {
+        int begin, end;
+    };
+    /// Those whose centres are covered: of a convex shape they lie side by side.
+    Texels covered(int y) const;
+
+    double depth(int x, double depth_y) const { return plane_.x * (x + 0.5) + depth_y; }
+    /// The part of `depth` that a whole row shares.
+    double depth_y(int y) const { return plane_.y * (y + 0.5) + plane_.z; }
+
+   private:
+    /// Where the line of an edge crosses the middle of the rows: at + step * y [texels' centres].
+    struct Side {
+        double at, step;
+    };
+    const DepthTriangle& triangle_;
+    dvec3 plane_;
+    std::array<Side, 2> left_, right_;  // without an edge: one that cuts nothing off
+    double unsure_ = 0.0;  // centres that lie nearer to an edge are asked for with `covers`
 };
-TexelRow texel_row(const DepthTriangle& triangle, int y);
 
 /// put(x, depth) for each texel (x, y) that the triangle covers and where in_front(x, depth).
 template <typename InFront, typename Put>
-void each_texel(const DepthTriangle& triangle, int y, const InFront& in_front, const Put& put) {
-    const TexelRow row = texel_row(triangle, y);
-    const double depth_y = triangle.plane.y * (y + 0.5) + triangle.plane.z;
-    for (int x = row.begin; x < row.end; ++x) {
-        const double depth = triangle.plane.x * (x + 0.5) + depth_y;
-        if (!in_front(x, depth)) continue;
-        if ((x < row.sure_begin || x >= row.sure_end) && !triangle.covers(dvec2(x + 0.5, y + 0.5))) continue;
-        put(x, depth);
+void each_texel(const TriangleRows& rows, int y, const InFront& in_front, const Put& put) {
+    const double depth_y = rows.depth_y(y);
+    const auto [begin, end] = rows.covered(y);
+    for (int x = begin; x < end; ++x) {
+        const double depth = rows.depth(x, depth_y);
+        if (in_front(x, depth)) put(x, depth);
     }
 }
+
+/// Rows of a band; the first band begins at row 0.
+inline constexpr int depth_band_rows = 16;
 
 /// draw(triangle, y0, y1) for every triangle that may cover a texel's centre in the rows y0 to y1 (excluded) of a
 /// layout: side by side for bands of rows, within each in the order of the meshes. What lies nearer than the near plane

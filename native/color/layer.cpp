@@ -28,6 +28,7 @@ class Items {
         Array<float> depths(items_.size());
         const auto draw = [&](const DepthTriangle& triangle, int y0, int y1) {
             const Index item = first_[triangle.mesh] + triangle.triangle;
+            const TriangleRows rows(triangle);
             for (int y = y0; y < y1; ++y) {
                 Index* items = &items_[std::size_t(y) * width_];
                 float* nearest = &depths[std::size_t(y) * width_];
@@ -35,7 +36,7 @@ class Items {
                     const float depth = static_cast<float>(exact);
                     return items[x] == none || depth > nearest[x] || (depth == nearest[x] && item < items[x]);
                 };
-                each_texel(triangle, y, in_front, [&](int x, double depth) {
+                each_texel(rows, y, in_front, [&](int x, double depth) {
                     items[x] = item;
                     nearest[x] = static_cast<float>(depth);
                 });

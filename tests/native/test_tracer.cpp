@@ -188,6 +188,32 @@ TEST(Seen, DepthIsWhatARayThroughThePixelsCentreMeets) {
     }
 }
 
+TEST(Seen, DepthOfACrowdIsWhatRaysMeetInAnyOrder) {
+    // Boxes behind boxes, in an image of no whole number of tiles: most are left out when near ones come first.
+    std::vector<Placement> near_first;
+    for (int i = 0; i < 4000; ++i) {
+        const double turn = 2.399963 * i, away = 0.004 * i;
+        near_first.push_back(place(box(), moved({3 * std::cos(turn), away, 2 * std::sin(turn)}) * scaled(dvec3(0.25)), i + 1));
+    }
+    const std::vector<Placement> far_first(near_first.rbegin(), near_first.rend());
+    for (const bool ortho : {false, true}) {
+        const View view = ortho ? orthographic({0.3, -9, 1}, {0, 0, 0}, 5, 203, 117)
+                                : perspective({0.3, -9, 1}, {0, 0, 0}, 40, 203, 117);
+        const Scene scene(near_first), turned_round(far_first);
+        const Tracer tracer(scene, view);
+        const Array<float> depth = depth_image(tracer, Cancel());
+        EXPECT_EQ(depth, depth_image(Tracer(turned_round, view), Cancel()));
+        int differing = 0;
+        for (int y = 0; y < view.height; ++y)
+            for (int x = 0; x < view.width; ++x) {
+                const auto hit = tracer.seen({x + 0.5, y + 0.5});
+                const float traced = hit ? hit->t : background_depth;
+                differing += std::abs(depth[view.width * y + x] - traced) > 2e-5f * traced;
+            }
+        EXPECT_LE(differing, 2);
+    }
+}
+
 TEST(Seen, HoldoutsCutTheirShareOfThePixels) {
     const Placement hole = place(grid(1), moved({0, 0, -4}), 1, usage_holdout);
     const View view = perspective({0, 0, 0}, {0, 0, -1}, 18, 64, 48);
