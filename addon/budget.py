@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How good a picture may be when there is little time for it: a ladder of qualities, and which of them to draw in.
 
 While a view moves, each draw should keep within a budget. What the stages cost was measured by the draws before, so

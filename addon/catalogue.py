@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The line definitions and their parameters, as the native registry has them: the one place they are declared.
 
 A definition is a dict of name, label, source (the paper), description, default (on or off), view_dependent, scope

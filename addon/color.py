@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The colour layer of a style, and what a scene brings along for it."""
 
 from dataclasses import dataclass, field

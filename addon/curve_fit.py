@@ -1,4 +1,5 @@
-"""Points for a response curve: the fewest found whose monotone cubic (native/focus/transfer.h) keeps to a given one."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Points for a response curve: the fewest found whose monotone cubic (native/fovea/focus/transfer.h) keeps to a given one."""
 
 from functools import lru_cache
 
@@ -9,7 +10,7 @@ TOLERANCE = 1e-3
 
 def monotone_cubic(points, x):
     """Values at `x` of the curve through (n, 2) points, x ascending; held beyond the first and the last. As
-    native/focus/transfer.cpp joins them."""
+    native/fovea/focus/transfer.cpp joins them."""
     px, py = np.asarray(points, float).T
     if len(px) == 1:
         return np.full(len(x), py[0])

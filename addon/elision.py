@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Line elision of a style: which of the lines that crowd each other stay (native/elision; Cole 2009, 5.2.2)."""
 
 from dataclasses import dataclass

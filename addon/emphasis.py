@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What focus, distance and elision make of a frame: numbers per sample and per pixel, from a style's data."""
 
 from dataclasses import replace

@@ -1,6 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Focus and what answers to it, as data: where the viewer shall look, and a transfer function per effect.
 
-Focus f is 0 where the viewer shall look and 1 far from there; see native/focus/focus.h and transfer.h. Line effects lead
+Focus f is 0 where the viewer shall look and 1 far from there; see native/fovea/focus/focus.h and transfer.h. Line effects lead
 from each pen to the one that is given for lines out of focus, colour effects from nothing to all of the effect.
 """
 

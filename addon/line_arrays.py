@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Lines as polylines in NumPy arrays, for research and scripts: whole paths, or the runs of them that a camera sees.
 
 Polyline i has the points offsets[i] to offsets[i + 1]; M points, R polylines.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the native module, which lies beside this file, and says what is wrong when it cannot be used."""
 
 import importlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Papers with a surface: grey PNG files of the folder `papers`, where white is high."""
 
 from functools import lru_cache

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The whole method on one page: from a scene and a camera to strokes on paper."""
 
 import time

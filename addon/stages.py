@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What passes between Blender, the stages and the backends: frozen records of plain arrays.
 
 Pixels have their origin at the lower left corner of the drawn region, y up, centres at .5. View space looks along -z.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The scene of styles' thumbnails: a jug, a ball and a box on a round table, as plain arrays.
 
 Small, and of everything something: smooth and flat surfaces, hard edges, one thing before another.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Styles as JSON: files of the folder `styles`, each named as its style; what a style is made of: style_parts.py.
 
 What has a wrong type or value is refused with a sentence that names it. What this version does not know is kept, and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """JSON of style files, whatever they hold: what is read is small, not deep, plain text and finite numbers."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A style between two: for changes of style over time.
 
 Numbers and colours go over steadily. Lines that both styles draw go from the one's pen to the other's, lines of one

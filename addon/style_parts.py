@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a style is made of: the paper, the layers under the lines, and an ordered list of line sets with their pens."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Checks of what a style file says: flat records, numbers within their ranges, and no key that is not known."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pen textures of a frame: grey PNG files of the folder `textures`, where white is full ink."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How it is decided what is hidden: the methods, each the same two verbs.
 
     runs(frame, backend, cancel) -> visible Runs, and the samples by which their ends fade, or None where they are sharp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea draw`: opens or builds the scene, frames it, and renders it with Fovea."""
 
 import sys

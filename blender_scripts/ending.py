@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How the scripts that `fovea` runs inside Blender end: where the user can mend what is wrong, with a line that says so
 and exit status 1; else with a traceback."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What addon/docs/first_drawing.md says, done in Blender's own window, and the page's pictures. Runs inside that window
 (window/inside.py)."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Puts a camera before everything that a scene shows."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the papers of addon/papers: python3 blender_scripts/make_papers.py [FOLDER]
 
 Each is a grey PNG of heights, white is high, that repeats without a seam on all sides. A texel is meant to cover about

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pen textures of addon/textures: python3 blender_scripts/make_textures.py [FOLDER]
 
 Each is a grey PNG, white is full ink: columns run along the stroke and repeat without a seam, rows run across it from its

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of the model that
 shows it, the demo scene at each stage of the method and with several places in focus, plots of transfer functions."""
 

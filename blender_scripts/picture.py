@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures in files, by Blender: rendered, and read back."""
 
 import struct

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea scene NAME[:N] -o OUT.blend`: builds a scene, ready to be drawn, and saves it."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Contact sheets: each line definition by itself in a tile, with its label beneath, all seen by the same camera."""
 
 import math

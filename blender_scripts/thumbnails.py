@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea figures thumbnails`: a picture beside each style that ships, of what those of saved
 styles show."""
 

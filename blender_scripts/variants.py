@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea figures`: one of the sheets of command/variants.py, as a JPEG of its tiles."""
 
 import argparse

@@ -1,4 +1,5 @@
-// The segment atlas (native/atlas/layout.h): one row of samples, wrapped over rows of the target.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The segment atlas (native/fovea/visibility/layout.h): one row of samples, wrapped over rows of the target.
 #define OWNER_STRIDE 64
 
 // Place of this fragment in the row.

@@ -1,4 +1,5 @@
-// Edges of the triangle in two numbers: native/atlas/triangle_edges.h. Change both.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges of the triangle in two numbers: native/fovea/visibility/triangle_edges.h. Change both.
 
 // `inside`: any linear function that is 0 on the edge and grows inwards.
 int edge_code(float inside, vec2 slope)

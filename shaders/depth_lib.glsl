@@ -1,4 +1,5 @@
-// Looking into the depth buffer: the arithmetic, and the reasons, of native/atlas/sampled.cpp and .h. Change both.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looking into the depth buffer: the arithmetic, and the reasons, of native/fovea/visibility/sampled.cpp and .h. Change both.
 
 struct Line {
   vec2 facets;
@@ -12,7 +13,7 @@ struct Look {
   bool holds;   // its surface lies in front, and its triangle reaches as far as the probe
 };
 
-// True where `off` texels from the centre lie inside the edge (native/atlas/triangle_edges.h).
+// True where `off` texels from the centre lie inside the edge (native/fovea/visibility/triangle_edges.h).
 bool edge_holds(int code, vec2 off)
 {
   float turn = float(code / 256) / 64.0;

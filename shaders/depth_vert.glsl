@@ -1,4 +1,5 @@
-// Depth pass: occluders as depth over the image (native/atlas/depth.h).
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth pass: occluders as depth over the image (native/fovea/visibility/depth.h).
 void main()
 {
   // (x w, y w, depth w, w): depth is 1 at the near plane, where clipping cuts, and falls to 0; there is no far plane.

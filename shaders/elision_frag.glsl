@@ -1,4 +1,5 @@
-// The elision test for the sample at this fragment: crowding() of native/elision/elide.cpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The elision test for the sample at this fragment: crowding() of native/fovea/elision/elide.cpp.
 struct Own {
   vec4 place;       // pixel position, direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end

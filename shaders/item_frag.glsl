@@ -1,4 +1,5 @@
-// One layer of the item buffer (native/atlas/item_buffer.h): what no surface hides and no layer in front of it holds.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One layer of the item buffer (native/fovea/visibility/item_buffer.h): what no surface hides and no layer in front of it holds.
 void main()
 {
   ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -1,4 +1,5 @@
-// Visibility of the atlas sample at this fragment by the item buffer: item_visibility of native/atlas/item_buffer.cpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Visibility of the atlas sample at this fragment by the item buffer: item_visibility of native/fovea/visibility/item_buffer.cpp.
 bool layers_hold(ivec2 texel, float item)
 {
   if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(layer0, 0)))) {

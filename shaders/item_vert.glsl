@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of the item buffer: quads one texel wide along the longer axis of their segment, four corners each, so that
-// every column (or row) has one texel of them. Clip space is depth (native/base/view.h); what nothing hides is nearest.
+// every column (or row) has one texel of them. Clip space is depth (native/fovea/base/view.h); what nothing hides is nearest.
 void main()
 {
   int segment = int(corner) / 4;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A picture magnified to a region: between its texels it is linear.
 
 void main()

@@ -1,4 +1,5 @@
-// One layer of the priority buffer (native/elision/priority_buffer.h); the second leaves out what goes along the line
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One layer of the priority buffer (native/fovea/elision/priority_buffer.h); the second leaves out what goes along the line
 // that has the first.
 void main()
 {

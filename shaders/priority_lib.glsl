@@ -1,4 +1,5 @@
-// Texels of the priority buffer: PriorityTexel of native/elision/priority_buffer.h, as precise, laid out otherwise.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texels of the priority buffer: PriorityTexel of native/fovea/elision/priority_buffer.h, as precise, laid out otherwise.
 // Unpacked: rank (0: nobody's), share of the pixel that the band covers (negative where the band's nearer end lies to
 // the right of what follows), and the vector across the line, away from its middle towards the pixel.
 uvec2 packed_texel(vec4 texel)

@@ -1,4 +1,5 @@
-// Bands of lines (native/elision/bands.h); what ranks higher is nearer.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bands of lines (native/fovea/elision/bands.h); what ranks higher is nearer.
 void main()
 {
   float depth = owner.z / (most_rank + 1.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A long row of table entries, wrapped over the rows of a texture.
 #define ROW_WIDTH 2048
 

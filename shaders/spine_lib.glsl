@@ -1,4 +1,5 @@
-// The spine test (native/atlas/spine.h): share of the probes around arc length u of this stroke's piece that see it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The spine test (native/fovea/visibility/spine.h): share of the probes around arc length u of this stroke's piece that see it.
 float spine_visibility(float u)
 {
   int low = int(spine.x);

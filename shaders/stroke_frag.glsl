@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ink of a pen at this place.
 float ink_of(int pen_index)
 {

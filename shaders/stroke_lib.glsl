@@ -1,4 +1,5 @@
-// What one fragment of a stroke adds to the picture. This file repeats native/stroke/fragment.h: change both.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one fragment of a stroke adds to the picture. This file repeats native/fovea/stroke/fragment.h: change both.
 
 // Share of the pixel that the stroke covers. All in px: u along the path, v across, u of the run's start and end, half
 // the drawn width. The edge is a ramp one pixel wide, centred on the true edge.

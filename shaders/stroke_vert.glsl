@@ -1,4 +1,5 @@
-// Strips of strokes (native/stroke/strokes.h).
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strips of strokes (native/fovea/stroke/strokes.h).
 void main()
 {
   gl_Position = vec4((px - image_origin) / image_size * 2.0 - 1.0, 0.0, 1.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Visibility of the atlas sample at this fragment: the share of its probes that see it. Other tiles' samples stay.
 void main()
 {

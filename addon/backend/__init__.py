@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Backends: who decides what is hidden and who puts strokes on paper.
 
 A backend is verbs over the same arrays:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The native stages, and the reference backend made of them. Each function is one call."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Drawn lines read back as polylines. Each function is one call of the native module, or few."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The gpu backend: depth, visibility and strokes as passes of Blender's gpu module. Use it where there is a context."""
 
 import gpu
@@ -75,7 +76,7 @@ class Backend:
 
     def draw_depth(self, scene, view, layout):
         """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
-        see native/atlas/depth.h."""
+        see native/fovea/visibility/depth.h."""
         target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
         draws = native.load().depth_draws(scene, view, layout)
         # Clip space leaves depth steps of 6e-8; perspective makes that a growing share of it, far away.

@@ -1,4 +1,5 @@
-"""The segment atlas on the GPU: tables of segments, and a texel for every sample (native/atlas/layout.h)."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The segment atlas on the GPU: tables of segments, and a texel for every sample (native/fovea/visibility/layout.h)."""
 
 import numpy as np
 

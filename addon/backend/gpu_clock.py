@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What each pass costs, for benchmarks: the GPU is waited for after every pass, which drawing itself never does."""
 
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Line elision on the GPU (native/elision): the bands of lines by rank, and what each sample finds of its own."""
 
 import math

@@ -1,4 +1,5 @@
-"""The item buffer on the GPU (native/atlas/item_buffer.h): lines drawn by number, layer behind layer."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The item buffer on the GPU (native/fovea/visibility/item_buffer.h): lines drawn by number, layer behind layer."""
 
 import gpu
 import numpy as np

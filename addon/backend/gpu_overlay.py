@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What lies over a viewport: rings, dots and translucent pictures, in pixels of the region that Blender is drawing."""
 
 import gpu

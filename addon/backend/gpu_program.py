@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shader programs, put together from shaders/programs.toml. Needs a GPU context from the first program() on."""
 
 import tomllib

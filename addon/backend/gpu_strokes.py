@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Strokes on the GPU: uploaded once, drawn into as many targets as the picture needs."""
 
 import gpu

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Textures and targets: numpy in, numpy out."""
 
 from contextlib import contextmanager

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shows a picture in the 3D viewport that Blender is drawing."""
 
 import gpu

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces, fields and lines as NumPy arrays, for Blender's console and scripts.
 
     from bl_ext.user_default.fovea.blender import api as fovea

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a final render sees, for operators.
 
 Only a render has a depsgraph with what is made for renders: levels of subdivision, visibility, particles. So Blender's

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Drawn lines as objects of Blender: meshes of edges, or Grease Pencil strokes."""
 
 import bpy

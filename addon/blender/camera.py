@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Cameras as the pipeline takes them: a world-to-view and a view-to-clip matrix, in float64, and the drawn region.
 
 As in Blender any object may be the scene's camera: `calc_matrix_camera` gives those that are none a projection, too (a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Looks after viewports between their draws, by a timer that is there only while something is under way."""
 
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a viewport knows of the scene, and whether it has to read it again.
 
 Blender reports which of its data changed. Selections, cameras and styles change nothing that is read of the scene; but

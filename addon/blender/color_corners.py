@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Attributes of a mesh at the corners of its native surface."""
 
 import weakref

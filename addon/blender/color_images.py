@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Blender's images as native textures, kept as long as their pixels stay the same."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a material's nodes say about its base colour, where that can be told without running them."""
 
 import math

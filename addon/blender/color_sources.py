@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Where the colours of a scene come from: materials, images, attributes, lights and the world, as plain arrays."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The lines of a picture as polylines in space: what the pens draw of them, visible and hidden."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The render engine: Blender's callbacks, each one call into the session or a viewport."""
 
 import bpy

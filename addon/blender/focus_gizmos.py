@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Gizmos of the focus: the two radii of every place as rings, and its middle where no object marks it.
 
 All is drawn and dragged in pixels of the region; values go through the properties, so that keyframes and undo hold.

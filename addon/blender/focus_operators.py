@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pick Focus: a click says where to look."""
 
 import bpy

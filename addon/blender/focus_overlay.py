@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """An overlay of 3D viewports that shows focus as colors: warm where it is, cool far from it.
 
 The native module evaluates it at low resolution, when a viewport is drawn and its view, the focus or the scene has

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on the list of places to look at; a click in the viewport picks them, too: focus_operators.py."""
 
 import bpy

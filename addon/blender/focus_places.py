@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The places to look at: where they are in the scene and in a viewport, and how they are moved."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Focus Pull: keyframes that lead from one place to look at to another."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Where to look, as properties of the scene: a style may be drawn with any focus, and shared by scenes with others."""
 
 import bpy

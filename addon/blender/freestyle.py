@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Match Freestyle: a Style from a view layer's Freestyle line sets."""
 
 import math

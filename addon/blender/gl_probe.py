@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Run by itself in a child process: makes an OpenGL 4.3 context as Blender without a window does, prints its renderer.
 
 Where that fails Blender would abort, so it is tried where nothing is lost. Exit code 0: usable.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whether renders get a GPU context. Blender reads that when it registers the engine: asking for one registers it anew.
 
 A context costs memory and time, in software OpenGL (which runs on the CPU) more than it is worth: there only a scene

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What is kept between pictures, and the bound that preferences give to it.
 
 Caches of surfaces (with what was found on them: fields, lines, BVHs) and of colours are registered here. When they

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which lines a scene's placements have: as the line sets of a style, objects and materials say."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The kinds of lines of a line set, as properties made from the native registry, which declares them.
 
 Per line definition a switch named as it, and its parameters as `<definition>_<parameter>`; angles are stored in

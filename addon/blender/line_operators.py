@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a final render has of lines: as an image with alpha, and as objects."""
 
 from contextlib import contextmanager

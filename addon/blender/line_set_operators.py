@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on the line sets of the scene's style, and on the hidden pens of the one that is edited."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What materials mean for lines: which polygons share one, and which hide what lies behind them."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Blender's mesh arrays as numpy arrays: whole attributes at once into buffers that are used again for every mesh."""
 
 import math

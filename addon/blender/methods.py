@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which backend draws, and how it is decided what is hidden: the scene's properties, and what they come to."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The frames before and after the one that is rendered, for elision smoothed in time.
 
 They are evaluated in the render's own depsgraph, as engines do for motion blur, also beyond the scene's range: so a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the artist has said of a scene's placements: priorities, what is painted on meshes, a map of density, and which
 lines they have."""
 

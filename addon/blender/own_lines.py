@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which lines an object has of its own accord, whatever the line sets say: its kinds, by the registry, and the angle of
 its creases."""
 

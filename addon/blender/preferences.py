@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Preferences of the add-on, and whether renders may ask Blender for a GPU context."""
 
 import functools

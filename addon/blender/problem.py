@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What keeps a picture from being drawn and the user can mend."""
 
 

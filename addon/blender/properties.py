@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Settings on scenes, objects and materials. A scene says where to look, how to draw, and which style it draws with.
 
 Styles are datablocks of their own: style_data.py.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Properties that several groups of settings have, and numbers as they come back from them."""
 
 import zlib

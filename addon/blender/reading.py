@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A scene read for operators and overlays, as the depsgraph that they have holds it."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What of an object's mesh is put in order before it is drawn."""
 
 from dataclasses import astuple, dataclass
@@ -5,7 +6,7 @@ from dataclasses import astuple, dataclass
 
 @dataclass(frozen=True)
 class Repair:
-    """native/mesh/repair.h; everything off."""
+    """native/fovea/mesh/repair.h; everything off."""
 
     weld: float = 0.0
     orient: bool = False

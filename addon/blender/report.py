@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Report: what of the scene a final render leaves out and why, how long the last picture took, and memory."""
 
 import sys

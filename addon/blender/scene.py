@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What Blender's evaluated scene holds for a drawing: one native surface per mesh, and where each is placed."""
 
 import hashlib
@@ -10,7 +11,7 @@ import numpy as np
 from . import kept, materials, own_lines, repair, subdivision
 from .mesh_arrays import is_edited
 
-DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/scene/scene.h
+DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
 VIEWPORTS = 4  # that keep what only they show
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How much of what lies behind a material shows through it, as far as its nodes tell without being run.
 
 Lines have no half tones of hiding, and alpha is not sampled from place to place: a material hides what lies behind it

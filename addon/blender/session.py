@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Renders, and what they share with viewports: what is kept between pictures, and what the user hears when one cannot
 be drawn.
 

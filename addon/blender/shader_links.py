@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What feeds the sockets of shader nodes: links followed, not run."""
 
 

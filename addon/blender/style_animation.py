@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Keyed and driven numbers of what stands in lists, line sets and places to look at: their paths say the place in the
 list, so they follow it when it moves."""
 

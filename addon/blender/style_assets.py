@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Styles as assets: marked with a thumbnail that Fovea draws, found in the Asset Browser and in a shelf of the 3D view,
 and used from there."""
 

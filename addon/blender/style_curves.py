@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Response curves of transfer functions: Float Curve nodes in a style's node tree, each named by its part and effect.
 
 Fovea joins the points by a monotone cubic, which is what Blender shows of points whose handles are clamped. Of others,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Styles as datablocks: node trees that hold a style's properties and its response curves. Scenes point to them.
 
 A scene that points to none draws the default style. Scripts say `use(scene, "charcoal")`, or a Style, and change what

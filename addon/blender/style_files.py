@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Style files: those that ship, and the user's own, in the extension's folder for them. Their names differ."""
 
 import logging

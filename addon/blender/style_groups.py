@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The PropertyGroups that hold a style, in a node tree: one for each of its dataclasses, made from their fields.
 
 A number, word or switch that is added to a dataclass is a property here; style_words.py says how the panels tell it.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on styles as wholes: made, applied, copied, read from files and written to them."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Thumbnails of styles: what each makes of a small scene of its own (still_life.py), drawn natively. Nothing of
 Blender's is touched, so that a thumbnail is the same whatever the file holds."""
 

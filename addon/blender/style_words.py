@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the panels say about each number, choice and switch of a style: one line for each.
 
 Keyed by the part of a style and its field: label, what it does to the picture, and options of the property, of which

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Puts a Style into the properties that hold it, in a node tree; see style_groups.py."""
 
 import json

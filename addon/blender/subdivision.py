@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which objects are drawn on the limit surface of their subdivision, and the cages that it is the limit of."""
 
 from contextlib import contextmanager
@@ -8,7 +9,7 @@ import numpy as np
 
 from .mesh_arrays import is_edited
 
-MOST_LEVELS = 7  # native/mesh/refine.h
+MOST_LEVELS = 7  # native/fovea/mesh/refine.h
 
 
 @dataclass(frozen=True)

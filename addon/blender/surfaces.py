@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Native surfaces of meshes, kept from frame to frame; content tells them apart, never a pointer or an update flag."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Where the operators are found: a panel of the 3D view's Fovea tab, and a menu, whose entries F3 finds."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A 3D viewport in Rendered shading: drawn within a budget while something changes, refined when it rests.
 
 Pictures are drawn beside the interface (worker.py) from what was read of the scene, which is read again only when

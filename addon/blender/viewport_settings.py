@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How viewports are drawn: a setting of the scene, and its panel."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Draws beside the interface: one picture at a time, in a thread that touches nothing of Blender's.
 
 Native calls let go of Python's lock, so Blender goes on meanwhile. Surfaces are shared between pictures, so whoever

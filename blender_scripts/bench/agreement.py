@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench agreement`: how far depth-buffer visibility agrees with exact visibility.
 
 blender -b -P agreement.py -- OUT.json SCENE [WORDS OF fovea draw]: one frame, every atlas sample judged both ways.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Generated meshes for `fovea bench lines`: the same analytic surface at any number of triangles."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench lines`: what line extraction costs, per surface and per view, and how it grows with the mesh.
 
 Runs without Blender. Times are medians of wall time over views, in ms; cpu_ms is what all threads used together. Rows

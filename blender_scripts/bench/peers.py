@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench peers`: Fovea beside Workbench, Freestyle and Line Art, on the same scenes, with the same lines.
 
 One process per scene and renderer, one after the other; needs plain Python only."""

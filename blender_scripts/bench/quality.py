@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How near sampled visibility comes to exact visibility, sample by sample: shares that agree, with ever more of those
 left out that lie at a true change of visibility, where no depth buffer of pixels can know better."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The renderers that are compared, each told to draw the same lines: contours, creases of 30 degrees, borders.
 
 A renderer is set up once per scene; `frame` draws one picture (Line Art: evaluates its modifier once), and is what is

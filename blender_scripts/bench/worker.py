@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench peers`: blender -b -P worker.py -- JSON (scene, renderer, size, repeats, shared,
 out).
 

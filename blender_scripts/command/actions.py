@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The shorter sub-commands, one function each: takes the target and the words after the sub-command, returns the exit status."""
 
 import argparse

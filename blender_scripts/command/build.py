@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the native module and the native tests, out of the tree, in the work folder."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The words of `fovea draw`: parsed once outside Blender, so that mistakes show at once, and again by draw.py inside."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Triangulates one polygon by cutting ears. Meisters, "Polygons have ears", American Mathematical Monthly 1975."""
 
 import numpy as np

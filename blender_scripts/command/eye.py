@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The camera of `fovea lines`: it looks at the middle of a model."""
 
 import numpy as np

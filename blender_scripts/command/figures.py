@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea figures [NAME...]`: draws the pictures of README, hidden lines and haloes by `fovea draw`, focus as sheets, and
 those of addon/docs."""
 

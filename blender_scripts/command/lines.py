@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea lines`: one line definition on a model, extracted without Blender, as arrays: whole, or what is seen of it."""
 
 import argparse

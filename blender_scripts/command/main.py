@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The part of `fovea` that runs inside a suite, or beside an own Blender; blender_scripts/fovea starts it."""
 
 import importlib

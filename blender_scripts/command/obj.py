@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Reads the polygons of a Wavefront OBJ file as they stand: no axis swap, no scaling, no welding."""
 
 import re

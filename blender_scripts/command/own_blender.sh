@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A Blender of the user's own: asked for its version and Python, and checked for what building the module needs.
 
 # use_own_blender PATH: sets target_name, blender, python and python_include, or `reason` and returns 1.

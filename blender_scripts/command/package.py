@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The extension zip: staged, built and validated by Blender's own command, and installed as a user would."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The pictures of addon/docs: which model shows what, how it is seen, and what lies faintly beneath."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers among the words of a command. Each parser takes a word and raises argparse.ArgumentTypeError, in words for the
 user, when it is none or out of range."""
 

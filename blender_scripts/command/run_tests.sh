@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # `fovea test`: on both suites side by side, or on the one target that was chosen.
 
 test_targets() {

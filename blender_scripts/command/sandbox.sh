@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Runs things inside a suite by bubblewrap. /usr and /etc there are the suite's, read-only; the machine's other folders
 # show through read-only, so that a scene finds its textures and libraries; writable are the current folder, the folders
 # named for output, /tmp and the work folders in the cache. Nothing stays mounted when it ends. Temporary files are the

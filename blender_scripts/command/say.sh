@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the user sees: sentences, and the progress of long steps. Results go to stdout, everything here to stderr.
 
 say() {

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One Debian suite as a folder in the cache: CACHE/SUITE/root. Made once by debootstrap (signatures verified with the
 # archive's keyring) from the mirror the machine's own apt uses; later calls and other clones find it by its stamps.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a sub-command works on: one Blender, and this checkout's own folder in the cache for it."""
 
 import contextlib

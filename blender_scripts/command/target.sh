@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What a sub-command runs on: a Debian suite, or a Blender of the user's own.
 
 # choose_target [sid|trixie|/path/to/blender]: sets target_name, blender, python and python_include, and sets the suite up.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every test on one target: native, native under sanitizers, Python without Blender, inside Blender, and in its window."""
 
 import os

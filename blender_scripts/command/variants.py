@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Sheets of one scene drawn in several ways: what each tile is called, and the words of `fovea draw` for it. A tile alone
 needs no name."""
 

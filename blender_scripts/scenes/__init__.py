@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes by name: `boxes:N`, `suzanne:L`, `office`, `demo`. Importing this package needs no Blender; building does."""
 
 import importlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A roadster with a basket, along x, its front towards +x, standing on z = 0."""
 
 import math

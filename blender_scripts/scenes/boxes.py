@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """boxes:N, the hard case for line visibility: N x N boxes, nearly every line hidden by other boxes. One mesh."""
 
 import random

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A tea set and cake, made by turning profiles; handles and spouts are joined to the body, so that they have a seam."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The README's picture: a cafe at a street corner. Foreground, middle and far are placed as the camera sees them."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Small models for the documentation, each with what one kind of line needs: borders, materials, marks, crossings,
 inflections, folds."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Ways to put things into the scene. A `paint` is a name of the palette."""
 
 import math

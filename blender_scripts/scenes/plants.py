@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Growing things: leaves in a pot, clipped balls, tree crowns."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A small modelling vocabulary: functions that return meshes; metres, z up, on z = 0 unless they say otherwise.
 
 Lines come from mesh edges, so round things get steps well under 30 degrees, hard rims more than that, and whatever runs

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What one sees far off: gabled houses, a round church tower."""
 
 import math

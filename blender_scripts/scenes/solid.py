@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Solids whose faces all lie along the axes: walls, slabs, frames, steps. Boxes are added and cut away in order;
 the mesh is the surface of what is left: it meets itself in edges everywhere, so that every joint has its line."""
 

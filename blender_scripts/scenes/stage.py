@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What every scene sets up alike: an empty file, a camera, light, materials, the frame."""
 
 import math

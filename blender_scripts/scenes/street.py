@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The square before the cafe: garden wall and gate, a lamp, a few stones of the paving."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """suzanne:L, the smooth case: the monkey with L levels of subdivision applied (5 levels: a million triangles)."""
 
 import bpy

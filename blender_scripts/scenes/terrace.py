@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What stands before a cafe: bentwood chairs, round tables, a board with the menu."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Blender in a window on a screen of its own: `play` runs a scenario there (inside.py) and gives what it found."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside a Blender with a window: blender --enable-event-simulate -P inside.py -- FILE SCENARIO OUT.json WORDS...
 
 A scenario is a generator function of the file: it does something, then yields, and goes on after Blender has handled

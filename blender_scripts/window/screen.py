@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The window of a Blender under Xvfb, from inside: its 3D viewport, and what is to be seen there.
 
 Xvfb keeps the screen in a file (an XWD dump: a header, then rows of BGRX); bpy's own screenshots are black there."""

@@ -1,16 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The only way between numpy and native arrays: views without copies, checked shapes.
 #pragma once
 
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-
 #include <glm/glm.hpp>
 #include <optional>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
 #include <string>
 
-#include "base/check.h"
-#include "base/columns.h"
-#include "base/types.h"
+#include <fovea/base/check.h>
+#include <fovea/base/columns.h>
+#include <fovea/base/types.h>
 
 namespace fovea::bindings {
 

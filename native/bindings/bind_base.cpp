@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Threads, and how to stop what they do.
-#include "base/parallel.h"
-#include "base/threads.h"
+#include <fovea/base/parallel.h>
+#include <fovea/base/threads.h>
+
 #include "bindings/bind.h"
 
 namespace fovea::bindings {
@@ -8,7 +10,8 @@ namespace fovea::bindings {
 namespace py = pybind11;
 
 void bind_base(py::module_& m) {
-    py::class_<Cancel, std::shared_ptr<Cancel>>(m, "Cancel", "A flag that long calls poll; cancel() makes them raise Cancelled.")
+    py::class_<Cancel, std::shared_ptr<Cancel>>(m, "Cancel",
+                                                "A flag that long calls poll; cancel() makes them raise Cancelled.")
         .def(py::init<>())
         .def("cancel", [](Cancel& cancel) { cancel.requested = true; })
         .def_property_readonly("requested", [](const Cancel& cancel) { return cancel.requested.load(); });

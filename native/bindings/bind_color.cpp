@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The colour layer, its effects, and paper.
+#include <algorithm>
 #include <pybind11/stl.h>
 
-#include <algorithm>
+#include <fovea/color/effects.h>
+#include <fovea/color/layer.h>
+#include <fovea/color/map.h>
+#include <fovea/color/painted_image.h>
+#include <fovea/color/paper.h>
+#include <fovea/color/png_bytes.h>
+#include <fovea/stroke/texture_file.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/painted.h"
-#include "color/effects.h"
-#include "color/layer.h"
-#include "color/map.h"
-#include "color/painted_image.h"
-#include "color/paper.h"
-#include "color/png_bytes.h"
-#include "stroke/texture_file.h"
 
 namespace fovea::bindings {
 namespace {
@@ -120,7 +121,7 @@ void bind_effects(py::module_& m) {
         "color_effects", &effects, py::arg("image"), py::arg("desaturate") = py::none(), py::arg("fade") = py::none(),
         py::arg("background") = py::none(), py::arg("blur_px") = py::none(),
         R"((H, W, 4) moved towards grey by (H, W) amounts, then towards a background (None: towards nothing), then blurred as
-by discs of (H, W) radii; where an amount is 0 that effect changes nothing. See native/color/effects.h.)");
+by discs of (H, W) radii; where an amount is 0 that effect changes nothing. See native/fovea/color/effects.h.)");
 }
 
 void bind_paper(py::module_& m) {
@@ -150,7 +151,8 @@ void bind_paper(py::module_& m) {
         py::arg("lines"), py::arg("layer"), py::arg("holdout"), py::arg("view"), py::arg("texture"), py::arg("color"),
         py::arg("transparent") = false, py::arg("background") = py::none(), py::arg("layer_opacity") = 1.0f,
         py::arg("texel_px") = 1.0f, py::arg("tooth") = 0.0f, py::arg("granulation") = 0.0f, py::arg("tint") = 0.0f,
-        "Lines over the colour layer over paper; layer, holdout and texture may be None; see native/color/paper.h.");
+        "Lines over the colour layer over paper; layer, holdout and texture may be None; see "
+        "native/fovea/color/paper.h.");
     m.def(
         "read_paper",
         [](const std::string& path) {
@@ -184,19 +186,19 @@ void bind_color(py::module_& m) {
             py::arg("u"), py::arg("v"), py::arg("footprint") = 0.0f,
             "Scene-linear colour at a place of the unit square.");
     py::class_<ColorSlot>(m, "ColorSlot", "What a material says about colour.")
-        .def(
-            py::init([](const Color& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
-                        std::optional<Index> attribute, bool unlit) {
-                return ColorSlot{vector(color), std::move(texture), uv.value_or(none), attribute.value_or(none), unlit};
-            }),
-            py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
-            py::arg("attribute") = py::none(), py::arg("unlit") = false);
+        .def(py::init([](const Color& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
+                         std::optional<Index> attribute, bool unlit) {
+                 return ColorSlot{vector(color), std::move(texture), uv.value_or(none), attribute.value_or(none),
+                                  unlit};
+             }),
+             py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
+             py::arg("attribute") = py::none(), py::arg("unlit") = false);
     py::class_<SurfaceColor, std::shared_ptr<SurfaceColor>>(m, "SurfaceColor",
-                                                            "Colours of a surface; see native/color/source.h.")
+                                                            "Colours of a surface; see native/fovea/color/source.h.")
         .def(py::init(&make_surface_color), py::arg("slots"), py::arg("normals") = py::none(),
              py::arg("uvs") = std::vector<Arg<vec2>>(), py::arg("attributes") = std::vector<Arg<vec3>>(),
              "normals (C, 3), each of uvs (C, 2), each of attributes (C, 3): float32 per corner of the mesh.");
-    py::class_<Light>(m, "Light", "A light; see native/color/light.h.")
+    py::class_<Light>(m, "Light", "A light; see native/fovea/color/light.h.")
         .def(py::init(&make_light), py::arg("kind"), py::arg("position"), py::arg("direction"), py::arg("color"),
              py::arg("cos_outer") = -1.0f, py::arg("cos_inner") = -1.0f);
     m.def(
@@ -223,7 +225,8 @@ flat, smooth or toon.)");
             return to_numpy(std::move(values)).reshape({tracer.view().height, tracer.view().width});
         },
         py::arg("tracer"), py::arg("painted"), py::arg("cancel") = py::none(),
-        "(H, W) float32 in [0, 1]: what is painted where each pixel looks, 0 where nothing is; as for values_on_paths.");
+        "(H, W) float32 in [0, 1]: what is painted where each pixel looks, 0 where nothing is; as for "
+        "values_on_paths.");
     m.def(
         "map_of_samples",
         [](const ClippedPaths& clipped, const View& view, const ColorTexture& image) {

@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs read back as polylines.
-#include "atlas/compaction.h"
+#include <fovea/runs/compaction.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 
@@ -40,7 +42,7 @@ void bind_compaction(py::module_& m) {
             return compact(clipped, paths, runs);
         },
         py::arg("clipped"), py::arg("paths"), py::arg("runs"),
-        R"(CompactRuns: the points of the paths within each run, its ends interpolated; see native/atlas/compaction.h.
+        R"(CompactRuns: the points of the paths within each run, its ends interpolated; see native/fovea/runs/compaction.h.
 Visible runs, or with_hidden ones: invisibility tells.)");
 }
 

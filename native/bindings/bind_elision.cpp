@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Priorities, ranks and line elision: the cpu reference, and what the gpu backend's passes read.
 #include <pybind11/stl.h>
 
+#include <fovea/elision/elide.h>
+#include <fovea/elision/opacity.h>
+#include <fovea/elision/priority.h>
+#include <fovea/elision/rank.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "elision/elide.h"
-#include "elision/opacity.h"
-#include "elision/priority.h"
-#include "elision/rank.h"
 
 namespace fovea::bindings {
 namespace {
@@ -108,17 +110,20 @@ void bind_elision(py::module_& m) {
     };
     py::class_<Elision, std::shared_ptr<Elision>>(
         m, "Elision", "Bands of runs, of V corners, and the D atlas samples that runs cover; see native/elision.")
-        .def(py::init(&prepare), py::arg("clipped"), py::arg("runs"), py::arg("ranks"), py::arg("half_width_px"), py::arg("reach_px"),
+        .def(py::init(&prepare), py::arg("clipped"), py::arg("runs"), py::arg("ranks"), py::arg("half_width_px"),
+             py::arg("reach_px"),
              "ranks (R,) uint32 of rank_runs; half_width_px (samples,) float32, half the distance to others; reach_px: "
              "how far before its end a line hands over to one that goes on.")
         .def_property_readonly("place", own(&OwnBands::place), "(D, 4) float32: pixel position, direction")
         .def_property_readonly("band", own(&OwnBands::band),
                                "(D, 4) float32: half width, rank, pixels to the run's ends")
         .def_property_readonly("ends", own(&OwnBands::ends), "(D, 4) float32: where the run starts, and where it ends")
-        .def_property_readonly("reach_px", [](const Elision& elision) { return elision.own.reach_px; },
-                               "pixels from its end over which a band hands over to a line that goes on")
+        .def_property_readonly(
+            "reach_px", [](const Elision& elision) { return elision.own.reach_px; },
+            "pixels from its end over which a band hands over to a line that goes on")
         .def_property_readonly("px", bands(&Bands::px), "(V, 2) float32")
-        .def_property_readonly("across", bands(&Bands::across), "(V, 3) float32: pixels across, half width, how near the end is")
+        .def_property_readonly("across", bands(&Bands::across),
+                               "(V, 3) float32: pixels across, half width, how near the end is")
         .def_property_readonly("owner", bands(&Bands::owner), "(V, 3) float32: unit vector across, rank")
         .def_property_readonly("triangles", bands(&Bands::triangles), "(T, 3) uint32, the highest rank first")
         .def("crowding", &crowding_of, py::arg("width"), py::arg("height"), py::arg("cancel") = py::none(),
@@ -126,7 +131,7 @@ void bind_elision(py::module_& m) {
         .def("opacities", &opacities_of, py::arg("clipped"), py::arg("crowding"),
              py::arg("fade_from") = options.fade_from, py::arg("cut") = options.cut,
              py::arg("stub_px") = options.stub_px,
-             "(samples,) float32 in [0, 1], 1 for lines that stay; see native/elision/opacity.h.");
+             "(samples,) float32 in [0, 1], 1 for lines that stay; see native/fovea/elision/opacity.h.");
 }
 
 }  // namespace fovea::bindings

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of surfaces, and the pieces of curves that one definition finds: what research and benchmarks ask for.
+#include <array>
 #include <pybind11/stl.h>
 
-#include <array>
+#include <fovea/field/fields.h>
+#include <fovea/line/registry.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/values.h"
-#include "field/fields.h"
-#include "line/registry.h"
 
 namespace fovea::bindings {
 namespace {
@@ -85,9 +86,10 @@ automatic.)");
         .def_property_readonly("end", column<vec3>([](const CurvePiece& p) { return p.point[1]; }),
                                "(P, 3) float32, object space");
 
-    m.def("find_curves", &find_curves, py::arg("surface"), py::arg("definition"), py::arg("parameters") = py::dict(),
-          py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
-          R"(What a definition finds across the triangles of a surface alone, before chaining. eye: in object space; for an
+    m.def(
+        "find_curves", &find_curves, py::arg("surface"), py::arg("definition"), py::arg("parameters") = py::dict(),
+        py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
+        R"(What a definition finds across the triangles of a surface alone, before chaining. eye: in object space; for an
 orthographic view the direction towards the viewer.)");
 }
 

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Filters of runs along their paths.
 #include <pybind11/stl.h>
 
-#include "atlas/filters.h"
-#include "atlas/outer_parts.h"
+#include <fovea/path/paths.h>
+#include <fovea/runs/filters.h>
+#include <fovea/runs/outer_parts.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "path/paths.h"
 
 namespace fovea::bindings {
 

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Focus and transfer functions.
 #include <pybind11/stl.h>
+
+#include <fovea/focus/focus.h>
+#include <fovea/focus/transfer.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/painted.h"
-#include "focus/focus.h"
-#include "focus/transfer.h"
 
 namespace fovea::bindings {
 namespace {
@@ -43,7 +45,8 @@ py::array made(const Make& make) {
 }  // namespace
 
 void bind_focus(py::module_& m) {
-    py::class_<Transfer>(m, "Transfer", "From focus in [0, 1] to how strong an effect is; see native/focus/transfer.h.")
+    py::class_<Transfer>(m, "Transfer",
+                         "From focus in [0, 1] to how strong an effect is; see native/fovea/focus/transfer.h.")
         .def(py::init(&make_transfer), py::arg("start") = 0.0f, py::arg("end") = 1.0f, py::arg("strength") = 1.0f,
              py::arg("curve") = py::list(), "curve: points (x, y) of the response, ascending in x; none: straight.")
         .def(
@@ -58,17 +61,18 @@ void bind_focus(py::module_& m) {
             },
             py::arg("values"), "(n,) float32 mixes in [0, 1] of (n,) values.");
     py::class_<SurfaceDistance, std::shared_ptr<SurfaceDistance>>(
-        m, "SurfaceDistance", "How far places are from some placements' surfaces; see native/scene/distance.h.")
+        m, "SurfaceDistance", "How far places are from some placements' surfaces; see native/fovea/scene/distance.h.")
         .def(py::init([](const Scene& scene, const View& view, const Arg<Index>& placements) {
                  const In<Index> in = borrow<Index>(placements, "placements");
                  py::gil_scoped_release release;
                  return std::make_shared<SurfaceDistance>(scene, view, in);
              }),
              py::arg("scene"), py::arg("view"), py::arg("placements"), "placements (k,) uint32: which of the scene's.");
-    py::class_<Focus>(m, "Focus", "Where the viewer shall look; see native/focus/focus.h.")
-        .def(py::init(&make_focus), py::arg("in_scene") = false, py::arg("points") = py::list(), py::arg("sum") = false,
-             py::arg("surfaces") = Distances(),
-             R"(points: (x, y, z, near, far), in view space and units of the scene, or (without in_scene) in pixels of the
+    py::class_<Focus>(m, "Focus", "Where the viewer shall look; see native/fovea/focus/focus.h.")
+        .def(
+            py::init(&make_focus), py::arg("in_scene") = false, py::arg("points") = py::list(), py::arg("sum") = false,
+            py::arg("surfaces") = Distances(),
+            R"(points: (x, y, z, near, far), in view space and units of the scene, or (without in_scene) in pixels of the
 image, z unused. Of several the nearest counts, or (sum) they add up. surfaces: for each point the SurfaceDistance that
 counts instead of its place, or None.)");
     m.def(

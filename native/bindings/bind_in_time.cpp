@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Elision smoothed in time.
 #include <pybind11/stl.h>
 
+#include <fovea/elision/in_time.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "elision/in_time.h"
 
 namespace fovea::bindings {
 namespace {
@@ -36,7 +38,7 @@ void bind_in_time(py::module_& m) {
         .def(py::init(&make_shown), py::arg("clipped"), py::arg("paths"), py::arg("scene"), py::arg("runs"),
              py::arg("shown"), py::arg("width"), py::arg("height"), "shown (samples,) float32 in [0, 1].");
     m.def("smoothed_in_time", &smoothed, py::arg("shown"), py::arg("now"), py::arg("near"), py::arg("frames"),
-          R"((samples,) float32: the mean over so many frames to each side, see native/elision/in_time.h. now: the
+          R"((samples,) float32: the mean over so many frames to each side, see native/fovea/elision/in_time.h. now: the
 frame's ShownLines; near: pairs of how many frames later another is and its ShownLines.)");
 }
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Line definitions and paths.
 #include <pybind11/stl.h>
+
+#include <fovea/path/extract.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/values.h"
-#include "path/extract.h"
 
 namespace fovea::bindings {
 namespace {
@@ -18,13 +20,13 @@ py::list definitions() {
     for (const LineDefinition* definition : line_definitions()) {
         py::list parameters;
         for (const Parameter& p : definition->parameters)
-            parameters.append(py::dict(py::arg("name") = p.name, py::arg("label") = p.label, py::arg("default") = p.value,
-                                       py::arg("min") = p.low, py::arg("max") = p.high, py::arg("unit") = p.unit,
-                                       py::arg("meaning") = p.meaning));
+            parameters.append(py::dict(py::arg("name") = p.name, py::arg("label") = p.label,
+                                       py::arg("default") = p.value, py::arg("min") = p.low, py::arg("max") = p.high,
+                                       py::arg("unit") = p.unit, py::arg("meaning") = p.meaning));
         result.append(py::dict(py::arg("name") = definition->name, py::arg("label") = definition->label,
-                               py::arg("scope") = scope_name(definition->scope),
-                               py::arg("source") = definition->source, py::arg("description") = definition->description,
-                               py::arg("parameters") = parameters, py::arg("default") = definition->on_by_default,
+                               py::arg("scope") = scope_name(definition->scope), py::arg("source") = definition->source,
+                               py::arg("description") = definition->description, py::arg("parameters") = parameters,
+                               py::arg("default") = definition->on_by_default,
                                py::arg("in_image") = definition->find_in_image != nullptr,
                                py::arg("view_dependent") = definition->scope >= Scope::view));
     }
@@ -47,7 +49,7 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
 
 template <typename T>
 std::vector<T> numbers(const py::handle& given) {
-    const auto array = py::array_t<T, py::array::c_style | py::array::forcecast>::ensure(given);
+    const auto array = py::array_t < T, py::array::c_style | py::array::forcecast > ::ensure(given);
     check(array && array.ndim() == 1, "filters of line sets are flat arrays of numbers");
     return {array.data(), array.data() + array.size()};
 }
@@ -99,8 +101,8 @@ Values values_of(const LineDefinition& definition, std::map<std::string, double>
         values.push_back(it == given.end() ? p.value : it->second);
         if (it != given.end()) given.erase(it);
     }
-    check(given.empty(), std::string(definition.name) + ": unknown parameter '" +
-                             (given.empty() ? "" : given.begin()->first) + "'");
+    check(given.empty(),
+          std::string(definition.name) + ": unknown parameter '" + (given.empty() ? "" : given.begin()->first) + "'");
     return values;
 }
 

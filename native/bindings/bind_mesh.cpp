@@ -1,14 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces.
 #include <pybind11/stl.h>
 
-#include "base/hash.h"
+#include <fovea/base/hash.h>
+#include <fovea/field/fields.h>
+#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/refine.h>
+#include <fovea/mesh/repair.h>
+#include <fovea/mesh/surface.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "field/fields.h"
-#include "mesh/polygon_edges.h"
-#include "mesh/refine.h"
-#include "mesh/repair.h"
-#include "mesh/surface.h"
 
 namespace fovea::bindings {
 namespace {
@@ -17,11 +19,11 @@ template <typename T>
 using Optional = std::optional<Arg<T>>;
 
 MeshArrays borrowed(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
-                                      const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
-                                      const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
-                                      const Optional<int>& material, const Optional<std::uint8_t>& occluding,
-                                      const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
-                                      const Optional<std::uint8_t>& edge_marks) {
+                    const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
+                    const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
+                    const Optional<int>& material, const Optional<std::uint8_t>& occluding,
+                    const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
+                    const Optional<std::uint8_t>& edge_marks) {
     MeshArrays mesh;
     mesh.positions = borrow<vec3>(positions, "positions");
     mesh.edge_verts = borrow<glm::ivec2>(edge_verts, "edge_verts");
@@ -127,7 +129,8 @@ py::dict report(const Surface& surface) {
 
 void bind_mesh(py::module_& m) {
     py::class_<Surface, std::shared_ptr<Surface>>(
-        m, "Surface", "A mesh with its edge table, facets and what is derived from them; see native/mesh/surface.h.")
+        m, "Surface",
+        "A mesh with its edge table, facets and what is derived from them; see native/fovea/mesh/surface.h.")
         .def(py::init(&make_surface), py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
              py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
              py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(),
@@ -166,9 +169,9 @@ rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of
         .def_property_readonly(
             "triangles", [](py::object self) { return view_numpy(self.cast<const Surface&>().triangles, self); },
             "(T, 3) uint32 vertices; occluding ones first")
-        .def_property_readonly("triangle_facet", [](py::object self) {
-            return view_numpy(self.cast<const Surface&>().triangle_facet, self);
-        })
+        .def_property_readonly(
+            "triangle_facet",
+            [](py::object self) { return view_numpy(self.cast<const Surface&>().triangle_facet, self); })
         .def_property_readonly("occluding_triangles", [](const Surface& s) { return s.occluding_triangles; })
         .def_property_readonly("edges",
                                [](py::object self) { return view_numpy(self.cast<const Surface&>().edges, self); })
@@ -177,7 +180,8 @@ rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of
         .def_property_readonly("polygon_count", &Surface::polygon_count);
 
     py::class_<RefinedSurface, Surface, std::shared_ptr<RefinedSurface>>(
-        m, "RefinedSurface", "The refined mesh of a cage, on the limit of its subdivision; see native/mesh/refine.h.")
+        m, "RefinedSurface",
+        "The refined mesh of a cage, on the limit of its subdivision; see native/fovea/mesh/refine.h.")
         .def(py::init(&make_refined), py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
              py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"), py::arg("level"),
              py::arg("round_corners") = true, py::arg("edge_creases") = py::none(),
@@ -214,14 +218,14 @@ for a cage without a limit surface.)")
             py::arg("values"), py::arg("polygon_offsets"),
             "(C, k) float32 at the corners of the cage, mixed to those of the refined mesh.");
 
-    m.def("repaired", &repaired_arrays, py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
-          py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
-          py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(),
-          py::arg("material") = py::none(), py::arg("occluding") = py::none(),
-          py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
-          py::arg("edge_marks") = py::none(), py::arg("weld") = 0.0, py::arg("orient") = false, py::arg("smooth") = 0,
-          py::arg("resample") = 0, py::arg("edge_length") = 0.0,
-          R"(A mesh put in order, see native/mesh/repair.h: a tuple of the arrays that Surface takes after its name,
+    m.def(
+        "repaired", &repaired_arrays, py::arg("name"), py::arg("positions"), py::arg("edge_verts"),
+        py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
+        py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(), py::arg("material") = py::none(),
+        py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
+        py::arg("edge_marks") = py::none(), py::arg("weld") = 0.0, py::arg("orient") = false, py::arg("smooth") = 0,
+        py::arg("resample") = 0, py::arg("edge_length") = 0.0,
+        R"(A mesh put in order, see native/fovea/mesh/repair.h: a tuple of the arrays that Surface takes after its name,
 and a dict of counts. Raises ValueError, naming the object, as Surface does.)");
 
     m.def(

@@ -1,23 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Depth-buffer visibility: the cpu reference, and the tables that the gpu backend's passes read.
+#include <glm/gtc/type_ptr.hpp>
 #include <pybind11/stl.h>
 
-#include <glm/gtc/type_ptr.hpp>
+#include <fovea/stroke/pen_table.h>
+#include <fovea/visibility/depth_tiles.h>
+#include <fovea/visibility/item_buffer.h>
+#include <fovea/visibility/layout.h>
+#include <fovea/visibility/sampled.h>
 
-#include "atlas/depth_tiles.h"
-#include "atlas/item_buffer.h"
-#include "atlas/layout.h"
-#include "atlas/sampled.h"
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/scene_depth.h"
-#include "stroke/pen_table.h"
 
 namespace fovea::bindings {
 namespace {
 
 SceneDepth depth_of(std::shared_ptr<Scene> scene, const View& view, DepthBuffer layout, const Cancel* cancel) {
     py::gil_scoped_release release;
-    const std::vector<DepthMesh> meshes = depth_meshes(*scene, view, DepthOptions().margin);
+    const std::vector<RasterMesh> meshes = depth_meshes(*scene, view, DepthOptions().margin);
     DepthBuffer buffer = draw_depth_into(std::move(layout), view, meshes, cancel);
     return {std::move(scene), view, std::move(buffer)};
 }
@@ -62,8 +63,7 @@ py::list depth_draws(const Scene& scene, const View& view, const DepthBuffer& la
         const mat4 matrix(to_clip * occluder.object_to_view);
         const py::array_t<float> columns(16, glm::value_ptr(matrix));
         draws.append(py::make_tuple(scene.placements[occluder.placement].surface->version(), occluder.placement,
-                                    columns, scene.facet_base[occluder.placement] % facet_modulus,
-                                    one_side(occluder)));
+                                    columns, scene.facet_base[occluder.placement] % facet_modulus, one_side(occluder)));
     }
     return draws;
 }
@@ -87,7 +87,8 @@ void bind_reference(py::module_& m) {
                 const DepthBuffer& buffer = self.cast<const SceneDepth&>().buffer;
                 return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
             },
-            "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see native/atlas/depth.h.");
+            "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see "
+            "native/fovea/visibility/depth.h.");
     m.def(
         "draw_depth",
         [](std::shared_ptr<Scene> scene, const View& view, int scale, const Cancel* cancel) {
@@ -98,7 +99,8 @@ void bind_reference(py::module_& m) {
     m.def("draw_depth", &depth_of, py::arg("scene"), py::arg("view"), py::arg("layout"), py::arg("cancel") = py::none(),
           "SceneDepth of a DepthLayout.");
     m.def("sampled_visibility", &sampled, py::arg("clipped"), py::arg("depth"), py::arg("probes") = 1,
-          py::arg("cancel") = py::none(), "(samples,) float32 in [0, 1], by looking into the depth buffer; 0 where it does not decide.");
+          py::arg("cancel") = py::none(),
+          "(samples,) float32 in [0, 1], by looking into the depth buffer; 0 where it does not decide.");
     m.def(
         "item_visibility",
         [](const ClippedPaths& clipped, const SceneDepth& depth, int layers, const Cancel* cancel) {
@@ -118,7 +120,7 @@ void bind_passes(py::module_& m) {
     m.attr("ITEM_SLOPE_FACTOR") = ItemOptions().slope_factor;
     m.attr("ITEM_BIAS") = ItemOptions().bias;
     m.attr("SAMPLED_SLACK_PX") = SampledOptions().slack_px;
-    py::class_<DepthBuffer>(m, "DepthLayout", "Size of a view's depth buffer; see native/atlas/depth.h.")
+    py::class_<DepthBuffer>(m, "DepthLayout", "Size of a view's depth buffer; see native/fovea/visibility/depth.h.")
         .def(py::init([](const View& view, int scale) { return depth_layout(view, {.scale = scale}); }),
              py::arg("view"), py::arg("scale") = 2)
         .def_readonly("scale", &DepthBuffer::scale)
@@ -127,8 +129,7 @@ void bind_passes(py::module_& m) {
         .def_readonly("width", &DepthBuffer::width, "texels")
         .def_readonly("height", &DepthBuffer::height, "texels")
         .def_property_readonly(
-            "core",
-            [](const DepthBuffer& b) { return std::array{b.core.x, b.core.y, b.core.z, b.core.w}; },
+            "core", [](const DepthBuffer& b) { return std::array{b.core.x, b.core.y, b.core.z, b.core.w}; },
             "left, lower, right and upper edge of what it decides, in pixels");
     m.def(
         "depth_tiles",
@@ -136,7 +137,7 @@ void bind_passes(py::module_& m) {
             return depth_tiles(view, {.scale = scale}, side, overlap_px);
         },
         py::arg("view"), py::arg("scale"), py::arg("side"), py::arg("overlap_px"),
-        "DepthLayouts of at most `side` texels; see native/atlas/depth_tiles.h.");
+        "DepthLayouts of at most `side` texels; see native/fovea/visibility/depth_tiles.h.");
     m.def("depth_draws", &depth_draws, py::arg("scene"), py::arg("view"), py::arg("layout"),
           R"([(version of the surface, placement, object to depth clip space as 16 float32 by columns, facet base, side
 to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
@@ -149,7 +150,8 @@ to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
         [](const Scene& scene, Index placement) { return depth_corners(*scene.placements.at(placement).surface); },
         py::arg("scene"), py::arg("placement"), "(positions (3 T, 3) float32, facets (3 T,) uint32)");
 
-    py::class_<OwnSides>(m, "OwnSides", "What the facets at each line's own edge tell; see native/atlas/own_sides.h.")
+    py::class_<OwnSides>(m, "OwnSides",
+                         "What the facets at each line's own edge tell; see native/fovea/visibility/own_sides.h.")
         .def(py::init([](const ClippedPaths& clipped, const Scene& scene, const View& view) {
                  py::gil_scoped_release release;
                  return own_sides(clipped, scene, view);
@@ -166,14 +168,15 @@ to cull: NONE, FRONT or BACK)] of all that hides lines, in drawing order.)");
         },
         py::arg("clipped"), py::arg("limit") = batch_samples, "AtlasBatches of at most so many samples, or one piece.");
     m.def("atlas_tables", &tables, py::arg("clipped"), py::arg("sides"), py::arg("batch"),
-          "(segments (3 N, 4) float32, owners (B,) float32); see native/atlas/layout.h.");
+          "(segments (3 N, 4) float32, owners (B,) float32); see native/fovea/visibility/layout.h.");
     m.def(
         "pen_table",
         [](const std::vector<Pen>& pens, const std::vector<PenTexture>& textures) {
             PenTable table = pen_table(pens, textures);
             return py::make_tuple(to_numpy(std::move(table.pens)), to_numpy(std::move(table.ink)));
         },
-        py::arg("pens"), py::arg("textures"), "(pens (3 N, 4) float32, ink (I,) float32); see native/stroke/pen_table.h.");
+        py::arg("pens"), py::arg("textures"),
+        "(pens (3 N, 4) float32, ink (I,) float32); see native/fovea/stroke/pen_table.h.");
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The spine test: its reference picture, and the table that the gpu's stroke pass reads.
 #include <pybind11/stl.h>
 
-#include "atlas/spine.h"
+#include <fovea/stroke/raster.h>
+#include <fovea/visibility/spine.h>
+
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/scene_depth.h"
-#include "stroke/raster.h"
 
 namespace fovea::bindings {
 namespace {
@@ -30,7 +32,7 @@ void bind_spine(py::module_& m) {
         py::arg("clipped"), "Runs over the whole of every piece.");
     m.def("raster_seen", &draw_seen, py::arg("strokes"), py::arg("pens"), py::arg("textures"), py::arg("clipped"),
           py::arg("depth"), py::arg("probes") = 1,
-          "As raster, over a SceneDepth's view, by the spine test; see native/atlas/spine.h.");
+          "As raster, over a SceneDepth's view, by the spine test; see native/fovea/visibility/spine.h.");
     m.def(
         "spine_table",
         [](const ClippedPaths& clipped, const OwnSides& sides) {
@@ -41,7 +43,7 @@ void bind_spine(py::module_& m) {
             }
             return to_numpy(std::move(table));
         },
-        py::arg("clipped"), py::arg("sides"), "(3 M, 4) float32; see native/atlas/spine.h.");
+        py::arg("clipped"), py::arg("sides"), "(3 M, 4) float32; see native/fovea/visibility/spine.h.");
 }
 
 }  // namespace fovea::bindings

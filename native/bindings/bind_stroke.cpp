@@ -1,27 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pens, strokes and their reference picture.
-#include <pybind11/stl.h>
-
 #include <algorithm>
 #include <map>
+#include <pybind11/stl.h>
+
+#include <fovea/stroke/compose.h>
+#include <fovea/stroke/ink.h>
+#include <fovea/stroke/pen_range.h>
+#include <fovea/stroke/raster.h>
+#include <fovea/stroke/tessellate.h>
+#include <fovea/stroke/texture_file.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "stroke/compose.h"
-#include "stroke/ink.h"
-#include "stroke/pen_range.h"
-#include "stroke/raster.h"
-#include "stroke/tessellate.h"
-#include "stroke/texture_file.h"
 
 namespace fovea::bindings {
 namespace {
 
 using Image = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
-             float texture_length_px, const std::string& cap, float taper_px,
-             std::optional<Index> texture, float strength_width, std::optional<Index> away,
-             float wobble_px, float wobble_length_px, Index seed, float pressure,
+Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px, float texture_length_px,
+             const std::string& cap, float taper_px, std::optional<Index> texture, float strength_width,
+             std::optional<Index> away, float wobble_px, float wobble_length_px, Index seed, float pressure,
              const std::string& texture_anchor) {
     check(cap == "round" || cap == "butt", "pen: cap must be 'round' or 'butt', not '" + cap + "'");
     check(texture_anchor == "screen" || texture_anchor == "path",
@@ -51,18 +51,16 @@ Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px,
 
 PenTexture make_pen_texture(const Image& ink) {
     check(ink.ndim() == 2 && ink.size() > 0, "pen texture: expected ink of shape (rows, columns)");
-    return {int(ink.shape(1)), int(ink.shape(0)),
-            Array<float>(ink.data(), ink.data() + ink.size())};
+    return {int(ink.shape(1)), int(ink.shape(0)), Array<float>(ink.data(), ink.data() + ink.size())};
 }
 
 py::array ink_of(PenTexture&& texture) {
     return to_numpy(std::move(texture.ink)).reshape({texture.height, texture.width});
 }
 
-Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width,
-                     const Arg<float>& opacity, const Arg<Index>& pen,
-                     const Arg<glm::uvec3>& triangles, Index count, const std::optional<Arg<vec2>>& mix,
-                     const std::optional<Arg<float>>& path_px) {
+Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width, const Arg<float>& opacity,
+                     const Arg<Index>& pen, const Arg<glm::uvec3>& triangles, Index count,
+                     const std::optional<Arg<vec2>>& mix, const std::optional<Arg<float>>& path_px) {
     const In<vec2> mixes = borrow<vec2>(mix, "mix");
     const In<float> lengths = borrow<float>(path_px, "path_px");
     return {copy<vec2>(px, "px"),
@@ -77,8 +75,8 @@ Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>
             count};
 }
 
-py::array draw(const Strokes& strokes, const std::vector<Pen>& pens,
-               const std::vector<PenTexture>& textures, int width, int height) {
+py::array draw(const Strokes& strokes, const std::vector<Pen>& pens, const std::vector<PenTexture>& textures, int width,
+               int height) {
     Array<vec4> image;
     {
         py::gil_scoped_release release;
@@ -87,13 +85,12 @@ py::array draw(const Strokes& strokes, const std::vector<Pen>& pens,
     return to_numpy(std::move(image)).reshape({height, width, 4});
 }
 
-py::array compose_image(const Image& lines, const std::array<float, 3>& paper,
-                        bool film_transparent, const std::optional<Image>& holdout) {
+py::array compose_image(const Image& lines, const std::array<float, 3>& paper, bool film_transparent,
+                        const std::optional<Image>& holdout) {
     check(lines.ndim() == 3 && lines.shape(2) == 4, "lines: expected shape (height, width, 4)");
     const auto count = std::size_t(lines.shape(0) * lines.shape(1));
     const In<vec4> pixels(reinterpret_cast<const vec4*>(lines.data()), count);
-    const In<float> mask =
-        holdout ? In<float>(holdout->data(), std::size_t(holdout->size())) : In<float>{};
+    const In<float> mask = holdout ? In<float>(holdout->data(), std::size_t(holdout->size())) : In<float>{};
     Array<vec4> out;
     {
         py::gil_scoped_release release;
@@ -122,15 +119,13 @@ Emphasis with_transfers(const std::map<std::string, Transfer>& transfers) {
 void bind_pens(py::module_& m) {
     const Pen pen;
     py::class_<Pen>(m, "Pen", "How a stroke looks; lengths in pixels of the image.")
-        .def(py::init(&make_pen), py::kw_only(),
-             py::arg("color") = std::array<float, 3>{0.0f, 0.0f, 0.0f},
+        .def(py::init(&make_pen), py::kw_only(), py::arg("color") = std::array<float, 3>{0.0f, 0.0f, 0.0f},
              py::arg("opacity") = pen.opacity, py::arg("width_px") = pen.width_px,
              py::arg("texture_length_px") = pen.texture_length_px, py::arg("cap") = "round",
              py::arg("taper_px") = pen.taper_px, py::arg("texture") = py::none(),
              py::arg("strength_width") = pen.strength_width, py::arg("away") = py::none(),
              py::arg("wobble_px") = pen.wobble_px, py::arg("wobble_length_px") = pen.wobble_length_px,
-             py::arg("seed") = pen.seed, py::arg("pressure") = pen.pressure,
-             py::arg("texture_anchor") = "screen",
+             py::arg("seed") = pen.seed, py::arg("pressure") = pen.pressure, py::arg("texture_anchor") = "screen",
              R"(color scene-linear; texture: index into the frame's textures, None: solid; away: index of the pen that
 this one becomes out of focus.)");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
@@ -149,11 +144,11 @@ this one becomes out of focus.)");
 
 void bind_strokes(py::module_& m) {
     py::class_<Strokes, std::shared_ptr<Strokes>> strokes(
-        m, "Strokes", "Visible runs shaped into V vertices and T triangles; see native/stroke/strokes.h.");
+        m, "Strokes", "Visible runs shaped into V vertices and T triangles; see native/fovea/stroke/strokes.h.");
     strokes
-        .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"),
-             py::arg("opacity"), py::arg("pen"), py::arg("triangles"), py::arg("count") = 0,
-             py::arg("mix") = py::none(), py::arg("path_px") = py::none())
+        .def(py::init(&make_strokes), py::arg("px"), py::arg("arc"), py::arg("half_width"), py::arg("opacity"),
+             py::arg("pen"), py::arg("triangles"), py::arg("count") = 0, py::arg("mix") = py::none(),
+             py::arg("path_px") = py::none())
         .def_property_readonly(
             "triangles", [](py::object self) { return view_numpy(self.cast<const Strokes&>().triangles, self); },
             "(T, 3) uint32, in drawing order")
@@ -200,17 +195,15 @@ set, least and most surfaces that hide the run, pen; the first that holds it.)")
         },
         py::arg("clipped"), py::arg("runs"), py::arg("pen_of_run"), py::arg("strength"), py::arg("pens"),
         py::arg("visibility") = py::none(), py::arg("focus") = py::none(), py::arg("distance") = py::none(),
-        py::arg("shown") = py::none(), py::arg("transfers") = py::dict(),
-        py::arg("ids") = py::none(),
+        py::arg("shown") = py::none(), py::arg("transfers") = py::dict(), py::arg("ids") = py::none(),
         R"(Strokes of runs, hidden ones below visible ones. pen_of_run (R,) uint32, 0xffffffff: not drawn; strength (N,)
 float32 per point of Paths, or None; visibility (samples,) float32: runs fade where samples at their ends are seen in
-part; None: their ends are sharp. focus, distance, shown (samples,) float32: see native/stroke/emphasis.h; transfers: {its
+part; None: their ends are sharp. focus, distance, shown (samples,) float32: see native/fovea/stroke/emphasis.h; transfers: {its
 name there: Transfer}; ids (P,) uint64 per path of Paths: what wobble is made from.)");
-    m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"),
-          py::arg("width"), py::arg("height"),
-          "(height, width, 4) float32, premultiplied, bottom row first.");
-    m.def("compose", &compose_image, py::arg("lines"), py::arg("paper"),
-          py::arg("film_transparent") = false, py::arg("holdout") = py::none(),
+    m.def("raster", &draw, py::arg("strokes"), py::arg("pens"), py::arg("textures"), py::arg("width"),
+          py::arg("height"), "(height, width, 4) float32, premultiplied, bottom row first.");
+    m.def("compose", &compose_image, py::arg("lines"), py::arg("paper"), py::arg("film_transparent") = false,
+          py::arg("holdout") = py::none(),
           "lines (H, W, 4) over the paper's colour; holdout (H, W): share of each pixel that is "
           "cut out of the paper.");
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The Python module: surfaces, lines and stages as numpy arrays. It knows nothing of Blender.
 #include "bindings/bind.h"
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Painted values as Python hands them over.
 #pragma once
 
 #include <pybind11/stl.h>
 
+#include <fovea/path/painted.h>
+
 #include "bindings/arrays.h"
-#include "path/painted.h"
 
 namespace fovea::bindings {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A depth buffer with what it shows.
 #pragma once
 
 #include <memory>
 
-#include "atlas/depth.h"
+#include <fovea/visibility/depth.h>
 
 namespace fovea::bindings {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters of a definition by name.
 #pragma once
 
 #include <map>
 #include <string>
 
-#include "line/definition.h"
+#include <fovea/line/definition.h>
 
 namespace fovea::bindings {
 

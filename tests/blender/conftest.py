@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tests marked `gpu` run inside a render: under `blender -b` that is where the gpu module works."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Compares a drawing with its reference.
 
 Drawings are mostly paper, so shares of all pixels hide what matters; two measures of the ink take their place:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A page that shows drawings beside their references; a folder of its own, to be opened or sent anywhere."""
 
 import html

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How much memory letting go of what is kept gives back, beside what is reckoned; in a Blender of its own, whose memory
 nothing else has cut into pieces: blender -b -P measure_kept.py -- STYLE."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Small scenes as native handles, up to where the backends begin."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Two things beside each other, for tests of which lines each of them has."""
 
 import math

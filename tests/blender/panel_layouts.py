@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Stands in for the layouts that panels draw to, and a scene in which they show all they have."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A scene to render, and the pictures that renders of it write."""
 
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea test`: blender -b -P run.py -- PYTEST WORDS. Blender's exit code is pytest's."""
 
 import sys

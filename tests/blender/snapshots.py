@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Snapshots of the scene as viewports and renders see it, and a stand-in for native surfaces that keeps its arrays."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The scripting API gives the arrays that it promises, in world space, for shapes whose lines are known."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What operators show is what a final render shows, not what viewports do; and they leave no trace of the render."""
 
 from contextlib import suppress

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Benchmarks that start Blenders of their own, at their smallest size: what each prints as JSON and as a table."""
 
 import json

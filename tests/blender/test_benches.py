@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Benchmarks measure what a render does: they hook into it, and notice when there is nothing to hook into."""
 
 import json

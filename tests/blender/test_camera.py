@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Cameras: where the View puts a point is where Blender says it is."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Base colours of every source, lights, and the colour layer in pictures and passes."""
 
 from dataclasses import replace

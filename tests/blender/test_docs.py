@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The examples of the page on scripting, run in their order as a reader would paste them."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea draw FILE.blend` draws what F12 renders, whatever the file was to be rendered to and whatever opening it reports."""
 
 import struct

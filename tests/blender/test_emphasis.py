@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The picture says where to look: what is in focus has more edges, lines and colour than the same place out of it."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The render engine from outside: the pictures that renders write."""
 
 import bpy

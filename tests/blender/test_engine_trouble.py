@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The render engine when something is wrong: what is said, and that no file is written."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every line definition of the registry, drawn by itself by `fovea draw` on a scene that has something for each."""
 
 import sys

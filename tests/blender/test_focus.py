@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Stylized focus in renders: where it is put, what answers to it, and that frames do not depend on each other."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Focus pulls from scripts: what is keyed, how it moves, undo."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The focus tools from scripts: picking, what gizmos drag, the overlay's colours."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A frame is the same, in every pass and to the last bit, whatever was drawn before it."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The camera that `fovea draw` puts before a model sees all of it and is as near as the margin allows."""
 
 import math

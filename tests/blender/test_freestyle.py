@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Match Freestyle: what its line sets and line styles say is what Fovea's say then."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Final drawings beside their references, and that the comparison can fail."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Line elision: the gpu's samples are the cpu's, and lines that crowd give way to more important ones."""
 
 import numpy as np

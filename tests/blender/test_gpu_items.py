@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The item buffer: the gpu's samples are the cpu's, and come near to exact ones where lines do not crowd."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The spine test: the gpu's picture is the cpu's, and both are the segment atlas's but for the ends of what is seen."""
 
 import numpy as np

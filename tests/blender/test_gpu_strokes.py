@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The gpu backend's strokes are those of the cpu backend."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The gpu backend's depth and visibility are those of the cpu backend."""
 
 import numpy as np
@@ -46,7 +47,7 @@ def test_depth(orthographic, scale):
 
 def edges_reach(packed, off):
     """(n,) how far inside their triangles places `off` texels beside the centres are, below 0 outside;
-    native/atlas/triangle_edges.h."""
+    native/fovea/visibility/triangle_edges.h."""
     a, b = packed.astype(np.int64).T
     codes = np.stack((a // 256, b // 256, a % 256 * 256 + b % 256))
     turn = codes // 256 / 64

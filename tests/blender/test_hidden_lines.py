@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Hidden lines, haloes and overshoot in pictures, on both backends."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Lines of the shaded image through whole renders: both definitions, both backends."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Elision smoothed in time: every frame is the same alone and in an animation, and lines come and go more slowly."""
 
 import math

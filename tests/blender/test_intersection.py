@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Intersections in pictures: where objects pass through each other, on both backends."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The memory limit: what is kept between pictures is bounded, the longest unused goes first, pictures stay the same."""
 
 import gc

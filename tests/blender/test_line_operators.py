@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Lines as an image and as objects, and the report: from scripts, on scenes whose lines are known."""
 
 import bpy

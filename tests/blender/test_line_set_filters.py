@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Line sets that draw the lines of a collection, an object or a material alone, or those of all others."""
 
 import bpy

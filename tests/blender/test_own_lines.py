@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What objects and materials say of their lines themselves: kinds, the angle of creases, none at all."""
 
 import math

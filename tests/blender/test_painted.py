@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What is painted on meshes and objects that are looked at: in renders, and in the Focus pass."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The words and limits of all that panels and operators show are as Blender's own."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
 
 from types import SimpleNamespace

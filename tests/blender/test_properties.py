@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Settings of scenes and objects, and the kinds of lines of line sets, which are made from the registry."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes that are put in order before they are drawn, as their objects say."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The user's saved styles: their thumbnails, and how they are updated, renamed, preferred."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which materials hide what lies behind them, and what the report says of it, by their nodes."""
 
 import bpy

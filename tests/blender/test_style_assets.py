@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Styles as assets: marked with a thumbnail, cleared, and used from another file."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A style in a datablock: all of it goes in and comes out, is undone, keyed, driven, saved, appended and linked."""
 
 import json

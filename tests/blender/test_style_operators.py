@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on styles and line sets: what they do, undo, refuse and say."""
 
 import dataclasses

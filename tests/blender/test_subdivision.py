@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Cages of subdivided objects, and the limit surfaces they are drawn on."""
 
 import bpy

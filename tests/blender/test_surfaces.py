@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a surface is made of: materials and marks; and when it is kept, moved or built anew."""
 
 import bpy

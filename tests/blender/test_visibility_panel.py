@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The Visibility panel: what does not apply to a method is greyed out."""
 
 from types import SimpleNamespace

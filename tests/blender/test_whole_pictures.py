@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A picture that `fovea draw` announces is whole: what a full disk leaves of one is noticed, and what was there stays."""
 
 import resource

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on under test, by whatever name it is installed, and scenes to test it on."""
 
 import importlib

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces with known derivatives of every order, and meshes of them.
 #pragma once
 
@@ -7,7 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "field/implicit.h"
+#include <fovea/field/implicit.h>
+
 #include "meshes.h"
 
 namespace fovea::analytic {

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of whole pictures with the surfaces that hide them counted.
 #pragma once
 
-#include "atlas/invisibility.h"
+#include <fovea/runs/invisibility.h>
+
 #include "wires.h"
 
 namespace fovea::wires {

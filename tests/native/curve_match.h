@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How well curves that were found agree with exact ones.
 #pragma once
 
 #include <unordered_map>
 
+#include <fovea/line/curves.h>
+
 #include "exact_curves.h"
-#include "line/curves.h"
 
 namespace fovea::analytic {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawing.h"
 
 namespace fovea::drawing {
@@ -31,8 +32,7 @@ Drawing::Length Drawing::length_of(Index edge, Index placement) const {
             length.all += to - from;
             for (std::size_t r = 0; r < runs.piece.size(); ++r)
                 if (runs.piece[r] == q)
-                    length.visible +=
-                        std::max(0.0, std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]));
+                    length.visible += std::max(0.0, std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]));
         }
     }
     return length;

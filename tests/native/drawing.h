@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cameras by eye and target, and the whole way from placements to visible runs.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
-#include "atlas/exact.h"
+#include <fovea/path/extract.h>
+#include <fovea/project/project.h>
+#include <fovea/visibility/exact.h>
+
 #include "meshes.h"
-#include "path/extract.h"
-#include "project/project.h"
 
 namespace fovea::drawing {
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines drawn by hand, and what elision leaves of them.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "elision/elide.h"
-#include "elision/opacity.h"
-#include "elision/rank.h"
+#include <fovea/elision/elide.h>
+#include <fovea/elision/opacity.h>
+#include <fovea/elision/rank.h>
 
 namespace fovea {
 

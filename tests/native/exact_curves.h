@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves where a function of exact curvature is zero, on surfaces known in closed form. Shares nothing with the tracing
 // that it judges but the formulas for a point: a fine grid of the parameters, and a root search along its sides.
 #pragma once
@@ -5,8 +6,9 @@
 #include <array>
 #include <optional>
 
+#include <fovea/base/parallel.h>
+
 #include "analytic.h"
-#include "base/parallel.h"
 
 namespace fovea::analytic {
 

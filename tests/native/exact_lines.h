@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The line definitions once more, as functions of exact curvature in double precision: what is to be found where.
 #pragma once
 
 #include <string>
 
+#include <fovea/field/fields.h>
+#include <fovea/field/view_curvature.h>
+#include <fovea/line/registry.h>
+
 #include "exact_curves.h"
-#include "field/fields.h"
-#include "field/view_curvature.h"
-#include "line/registry.h"
 
 namespace fovea::analytic {
 
@@ -64,14 +66,11 @@ inline ExactLine exact_line(const std::string& name, const Values& values, doubl
                     return std::min(sign * radial(c, s).derivative - t * squared * s.facing, s.facing);
                 }};
     if (name == "ridge" || name == "valley")
-        return {[=](const C& c, const S&) {
-                    return Along{sign * c.C[0], c.e1};
-                },
-                [=](const C& c, const S&) { return sign * c.k1 - t * unit; }, true, value("sharpness", 0.0) * squared * unit};
+        return {[=](const C& c, const S&) { return Along{sign * c.C[0], c.e1}; },
+                [=](const C& c, const S&) { return sign * c.k1 - t * unit; }, true,
+                value("sharpness", 0.0) * squared * unit};
     if (name == "principal_highlight_ridge" || name == "principal_highlight_valley")
-        return {[](const C& c, const S& s) {
-                    return Along{s.u, c.e1};
-                },
+        return {[](const C& c, const S& s) { return Along{s.u, c.e1}; },
                 [=](const C& c, const S& s) {
                     return std::min((c.k1 * c.k1 - c.k2 * c.k2) * s.facing - t * squared, sign * c.k1);
                 }};

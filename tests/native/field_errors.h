@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of estimated curvature against the exact one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Intersections of a scene as curves in the world, and shapes whose intersections are known.
 #pragma once
 

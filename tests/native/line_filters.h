@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines at given pixels and distances, runs on them, and what runs cover.
 #pragma once
 
@@ -5,7 +6,8 @@
 #include <array>
 #include <random>
 
-#include "atlas/filters.h"
+#include <fovea/runs/filters.h>
+
 #include "wires.h"
 
 namespace fovea::line_filters {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small named meshes, as Blender would hold them.
 #pragma once
 
@@ -7,7 +8,7 @@
 #include <memory>
 #include <numbers>
 
-#include "mesh/surface.h"
+#include <fovea/mesh/surface.h>
 
 namespace fovea::meshes {
 

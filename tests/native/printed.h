@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What GoogleTest makes of numbers to print them: compiled once, not in every file of tests. No file includes this; it
 // is among the precompiled headers.
 #pragma once

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Strokes from plain polylines, and what their picture adds up to.
 #pragma once
 
 #include <cmath>
 #include <numbers>
 
-#include "stroke/raster.h"
-#include "stroke/tessellate.h"
+#include <fovea/stroke/raster.h>
+#include <fovea/stroke/tessellate.h>
 
 namespace fovea::stroke_fixture {
 
@@ -13,8 +14,7 @@ namespace fovea::stroke_fixture {
 /// by point.
 inline void add_piece(ClippedPaths& clipped, const std::vector<vec2>& line, bool closed = false) {
     double length = 0.0, arc = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i)
-        length += glm::distance(dvec2(line[i]), dvec2(line[i - 1]));
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(dvec2(line[i]), dvec2(line[i - 1]));
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (i > 0) arc += glm::distance(dvec2(line[i]), dvec2(line[i - 1]));
         clipped.source.push_back(Index(clipped.px.size()));
@@ -41,14 +41,12 @@ inline Runs whole_runs(const ClippedPaths& clipped) {
     Runs runs;
     for (Index q = 0; q < clipped.pieces.count(); ++q)
         if (clipped.pieces.size(q) > 0)
-            add_run(runs, q, clipped.arc_px[clipped.pieces.begin(q)],
-                    clipped.arc_px[clipped.pieces.end(q) - 1]);
+            add_run(runs, q, clipped.arc_px[clipped.pieces.begin(q)], clipped.arc_px[clipped.pieces.end(q) - 1]);
     return runs;
 }
 
 /// Every run drawn with the one pen.
-inline Strokes draw(const ClippedPaths& clipped, const Runs& runs, const Pen& pen,
-                    In<float> strength = {}) {
+inline Strokes draw(const ClippedPaths& clipped, const Runs& runs, const Pen& pen, In<float> strength = {}) {
     const std::vector<Index> pen_of_run(runs.size(), 0);
     return tessellate(clipped, runs, pen_of_run, strength, {&pen, 1});
 }

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Textures anchored to their path: octaves that keep their places while a path grows in the image.
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "stroke/fragment.h"
-#include "stroke/ink.h"
-#include "stroke/pen_table.h"
+#include <fovea/stroke/fragment.h>
+#include <fovea/stroke/ink.h>
+#include <fovea/stroke/pen_table.h>
+
 #include "stroke_fixture.h"
 #include "wires.h"
 
@@ -134,8 +135,7 @@ TEST(Anchor, DarknessAndContrastStayAllThroughAnOctave) {
 
 TEST(Anchor, LengthAndPlacesOfAPathAreTheSameHoweverItIsClipped) {
     std::vector<dvec3> line;
-    for (int i = 0; i <= 300; ++i)
-        line.push_back({-9.0 + 0.06 * i, 4.5 * std::sin(0.11 * i) + 0.8, -5.0 - 0.004 * i});
+    for (int i = 0; i <= 300; ++i) line.push_back({-9.0 + 0.06 * i, 4.5 * std::sin(0.11 * i) + 0.8, -5.0 - 0.004 * i});
     const View narrow = wires::camera(), wide = wires::cropped(narrow, -1280, -960, 1920, 1440);
     const ClippedPaths cut = wires::project_line(line, narrow), whole = wires::project_line(line, wide);
     ASSERT_GT(cut.pieces.count(), 1u);

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hidden lines that coincide with visible ones are left out, and only those.
 #include <gtest/gtest.h>
+#include <random>
 #include <tbb/global_control.h>
 
-#include <random>
+#include <fovea/runs/beside_visible.h>
 
-#include "atlas/beside_visible.h"
 #include "stroke_fixture.h"
 
 namespace fovea {
@@ -35,7 +36,8 @@ struct Lines {
 
 TEST(BesideVisible, WhatGoesAlongAVisibleLineIsLeftOut) {
     for (float apart : {0.0f, 1.5f, 3.5f}) {
-        const Lines lines({{{10, 50}, {210, 50}}, {{10, 50 + apart}, {210, 50 + apart}}, {{210, 50 - apart}, {10, 50 - apart}}});
+        const Lines lines(
+            {{{10, 50}, {210, 50}}, {{10, 50 + apart}, {210, 50 + apart}}, {{210, 50 - apart}, {10, 50 - apart}}});
         EXPECT_EQ(lines.left(0), 200.0);
         EXPECT_EQ(lines.left(1), 0.0) << apart;
         EXPECT_EQ(lines.left(2), 0.0) << "the other way round";

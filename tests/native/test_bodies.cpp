@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is solid and what is not.
 #include <gtest/gtest.h>
 
-#include "scene/bodies.h"
+#include <fovea/scene/bodies.h>
+
 #include "meshes.h"
 
 using namespace fovea;

@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Broken elements are skipped and counted, never fatal; moved vertices give what a fresh surface gives.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 
 #include "meshes.h"

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A surface's BVH follows its vertices: rays say what they say of a surface that was made there.
 #include <gtest/gtest.h>
-
 #include <random>
 
 #include "drawing.h"

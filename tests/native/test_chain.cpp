@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edges chained into paths: corners, junctions, loops, and who is first.
 #include <gtest/gtest.h>
 
+#include <fovea/path/chain.h>
+
 #include "drawing.h"
-#include "path/chain.h"
 
 using namespace fovea;
 using namespace fovea::meshes;

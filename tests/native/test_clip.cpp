@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clipping at analytic positions: the near plane, the four borders, the eye plane.
 #include <gtest/gtest.h>
-
 #include <random>
 
 #include "wires.h"

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clusters of triangles: complete, within their bounds, and never passed over where there is a line.
-#include <gtest/gtest.h>
-
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <set>
 
+#include <fovea/field/view_curvature.h>
+#include <fovea/line/cluster_trace.h>
+#include <fovea/line/registry.h>
+#include <fovea/line/seen_vertices.h>
+
 #include "analytic.h"
-#include "field/view_curvature.h"
-#include "line/cluster_trace.h"
-#include "line/registry.h"
-#include "line/seen_vertices.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -67,9 +68,17 @@ Mesh enormous(float size) {
 }
 
 std::vector<Mesh> all_meshes() {
-    return {torus({.n = 64, .irregular = true}).mesh, waves({.n = 48}).mesh, noisy_torus(), meshes::sphere(24),
-            meshes::box(), meshes::moebius(40), meshes::two_boxes_at_an_edge(), with_a_hole_of_nan(), enormous(1e18f),
-            enormous(3e38f), Mesh("nothing", {})};
+    return {torus({.n = 64, .irregular = true}).mesh,
+            waves({.n = 48}).mesh,
+            noisy_torus(),
+            meshes::sphere(24),
+            meshes::box(),
+            meshes::moebius(40),
+            meshes::two_boxes_at_an_edge(),
+            with_a_hole_of_nan(),
+            enormous(1e18f),
+            enormous(3e38f),
+            Mesh("nothing", {})};
 }
 
 bool same(const Curves& a, const Curves& b) {
@@ -154,8 +163,8 @@ TEST(Clusters, WhatIsPassedOverHoldsNoLine) {
                     const Curves found = definition->find(seen, v);
                     seen.pass_over = false;
                     ASSERT_TRUE(same(found, definition->find(seen, v)))
-                        << definition->name << " on " << mesh.name << " from ("
-                        << eye.at.x << ", " << eye.at.y << ", " << eye.at.z << ")";
+                        << definition->name << " on " << mesh.name << " from (" << eye.at.x << ", " << eye.at.y << ", "
+                        << eye.at.z << ")";
                     lines += !found.empty();
                 }
         }
@@ -202,8 +211,7 @@ TEST(Clusters, WorkGrowsSlowerThanTheMesh) {
         const auto clusters = clusters_of(*surface);
         double count = 0;
         const auto none_in = [](const SeenCluster& cluster) { return !cluster.facing().may_hold(0.0f); };
-        for (Index c : clusters_with_lines(seen, *hierarchy, none_in))
-            count += double(clusters->vertices_of(c).size());
+        for (Index c : clusters_with_lines(seen, *hierarchy, none_in)) count += double(clusters->vertices_of(c).size());
         glances.push_back(count);
     }
     EXPECT_GT(glances[0], 0.0);

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The colour layer, its effects and paper: the same for any number of threads, sound on poor input.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cmath>
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
+#include <tbb/global_control.h>
 
-#include "color/effects.h"
-#include "color/layer.h"
-#include "color/paper.h"
+#include <fovea/color/effects.h>
+#include <fovea/color/layer.h>
+#include <fovea/color/paper.h>
+#include <fovea/mesh/refine.h>
+
 #include "drawing.h"
-#include "mesh/refine.h"
 
 namespace fovea {
 namespace {

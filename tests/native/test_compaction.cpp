@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs read back as polylines: their ends on the line, in the image and in space.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "atlas/compaction.h"
+#include <fovea/runs/compaction.h>
+
 #include "line_filters.h"
 
 using namespace fovea;

@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth contours against their own mesh (scene/tracer.h, Ignore): how much of what the smooth surface shows is hidden
 // by the mesh that stands for it, or broken, and whether that flickers when the camera moves.
-#include <gtest/gtest.h>
-
 #include <functional>
+#include <gtest/gtest.h>
 
 #include "analytic.h"
 #include "drawing.h"

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of the field against exact curves on surfaces whose curvature is known.
 #include <gtest/gtest.h>
 
+#include <fovea/field/view_curvature.h>
+#include <fovea/path/chain_curves.h>
+
 #include "analytic.h"
 #include "drawing.h"
-#include "field/view_curvature.h"
-#include "path/chain_curves.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -85,8 +87,8 @@ class WavesCurves : public testing::TestWithParam<bool> {
     void near(const char* name, const Value& value, const dvec3& towards = view, double threshold = -1) {
         const Curves curves = inner(find(*surface, name, towards, threshold));
         const auto [half, most] = distances(sample, curves, edge, value);
-        std::printf("[ figure ] %s, %s: %.3f / %.3f edges, length %.3f\n", name, GetParam() ? "irregular" : "regular", half,
-                    most, length(curves));
+        std::printf("[ figure ] %s, %s: %.3f / %.3f edges, length %.3f\n", name, GetParam() ? "irregular" : "regular",
+                    half, most, length(curves));
         EXPECT_GT(length(curves), 1.0) << name;
         EXPECT_LE(half, .02) << name;
         EXPECT_LE(most, .07) << name;
@@ -104,10 +106,13 @@ TEST_P(WavesCurves, SuggestiveContour) {
     });
 }
 TEST_P(WavesCurves, SuggestiveHighlight) {
-    near("suggestive_highlight", [&](const dvec3& p, const dvec3&) {
-        const CurvatureD c = sample.exact(p);
-        return radial(c, see(c, view, 0.0)).scaled;
-    }, view, 0.0);
+    near(
+        "suggestive_highlight",
+        [&](const dvec3& p, const dvec3&) {
+            const CurvatureD c = sample.exact(p);
+            return radial(c, see(c, view, 0.0)).scaled;
+        },
+        view, 0.0);
 }
 TEST_P(WavesCurves, Ridge) {
     near("ridge", [&](const dvec3& p, const dvec3& e1) {
@@ -124,18 +129,23 @@ TEST_P(WavesCurves, Valley) {
 TEST_P(WavesCurves, ApparentRidge) {
     // The sign of a is that which agrees with a at a place nearby.
     dvec3 last(0);
-    near("apparent_ridge", [&](const dvec3& p, const dvec3& e1) {
-        const CurvatureD c = sample.exact(p);
-        const auto v = view_curvature(c, see(c, view, 0.0));
-        const dvec3 a = v.a1 * c.e1 + v.a2 * c.e2;
-        (void)e1;
-        if (glm::dot(a, last) < 0) return -v.derivative / glm::length(a);
-        last = a;
-        return v.derivative / glm::length(a);
-    }, view, 0.0);
+    near(
+        "apparent_ridge",
+        [&](const dvec3& p, const dvec3& e1) {
+            const CurvatureD c = sample.exact(p);
+            const auto v = view_curvature(c, see(c, view, 0.0));
+            const dvec3 a = v.a1 * c.e1 + v.a2 * c.e2;
+            (void)e1;
+            if (glm::dot(a, last) < 0) return -v.derivative / glm::length(a);
+            last = a;
+            return v.derivative / glm::length(a);
+        },
+        view, 0.0);
 }
 TEST_P(WavesCurves, Demarcating) {
-    near("demarcating_curve", [&](const dvec3& p, const dvec3&) { return demarcating(sample.exact(p)).curvature; }, view, 0.0);
+    near(
+        "demarcating_curve", [&](const dvec3& p, const dvec3&) { return demarcating(sample.exact(p)).curvature; }, view,
+        0.0);
 }
 TEST_P(WavesCurves, Laplacian) {
     near("laplacian_line", [&](const dvec3& p, const dvec3&) {

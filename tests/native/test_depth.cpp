@@ -1,11 +1,11 @@
-#include "atlas/depth.h"
-
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 #include <random>
+#include <tbb/global_control.h>
+
+#include <fovea/visibility/depth.h>
 
 #include "meshes.h"
 
@@ -47,10 +47,10 @@ struct Mesh {
         add(a, b, c);
         add(a, c, d);
     }
-    operator DepthMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
+    operator RasterMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
 };
 
-DepthBuffer draw(const View& view, const std::vector<DepthMesh>& meshes, int scale = 1) {
+DepthBuffer draw(const View& view, const std::vector<RasterMesh>& meshes, int scale = 1) {
     return draw_depth(view, meshes, {.scale = scale, .margin = 0.0});
 }
 
@@ -206,7 +206,7 @@ TEST(Depth, TheBorderShowsWhatLiesAroundTheFrame) {
     const Mesh mesh = random_triangles(200, 7);
     const View view = perspective(60, 41);
     const DepthBuffer frame = draw(view, {mesh}, 2);
-    const DepthMesh meshes[] = {mesh};
+    const RasterMesh meshes[] = {mesh};
     const DepthBuffer wide = draw_depth(view, meshes, {.scale = 2, .margin = 0.3});
     EXPECT_EQ(wide.border_x, 9);
     EXPECT_EQ(wide.border_y, 7);
@@ -225,14 +225,16 @@ TEST(Depth, SolidBodiesLookTheSameWithoutTheirFarSides) {
     const auto ball = meshes::sphere(16).surface(), box = meshes::box().surface(), sheet = meshes::grid(3).surface();
     const dmat4 far = glm::translate(dmat4(1.0), dvec3(0.4, 0.2, -6)), mirrored = glm::scale(far, dvec3(-1, 1.3, 1));
     const dmat4 near = glm::translate(dmat4(1.0), dvec3(-0.5, -0.3, -0.9));  // the near plane cuts it
-    const Scene scene({{ball, far, 1}, {box, glm::rotate(mirrored, 0.5, dvec3(1, 1, 0)), 2},
-                       {sheet, glm::rotate(far, 0.9, dvec3(1, 2, 0)), 3}, {ball, near, 4}});
+    const Scene scene({{ball, far, 1},
+                       {box, glm::rotate(mirrored, 0.5, dvec3(1, 1, 0)), 2},
+                       {sheet, glm::rotate(far, 0.9, dvec3(1, 2, 0)), 3},
+                       {ball, near, 4}});
     const View view = perspective(90, 70);
-    std::vector<DepthMesh> meshes = depth_meshes(scene, view, 0.0);
+    std::vector<RasterMesh> meshes = depth_meshes(scene, view, 0.0);
     ASSERT_EQ(meshes.size(), 4u);
     EXPECT_TRUE(meshes[0].one_sided && meshes[1].one_sided && !meshes[2].one_sided && !meshes[3].one_sided);
     const DepthBuffer culled = draw(view, meshes, 2);
-    for (DepthMesh& mesh : meshes) mesh.one_sided = false;
+    for (RasterMesh& mesh : meshes) mesh.one_sided = false;
     EXPECT_TRUE(same(culled, draw(view, meshes, 2)));
 }
 

@@ -1,9 +1,9 @@
-#include "atlas/depth_tiles.h"
-
-#include <gtest/gtest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 #include <random>
+
+#include <fovea/visibility/depth_tiles.h>
 
 using namespace fovea;
 
@@ -36,7 +36,7 @@ struct Soup {
             for (int k = 0; k < 3; ++k) positions.push_back({x(random), x(random), z(random)});
         }
     }
-    std::vector<DepthMesh> meshes() const { return {{positions, triangles, facets, dmat4(1.0), 0}}; }
+    std::vector<RasterMesh> meshes() const { return {{positions, triangles, facets, dmat4(1.0), 0}}; }
 };
 
 }  // namespace

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distance to surfaces against closed forms, and the focus made of it.
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 
-#include "atlas/depth_image.h"
+#include <fovea/focus/each_sample.h>
+#include <fovea/focus/focus.h>
+#include <fovea/scene/distance.h>
+#include <fovea/visibility/depth_image.h>
+
 #include "drawing.h"
-#include "focus/each_sample.h"
-#include "focus/focus.h"
-#include "scene/distance.h"
 
 using namespace fovea;
 

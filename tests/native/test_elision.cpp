@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <random>
+#include <tbb/global_control.h>
 
 #include "elision_fixture.h"
 

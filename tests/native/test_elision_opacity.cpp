@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <random>
 
 #include "elision_fixture.h"

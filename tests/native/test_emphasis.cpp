@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Strokes on their way from the pen in focus to the one out of focus.
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact visibility where the answer is known.
-#include <gtest/gtest.h>
-
 #include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
 #include <random>
 
-#include "atlas/exact.h"
+#include <fovea/visibility/exact.h>
+
 #include "wires.h"
 
 using namespace fovea;

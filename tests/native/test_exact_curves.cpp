@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The judge of lines, judged: where curves have a closed form, the exact ones have it, too.
 #include <gtest/gtest.h>
 

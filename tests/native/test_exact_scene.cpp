@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact visibility in whole scenes: a ray for every sample is the judge; usages, instances, threads.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
 #include <random>
+#include <tbb/global_control.h>
 
 #include "drawing.h"
 

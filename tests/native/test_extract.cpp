@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Paths of a scene: line sets, ids, what is left out.
+#include <cstring>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-
-#include <cstring>
 
 #include "drawing.h"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Partial visibility blends one pen into the other, and nothing fades where samples are whole.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
-#include "stroke/fade.h"
+#include <fovea/stroke/fade.h>
+
 #include "stroke_fixture.h"
 
 namespace fovea {

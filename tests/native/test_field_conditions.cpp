@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curvature under what must not change it, on broken input, and at hard edges.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <tbb/global_control.h>
 
-#include "field/fields.h"
-#include "field/jets.h"
-#include "field/one_ring.h"
+#include <fovea/field/fields.h>
+#include <fovea/field/jets.h>
+#include <fovea/field/one_ring.h>
+#include <fovea/mesh/stretch.h>
+
 #include "field_errors.h"
-#include "mesh/stretch.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -155,8 +156,18 @@ TEST(FieldConditions, AFoldIsHardWhereTheSurfaceBesideItIsSmooth) {
 
     // An icosahedron turns by 42 degrees at each edge: few triangles of something round.
     const float g = 1.618034f;
-    Mesh icosahedron("icosahedron", {{0, 1, g}, {0, 1, -g}, {0, -1, g}, {0, -1, -g}, {1, g, 0}, {1, -g, 0},
-                                     {-1, g, 0}, {-1, -g, 0}, {g, 0, 1}, {g, 0, -1}, {-g, 0, 1}, {-g, 0, -1}});
+    Mesh icosahedron("icosahedron", {{0, 1, g},
+                                     {0, 1, -g},
+                                     {0, -1, g},
+                                     {0, -1, -g},
+                                     {1, g, 0},
+                                     {1, -g, 0},
+                                     {-1, g, 0},
+                                     {-1, -g, 0},
+                                     {g, 0, 1},
+                                     {g, 0, -1},
+                                     {-g, 0, 1},
+                                     {-g, 0, -1}});
     const auto& p = icosahedron.positions;
     const auto near = [&](int i, int j) { return glm::distance(p[i], p[j]) < 2.1f; };
     for (int i = 0; i < 12; ++i)

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curvature by jets against surfaces whose curvature is known.
 #include <gtest/gtest.h>
 
-#include "field/jets.h"
+#include <fovea/field/jets.h>
+
 #include "field_errors.h"
 
 using namespace fovea;

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curvature from one-rings, on the regular meshes it is good at.
 #include <gtest/gtest.h>
 
-#include "field/one_ring.h"
+#include <fovea/field/one_ring.h>
+
 #include "field_errors.h"
 
 using namespace fovea;

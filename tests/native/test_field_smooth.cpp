@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curvature averaged over its surroundings: what must stay as it is, and noise, which must not.
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
-#include <glm/gtc/quaternion.hpp>
+#include <fovea/field/fields.h>
+#include <fovea/field/smooth.h>
 
-#include "field/fields.h"
-#include "field/smooth.h"
 #include "field_errors.h"
 
 using namespace fovea;
@@ -39,9 +40,10 @@ TEST(FieldSmooth, SpheresAndCylindersStay) {
         EXPECT_NEAR(c.k2, 0.5f, 1e-5f);
         for (float third : c.C) EXPECT_NEAR(third, 0.0f, 1e-5f);
     }
-    Sample cylinder{parameter_grid("cylinder", false, {.n = 40, .irregular = true}, [](double u, double v) {
-        return dvec3(std::cos(3 * v), std::sin(3 * v), 3 * u);
-    }), {}, {}};
+    Sample cylinder{parameter_grid("cylinder", false, {.n = 40, .irregular = true},
+                                   [](double u, double v) { return dvec3(std::cos(3 * v), std::sin(3 * v), 3 * u); }),
+                    {},
+                    {}};
     cylinder.exact = [](const dvec3& p) { return curvature_of(ellipsoid_jet({p.x, p.y, 0}, {1, 1, 1e30})); };
     const auto before = exact(cylinder);
     const auto after = smoothed(*cylinder.mesh.surface(), before, 2.0);

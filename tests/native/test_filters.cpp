@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gaps and overshoot: along segments and atlas rows, over seams, up to the frame and beyond the ends of lines.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <tbb/global_control.h>
 
 #include "line_filters.h"
 
@@ -56,8 +56,7 @@ TEST(Pieces, KnowHowTheyEnd) {
 TEST(Overshoot, StopsWhereASurfaceHidesTheLine) {
     const ClippedPaths clipped = straight();
     const Runs runs = runs_of({{0, -80, -50}, {0, -40, -20}, {0, 30, 60}});
-    for (float amount : {4.0f, 5.0f, 40.0f})
-        expect_same(overshoot(clipped, runs, everywhere(clipped, amount)), runs);
+    for (float amount : {4.0f, 5.0f, 40.0f}) expect_same(overshoot(clipped, runs, everywhere(clipped, amount)), runs);
     expect_runs(overshoot(clipped, runs_of({{0, -100, 20}, {0, 40, 100}}), everywhere(clipped, 9)),
                 {{0, -109, 20}, {0, 40, 109}});
 }

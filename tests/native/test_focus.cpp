@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Focus by distance from points, per sample and per pixel.
 #include <gtest/gtest.h>
-
 #include <limits>
 
-#include "focus/focus.h"
+#include <fovea/focus/focus.h>
 
 namespace fovea {
 namespace {

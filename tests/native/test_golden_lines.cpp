@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Field quantities at points of surfaces whose derivatives are known, against values found with another program.
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "field/implicit.h"
-#include "field/view_curvature.h"
+#include <fovea/field/implicit.h>
+#include <fovea/field/view_curvature.h>
 
 using namespace fovea;
 
@@ -82,8 +82,8 @@ ImplicitJet torus(double big, const dvec3& p) {
         for (int j = 0; j < 2; ++j) {
             jet.hessian[i][j] = 2 * d(i, j) - 2 * big * (d(i, j) / q - x[i] * x[j] / q3);
             for (int k = 0; k < 2; ++k)
-                jet.third[k][i][j] = -2 * big * (3 * x[i] * x[j] * x[k] / q5 -
-                                                 (d(i, j) * x[k] + d(i, k) * x[j] + d(j, k) * x[i]) / q3);
+                jet.third[k][i][j] =
+                    -2 * big * (3 * x[i] * x[j] * x[k] / q5 - (d(i, j) * x[k] + d(i, k) * x[j] + d(j, k) * x[i]) / q3);
         }
     return jet;
 }
@@ -126,7 +126,8 @@ double waves(double x, double y, ImplicitJet& jet) {
 TEST(GoldenLines, Ellipsoid) {
     const dvec3 axes(1.5, 1.1, .7), p(1.5 * cos(.6) * cos(.5), 1.1 * cos(.6) * sin(.5), .7 * sin(.6));
     const Golden e(ellipsoid(axes, p), p);
-    e.is(1.142469809, .639133577, .834830638, .245365201, -2.230180418, 1.323914673, 5.565000731, -2.123808204, 1.111646413);
+    e.is(1.142469809, .639133577, .834830638, .245365201, -2.230180418, 1.323914673, 5.565000731, -2.123808204,
+         1.111646413);
     e.third_is(-2.157191459, .359730104, -.402266937, .603733034);
     near_to(e.seen.facing, .982263895, "n.v");
     near_to(std::abs(e.seen.u), .116915722, "u");
@@ -140,7 +141,8 @@ TEST(GoldenLines, Ellipsoid) {
 TEST(GoldenLines, Torus) {
     const dvec3 p1 = torus_point(1, .4, 2, .4), p2 = torus_point(1, .4, 1, -.7);
     const Golden first(torus(1, p1), p1), second(torus(1, p2), p2);
-    first.is(2.5, -.499251631, 2.340738246, -.672533843, -.092618950, 19.732121667, -273.213379971, -.938090318, .500498912);
+    first.is(2.5, -.499251631, 2.340738246, -.672533843, -.092618950, 19.732121667, -273.213379971, -.938090318,
+             .500498912);
     first.third_is(0, 0, -3.271837765, 0);
     near_to(first.seen.facing, .552613726, "n.v");
     near_to(first.demarcating.strength, 3.777992829, "C(g, g, g)");
@@ -159,7 +161,8 @@ TEST(GoldenLines, Waves) {
     const double z = waves(.2, -.3, jet);
     const Golden w(jet, {.2, -.3, z});
     near_to(glm::length(w.c.normal - dvec3(-.060105726, -.470058071, .880586573)), 0.0, "normal");
-    w.is(-1.506110307, .947594163, .104766112, -1.165200340, 1.406007410, 7.772807607, -65.529889962, 6.823866340, -1.488794389);
+    w.is(-1.506110307, .947594163, .104766112, -1.165200340, 1.406007410, 7.772807607, -65.529889962, 6.823866340,
+         -1.488794389);
     w.third_is(-11.846239838, -1.203985624, .929679460, 4.500846630);
     near_to(w.demarcating.strength, 12.000066652, "C(g, g, g)");
     near_to(w.derivative() * std::sqrt(w.seen.sine2()) / w.seen.facing, 2.949091630, "tan times the derivative");

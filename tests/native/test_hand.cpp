@@ -1,14 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Wobble and pressure: how far, where not, and that they stay where they are.
 #include <gtest/gtest.h>
 
-#include "stroke/hand.h"
+#include <fovea/stroke/hand.h>
 
 namespace fovea {
 namespace {
 
-CentreLine straight(double from, double to) {
-    return {{{from, 10.0}, from, 2.0f}, {{to, 10.0}, to, 2.0f}};
-}
+CentreLine straight(double from, double to) { return {{{from, 10.0}, from, 2.0f}, {{to, 10.0}, to, 2.0f}}; }
 
 TEST(Wobble, StraysAsFarAsToldAndNoFarther) {
     CentreLine line = straight(-300, 300);

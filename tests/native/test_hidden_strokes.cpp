@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pens by line set and invisibility, and hidden strokes below visible ones.
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "stroke/pen_range.h"
+#include <fovea/stroke/pen_range.h>
+
 #include "stroke_fixture.h"
 
 namespace fovea {

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which stretches of chains are lines.
 #include <gtest/gtest.h>
-
 #include <set>
+
+#include <fovea/path/curves_of.h>
+#include <fovea/path/hysteresis.h>
 
 #include "analytic.h"
 #include "drawing.h"
-#include "path/curves_of.h"
-#include "path/hysteresis.h"
 
 using namespace fovea;
 using namespace fovea::drawing;
@@ -88,7 +89,8 @@ TEST(Hysteresis, CutsWhereTheStrengthCrossesTheLevel) {
     EXPECT_NE(cut.anchor[0], cut.anchor[1]);
     EXPECT_EQ(cut.anchor[1] >> 32, 3u) << "of the same level";
     for (float s : cut.strength) EXPECT_EQ(s, 1.0f);
-    const CurveChains over = select_stretches(chain_of({1, 1, .3f, 1, 1}), {.level = 0.5f, .depth = 0.25f, .reach = 0.5f});
+    const CurveChains over =
+        select_stretches(chain_of({1, 1, .3f, 1, 1}), {.level = 0.5f, .depth = 0.25f, .reach = 0.5f});
     EXPECT_EQ(over.rows.count(), 1u) << "a shallow gap is noise";
 }
 
@@ -124,7 +126,8 @@ TEST(Hysteresis, HooksGoFromTheEndsOfOpenChains) {
     const auto bent = [&](std::size_t corner, double angle, bool from_start) {
         CurveChains chains = chain_of(std::vector<float>(20, 1.0f));
         for (std::size_t i = 0; i < 20; ++i) {
-            const double past = 0.1 * std::max(0.0, double(i) - double(corner)), before = 0.1 * double(std::min(i, corner));
+            const double past = 0.1 * std::max(0.0, double(i) - double(corner)),
+                         before = 0.1 * double(std::min(i, corner));
             chains.point[i] = vec3(dvec3(before + past * std::cos(angle), past * std::sin(angle), 0));
         }
         if (from_start) std::reverse(chains.point.begin(), chains.point.end());
@@ -140,7 +143,8 @@ TEST(Hysteresis, HooksGoFromTheEndsOfOpenChains) {
 TEST(Hysteresis, LowersThresholdsOfWholeLinesAlone) {
     // A line that is well above the threshold anywhere is drawn, and all of it; others are not.
     const auto surface = analytic::waves({.n = 96, .irregular = true}).mesh.surface();
-    for (const char* name : {"ridge", "valley", "suggestive_contour", "apparent_ridge", "demarcating_curve", "laplacian_line"}) {
+    for (const char* name :
+         {"ridge", "valley", "suggestive_contour", "apparent_ridge", "demarcating_curve", "laplacian_line"}) {
         constexpr double threshold = 0.005;
         const CurveChains hard = curves(*surface, name, {{"threshold", 1.5 * threshold}, {"low", 1}, {"length", 0}});
         const CurveChains soft = curves(*surface, name, {{"threshold", threshold}, {"low", .25}, {"length", 0}});
@@ -148,7 +152,8 @@ TEST(Hysteresis, LowersThresholdsOfWholeLinesAlone) {
         EXPECT_GE(length_of(soft), length_of(hard)) << name;
         const std::set<Index> kept(soft.triangle.begin(), soft.triangle.end());
         for (Index c = 0; c < hard.rows.count(); ++c)
-            for (Index i = hard.rows.begin(c); i < hard.rows.end(c); ++i) EXPECT_TRUE(kept.count(hard.triangle[i])) << name;
+            for (Index i = hard.rows.begin(c); i < hard.rows.end(c); ++i)
+                EXPECT_TRUE(kept.count(hard.triangle[i])) << name;
         const CurveChains longer = curves(*surface, name, {{"threshold", threshold}, {"low", .25}, {"length", 10}});
         EXPECT_LE(longer.rows.count(), soft.rows.count()) << name;
         for (Index t : longer.triangle) EXPECT_TRUE(kept.count(t)) << name;
@@ -164,7 +169,8 @@ TEST(Hysteresis, ApparentRidgesAndValleysAreAllThereIs) {
     const auto found = [&](double ridges, double valleys) {
         std::set<Index> triangles;
         const auto& definition = *line_definitions()[definition_index("apparent_ridge")];
-        for (const CurvePiece& piece : definition.find(seen, {.005, 1, 0, ridges, valleys})) triangles.insert(piece.triangle);
+        for (const CurvePiece& piece : definition.find(seen, {.005, 1, 0, ridges, valleys}))
+            triangles.insert(piece.triangle);
         return triangles;
     };
     const auto ridges = found(1, 0), valleys = found(0, 1);

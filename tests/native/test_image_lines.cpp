@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of the shaded image: where they lie, to fractions of a pixel, and that they are those of the scene alone.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "atlas/depth.h"
-#include "atlas/sampled.h"
+#include <fovea/image/gaussian.h>
+#include <fovea/image/local_fit.h>
+#include <fovea/line/hysteresis.h>
+#include <fovea/visibility/depth.h>
+#include <fovea/visibility/sampled.h>
+
 #include "drawing.h"
-#include "image/gaussian.h"
-#include "image/local_fit.h"
-#include "line/hysteresis.h"
 #include "wires.h"
 
 using namespace fovea;
@@ -136,8 +138,8 @@ TEST(Hysteresis, KeepsWholeCurvesThatAreStrongSomewhereAndLong) {
         return CurvePiece{0, {a, b}, {{x, 0, 0}, {x + 1, 0, 0}}, {strength, strength}};
     };
     // 1-2-3 is strong at its end, 5-6-7 weak, 8-9 strong but short.
-    const Curves curves = {piece(1, 2, 0, 0.1f), piece(5, 6, 0, 0.9f), piece(8, 9, 0, 1),
-                           piece(6, 7, 1, 0.9f), piece(2, 3, 1, 1)};
+    const Curves curves = {piece(1, 2, 0, 0.1f), piece(5, 6, 0, 0.9f), piece(8, 9, 0, 1), piece(6, 7, 1, 0.9f),
+                           piece(2, 3, 1, 1)};
     const Curves kept = keep_strong(curves, 1.5);
     ASSERT_EQ(kept.size(), 2u);
     EXPECT_EQ(kept[0].side[0], 1u);
@@ -365,8 +367,8 @@ TEST(ImageLines, DoNotDependOnTheNumberOfThreads) {
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const Drawing single(scene, view, sets);
     ASSERT_EQ(many.paths.points_obj.size(), single.paths.points_obj.size());
-    EXPECT_TRUE(std::equal(many.paths.points_obj.begin(),
-                           many.paths.points_obj.end(), single.paths.points_obj.begin()));
+    EXPECT_TRUE(
+        std::equal(many.paths.points_obj.begin(), many.paths.points_obj.end(), single.paths.points_obj.begin()));
     EXPECT_TRUE(std::equal(many.paths.strength.begin(), many.paths.strength.end(), single.paths.strength.begin()));
     EXPECT_TRUE(std::equal(many.paths.id.begin(), many.paths.id.end(), single.paths.id.begin()));
 }

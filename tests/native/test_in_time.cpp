@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 #include <tbb/global_control.h>
 
-#include <cmath>
-#include <random>
+#include <fovea/elision/in_time.h>
 
-#include "elision/in_time.h"
 #include "wires.h"
 
 using namespace fovea;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Intersections of surfaces whose curves are known.
 #include <gtest/gtest.h>
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is seen of intersections: not hidden by the two surfaces they lie on, and not seen through them.
 #include <gtest/gtest.h>
 
-#include "atlas/own_sides.h"
-#include "atlas/sampled.h"
+#include <fovea/visibility/own_sides.h>
+#include <fovea/visibility/sampled.h>
+
 #include "intersections.h"
 
 using namespace fovea;

@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Intersections of surfaces in any position: closed, the same for every motion, order and number of threads, kept.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
 #include <random>
+#include <tbb/global_control.h>
 
 #include "intersections.h"
 

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Quantitative invisibility where the number of surfaces is known.
 #include <gtest/gtest.h>
-
 #include <numeric>
 
 #include "counted.h"

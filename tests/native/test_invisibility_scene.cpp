@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Quantitative invisibility in whole scenes: every triangle is the judge; scale, cameras, threads.
+#include <cstring>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cstring>
+#include <fovea/visibility/segment.h>
 
-#include "atlas/segment.h"
 #include "counted.h"
 
 using namespace fovea;

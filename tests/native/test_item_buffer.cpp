@@ -1,10 +1,10 @@
-#include "atlas/item_buffer.h"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 #include <tbb/global_control.h>
 
-#include <cmath>
-#include <random>
+#include <fovea/visibility/item_buffer.h>
 
 using namespace fovea;
 

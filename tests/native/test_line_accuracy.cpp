@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of every definition against exact curves, with the settings that artists get: how far off, how much is missing,
 // how much is false. With FOVEA_LINE_TABLE set, prints a row for each: the definition and its first value where that is
 // not the default; body; camera; distances below which half and nine tenths of what was found lie, in edges; the exact
 // length; the found length as a share of it; the share of the exact curves that was found; the share of what was found
 // that is false.
-#include <gtest/gtest.h>
-
 #include <cstdlib>
+#include <gtest/gtest.h>
 #include <map>
 
 #include "curve_match.h"
@@ -42,7 +42,7 @@ struct Body {
 struct Case {
     const char* name;
     double first = -1.0, sharpness = -1.0;  ///< instead of the defaults of the first parameter, and of this one
-    bool low = false;                    ///< seen at a slant, where there are contours
+    bool low = false;                       ///< seen at a slant, where there are contours
     // Limits: distances in edges, difference of the lengths as a share.
     double median = .02, most = .07, length = .03;
 

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines move with what they lie on, and do not depend on the order in which a mesh lists its parts.
-#include <gtest/gtest.h>
-
 #include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
 #include <map>
 #include <numeric>
 
@@ -78,7 +78,7 @@ Values values_of(const LineDefinition& definition) {
     for (const Parameter& p : definition.parameters) {
         const std::string name = p.name;
         const bool on_surface = definition.find && definition.select;
-        values.push_back(name == "threshold" ? (definition.find_in_image ? 1.0 : 0.25) * p.value
+        values.push_back(name == "threshold"              ? (definition.find_in_image ? 1.0 : 0.25) * p.value
                          : on_surface && name == "low"    ? 1.0
                          : on_surface && name == "length" ? 0.0
                                                           : p.value);

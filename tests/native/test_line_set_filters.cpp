@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What line sets, objects and materials leave out: filters by placement and material, and lines of placements' own.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cmath>
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <set>
+#include <tbb/global_control.h>
 
 #include "drawing.h"
 

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Line definitions on surfaces whose lines are known.
-#include <gtest/gtest.h>
-
 #include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
 #include <random>
 
 #include "drawing.h"
@@ -218,8 +218,14 @@ TEST(Silhouette, IsThereWhereHardlyAnythingLooksOutBehind) {
 TEST(Silhouette, GoesOnWhereTheSurfaceComesNearer) {
     // A step in a slope that rises towards the viewer: what goes on from the step is nearer than its edge.
     const View view = perspective({0, -8, 1}, {0, 0, 0});
-    Mesh mesh("step", {{-1, 2, 1}, {1, 2, 1}, {1, 0, 0}, {-1, 0, 0},
-                       {-1, 0.2, 0.09}, {1, 0.2, 0.09}, {1, -2, -1.01}, {-1, -2, -1.01}});
+    Mesh mesh("step", {{-1, 2, 1},
+                       {1, 2, 1},
+                       {1, 0, 0},
+                       {-1, 0, 0},
+                       {-1, 0.2, 0.09},
+                       {1, 0.2, 0.09},
+                       {1, -2, -1.01},
+                       {-1, -2, -1.01}});
     mesh.add_polygon({3, 2, 1, 0});
     mesh.add_polygon({7, 6, 5, 4});
     const auto silhouettes = edges_of(mesh, view, line_set({"silhouette"}));

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Normals, areas and neighbours against closed forms.
 #include <gtest/gtest.h>
-
 #include <numeric>
 
+#include <fovea/field/normals.h>
+#include <fovea/field/walk.h>
+
 #include "analytic.h"
-#include "field/normals.h"
-#include "field/walk.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -63,9 +64,9 @@ TEST(Normals, OfFlatFacesAreTheirs) {
 TEST(Areas, OfVerticesSumToThatOfTheSurface) {
     const Mesh obtuse =
         meshes::of_polygons("obtuse", {{0, 0, 0}, {9, 0, 0}, {1, 1, 0}, {4, -1, 2}}, {{0, 1, 2}, {1, 0, 3}});
-    for (const Mesh& mesh : {obtuse, torus({.n = 32, .irregular = true}).mesh, waves({.n = 16}).mesh, meshes::box(),
-                             meshes::sphere(9), meshes::moebius(12), meshes::l_shape(),
-                             meshes::two_boxes_at_an_edge()}) {
+    for (const Mesh& mesh :
+         {obtuse, torus({.n = 32, .irregular = true}).mesh, waves({.n = 16}).mesh, meshes::box(), meshes::sphere(9),
+          meshes::moebius(12), meshes::l_shape(), meshes::two_boxes_at_an_edge()}) {
         const auto surface = mesh.surface();
         const double area = area_of(*surface);
         EXPECT_NEAR(sum_of_areas(*surface) / area, 1.0, 1e-6) << mesh.name;

@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact orientation: signs that never contradict each other, in general position and out of it.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <random>
 
-#include "scene/orientation.h"
+#include <fovea/scene/orientation.h>
 
 using namespace fovea;
 

@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the facets at a line's own edge tell, and what sampled visibility makes of it.
-#include "atlas/own_sides.h"
-
 #include <gtest/gtest.h>
-
 #include <set>
 
-#include "atlas/sampled.h"
+#include <fovea/visibility/own_sides.h>
+#include <fovea/visibility/sampled.h>
+
 #include "drawing.h"
 
 using namespace fovea;
@@ -71,7 +71,8 @@ TEST(OwnSides, AMirroredBoxIsSeenLikeABox) {
 TEST(OwnSides, AGrooveIsInnerWhereItIsAContourAndNotWhereBothSidesShow) {
     // Two quads that meet along x: a roof or, seen from below its ridge, a gutter; outward is up.
     const auto gutter = [](float rise) {
-        return meshes::of_polygons("gutter", {{-1, 0, 0}, {1, 0, 0}, {1, -1, rise}, {-1, -1, rise}, {1, 1, rise}, {-1, 1, rise}},
+        return meshes::of_polygons("gutter",
+                                   {{-1, 0, 0}, {1, 0, 0}, {1, -1, rise}, {-1, -1, rise}, {1, 1, rise}, {-1, 1, rise}},
                                    {{0, 3, 2, 1}, {0, 1, 4, 5}});
     };
     const View above = perspective(dvec3(0, -3, 6), dvec3(0)), level = perspective(dvec3(0, -6, 0.5), dvec3(0));
@@ -82,8 +83,9 @@ TEST(OwnSides, AGrooveIsInnerWhereItIsAContourAndNotWhereBothSidesShow) {
 }
 
 TEST(OwnSides, AnOpenSheetShowsItsInnerLinesWhereItsBackIsSeen) {
-    const auto roof = meshes::of_polygons(
-        "roof", {{-1, 0, 0}, {1, 0, 0}, {1, -1, -1}, {-1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}, {{0, 3, 2, 1}, {0, 1, 4, 5}});
+    const auto roof =
+        meshes::of_polygons("roof", {{-1, 0, 0}, {1, 0, 0}, {1, -1, -1}, {-1, -1, -1}, {1, 1, -1}, {-1, 1, -1}},
+                            {{0, 3, 2, 1}, {0, 1, 4, 5}});
     const Seen from_below(roof, perspective(dvec3(0.5, 1, -6), dvec3(0)));
     EXPECT_EQ(from_below.inner().size(), 1u);
     EXPECT_EQ(from_below.drawing.visible_edges().size(), 7u);

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of a surface are not hidden by it, and those behind it do not show, from wherever it is seen.
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <fovea/visibility/beside.h>
+#include <fovea/visibility/sampled.h>
 
-#include "atlas/beside.h"
-#include "atlas/sampled.h"
 #include "drawing.h"
 
 using namespace fovea;

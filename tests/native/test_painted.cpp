@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Painted values: exact for what is linear over the surface, wherever a line runs on it.
 #include <gtest/gtest.h>
+#include <limits>
 #include <tbb/global_control.h>
 
-#include <limits>
+#include <fovea/color/painted_image.h>
+#include <fovea/focus/focus.h>
+#include <fovea/path/painted.h>
 
-#include "color/painted_image.h"
 #include "drawing.h"
-#include "focus/focus.h"
-#include "path/painted.h"
 #include "wires.h"
 
 using namespace fovea;
@@ -49,7 +50,8 @@ TEST(Painted, IsLinearOnEdgesAndInTriangles) {
                     const vec3 a = drawn.clipped.position_view[i], b = drawn.clipped.position_view[i + 1];
                     const float s = (j + 0.5f) / drawn.clipped.sample_count[i], t = s * a.z / (b.z + s * (a.z - b.z));
                     const dvec4 there = glm::inverse(drawn.view.world_to_view) * dvec4(dvec3(glm::mix(a, b, t)), 1.0);
-                    ASSERT_NEAR(samples[drawn.clipped.sample_start[i] + j], ramp(vec3(there)), 5e-5f + beside) << definition;
+                    ASSERT_NEAR(samples[drawn.clipped.sample_start[i] + j], ramp(vec3(there)), 5e-5f + beside)
+                        << definition;
                 }
     }
 }

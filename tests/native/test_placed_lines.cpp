@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of surfaces under uneven scales, shears and mirrorings: those of the same surface with the transform baked in.
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
-#include <glm/gtc/quaternion.hpp>
+#include <fovea/field/fields.h>
+#include <fovea/mesh/stretch.h>
 
 #include "analytic.h"
 #include "drawing.h"
-#include "field/fields.h"
-#include "mesh/stretch.h"
 
 using namespace fovea;
 using namespace fovea::analytic;

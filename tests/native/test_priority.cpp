@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <limits>
 #include <tbb/global_control.h>
 
-#include <algorithm>
-#include <limits>
+#include <fovea/elision/priority.h>
+#include <fovea/elision/rank.h>
 
-#include "elision/priority.h"
-#include "elision/rank.h"
 #include "wires.h"
 
 using namespace fovea;

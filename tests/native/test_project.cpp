@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Projection: samples, their layout, arc length.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <tbb/global_control.h>
 
-#include "project/project.h"
+#include <fovea/project/project.h>
+
 #include "wires.h"
 
 using namespace fovea;

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The reference picture: every pixel once, fragments as the formula says, ink neither lost nor
 // gained.
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "stroke/compose.h"
-#include "stroke/fragment.h"
-#include "stroke/ink.h"
-#include "image/triangle.h"
+#include <fovea/image/triangle.h>
+#include <fovea/stroke/compose.h>
+#include <fovea/stroke/fragment.h>
+#include <fovea/stroke/ink.h>
+
 #include "stroke_fixture.h"
 
 namespace fovea {
@@ -25,8 +26,8 @@ TEST(Triangle, FanAroundAPointCoversEveryPixelOnce) {
         std::vector<int> hits(64 * 64, 0);
         for (int k = 0; k < 4; ++k) {
             const vec2 next = ring[(k + 1) % 4];
-            const FixedTriangle t = trial % 2 ? FixedTriangle(centre, ring[k], next)
-                                              : FixedTriangle(next, ring[k], centre);
+            const FixedTriangle t =
+                trial % 2 ? FixedTriangle(centre, ring[k], next) : FixedTriangle(next, ring[k], centre);
             const PixelBox box = intersect(t.box(), {0, 0, 64, 64});
             for (int y = box.y0; y < box.y1; ++y) {
                 int x0 = box.x0, x1 = box.x1;
@@ -52,8 +53,7 @@ TEST(Raster, PictureDoesNotDependOnTiles) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> at(20.0f, 230.0f);
     std::vector<std::vector<vec2>> lines;
-    for (int i = 0; i < 40; ++i)
-        lines.push_back({{at(random), at(random)}, {at(random), at(random)}});
+    for (int i = 0; i < 40; ++i) lines.push_back({{at(random), at(random)}, {at(random), at(random)}});
     const auto draw_at = [&](vec2 shift) {
         ClippedPaths clipped;
         for (const auto& line : lines) add_piece(clipped, {line[0] + shift, line[1] + shift});
@@ -76,8 +76,7 @@ TEST(Raster, LaterStrokesLieOverEarlierOnes) {
     pens[1].color = {0.0f, 0.0f, 1.0f};
     const std::vector<Index> pen_of_run{0, 1};
     Array<vec4> image;
-    raster(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64,
-           image);
+    raster(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64, image);
     EXPECT_EQ(image[32 * 64 + 32], vec4(0.5f, 0.0f, 0.5f, 1.0f));
     EXPECT_EQ(image[32 * 64 + 15], vec4(1.0f, 0.0f, 0.0f, 1.0f));
     EXPECT_EQ(image[50 * 64 + 32], vec4(0.0f, 0.0f, 0.5f, 0.5f)) << "premultiplied";
@@ -110,8 +109,7 @@ TEST(Raster, TextureRunsAlongTheStrokeFirstRowLeft) {
     Pen p = pen(16.0f, Cap::butt);
     p.texture = 0;
     p.texture_length_px = 40.0f;
-    const auto image =
-        picture(draw({{20.0f, 32.0f}, {180.0f, 32.0f}}, p), p, 200, 64, {&texture, 1});
+    const auto image = picture(draw({{20.0f, 32.0f}, {180.0f, 32.0f}}, p), p, 200, 64, {&texture, 1});
     for (int x = 25; x < 175; ++x) {
         const double u = x + 0.5 - 100.0, phase = u / 40.0 - std::floor(u / 40.0);
         if (phase > 0.13 && phase < 0.37) {
@@ -133,8 +131,7 @@ TEST(Raster, MinifiedTextureKeepsItsMeanInk) {
     Pen p = pen(3.0f, Cap::butt);
     p.texture = 0;
     p.texture_length_px = 10.0f;
-    const auto image =
-        picture(draw({{10.0f, 30.0f}, {210.0f, 41.0f}}, p), p, 220, 80, {&texture, 1});
+    const auto image = picture(draw({{10.0f, 30.0f}, {210.0f, 41.0f}}, p), p, 220, 80, {&texture, 1});
     const double full = std::hypot(200.0, 11.0) * 3.0;
     EXPECT_NEAR(area(image) / full, mean, 0.02);
     EXPECT_LT(largest_alpha(image), mean + 0.1) << "texels smaller than a pixel are averaged";
@@ -143,8 +140,7 @@ TEST(Raster, MinifiedTextureKeepsItsMeanInk) {
 TEST(Ink, FittingKeepsTheMeanAndNeverEnlarges) {
     PenTexture texture{6, 4, {}};
     for (int i = 0; i < 24; ++i) texture.ink.push_back(float(i % 5) / 4.0f);
-    for (const vec2 size :
-         {vec2(3.0f, 2.0f), vec2(4.3f, 2.5f), vec2(0.2f, 0.1f), vec2(100.0f, 100.0f)}) {
+    for (const vec2 size : {vec2(3.0f, 2.0f), vec2(4.3f, 2.5f), vec2(0.2f, 0.1f), vec2(100.0f, 100.0f)}) {
         const PenTexture fitted = fit_texture(texture, size.x, size.y);
         double before = 0.0, after = 0.0;
         for (const float i : texture.ink) before += i / texture.ink.size();
@@ -160,8 +156,7 @@ TEST(Ink, FittingKeepsTheMeanAndNeverEnlarges) {
 TEST(Fragment, ButtEndsAddUpToTheLengthOfTheRun) {
     for (const float length : {0.1f, 0.5f, 1.0f, 3.3f}) {
         double sum = 0.0;
-        for (float u = -2.0f; u < 6.0f; u += 0.01f)
-            sum += 0.01 * coverage(u, 0.0f, 0.0f, length, 2.0f, Cap::butt);
+        for (float u = -2.0f; u < 6.0f; u += 0.01f) sum += 0.01 * coverage(u, 0.0f, 0.0f, length, 2.0f, Cap::butt);
         EXPECT_NEAR(sum, length, 0.01);
     }
 }

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Limit surfaces of cages: known limit points, closed forms of B-splines, and what the refined mesh keeps of the cage.
 #include <gtest/gtest.h>
-
 #include <random>
 
+#include <fovea/field/fields.h>
+#include <fovea/field/jets.h>
+#include <fovea/field/limit_curvature.h>
+#include <fovea/mesh/refine.h>
+
 #include "analytic.h"
-#include "field/fields.h"
-#include "field/jets.h"
-#include "field/limit_curvature.h"
 #include "field_errors.h"
-#include "mesh/refine.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -89,7 +90,8 @@ std::array<double, 4> b_spline(double t, int d) {
         w[i] = (d == 0   ? a[0] + t * (a[1] + t * (a[2] + t * a[3]))
                 : d == 1 ? a[1] + t * (2 * a[2] + t * 3 * a[3])
                 : d == 2 ? 2 * a[2] + t * 6 * a[3]
-                         : 6 * a[3]) / 6.0;
+                         : 6 * a[3]) /
+               6.0;
     }
     return w;
 }

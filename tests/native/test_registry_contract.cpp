@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every definition of the registry must do, whichever it is: over whole scenes, through extract_paths.
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <tbb/global_control.h>
+
+#include <fovea/mesh/triangle_sides.h>
 
 #include "analytic.h"
 #include "drawing.h"
-#include "mesh/triangle_sides.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -283,8 +284,7 @@ TEST_P(Definition, TakesDegenerateMeshes) {
         const Placement placed = place(mesh);
         for (const Values& values : {defaults(definition), least})
             // The last looks along a face, from a vertex.
-            for (View view :
-                 {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
+            for (View view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
                 // Lines of the image cost by the pixel; what is degenerate is so in few of them, too.
                 view.width /= 4;

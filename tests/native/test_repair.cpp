@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Welding, orientation, smoothing and resampling: what they change, and what they must leave.
 #include <gtest/gtest.h>
-
 #include <random>
 #include <set>
 
+#include <fovea/mesh/nearest.h>
+#include <fovea/mesh/repair.h>
+
 #include "analytic.h"
-#include "mesh/nearest.h"
-#include "mesh/repair.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -100,9 +101,9 @@ TEST(Repair, WeldingDropsWhatHasNoAreaLeft) {
 }
 
 TEST(Repair, NegativeAndPositiveZeroAreOnePlace) {
-    const Mesh mesh = of_polygons(
-        "zeros", {{0.0f, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, -0.0f, -0.0f}, {-1, 0, 0}, {0, -1, 0}},
-        {{0, 1, 2}, {3, 4, 5}});
+    const Mesh mesh =
+        of_polygons("zeros", {{0.0f, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, -0.0f, -0.0f}, {-1, 0, 0}, {0, -1, 0}},
+                    {{0, 1, 2}, {3, 4, 5}});
     EXPECT_EQ(repaired(mesh, {.weld = 1e-4}).report.welded_vertices, 1u);
 }
 

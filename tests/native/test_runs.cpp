@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs, atlas samples, and the way between them.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <random>
 
-#include "atlas/filters.h"
-#include "atlas/short_hidden.h"
+#include <fovea/runs/filters.h>
+#include <fovea/runs/short_hidden.h>
+
 #include "wires.h"
 
 using namespace fovea;
@@ -245,10 +246,12 @@ TEST(Runs, ShortHiddenStretchesAreLeftOutAndVisibleOnesStay) {
     const auto of_piece = [&](Index piece) {
         std::vector<std::array<double, 3>> found;
         for (std::size_t r = 0; r < kept.size(); ++r)
-            if (kept.piece[r] == piece) found.push_back({kept.start_px[r], kept.end_px[r], double(kept.invisibility[r])});
+            if (kept.piece[r] == piece)
+                found.push_back({kept.start_px[r], kept.end_px[r], double(kept.invisibility[r])});
         return found;
     };
-    const std::vector<std::array<double, 3>> first{{-50, -20, 0}, {-12, -10, 0}, {-10, -5, 2}, {-5, -1, 1}, {-1, 47, 0}};
+    const std::vector<std::array<double, 3>> first{
+        {-50, -20, 0}, {-12, -10, 0}, {-10, -5, 2}, {-5, -1, 1}, {-1, 47, 0}};
     EXPECT_EQ(of_piece(0), first);
     EXPECT_EQ(of_piece(1).size(), 7u) << "long enough for that path";
     EXPECT_EQ(of_piece(2).size(), 1u);

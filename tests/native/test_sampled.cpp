@@ -1,13 +1,12 @@
-#include "atlas/sampled.h"
-
-#include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 #include <random>
+#include <tbb/global_control.h>
 
-#include "atlas/layout.h"
+#include <fovea/visibility/layout.h>
+#include <fovea/visibility/sampled.h>
 
 using namespace fovea;
 
@@ -49,11 +48,11 @@ struct Rectangle {
     std::vector<Index> facets{0, 0};
     Index facet_base;
     Rectangle(vec3 a, vec3 b, vec3 c, vec3 d, Index facet) : positions{a, b, c, d}, facet_base(facet) {}
-    operator DepthMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
+    operator RasterMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
 };
 
 Array<float> visibility(const View& view, const ClippedPaths& clipped, const OwnSides& sides,
-                        const std::vector<DepthMesh>& meshes, int scale, int probes) {
+                        const std::vector<RasterMesh>& meshes, int scale, int probes) {
     SampledOptions options;
     options.probes = probes;
     return sampled_visibility(clipped, sides, draw_depth(view, meshes, {.scale = scale}), options);
@@ -64,7 +63,7 @@ OwnSides flat_sides(const ClippedPaths& clipped) {
     return {Array<float>(clipped.px.size(), 0.0f), Array<std::uint8_t>(clipped.px.size(), 0)};
 }
 
-Array<float> visibility(const View& view, const ClippedPaths& clipped, const std::vector<DepthMesh>& meshes,
+Array<float> visibility(const View& view, const ClippedPaths& clipped, const std::vector<RasterMesh>& meshes,
                         int scale = 2, int probes = 1) {
     return visibility(view, clipped, flat_sides(clipped), meshes, scale, probes);
 }
@@ -160,7 +159,7 @@ TEST(Sampled, SameWithOneAndManyThreads) {
         faces.emplace_back(c, c + dvec3(.5, 0, .2), c + dvec3(.5, .5, -.2), c + dvec3(0, .5, 0), Index(i));
         add_piece(view, clipped, {c, c + dvec3(unit(random), unit(random), unit(random))});
     }
-    const std::vector<DepthMesh> meshes(faces.begin(), faces.end());
+    const std::vector<RasterMesh> meshes(faces.begin(), faces.end());
     const Array<float> many = visibility(view, clipped, meshes, 2, 4);
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     EXPECT_EQ(many, visibility(view, clipped, meshes, 2, 4));

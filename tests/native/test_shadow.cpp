@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The shadow of a triangle against the definition: is the point behind the triangle, as the eye sees it?
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "atlas/shadow.h"
+#include <fovea/visibility/shadow.h>
 
 using namespace fovea;
 
@@ -69,7 +69,8 @@ TEST(Shadow, OfAQuadrilateralIsThatOfItsHalves) {
             const double t = i / 40.0;
             if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
             const dvec3 p = glm::mix(a, b, t);
-            EXPECT_EQ(found.holds(t), hidden(halves[0], orthographic, p, 1e-9) || hidden(halves[1], orthographic, p, 1e-9))
+            EXPECT_EQ(found.holds(t),
+                      hidden(halves[0], orthographic, p, 1e-9) || hidden(halves[1], orthographic, p, 1e-9))
                 << k << " at " << t;
         }
     }

@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chains made smooth: what moves, how far, and what must not.
 #include <gtest/gtest.h>
 
+#include <fovea/field/view_curvature.h>
+#include <fovea/line/zero_set.h>
+#include <fovea/mesh/triangle_sides.h>
+#include <fovea/path/curves_of.h>
+#include <fovea/path/smooth.h>
+
 #include "analytic.h"
 #include "drawing.h"
-#include "field/view_curvature.h"
-#include "line/zero_set.h"
-#include "mesh/triangle_sides.h"
-#include "path/curves_of.h"
-#include "path/smooth.h"
 
 using namespace fovea;
 
@@ -18,7 +20,8 @@ template <typename Value>
 CurveChains zero_set(const Surface& surface, const Value& value) {
     const auto all = [](Index) { return true; };
     const auto one = [](auto) { return 1.0f; };
-    return chain_curves(trace_zero_set(surface, all, [&](Index v) { return value(surface.positions[v], v); }, one, one));
+    return chain_curves(
+        trace_zero_set(surface, all, [&](Index v) { return value(surface.positions[v], v); }, one, one));
 }
 
 /// Sum of the angles by which a chain turns.
@@ -112,7 +115,8 @@ TEST(Smooth, TheExactPlaceOfSmoothContoursStays) {
         ASSERT_GT(distances.size(), 200u);
         std::sort(distances.begin(), distances.end());
         const double half = distances[distances.size() / 2], most = distances[distances.size() * 9 / 10];
-        std::printf("[ figure ] smoothed contour, %s: %.3f / %.3f edges\n", irregular ? "irregular" : "regular", half, most);
+        std::printf("[ figure ] smoothed contour, %s: %.3f / %.3f edges\n", irregular ? "irregular" : "regular", half,
+                    most);
         EXPECT_LE(half, .02);
         EXPECT_LE(most, .07);
     }

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth contours and silhouettes: where they end, who has them, and nothing drawn twice.
 #include <gtest/gtest.h>
-
 #include <set>
+
+#include <fovea/field/view_curvature.h>
+#include <fovea/line/zero_set.h>
+#include <fovea/path/curves_of.h>
+#include <fovea/path/doubles.h>
 
 #include "analytic.h"
 #include "drawing.h"
-#include "field/view_curvature.h"
-#include "line/zero_set.h"
-#include "path/curves_of.h"
-#include "path/doubles.h"
 
 using namespace fovea;
 using namespace fovea::drawing;
@@ -35,7 +36,8 @@ struct Drawn {
         for (Index p = 0; p < paths.count(); ++p)
             for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i) {
                 ++kinds[paths.kinds[i]];
-                if (!surface.is_edge(paths.place[i])) triangles[paths.line_set[p]].insert(surface.triangle_at(paths.place[i]));
+                if (!surface.is_edge(paths.place[i]))
+                    triangles[paths.line_set[p]].insert(surface.triangle_at(paths.place[i]));
             }
     }
 };
@@ -57,7 +59,8 @@ TEST(SmoothContour, EndsAtTheCuspsOfATorus) {
         // The inner contour has four cusps: what lies behind them is hidden by the torus itself.
         std::size_t ends = 0;
         for (Index c = 0; c < ended.rows.count(); ++c) {
-            for (Index i = ended.rows.begin(c); i < ended.rows.end(c); ++i) EXPECT_GT(k_r(ended.point[i]), -0.1) << irregular;
+            for (Index i = ended.rows.begin(c); i < ended.rows.end(c); ++i)
+                EXPECT_GT(k_r(ended.point[i]), -0.1) << irregular;
             if (ended.closed[c]) continue;
             for (const Index i : {ended.rows.begin(c), ended.rows.end(c) - 1}) {
                 ++ends;
@@ -80,8 +83,8 @@ TEST(SmoothContour, EndsAtTheCuspsOfATorus) {
 
 TEST(SmoothContour, NothingThatIsSeenGoesAtCusps) {
     const auto visible = [](double end_at_cusps) {
-        const Drawing drawing({place(analytic::torus({.n = 128, .irregular = true}).mesh)}, perspective(6.0 * oblique, dvec3(0)),
-                              {line_set_with("smooth_contour", {end_at_cusps})});
+        const Drawing drawing({place(analytic::torus({.n = 128, .irregular = true}).mesh)},
+                              perspective(6.0 * oblique, dvec3(0)), {line_set_with("smooth_contour", {end_at_cusps})});
         return drawing.visible_px(0);
     };
     EXPECT_NEAR(visible(1), visible(0), 0.02 * visible(0));
@@ -99,7 +102,8 @@ TEST(SmoothContour, TakesThePlaceOfTheMeshContour) {
 }
 
 TEST(SmoothContour, HardEdgesKeepTheMeshContour) {
-    const Drawing drawing({place(meshes::box())}, perspective({4, -5, 3}, dvec3(0)), {line_set({"contour", "smooth_contour"})});
+    const Drawing drawing({place(meshes::box())}, perspective({4, -5, 3}, dvec3(0)),
+                          {line_set({"contour", "smooth_contour"})});
     std::size_t edges = 0;
     for (const auto& [at, kinds] : drawing.lines()) edges += kinds == bit_of("contour");
     EXPECT_EQ(edges, 6u);
@@ -148,14 +152,17 @@ TEST(SmoothSilhouette, IsTheOuterBoundaryAndNothingTwice) {
 TEST(SmoothSilhouette, OfMeshEdgesStandsForIt) {
     // Drawn thick along mesh edges, it has no thin smooth contour beside it.
     const View view = perspective({4, -5, 3}, dvec3(0));
-    const Drawn drawn(Drawing({place(meshes::sphere(32))}, view, {line_set({"silhouette"}), line_set({"smooth_contour"})}));
+    const Drawn drawn(
+        Drawing({place(meshes::sphere(32))}, view, {line_set({"silhouette"}), line_set({"smooth_contour"})}));
     EXPECT_EQ(drawn.triangles.size(), 0u);
     EXPECT_GT(drawn.kinds.at(bit_of("silhouette")), 30);
 }
 
 TEST(SmoothSilhouette, AnObjectBeforeAnotherHasItsOwn) {
-    const Drawing drawing({place(meshes::sphere(32), moved({2, -2.5, 1.5}) * scaled(dvec3(0.3)), 1), place(meshes::sphere(32), dmat4(1.0), 2)},
-                          perspective({6, -7.5, 4.5}, dvec3(0)), {line_set({"smooth_silhouette"}), line_set({"smooth_contour"})});
+    const Drawing drawing({place(meshes::sphere(32), moved({2, -2.5, 1.5}) * scaled(dvec3(0.3)), 1),
+                           place(meshes::sphere(32), dmat4(1.0), 2)},
+                          perspective({6, -7.5, 4.5}, dvec3(0)),
+                          {line_set({"smooth_silhouette"}), line_set({"smooth_contour"})});
     ASSERT_EQ(drawing.paths.count(), 2u) << "a circle each";
     for (Index p = 0; p < 2; ++p) {
         EXPECT_EQ(drawing.paths.line_set[p], 0);

@@ -1,8 +1,8 @@
-#include "atlas/spine.h"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "atlas/depth_tiles.h"
+#include <fovea/visibility/depth_tiles.h>
+#include <fovea/visibility/spine.h>
 
 using namespace fovea;
 

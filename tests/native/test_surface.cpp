@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Topology of surfaces: edge table, facets, marks, what is refused.
 #include <gtest/gtest.h>
 
-#include "mesh/polygon_edges.h"
-#include "mesh/surface.h"
+#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/surface.h>
+
 #include "meshes.h"
 
 using namespace fovea;
@@ -178,34 +180,18 @@ TEST(Surface, RefusesWhatDoesNotFitTogether) {
         broken([](Mesh& m) { m.edge_verts[3].x = -7; }),
         broken([](Mesh& m) { m.positions.pop_back(); }),
         broken([](Mesh& m) { m.polygon_offsets = {0, 4, 30, 12, 16, 20, 24}; }),
-        broken([](Mesh& m) {
-            m.polygon_offsets = {0, 4};
-        }),
-        broken([](Mesh& m) {
-            m.polygon_offsets = {4, 24};
-        }),
-        broken([](Mesh& m) {
-            m.polygon_offsets = {-4, 24};
-        }),
+        broken([](Mesh& m) { m.polygon_offsets = {0, 4}; }),
+        broken([](Mesh& m) { m.polygon_offsets = {4, 24}; }),
+        broken([](Mesh& m) { m.polygon_offsets = {-4, 24}; }),
         broken([](Mesh& m) { m.material = {1}; }),
-        broken([](Mesh& m) {
-            m.occluding = {1, 1};
-        }),
+        broken([](Mesh& m) { m.occluding = {1, 1}; }),
         broken([](Mesh& m) { m.sharp = {1}; }),
         broken([](Mesh& m) { m.seam = {1}; }),
         broken([](Mesh& m) { m.edge_mark.assign(13, 1); }),
-        broken([](Mesh& m) {
-            m.ngon_triangles = {{0, 1, 8}}, m.ngon_polygon = {0};
-        }),
-        broken([](Mesh& m) {
-            m.ngon_triangles = {{0, 1, 2}}, m.ngon_polygon = {6};
-        }),
-        broken([](Mesh& m) {
-            m.ngon_triangles = {{0, 1, 2}}, m.ngon_polygon = {};
-        }),
-        broken([](Mesh& m) {
-            m.ngon_triangles.assign(2, {0, 1, 2}), m.ngon_polygon = {1, 0};
-        }),
+        broken([](Mesh& m) { m.ngon_triangles = {{0, 1, 8}}, m.ngon_polygon = {0}; }),
+        broken([](Mesh& m) { m.ngon_triangles = {{0, 1, 2}}, m.ngon_polygon = {6}; }),
+        broken([](Mesh& m) { m.ngon_triangles = {{0, 1, 2}}, m.ngon_polygon = {}; }),
+        broken([](Mesh& m) { m.ngon_triangles.assign(2, {0, 1, 2}), m.ngon_polygon = {1, 0}; }),
     };
     for (const std::string& message : messages) EXPECT_EQ(message.rfind("box: ", 0), 0u) << message;
     const auto surface = box().surface();

@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Strokes state geometry: areas, bends, ends, and u that stays where it is.
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <random>
+#include <tbb/global_control.h>
 
 #include "stroke_fixture.h"
 
@@ -19,8 +19,7 @@ float u_at(const Strokes& strokes, float x) {
             Index a = t[k], b = t[(k + 1) % 3];
             if (strokes.px[a].x > strokes.px[b].x) std::swap(a, b);
             const vec2 p = strokes.px[a], q = strokes.px[b];
-            if (strokes.arc[a].y < 0.0f || strokes.arc[b].y < 0.0f || !(p.x <= x && x < q.x))
-                continue;
+            if (strokes.arc[a].y < 0.0f || strokes.arc[b].y < 0.0f || !(p.x <= x && x < q.x)) continue;
             return glm::mix(strokes.arc[a].x, strokes.arc[b].x, (x - p.x) / (q.x - p.x));
         }
     return NAN;
@@ -40,8 +39,7 @@ TEST(Tessellate, StraightButtStrokeCoversLengthTimesWidth) {
         for (const double angle : {0.0, 0.3, 0.75, 1.2, 2.5}) {
             const vec2 along(float(100.0 * std::cos(angle)), float(100.0 * std::sin(angle)));
             const Pen p = pen(width, Cap::butt);
-            const auto image =
-                picture(draw({vec2(150.3f) - along, vec2(150.3f) + along}, p), p, 300, 300);
+            const auto image = picture(draw({vec2(150.3f) - along, vec2(150.3f) + along}, p), p, 300, 300);
             EXPECT_NEAR(area(image), 200.0 * width, 0.004 * 200.0 * width) << width << " " << angle;
         }
 }
@@ -52,8 +50,7 @@ TEST(Tessellate, RoundCapsAddADisc) {
         const auto image = picture(draw({{40.2f, 60.7f}, {160.9f, 93.1f}}, p), p, 200, 150);
         const double length = glm::distance(dvec2(40.2, 60.7), dvec2(160.9, 93.1));
         const double disc = std::numbers::pi * width * width / 4.0;
-        EXPECT_NEAR(area(image) - length * width, disc, 0.05 * disc + 0.005 * length * width)
-            << width;
+        EXPECT_NEAR(area(image) - length * width, disc, 0.05 * disc + 0.005 * length * width) << width;
     }
 }
 
@@ -67,8 +64,7 @@ TEST(Tessellate, PenBelowOnePixelIsOnePixelWideAndFainter) {
 
 TEST(Tessellate, RightAngleIsMitredAndDrawnOnce) {
     const Pen p = pen(10.0f, Cap::butt, 0.5f);
-    const auto image =
-        picture(draw({{20.0f, 20.0f}, {80.0f, 20.0f}, {80.0f, 80.0f}}, p), p, 100, 100);
+    const auto image = picture(draw({{20.0f, 20.0f}, {80.0f, 20.0f}, {80.0f, 80.0f}}, p), p, 100, 100);
     EXPECT_FLOAT_EQ(largest_alpha(image), 0.5f);
     // Two arms of 60 x 10 and the outer quarter of the corner; the inner quarter belongs to both
     // arms.
@@ -84,8 +80,7 @@ TEST(Tessellate, SharpBendsAreDrawnOnce) {
             const vec2 corner(150.3f, 150.6f);
             const vec2 out(float(120.0 * std::cos(a)), float(120.0 * std::sin(a)));
             const Pen p = pen(8.0f, Cap::round, 0.5f);
-            const auto image =
-                picture(draw({corner - vec2(120.0f, 0.0f), corner, corner + out}, p), p, 300, 300);
+            const auto image = picture(draw({corner - vec2(120.0f, 0.0f), corner, corner + out}, p), p, 300, 300);
             EXPECT_LE(largest_alpha(image), 0.5f + 1e-6f) << degrees * sign;
             EXPECT_FLOAT_EQ(image[150 * 300 + 150].a, 0.5f) << degrees * sign;
         }
@@ -112,8 +107,7 @@ TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
                 float distance = 1e9f;
                 for (std::size_t i = 1; i < line.size(); ++i) {
                     const vec2 d = line[i] - line[i - 1];
-                    const float t =
-                        glm::clamp(glm::dot(q - line[i - 1], d) / glm::dot(d, d), 0.0f, 1.0f);
+                    const float t = glm::clamp(glm::dot(q - line[i - 1], d) / glm::dot(d, d), 0.0f, 1.0f);
                     distance = std::min(distance, glm::distance(q, line[i - 1] + t * d));
                 }
                 const float alpha = image[y * 200 + x].a;
@@ -130,8 +124,7 @@ TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
 TEST(Tessellate, ClosedCircleIsTheSameAllAround) {
     for (const int points : {12, 90, 2000}) {
         const Pen p = pen(6.0f, Cap::round, 0.5f);
-        const auto image =
-            picture(draw(circle({100.25, 100.5}, 70.0, points), p, true), p, 200, 200);
+        const auto image = picture(draw(circle({100.25, 100.5}, 70.0, points), p, true), p, 200, 200);
         EXPECT_LE(largest_alpha(image), 0.5f + 1e-6f);
         if (points < 90) continue;
         EXPECT_NEAR(area(image), 0.5 * 2.0 * std::numbers::pi * 70.0 * 6.0, 0.005 * area(image));
@@ -155,24 +148,20 @@ TEST(Tessellate, ClippedRunKeepsU) {
     const Strokes part = draw(clipped, runs, p);
     EXPECT_FLOAT_EQ(part.arc[0].z, -37.3f);
     EXPECT_FLOAT_EQ(part.arc[0].w, 61.9f);
-    for (float x = 80.0f; x < 165.0f; x += 1.7f)
-        EXPECT_NEAR(u_at(part, x), u_at(whole, x), 0.05f) << x;
+    for (float x = 80.0f; x < 165.0f; x += 1.7f) EXPECT_NEAR(u_at(part, x), u_at(whole, x), 0.05f) << x;
 }
 
 TEST(Tessellate, ZigzagOfADenseMeshBecomesStraight) {
     std::vector<vec2> line;
-    for (int i = 0; i <= 2000; ++i)
-        line.push_back({10.0f + 0.1f * i, 50.0f + (i % 2 ? 0.08f : -0.08f)});
+    for (int i = 0; i <= 2000; ++i) line.push_back({10.0f + 0.1f * i, 50.0f + (i % 2 ? 0.08f : -0.08f)});
     const Strokes strokes = draw(line, pen(2.0f));
     EXPECT_LE(strokes.triangles.size(), 40u);
-    for (std::size_t i = 0; i < strokes.px.size(); ++i)
-        EXPECT_NEAR(std::abs(strokes.px[i].y - 50.0f), 1.5f, 0.21f);
+    for (std::size_t i = 0; i < strokes.px.size(); ++i) EXPECT_NEAR(std::abs(strokes.px[i].y - 50.0f), 1.5f, 0.21f);
 }
 
 TEST(Tessellate, TurnBackIsKept) {
     const Pen p = pen(4.0f);
-    const auto image =
-        picture(draw({{20.0f, 50.0f}, {80.0f, 50.0f}, {40.0f, 50.0f}}, p), p, 100, 100);
+    const auto image = picture(draw({{20.0f, 50.0f}, {80.0f, 50.0f}, {40.0f, 50.0f}}, p), p, 100, 100);
     EXPECT_GT(image[50 * 100 + 79].a, 0.99f);
     EXPECT_GT(image[50 * 100 + 81].a, 0.5f) << "rounded at the turn";
     EXPECT_EQ(image[50 * 100 + 84].a, 0.0f);
@@ -184,14 +173,11 @@ TEST(Tessellate, TapersAtTheEndsOnly) {
     const Strokes strokes = draw({{20.0f, 20.0f}, {220.0f, 20.0f}}, p);
     for (std::size_t i = 0; i < strokes.px.size(); ++i) {
         const float end = std::min(strokes.px[i].x - 20.0f, 220.0f - strokes.px[i].x);
-        EXPECT_NEAR(
-            strokes.half_width[i],
-            end > 40.0f ? 4.0f : 4.0f - 3.2f * std::pow(1.0f - std::max(end, 0.0f) / 40.0f, 2.0f),
-            1e-4f);
+        EXPECT_NEAR(strokes.half_width[i],
+                    end > 40.0f ? 4.0f : 4.0f - 3.2f * std::pow(1.0f - std::max(end, 0.0f) / 40.0f, 2.0f), 1e-4f);
     }
     EXPECT_LT(area(picture(strokes, p, 240, 40)), 0.92 * 200.0 * 8.0);
-    for (const float h : draw({{20.0f, 20.0f}, {28.0f, 20.0f}}, p).half_width)
-        EXPECT_GT(h, 3.6f) << "too short";
+    for (const float h : draw({{20.0f, 20.0f}, {28.0f, 20.0f}}, p).half_width) EXPECT_GT(h, 3.6f) << "too short";
 }
 
 TEST(Tessellate, EndsThatTouchOtherLinesKeepTheirWidth) {
@@ -279,14 +265,12 @@ TEST(Tessellate, DegenerateInputDrawsNothing) {
 
 TEST(Tessellate, BrokenInputNeverCrashes) {
     std::mt19937 random(13);
-    const float values[] = {0.0f,   1.0f, 5.0f,   5.01f, 40.0f,   -3.0f,
-                            1e-20f, 1e7f, -1e30f, NAN,   INFINITY};
+    const float values[] = {0.0f, 1.0f, 5.0f, 5.01f, 40.0f, -3.0f, 1e-20f, 1e7f, -1e30f, NAN, INFINITY};
     std::uniform_int_distribution<std::size_t> pick(0, std::size(values) - 1);
     for (int trial = 0; trial < 3000; ++trial) {
         ClippedPaths clipped;
         std::vector<vec2> line;
-        for (std::size_t i = 0; i < 1 + pick(random); ++i)
-            line.push_back({values[pick(random)], values[pick(random)]});
+        for (std::size_t i = 0; i < 1 + pick(random); ++i) line.push_back({values[pick(random)], values[pick(random)]});
         add_piece(clipped, line, trial % 3 == 0);
         if (trial % 5 == 0)
             for (double& arc : clipped.arc_px) arc = values[pick(random)];
@@ -305,8 +289,7 @@ TEST(Tessellate, BrokenInputNeverCrashes) {
 TEST(Tessellate, RepeatedPointsChangeNothing) {
     const Pen p = pen(5.0f);
     const Strokes once = draw({{10.0f, 10.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
-    const Strokes twice =
-        draw({{10.0f, 10.0f}, {10.0f, 10.0f}, {50.0f, 12.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
+    const Strokes twice = draw({{10.0f, 10.0f}, {10.0f, 10.0f}, {50.0f, 12.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
     EXPECT_NEAR(triangle_area(once), triangle_area(twice), 1e-3);
     EXPECT_EQ(once.triangles.size(), twice.triangles.size());
 }
@@ -316,8 +299,7 @@ TEST(Tessellate, WrongInputIsNamed) {
     add_piece(clipped, {{5.0f, 5.0f}, {20.0f, 5.0f}});
     const Pen p = pen(3.0f);
     const std::vector<Index> wrong_pen{3};
-    EXPECT_THROW(tessellate(clipped, whole_runs(clipped), wrong_pen, {}, {&p, 1}),
-                 std::invalid_argument);
+    EXPECT_THROW(tessellate(clipped, whole_runs(clipped), wrong_pen, {}, {&p, 1}), std::invalid_argument);
     EXPECT_THROW(tessellate(clipped, whole_runs(clipped), {}, {}, {&p, 1}), std::invalid_argument);
     const std::vector<float> too_short{1.0f};
     EXPECT_THROW(draw(clipped, whole_runs(clipped), p, too_short), std::invalid_argument);

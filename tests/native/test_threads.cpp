@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
+#include <gtest/gtest.h>
 #include <thread>
 
-#include "base/parallel.h"
-#include "base/threads.h"
+#include <fovea/base/parallel.h>
+#include <fovea/base/threads.h>
 
 using namespace fovea;
 

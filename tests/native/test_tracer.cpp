@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rays against spheres and planes, whose answers are known; the depth pass and the holes of holdouts.
 #include <gtest/gtest.h>
 
+#include <fovea/scene/seen.h>
+#include <fovea/scene/tracer.h>
+#include <fovea/visibility/depth_image.h>
+
 #include "drawing.h"
-#include "atlas/depth_image.h"
-#include "scene/seen.h"
-#include "scene/tracer.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -171,8 +173,8 @@ TEST(Seen, DepthIsWhatARayThroughThePixelsCentreMeets) {
                     floor = place(grid(3), moved({0, 0, -1}) * scaled(dvec3(60)), 4);
     const Scene scene({ball, crate, sheet, floor});
     for (const bool ortho : {false, true}) {
-        const View view = ortho ? orthographic({4, -5, 3}, {0, 0, 0}, 8, 320, 240)
-                                : perspective({4, -5, 3}, {0, 0, 0}, 30, 320, 240);
+        const View view =
+            ortho ? orthographic({4, -5, 3}, {0, 0, 0}, 8, 320, 240) : perspective({4, -5, 3}, {0, 0, 0}, 30, 320, 240);
         const Tracer tracer(scene, view);
         const Array<float> depth = depth_image(tracer, Cancel());
         int differing = 0, hits = 0;
@@ -193,7 +195,8 @@ TEST(Seen, DepthOfACrowdIsWhatRaysMeetInAnyOrder) {
     std::vector<Placement> near_first;
     for (int i = 0; i < 4000; ++i) {
         const double turn = 2.399963 * i, away = 0.004 * i;
-        near_first.push_back(place(box(), moved({3 * std::cos(turn), away, 2 * std::sin(turn)}) * scaled(dvec3(0.25)), i + 1));
+        near_first.push_back(
+            place(box(), moved({3 * std::cos(turn), away, 2 * std::sin(turn)}) * scaled(dvec3(0.25)), i + 1));
     }
     const std::vector<Placement> far_first(near_first.rbegin(), near_first.rend());
     for (const bool ortho : {false, true}) {

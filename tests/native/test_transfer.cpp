@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Transfer functions: what they are at their ends, between, and for what is no number.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <limits>
 
-#include "focus/transfer.h"
+#include <fovea/focus/transfer.h>
 
 namespace fovea {
 namespace {

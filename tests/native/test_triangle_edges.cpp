@@ -1,8 +1,8 @@
-#include "atlas/triangle_edges.h"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-
 #include <random>
+
+#include <fovea/visibility/triangle_edges.h>
 
 using namespace fovea;
 
@@ -18,8 +18,8 @@ TEST(TriangleEdges, CodesKeepAnEdgeWithinTheirError) {
         const TexelEdge found = edge_of_code(edge_code({edge.inside * any, edge.nx * any, edge.ny * any}));
         EXPECT_NEAR(std::abs(found.nx) + std::abs(found.ny), 1.0f, 1e-6f);
         const vec2 off(unit(random), unit(random));
-        EXPECT_NEAR(found.inside + found.nx * off.x + found.ny * off.y,
-                    edge.inside + edge.nx * off.x + edge.ny * off.y, 1.0f / 64.0f + 1.0f / 510.0f + 1e-5f);
+        EXPECT_NEAR(found.inside + found.nx * off.x + found.ny * off.y, edge.inside + edge.nx * off.x + edge.ny * off.y,
+                    1.0f / 64.0f + 1.0f / 510.0f + 1e-5f);
     }
 }
 

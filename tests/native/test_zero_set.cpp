@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves across triangles: pieces where they should be, chained by what they cross.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <map>
 #include <random>
 #include <set>
 
-#include "line/zero_set.h"
+#include <fovea/line/zero_set.h>
+#include <fovea/path/chain_curves.h>
+
 #include "meshes.h"
-#include "path/chain_curves.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -22,8 +23,8 @@ const auto full = [](float) { return 1.0f; };
 
 template <typename Value>
 CurveChains zero_set(const Surface& surface, const Value& value) {
-    return chain_curves(trace_zero_set(
-        surface, everywhere, [&](Index v) { return float(value(surface.positions[v])); }, sure, full));
+    return chain_curves(
+        trace_zero_set(surface, everywhere, [&](Index v) { return float(value(surface.positions[v])); }, sure, full));
 }
 
 double length(const CurveChains& chains) {
@@ -117,8 +118,8 @@ TEST(ZeroSet, NaNAndBrokenTrianglesGiveNoLine) {
 TEST(ZeroSet, LevelsAreCurvesOfTheirOwn) {
     // Three levels may cross the same side; each is one circle.
     const auto surface = sphere(8).surface();
-    const CurveChains circles = chain_curves(
-        trace_levels(*surface, [&](Index v) { return surface->positions[v].z; }, 0.05f, 0.02f, 3));
+    const CurveChains circles =
+        chain_curves(trace_levels(*surface, [&](Index v) { return surface->positions[v].z; }, 0.05f, 0.02f, 3));
     ASSERT_EQ(circles.rows.count(), 3u);
     EXPECT_EQ(std::set(circles.anchor.begin(), circles.anchor.end()).size(), 3u);
     for (Index c = 0; c < 3; ++c) {
@@ -146,8 +147,8 @@ TEST(Maxima, OfARidgedFieldIsTheRidgeWhicheverWayItsVectorsTurn) {
 
 TEST(ChainCurves, PiecesFollowOneAnotherInAnyOrder) {
     const auto surface = sphere(32).surface();
-    Curves pieces = trace_zero_set(
-        *surface, everywhere, [&](Index v) { return surface->positions[v].x - 0.1f; }, sure, full);
+    Curves pieces =
+        trace_zero_set(*surface, everywhere, [&](Index v) { return surface->positions[v].x - 0.1f; }, sure, full);
     std::reverse(pieces.begin(), pieces.end());
     for (std::size_t i = 0; i < pieces.size(); i += 2) {
         std::swap(pieces[i].side[0], pieces[i].side[1]);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Paths from plain polylines in view space: a mesh of edges without polygons, seen by a camera at the origin.
 #pragma once
 

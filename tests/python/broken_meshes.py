@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Random meshes with everything wrong that a mesh can have, each the same for the same seed."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the project importable: `addon` (the staged package with the native module, as `fovea test` names it, else the
 checkout's), and `command` and `scenes` of blender_scripts."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The native module under plain Python, and the whole way from a mesh's arrays to a picture."""
 
 import hashlib

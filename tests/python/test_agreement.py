@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the agreement bench calls near a change, and how it counts."""
 
 from types import SimpleNamespace

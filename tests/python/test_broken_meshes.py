@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whatever the mesh: no crash, no number that is not one, and what was skipped is counted."""
 
 import numpy as np

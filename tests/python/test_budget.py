@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The ladder of qualities: what they leave out, and which is chosen for a budget."""
 
 import numpy as np

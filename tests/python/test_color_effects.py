@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The colour effects against plain NumPy, and what focus asks of them: nothing bleeds, nothing is lost."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The colour layer against closed forms: Lambert on a sphere, coverage at edges, textures, attributes, exposure."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Points for response curves: few, and near to the curve they stand for."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The documentation agrees with the program: every line definition, every key of a style, every link and picture."""
 
 import json

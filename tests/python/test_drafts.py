@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Drafts look like the final picture: what stands for lines that take long is drawn where they are, in their pens."""
 
 from dataclasses import replace

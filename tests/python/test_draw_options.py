@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The words of `fovea draw`: what they mean, and what is refused before anything is built."""
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea lines` on shapes whose lines are known."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The figures of README: what they are made of can be drawn, they are there, and they are small."""
 
 from pathlib import Path

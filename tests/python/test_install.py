@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The extension is installed again when what is installed is not the package, and only then."""
 
 import shutil

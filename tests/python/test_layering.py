@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Who may include or import whom: the folders stand in the order of the data, and each foreign library has one door."""
 
 import ast
@@ -10,15 +11,15 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 # A native folder includes itself and those before it.
-NATIVE = "base mesh field scene image line path project focus atlas elision stroke color bindings".split()
+NATIVE = "base raster mesh field scene image line path project visibility runs focus elision stroke color".split()
 
 # Header -> where it may be included.
 LIBRARIES = {
     r"pybind11/": r"native/bindings/",
     r"numpy/": r"native/bindings/",
-    r"OpenSubdiv|opensubdiv/": r"native/mesh/refine",
-    r"OpenMesh/": r"native/mesh/repair",
-    r"embree\d?/": r"native/scene/bvh",
+    r"OpenSubdiv|opensubdiv/": r"native/fovea/mesh/refine",
+    r"OpenMesh/": r"native/fovea/mesh/repair",
+    r"embree\d?/": r"native/fovea/scene/bvh",
     r"Python\.h": r"nowhere",
 }
 
@@ -80,13 +81,14 @@ def _native_violations(root):
         if file.suffix not in (".h", ".cpp"):
             continue
         name = file.relative_to(root).as_posix()
-        folder = file.relative_to(root / "native").parts[0]
-        if folder not in NATIVE:
+        folder = file.parent.relative_to(root / "native").as_posix().removeprefix("fovea/")
+        if folder not in (*NATIVE, "bindings"):
             yield f"{name}: the folder {folder} is not in the order of the data"
             continue
+        before = NATIVE[: NATIVE.index(folder) + 1] if folder in NATIVE else [*NATIVE, "bindings"]
         for header in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', file.read_text(), re.M):
-            other = header.split("/")[0]
-            if other in NATIVE and NATIVE.index(other) > NATIVE.index(folder):
+            other = header.removeprefix("fovea/").split("/")[0]
+            if other in (*NATIVE, "bindings") and other not in before:
                 yield f"{name} includes {header}, which comes after it"
             for library, door in LIBRARIES.items():
                 if re.match(library, header) and not re.match(door, name):
@@ -140,9 +142,9 @@ def test_the_rules_hold():
 @pytest.mark.parametrize(
     "file, text, complaint",
     [
-        ("native/mesh/planted.cpp", '#include "line/segments.h"', "which comes after it"),
-        ("native/line/planted.cpp", "#include <pybind11/numpy.h>", "allowed only in native/bindings/"),
-        ("native/atlas/planted.cpp", "#include <embree4/rtcore.h>", "allowed only in native/scene/bvh"),
+        ("native/fovea/mesh/planted.cpp", '#include <fovea/line/segments.h>', "which comes after it"),
+        ("native/fovea/line/planted.cpp", "#include <pybind11/numpy.h>", "allowed only in native/bindings/"),
+        ("native/fovea/visibility/planted.cpp", "#include <embree4/rtcore.h>", "allowed only in native/fovea/scene/bvh"),
         ("native/surprise/planted.h", "", "not in the order of the data"),
         ("addon/planted.py", "import bpy", "imports bpy"),
         ("addon/pipeline.py", "from .backend import gpu", "imports backend/gpu"),
@@ -157,6 +159,6 @@ def test_a_broken_rule_is_found(tmp_path, file, text, complaint):
     for folder in ("native", "addon"):
         shutil.copytree(PROJECT / folder, tmp_path / folder)
     planted = tmp_path / file
-    planted.parent.mkdir(exist_ok=True)
+    planted.parent.mkdir(parents=True, exist_ok=True)
     planted.write_text(text)
     assert any(file in sentence and complaint in sentence for sentence in violations(tmp_path))

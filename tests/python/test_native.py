@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the user hears when the native module cannot be used."""
 
 import importlib

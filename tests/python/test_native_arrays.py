@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What crosses the border to the native module: views without copies, nothing kept, errors by name."""
 
 import gc

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The OBJ reader of `fovea lines`: vertices and polygons exactly as the file has them."""
 
 import numpy as np

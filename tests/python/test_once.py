@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What several stages of a picture ask for is made once, and is the same as if each made its own."""
 
 import json

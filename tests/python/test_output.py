@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Files that a command writes for the user: whole, or as they were."""
 
 import os

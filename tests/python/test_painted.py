@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Painted values, focus by objects and maps of density: as styles say them, and as the native module takes them."""
 
 import json

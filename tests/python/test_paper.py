@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Papers: what ships, and that ink and pigment on them keep their density in the mean."""
 
 import importlib.util

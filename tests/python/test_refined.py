@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Refined and repaired meshes through the module: arguments, errors, and what comes back."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What holds for every line definition of the registry, without naming any: `fovea lines` and `fovea draw` take it."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Styles as data: what is read is what was written, and what does not belong is refused by name."""
 
 import json

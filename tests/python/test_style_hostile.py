@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Style files that mean harm, or make no sense: one sentence that names the place, soon, and nothing else happens."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Between two styles: what is common goes over steadily, what is not fades, and the ends are the styles themselves."""
 
 from dataclasses import fields, is_dataclass, replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a style file says that this version does not know: kept in its place, and told."""
 
 import json

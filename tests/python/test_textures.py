@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The pen textures that ship: what the script makes, seamless along the stroke, each with its length."""
 
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The extension installed where its native module is missing, or of another Python: it is enabled, and says so."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """One picture at a time, beside whatever asks for it."""
 
 import threading

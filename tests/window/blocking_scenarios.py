@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The interface while a picture takes very long. What a scenario returns is for the tests to judge."""
 
 import bpy

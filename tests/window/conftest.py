@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Scenarios in a Blender with a window: `play` runs one."""
 
 import os

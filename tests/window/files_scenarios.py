@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Files that are saved, loaded and recovered in Rendered shading. What a scenario returns is for the tests to judge."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the page of the first drawing says, done in its order. What a scenario returns is for the tests to judge."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The focus tools under the pointer, in a window; see inside.py. What a scenario returns is for the tests to judge."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Frames, keys, renders and what is made of lines while the viewport is in Rendered. What a scenario returns is for the
 tests to judge."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What comes and goes: engines, shadings, the add-on. What a scenario returns is for the tests to judge."""
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport's picture beside others of the same. What a scenario returns is for the tests to judge."""
 
 import bpy

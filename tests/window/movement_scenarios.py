@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What moves: the view, shapes, time. What a scenario returns is for the tests to judge."""
 
 import bpy

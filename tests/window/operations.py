@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Things that artists do in Blender, drawn by lot (a random.Random), each one step for undo; they tell whether they
 could be done. In Edit mode only what edits the mesh, as Blender undoes nothing else there."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Things that artists do with the add-on: see operations.py."""
 
 import bpy

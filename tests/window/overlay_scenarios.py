@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Focus as colours, in a window; see inside.py. What a scenario returns is for the tests to judge."""
 
 import time

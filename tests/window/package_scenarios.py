@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The extension installed and uninstalled from within Blender; it is not there when the scenario begins."""
 
 import sys

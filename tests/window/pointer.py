@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Mouse and keys, as an artist moves and presses them; of a Blender that lets events be made."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Viewports, windows, view layers and their switches. What a scenario returns is for the tests to judge."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every property that the add-on has, changed while the picture is looked at. What a scenario returns is for the tests
 to judge."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What scenarios share: a scene that is drawn in a viewport, and what is done to it and seen there."""
 
 import contextlib

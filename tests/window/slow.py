@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A drawing that takes as long as a test wants it to, in whatever thread it runs."""
 
 import threading

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Modes, scenes and troubles that a viewport in Rendered may get into. What a scenario returns is for the tests to
 judge."""
 

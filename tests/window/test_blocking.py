@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The interface is never blocked: said without clocks, so that it holds on every machine. How long draws of the large
 scenes take is measured by `fovea bench viewport`."""
 

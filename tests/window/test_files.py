@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport in a real window while files come and go."""
 
 SIZE = (480, 320)  # charcoal costs by the pixel

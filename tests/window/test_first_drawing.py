@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The page of the first drawing, followed to the letter in a real window."""
 
 

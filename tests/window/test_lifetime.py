@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport in a real window while engines, shadings and the add-on come and go."""
 
 

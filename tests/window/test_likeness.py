@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport in a real window beside the final render, and beside itself drawn otherwise."""
 
 import pytest

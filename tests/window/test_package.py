@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The extension as a user installs it and takes it away, in a window."""
 
 import os

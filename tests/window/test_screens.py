@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport in a real window: its switches, and other viewports and windows beside it."""
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport in a real window when much is undone and done again."""
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Many operations, undone and done again. What a scenario returns is for the tests to judge."""
 
 import random

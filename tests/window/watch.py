@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the add-on does in its viewports, from inside: how often it draws and reads the scene, when it is through."""
 
 import time

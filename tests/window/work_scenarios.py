@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What artists do while they look at the picture. What a scenario returns is for the tests to judge."""
 
 import bpy

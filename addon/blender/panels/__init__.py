@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panels, and Blender's own that make sense with this engine."""
 
 import bpy

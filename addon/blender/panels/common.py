@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What all panels have in common, and properties shown in several of them."""
 
 from .. import style_data

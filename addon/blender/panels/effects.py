@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panel: what answers to focus and to distance, each effect with its response curve."""
 
 import bpy

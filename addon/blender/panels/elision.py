@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panel: how lines that crowd each other are thinned, and which of them stay."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panel: where the viewer shall look, one box for each place."""
 
 import bpy

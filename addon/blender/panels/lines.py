@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panel: the line sets of the style, and of the one that is edited its pens and its kinds, from the registry."""
 
 import bpy

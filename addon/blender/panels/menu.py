@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The submenu of Blender's Render menu: what F3 finds. The tools are appended to it by tools_panel.py."""
 
 import bpy

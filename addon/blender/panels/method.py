@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panels: how it is decided what is hidden, and what draws."""
 
 import bpy

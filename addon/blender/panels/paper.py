@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panels: the colors under the lines, and the paper."""
 
 import bpy

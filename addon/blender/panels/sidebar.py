@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The sidebar of the 3D view: what one needs while working."""
 
 import bpy

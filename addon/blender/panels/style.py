@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panel: which style the scene draws with, and those there are."""
 
 import bpy

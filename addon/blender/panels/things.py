@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Panels of objects, materials and view layers."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A word about the view transform, where it makes paper gray: Blender's default one is made for photographs."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench focus`: what line elision and stylized focus promise, measured on what the pipeline makes of scenes.
 
 One process per part and scene. Needs plain Python only."""

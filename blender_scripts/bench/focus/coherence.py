@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How steady elision is from frame to frame.
 
 Static lines: places on them, matched by the path's id and arc length in space, that are visible in both frames: what

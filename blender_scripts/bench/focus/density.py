@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Lines that are nearer to each other than they want to be.
 
 A place is crowded where another fully drawn line runs alongside, within ANGLE of its direction, nearer than a distance.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What focus does to the place it is at: the same disc of the picture, once in focus and once far from it."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The atlas samples that runs cover: where they are in the picture, and how much of them elision leaves."""
 
 from dataclasses import dataclass

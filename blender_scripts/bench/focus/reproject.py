@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of two views compared where they show the same place.
 
 A line lies on the border of what it outlines, so a pixel's depth is that of the nearest surface within REACH pixels."""

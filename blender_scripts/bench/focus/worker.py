@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench focus`: blender -b -P worker.py -- JSON (part, scene, size, distance, frames,
 places, shared, out)."""
 

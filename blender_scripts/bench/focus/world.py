@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A scene as the stages take it, drawn again and again, with what went through the pipeline kept."""
 
 from contextlib import contextmanager

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench viewport`: the 3D view in Rendered shading beside Solid, in a window under Xvfb, overlays off.
 
 Both orbit in turns in one process. `first`: from switching to Rendered to the first picture; `refined`: to the final

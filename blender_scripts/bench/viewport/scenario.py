@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What `fovea bench viewport` does in the window; see ../../window/inside.py."""
 
 import math

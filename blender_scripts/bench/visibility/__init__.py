@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench visibility`: every way to decide what is hidden, on the same frames (Cole 2009, table 5.1).
 
 One process per scene; inside it all methods draw the same orbit. Needs plain Python only."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The methods that are compared. All but OGL are the pipeline itself, as a render runs it, on the gpu backend.
 
 A pass that draws is waited for. Neither paper nor the read-back of the picture counts: a viewport needs none."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Plain OpenGL lines with a depth buffer and no style: what drawing lines costs when nothing is asked of them.
 
 Everything lies in vertex buffers from the first frame on, but for lines that change with the view."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How right a method is, sample by sample and from frame to frame, judged by exact visibility.
 
 Samples of two frames lie at different places. What is followed are fixed places on whole edges of the mesh, PLACES of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench visibility`: blender -b -P worker.py -- JSON (scene, methods, frames, size, shared, out).
 
 Everything happens inside one render, where there is a GPU context. OUT gets a row after every method, so that what

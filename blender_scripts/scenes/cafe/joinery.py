@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Door and windows, each a hair smaller than its opening, so that its outline is its own."""
 
 import math

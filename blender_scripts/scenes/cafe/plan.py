@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The measures that the cafe's parts share, in metres; the tower's axis is the z axis."""
 
 import math

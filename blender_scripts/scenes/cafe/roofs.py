@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Rows of tiles with round ends, on a cone and on a slope. Each row is an open sheet over the top of the one below."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Awning, signs, and what one sees through the shop window."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tower, steps and wing in one piece, with their openings."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """office: a cutaway of five furnished floors, some 300,000 triangles of placed geometry."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Plain furniture made of boxes, where the models are absent."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Furniture by name: models from a folder where there is one, else modelled here. Each is one mesh, standing on z = 0,
 its middle over the origin, looking to -y, in metres."""
 

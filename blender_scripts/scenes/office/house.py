@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Slabs, outer walls and partitions with their openings: one solid."""
 
 import numpy as np

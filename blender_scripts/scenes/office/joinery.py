@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Windows and doors: linked copies, each a hair smaller than its opening, so that its outline is its own."""
 
 from .. import shapes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Plain furniture for the office where the models are absent, under the same names."""
 
 import math

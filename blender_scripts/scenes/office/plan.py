@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plan of the office: five floors, each cut back further than the one below, so that one looks into all of them.
 
 x runs along the front, y into the house, z up; metres. Furniture: (name, x, y, turn in degrees, height above the floor,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Straight stairs, and railings along them and around the holes in the slabs."""
 
 import math

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Quantities on demand: what is derived from an object, computed when first asked for and kept with it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <tbb/task_arena.h>
+#include <typeindex>
+
+namespace fovea {
+
+/// Store of derived quantities, told apart by their type and a key (a hash of what else they depend on). Keeps the
+/// most recently used few of each type. Thread-safe; a quantity is computed under the lock, once, and may ask for
+/// others.
+class Cache {
+   public:
+    template <typename T, typename Make>
+    std::shared_ptr<const T> get(std::uint64_t key, const Make& make) {
+        std::lock_guard lock(mutex_);
+        const std::type_index type(typeid(T));
+        int same_type = 0;
+        for (auto it = entries_.begin(); it != entries_.end(); ++it) {
+            if (it->type != type) continue;
+            if (it->key == key) {
+                entries_.splice(entries_.begin(), entries_, it);
+                return std::static_pointer_cast<const T>(entries_.front().value);
+            }
+            if (++same_type >= kept_per_type) {
+                entries_.erase(it);
+                break;
+            }
+        }
+        // Isolated: a thread that waits inside must not pick up work that asks this cache again.
+        std::shared_ptr<const T> value;
+        tbb::this_task_arena::isolate([&] { value = std::make_shared<const T>(make()); });
+        entries_.push_front({type, key, value});
+        return value;
+    }
+
+    /// What `get` has made and kept, or null; null, too, while something is being computed.
+    template <typename T>
+    std::shared_ptr<const T> find(std::uint64_t key) const {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (!lock) return nullptr;
+        for (const Entry& entry : entries_)
+            if (entry.type == std::type_index(typeid(T)) && entry.key == key)
+                return std::static_pointer_cast<const T>(entry.value);
+        return nullptr;
+    }
+
+    void clear() {
+        std::lock_guard lock(mutex_);
+        entries_.clear();
+    }
+
+   private:
+    struct Entry {
+        std::type_index type;
+        std::uint64_t key;
+        std::shared_ptr<const void> value;
+    };
+    static constexpr int kept_per_type = 4;
+    mutable std::recursive_mutex mutex_;
+    std::list<Entry> entries_;
+};
+
+}  // namespace fovea

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors at the boundary: bad input becomes std::invalid_argument (ValueError in Python) with one clear sentence.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace fovea {
+
+/// Throws std::invalid_argument with `message` (name the object, say what is wrong and what to do) unless `condition`.
+inline void check(bool condition, const std::string& message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+inline void check(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+
+}  // namespace fovea

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Structures of arrays: each names its columns once, and what is done to all of them follows from that list.
+#pragma once
+
+#include <algorithm>
+#include <tuple>
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+
+/// One array of a structure. A group of columns that have a length in common (of paths, say, or of points) is a
+/// std::tuple of them, a static member of the structure.
+template <typename Structure, typename Value>
+struct Column {
+    const char* name;  ///< as scripts know it
+    Array<Value> Structure::* array;
+    const char* doc;  ///< shape, type, meaning, unit
+};
+
+template <typename Structure, typename Value>
+Column(const char*, Array<Value> Structure::*, const char*) -> Column<Structure, Value>;
+
+/// visit(column) for each column of a group, in order.
+template <typename Columns, typename Visit>
+void for_each_column(const Columns& columns, const Visit& visit) {
+    std::apply([&](const auto&... column) { (visit(column), ...); }, columns);
+}
+
+template <typename Structure, typename Columns>
+void reserve_columns(Structure& structure, const Columns& columns, std::size_t count) {
+    for_each_column(columns, [&](const auto& column) { (structure.*column.array).reserve(count); });
+}
+
+/// New entries of plain numbers and vectors are uninitialized.
+template <typename Structure, typename Columns>
+void resize_columns(Structure& structure, const Columns& columns, std::size_t count) {
+    for_each_column(columns, [&](const auto& column) { (structure.*column.array).resize(count); });
+}
+
+/// One more entry, all of it zero.
+template <typename Structure, typename Columns>
+void append_zeros(Structure& structure, const Columns& columns) {
+    for_each_column(columns, [&](const auto& column) { (structure.*column.array).push_back({}); });
+}
+
+/// Writes the columns of `from` over those of `to` from entry `at` on; there must be room.
+template <typename Structure, typename Columns>
+void copy_columns(const Structure& from, const Columns& columns, Structure& to, std::size_t at) {
+    for_each_column(columns, [&](const auto& column) {
+        std::copy((from.*column.array).begin(), (from.*column.array).end(), (to.*column.array).begin() + at);
+    });
+}
+
+}  // namespace fovea

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/base/hash.h>
+
+#include <xxhash.h>
+
+namespace fovea {
+
+std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed) {
+    return XXH3_64bits_withSeed(data, size, seed);
+}
+
+}  // namespace fovea

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Content hashes: caches go by what data holds, never by where it lies.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace fovea {
+
+/// 64-bit hash of bytes (XXH3).
+std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed = 0);
+
+template <typename T>
+std::uint64_t hash_of(std::span<const T> values, std::uint64_t seed = 0) {
+    return hash_bytes(values.data(), values.size_bytes(), seed);
+}
+
+/// Mixes numbers into one hash, in order.
+template <typename... T>
+std::uint64_t hash_numbers(T... values) {
+    const std::uint64_t words[] = {static_cast<std::uint64_t>(values)...};
+    return hash_bytes(words, sizeof(words));
+}
+
+}  // namespace fovea

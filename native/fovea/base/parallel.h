@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parallel loops over index ranges (oneTBB). Results never depend on the number of threads: bodies write only to
+// their own elements, and what is summed or appended goes through fixed blocks, joined in order.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <vector>
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+
+/// Raised when a long call is asked to stop.
+struct Cancelled : std::runtime_error {
+    Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// A flag that long calls poll once per block; set from any thread.
+struct Cancel {
+    std::atomic<bool> requested{false};
+    void poll() const {
+        if (requested.load(std::memory_order_relaxed)) throw Cancelled();
+    }
+};
+
+/// body(i) for every i in [0, count), in blocks of at least `grain`.
+template <typename Body>
+void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+    });
+}
+
+/// body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The division
+/// does not depend on the number of threads, so per-block results joined in block order are deterministic.
+template <typename Body>
+void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
+    const std::size_t blocks = (count + size - 1) / size;
+    tbb::parallel_for(std::size_t(0), blocks,
+                      [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); });
+}
+
+/// Exclusive prefix sum in place: counts become offsets; the array grows by one, its last entry is the total.
+template <typename Counts>
+void counts_to_offsets(Counts& counts) {
+    typename Counts::value_type sum = 0;
+    for (auto& c : counts) {
+        const auto n = c;
+        c = sum;
+        sum += n;
+    }
+    counts.push_back(sum);
+}
+
+}  // namespace fovea

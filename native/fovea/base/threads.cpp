@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/base/threads.h>
+
+#include <memory>
+#include <tbb/global_control.h>
+
+#include <fovea/base/check.h>
+
+namespace fovea {
+
+void limit_threads(int most) {
+    check(most >= 0, "threads: 0 or more expected");
+    static std::unique_ptr<tbb::global_control> limit;
+    limit.reset();  // of several limits the lowest holds, so the old one goes first
+    if (most > 0)
+        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(most));
+}
+
+int thread_limit() { return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)); }
+
+}  // namespace fovea

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The alphabet: GLM vectors, indices, borrowed arrays.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace fovea {
+
+using glm::dmat3;
+using glm::dmat4;
+using glm::dvec2;
+using glm::dvec3;
+using glm::dvec4;
+using glm::mat4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+/// Index of a vertex, edge, polygon, facet, path or sample. `none` where there is none.
+using Index = std::uint32_t;
+inline constexpr Index none = 0xffffffffu;
+
+/// Borrowed, read-only array: valid for the length of a call.
+template <typename T>
+using In = std::span<const T>;
+
+/// Allocator that leaves plain values uninitialized: arrays of millions are filled in parallel right after.
+template <typename T>
+struct UninitializedAllocator : std::allocator<T> {
+    template <typename U>
+    struct rebind {
+        using other = UninitializedAllocator<U>;
+    };
+    template <typename U>
+    void construct(U* p) noexcept {
+        ::new (static_cast<void*>(p)) U;
+    }
+    template <typename U, typename... Args>
+    void construct(U* p, Args&&... args) {
+        ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
+    }
+};
+
+/// Owned array.
+template <typename T>
+using Array = std::vector<T, UninitializedAllocator<T>>;
+
+/// Rows `offsets[i] .. offsets[i + 1]` of a flat array (compressed rows).
+struct Rows {
+    Array<Index> offsets{0};
+    Index count() const { return static_cast<Index>(offsets.size()) - 1; }
+    Index begin(Index i) const { return offsets[i]; }
+    Index end(Index i) const { return offsets[i + 1]; }
+    Index size(Index i) const { return offsets[i + 1] - offsets[i]; }
+};
+
+}  // namespace fovea

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/color/paper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+namespace {
+
+/// Share of the heights over which ink runs out.
+constexpr float soft = 0.25f;
+/// Darkest that pigment is, as a share of what lies under it: denser is all the same.
+constexpr float darkest = 1e-4f;
+
+/// Of each value, the share of all that are lower, ties in the middle of their range; not a number: the lowest.
+Array<float> shares_lower(In<float> values) {
+    Array<Index> order(values.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    const auto key = [&](Index i) { return std::isnan(values[i]) ? -HUGE_VALF : values[i]; };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+    Array<float> shares(values.size());
+    const auto count = static_cast<float>(order.size());
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        while (end < order.size() && key(order[end]) == key(order[begin])) ++end;
+        for (std::size_t i = begin; i < end; ++i) shares[order[i]] = 0.5f * float(begin + end) / count;
+    }
+    return shares;
+}
+
+/// How steeply each texel rises away from the upper left, where the light is; what repeats goes on at its borders.
+Array<float> slopes(In<float> heights, int width, int height) {
+    Array<float> result(heights.size());
+    const auto at = [&](int x, int y) { return heights[std::size_t(y) * width + x]; };
+    for (int y = 0; y < height; ++y) {
+        const int above = (y + 1) % height, below = (y + height - 1) % height;
+        for (int x = 0; x < width; ++x) {
+            const int right = (x + 1) % width, left = (x + width - 1) % width;
+            result[std::size_t(y) * width + x] = at(right, below) - at(left, above);
+        }
+    }
+    return result;
+}
+
+int wrapped(float i, int size) {
+    const float turns = std::floor(i / float(size));
+    return std::clamp(int(i - turns * float(size)), 0, size - 1);
+}
+
+/// Where the view's axis meets the picture.
+vec2 origin_of(const View& view) {
+    const dvec2 px = to_pixels(view, view.view_to_clip * dvec4(0.0, 0.0, -1.0, 1.0));
+    return std::isfinite(px.x) && std::isfinite(px.y) ? vec2(px) : vec2(0.0f);
+}
+
+/// Pigment of colour `seen` on `under`, its density times `share`.
+vec3 granulated(const vec3& seen, const vec3& under, float share) {
+    vec3 result;
+    for (int c = 0; c < 3; ++c) {
+        const float through = std::max(seen[c], 0.0f) / std::max(under[c], darkest);
+        result[c] = std::max(under[c], darkest) * std::pow(std::max(through, darkest), share);
+    }
+    return result;
+}
+
+}  // namespace
+
+PaperTexture::PaperTexture(In<float> heights, int w, int h) : width(w), height(h), places(heights.size()) {
+    check(w > 0 && h > 0 && heights.size() == std::size_t(w) * h, "paper: the number of heights is not its size");
+    const Array<float> lower = shares_lower(heights), lit = shares_lower(slopes(heights, w, h));
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = {lower[i], lit[i]};
+}
+
+PaperPlace PaperTexture::at(const vec2& texel) const {
+    const vec2 at = texel - 0.5f, low = glm::floor(at), share = at - low;
+    const int x0 = wrapped(low.x, width), x1 = x0 + 1 == width ? 0 : x0 + 1;
+    const int y0 = wrapped(low.y, height), y1 = y0 + 1 == height ? 0 : y0 + 1;
+    const auto place_at = [&](int x, int y) {
+        const PaperPlace& place = places[std::size_t(y) * width + x];
+        return vec2(place.lower, place.lit);
+    };
+    const vec2 mean = glm::mix(glm::mix(place_at(x0, y0), place_at(x1, y0), share.x),
+                               glm::mix(place_at(x0, y1), place_at(x1, y1), share.x), share.y);
+    return {mean.x, mean.y};
+}
+
+float toothed(float opacity, float lower, float tooth) {
+    if (!(opacity > 0.0f) || opacity >= 1.0f || tooth <= 0.0f) return opacity;
+    // The ramp whose mean over all heights is the opacity: it enters at one end and leaves at the other.
+    float reach;
+    if (opacity < 0.5f * soft)
+        reach = std::sqrt(2.0f * soft * opacity);
+    else if (opacity <= 1.0f - 0.5f * soft)
+        reach = opacity + 0.5f * soft;
+    else
+        reach = 1.0f + soft - std::sqrt(2.0f * soft * (1.0f - opacity));
+    const float covered = std::clamp((reach - (1.0f - lower)) / soft, 0.0f, 1.0f);
+    return opacity + tooth * (covered - opacity);
+}
+
+void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& view, const PaperTexture* texture,
+              const PaperOptions& options, Array<vec4>& out) {
+    const auto width = static_cast<std::size_t>(view.width), count = width * std::size_t(view.height);
+    check(lines.size() == count, "lines: expected one entry per pixel of the view");
+    check(layer.empty() || layer.size() == count, "layer: expected one entry per pixel of the view");
+    check(holdout.empty() || holdout.size() == count, "holdout: expected one value per pixel of the view");
+    check(options.texel_px > 0.0f, "paper: a texel must cover more than nothing");
+    out.resize(count);
+    const vec2 origin = origin_of(view);
+    const bool granulates = texture && options.granulation > 0.0f && !options.transparent;
+    const vec3 ground = options.background.value_or(options.color);
+    parallel_blocks(count, width, [&](std::size_t y, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const vec2 px(float(i - begin) + 0.5f, float(y) + 0.5f);
+            const auto [lower, lit] = texture ? texture->at((px - origin) / options.texel_px) : PaperPlace{};
+            const float shade = 1.0f + options.tint * (2.0f * lit - 1.0f);
+            const float alpha = options.transparent ? 0.0f : holdout.empty() ? 1.0f : 1.0f - holdout[i];
+            vec4 pixel(ground * alpha, alpha);
+            const vec4 color = layer.empty() ? vec4(0.0f) : layer[i] * options.layer_opacity;
+            if (color.a > 0.0f) {
+                pixel = color + pixel * (1.0f - color.a);
+                if (granulates && pixel.a > 0.0f) {
+                    const float share = 1.0f + options.granulation * (1.0f - 2.0f * lower);
+                    pixel = vec4(granulated(vec3(pixel) / pixel.a, ground, share) * pixel.a, pixel.a);
+                }
+            }
+            vec4 line = lines[i];
+            if (texture && options.tooth > 0.0f && line.a > 0.0f)
+                line *= toothed(line.a, lower, options.tooth) / line.a;
+            pixel = line + pixel * (1.0f - line.a);
+            out[i] = vec4(vec3(pixel) * shade, pixel.a);
+        }
+    });
+}
+
+}  // namespace fovea

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/color/png_bytes.h>
+
+#include <png.h>
+
+#include <fovea/base/check.h>
+
+namespace fovea {
+
+std::string png_bytes(In<std::uint8_t> rgb, int width, int height) {
+    check(width > 0 && height > 0, "a picture needs pixels");
+    check(rgb.size() == std::size_t(3) * width * height, "rgb: three values per pixel expected");
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(width);
+    image.height = static_cast<png_uint_32>(height);
+    image.format = PNG_FORMAT_RGB;
+    const png_int_32 upwards = -3 * width;
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+    png_alloc_size_t size = bytes.size();
+    check(png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), upwards, nullptr), image.message);
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace fovea

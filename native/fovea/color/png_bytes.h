@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures as PNG files.
+#pragma once
+
+#include <string>
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+
+/// The bytes of a PNG file of width x height pixels, sRGB, three values each, the lowest row first (as textures have
+/// it). Throws std::invalid_argument where there are not so many values, or none.
+std::string png_bytes(In<std::uint8_t> rgb, int width, int height);
+
+}  // namespace fovea

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The colour of a place on a triangle as the camera sees it.
+#pragma once
+
+#include <fovea/color/light.h>
+#include <fovea/color/screen_triangle.h>
+#include <fovea/color/source.h>
+#include <fovea/field/corner_normals.h>
+#include <fovea/scene/scene.h>
+
+namespace fovea {
+
+/// A triangle that may be seen, ready to be asked for its colour.
+struct SeenTriangle {
+    ScreenTriangle screen;
+    Index placement = none;
+    std::array<Index, 3> vertex{}, corner{};
+    const ColorSlot* slot = nullptr;
+    Index triangle = none;
+};
+
+class ColorShader {
+   public:
+    /// Borrows all of them. Throws as check_color, and where there is not one entry of `colors` per placement.
+    ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting,
+                Shading shading);
+
+    SeenTriangle triangle(Index placement, Index triangle) const;
+    /// Scene-linear; `share` as SeenTriangle::screen.at(px) gives it.
+    vec3 color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const;
+    bool holdout(Index placement) const { return scene_.placements[placement].usage & usage_holdout; }
+
+   private:
+    struct Placed {
+        dmat4 object_to_view;
+        glm::mat3 normal_to_view;
+        std::shared_ptr<const CornerNormals> normals;  // where the mesh brings none
+    };
+    vec3 base(const SeenTriangle& triangle, const dvec2& px, const vec3& share) const;
+    vec3 normal(const SeenTriangle& triangle, const vec3& share, const vec3& to_eye) const;
+
+    const Scene& scene_;
+    const View& view_;
+    const SceneColor& colors_;
+    const Lighting& lighting_;
+    Shading shading_;
+    dmat3 pixel_to_ray_;
+    std::vector<Placed> placed_;
+};
+
+}  // namespace fovea

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/elision/bands.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t runs_per_block = 64;
+constexpr double width_error_px = 0.05;
+constexpr double pulled_back = 0.25;  // of half the width
+constexpr Index most_ranks = (Index(1) << 23) - 1;
+
+/// Half width at an arc length.
+struct Knot {
+    double arc, half;
+};
+
+/// Drops knots between which the width is linear, near enough, in one pass: the slopes that lead from a knot past all
+/// that follow it are a cone, which narrows until the next one is missed (Sklansky & Gonzalez 1980).
+void simplify(std::vector<Knot>& knots) {
+    if (knots.size() < 3) return;
+    constexpr double any = std::numeric_limits<double>::infinity();
+    std::size_t kept = 0;
+    double least = -any, most = any;
+    for (std::size_t k = 1; k < knots.size(); ++k) {
+        const Knot from = knots[kept], here = knots[k];
+        const double run = here.arc - from.arc;
+        const double slope = (here.half - from.half) / run;
+        if (!(slope >= least && slope <= most)) {
+            knots[++kept] = knots[k - 1];
+            const double next_run = here.arc - knots[kept].arc, rise = here.half - knots[kept].half;
+            least = (rise - width_error_px) / next_run;
+            most = (rise + width_error_px) / next_run;
+            continue;
+        }
+        least = std::max(least, (here.half - width_error_px - from.half) / run);
+        most = std::min(most, (here.half + width_error_px - from.half) / run);
+    }
+    knots[++kept] = knots.back();
+    knots.resize(kept + 1);
+}
+
+class Band {
+   public:
+    Band(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own)
+        : clipped_(clipped), runs_(runs), ranks_(ranks), own_(own) {}
+
+    void add(std::size_t run, Bands& out) {
+        piece_ = runs_.piece[run];
+        start_ = runs_.start_px[run];
+        end_ = runs_.end_px[run];
+        rank_ = float(ranks_[run]);
+        const Index first = clipped_.pieces.begin(piece_), last = clipped_.pieces.end(piece_) - 1;
+        const double* arcs = clipped_.arc_px.data();
+        const double* at = std::upper_bound(arcs + first, arcs + last, start_);
+        begin_ = std::max(first, Index(at - arcs) - (at > arcs + first ? 1 : 0));
+        find_knots(Index(run));
+        if (knots_.empty()) return;
+        run_start_ = start_;
+        run_end_ = end_;
+        reach_ = std::max(1e-6, std::min(double(own_.reach_px), 0.5 * (end_ - start_)));
+        pull_back();
+        knot_ = 0;
+        has_before_ = false;
+        for (Index i = begin_; i < last && clipped_.arc_px[i] < end_; ++i) add_segment(i, out);
+    }
+
+   private:
+    void find_knots(Index run) {
+        knots_.clear();
+        for (Index s = own_.runs.begin(run); s < own_.runs.end(run); ++s) {
+            const double arc = start_ + own_.band[s].z;
+            if (knots_.empty() || arc > knots_.back().arc) knots_.push_back({arc, own_.band[s].x});
+        }
+        simplify(knots_);
+    }
+
+    /// Where one line ends and another goes on, neither reaches over the other, though they be a little askew.
+    void pull_back() {
+        const double most = (end_ - start_) * 0.25;
+        start_ += std::min(most, pulled_back * knots_.front().half);
+        end_ -= std::min(most, pulled_back * knots_.back().half);
+    }
+
+    /// Half width; arc lengths ascend from call to call.
+    double half_at(double arc) {
+        while (knot_ + 1 < knots_.size() && knots_[knot_ + 1].arc <= arc) ++knot_;
+        const Knot& a = knots_[knot_];
+        if (knot_ + 1 == knots_.size() || arc <= a.arc) return a.half;
+        const Knot& b = knots_[knot_ + 1];
+        return glm::mix(a.half, b.half, (arc - a.arc) / (b.arc - a.arc));
+    }
+
+    double near_end(double arc) const {
+        return std::max(0.0, 1.0 - (run_end_ - arc) / reach_) - std::max(0.0, 1.0 - (arc - run_start_) / reach_);
+    }
+
+    /// Where after an arc length, at the latest, something stops being linear.
+    double next_bend(double arc, double last) const {
+        double next = last;
+        if (knot_ + 1 < knots_.size()) next = std::min(next, std::max(knots_[knot_ + 1].arc, arc));
+        for (const double bend : {run_start_ + reach_, run_end_ - reach_})
+            if (bend > arc) next = std::min(next, bend);
+        return next > arc ? next : last;
+    }
+
+    void add_segment(Index i, Bands& out) {
+        const double from = std::max(start_, clipped_.arc_px[i]), to = std::min(end_, clipped_.arc_px[i + 1]);
+        const dvec2 p = clipped_.px[i], way = dvec2(clipped_.px[i + 1]) - p;
+        const double length = glm::length(way), arcs = clipped_.arc_px[i + 1] - clipped_.arc_px[i];
+        if (!(to > from) || !(length > 0.0)) return;
+        const auto place = [&](double arc) { return p + way * ((arc - clipped_.arc_px[i]) / arcs); };
+        const dvec2 left = dvec2(-way.y, way.x) / length;
+        double arc = from;
+        Side side{half_at(arc), near_end(arc)};
+        if (has_before_) fill_bend(place(arc), left, side, out);
+        while (arc < to) {
+            const double begin = arc;
+            const Side before = side;
+            arc = next_bend(arc, to);
+            side = {half_at(arc), near_end(arc)};
+            add_quad(place(begin), place(arc), before, side, left, out);
+        }
+        left_before_ = left;
+        has_before_ = true;
+    }
+
+    /// A band at an arc length.
+    struct Side {
+        double half, near_end;
+    };
+
+    void corner(const dvec2& px, double v, const Side& side, const dvec2& left, Bands& out) const {
+        out.px.push_back(vec2(px));
+        out.across.push_back(vec3(v, side.half, side.near_end));
+        out.owner.push_back(vec3(left, rank_));
+    }
+
+    void add_quad(const dvec2& a, const dvec2& b, const Side& at_a, const Side& at_b, const dvec2& left,
+                  Bands& out) const {
+        const Index base = Index(out.px.size());
+        for (const double side : {1.0, -1.0}) {
+            corner(a + left * (side * (at_a.half + 0.5)), side * (at_a.half + 0.5), at_a, left, out);
+            corner(b + left * (side * (at_b.half + 0.5)), side * (at_b.half + 0.5), at_b, left, out);
+        }
+        out.triangles.push_back({base, base + 1, base + 2});
+        out.triangles.push_back({base + 2, base + 1, base + 3});
+    }
+
+    void fill_bend(const dvec2& at, const dvec2& left, const Side& here, Bands& out) const {
+        const double turn = left_before_.x * left.y - left_before_.y * left.x, reach = here.half + 0.5;
+        if (std::abs(turn) * reach < 0.25 || glm::dot(left, left_before_) < -0.99) return;
+        const double side = turn > 0.0 ? -1.0 : 1.0;
+        const dvec2 middle = glm::normalize(left + left_before_);
+        const Index base = Index(out.px.size());
+        corner(at, 0.0, here, middle, out);
+        corner(at + left_before_ * (side * reach), side * reach, here, middle, out);
+        corner(at + left * (side * reach), side * reach, here, middle, out);
+        out.triangles.push_back({base, base + 1, base + 2});
+    }
+
+    const ClippedPaths& clipped_;
+    const Runs& runs_;
+    In<Index> ranks_;
+    const OwnBands& own_;
+    Index piece_ = 0, begin_ = 0;
+    double start_ = 0.0, end_ = 0.0;          // of the band
+    double run_start_ = 0.0, run_end_ = 0.0;  // of the run
+    double reach_ = 0.0;
+    float rank_ = 0.0f;
+    std::vector<Knot> knots_;
+    std::size_t knot_ = 0;
+    dvec2 left_before_{0.0};
+    bool has_before_ = false;
+};
+
+/// Parts one after the other.
+Bands join(const std::vector<Bands>& parts) {
+    std::vector<std::size_t> corners, triangles;
+    for (const Bands& part : parts) {
+        corners.push_back(part.px.size());
+        triangles.push_back(part.triangles.size());
+    }
+    counts_to_offsets(corners);
+    counts_to_offsets(triangles);
+    Bands all;
+    resize_columns(all, Bands::corner_columns, corners.back());
+    all.triangles.resize(triangles.back());
+    parallel_for(
+        parts.size(),
+        [&](std::size_t b) {
+            const std::size_t base = corners[b];
+            copy_columns(parts[b], Bands::corner_columns, all, base);
+            std::ranges::transform(parts[b].triangles, all.triangles.begin() + triangles[b],
+                                   [&](const glm::uvec3& t) { return t + glm::uvec3(Index(base)); });
+        },
+        1);
+    return all;
+}
+
+}  // namespace
+
+Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own) {
+    check_runs(clipped, runs);
+    check(ranks.size() == runs.size() && own.runs.count() == runs.size(), "elision: ranks or samples of other runs");
+    check(ranks.empty() || std::ranges::max(ranks) <= most_ranks,
+          "elision: too many paths; 8 million can be told apart");
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });
+    std::vector<Bands> parts((runs.size() + runs_per_block - 1) / runs_per_block);
+    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+        Band band(clipped, runs, ranks, own);
+        for (std::size_t k = begin; k < end; ++k) band.add(order[k], parts[block]);
+    });
+    return join(parts);
+}
+
+}  // namespace fovea

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bands that lines want for themselves, as triangles: what both backends draw into the priority buffer.
+#pragma once
+
+#include <fovea/base/columns.h>
+#include <fovea/elision/own_band.h>
+
+namespace fovea {
+
+/// V corners and T triangles, run after run, the highest rank first. Bands are drawn half a pixel wider than they are,
+/// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its centre, v and h affine over the
+/// triangle. They end straight, an eighth of
+/// their width before their run does.
+struct Bands {
+    Array<vec2> px;
+    Array<vec3> across, owner;
+
+    static constexpr std::tuple corner_columns{
+        Column{"px", &Bands::px, "(V, 2) float32 pixels"},
+        Column{
+            "across", &Bands::across,
+            "(V, 3) float32: v: pixels across, positive to the left of the way, h: half the band's width, e: how near "
+            "the run's end is, from 0 at OwnBands::reach_px, or half way along the run, to 1 there; negative towards "
+            "the start"},
+        Column{"owner", &Bands::owner,
+               "(V, 3) float32: unit vector to the left of the way, and rank; the same for the corners of a triangle"}};
+
+    Array<glm::uvec3> triangles;
+};
+
+/// Bands of all runs that samples belong to; on a bend the gap on its outer side is filled. The width is linear between
+/// samples, to 1/20 px. Throws std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
+Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own);
+
+}  // namespace fovea

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/elision/priority_buffer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/image/tiles.h>
+
+namespace fovea {
+namespace {
+
+/// Of the sign of the cosine of twice the angle between two lines.
+float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
+    const vec2 u(a.away_x, a.away_y), v(b.away_x, b.away_y);
+    const float c = glm::dot(u, v);
+    return 2.0f * c * c - glm::dot(u, u) * glm::dot(v, v);
+}
+
+/// Bands come by falling rank, so that whoever is first stays.
+void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) {
+    PriorityTexel& first = buffer.first[pixel];
+    if (first.rank == 0) {
+        first = texel;
+    } else if (!first.crossed && first.rank != texel.rank && cosine_of_double(first, texel) < 0.0f) {
+        first.crossed = 1;
+        buffer.second[pixel] = texel;
+    }
+}
+
+void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBuffer& buffer) {
+    const glm::uvec3 c = bands.triangles[t];
+    const FixedTriangle shape(bands.px[c[0]], bands.px[c[1]], bands.px[c[2]]);
+    const PixelBox box = intersect(shape.box(), tile);
+    if (shape.empty() || box.empty()) return;
+    const OverTriangle<3> across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
+    const vec3 owner = bands.owner[c[0]];
+    PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0, 0};
+    for (int row = box.y0; row < box.y1; ++row) {
+        int begin = box.x0, end = box.x1;
+        shape.span(row, begin, end);
+        for (int column = begin; column < end; ++column) {
+            const vec3 place = across.at(column, row);
+            const float coverage = std::min(1.0f, place.y + 0.5f - std::abs(place.x));
+            texel.coverage = std::uint8_t(std::max(0.0f, coverage) * 255.0f + 0.5f);
+            if (texel.coverage == 0) continue;
+            const float length = 1.0f - 0.5f * std::min(1.0f, std::abs(place.z));
+            const float away = std::copysign(PriorityTexel::away_unit * length, place.x);
+            texel.right = (place.z > 0.0f) == (away > 0.0f);
+            texel.away_x = int(std::lround(owner.x * away));
+            texel.away_y = int(std::lround(owner.y * away));
+            put(buffer, std::size_t(row) * buffer.width + column, texel);
+        }
+    }
+}
+
+}  // namespace
+
+PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel) {
+    check(width > 0 && height > 0, "priority buffer: the picture needs a positive width and height");
+    PriorityBuffer buffer{width, height, {}, {}};
+    buffer.first.resize(std::size_t(width) * height);
+    buffer.second.resize(buffer.first.size());
+    const Tiles tiles = sort_into_tiles(bands.px, bands.triangles, width, height);
+    const PixelBox picture{0, 0, width, height};
+    constexpr int size = Tiles::size;
+    parallel_for(
+        std::size_t(tiles.across) * tiles.up,
+        [&](std::size_t tile) {
+            if (cancel) cancel->poll();
+            const int x = int(tile % tiles.across) * size, y = int(tile / tiles.across) * size;
+            const PixelBox box = intersect({x, y, x + size, y + size}, picture);
+            for (int row = box.y0; row < box.y1; ++row)
+                std::fill_n(&buffer.first[std::size_t(row) * width + box.x0], box.x1 - box.x0, PriorityTexel{});
+            for (std::size_t k = tiles.offsets[tile]; k < tiles.offsets[tile + 1]; ++k)
+                draw_triangle(bands, tiles.triangle[k], box, buffer);
+        },
+        1);
+    return buffer;
+}
+
+}  // namespace fovea

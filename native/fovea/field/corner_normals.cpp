@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/field/corner_normals.h>
+
+#include <cmath>
+
+#include <fovea/base/parallel.h>
+#include <fovea/field/fields.h>
+
+namespace fovea {
+namespace {
+
+double corner_angle(const Surface& surface, Index triangle, Index vertex) {
+    const Triangle& t = surface.triangles[triangle];
+    const int i = t.x == vertex ? 0 : t.y == vertex ? 1 : 2;
+    const dvec3 p(surface.positions[vertex]);
+    const dvec3 a = dvec3(surface.positions[t[(i + 1) % 3]]) - p, b = dvec3(surface.positions[t[(i + 2) % 3]]) - p;
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Of the triangles around a vertex that go on smoothly from one of them.
+vec3 smooth_side(const Surface& surface, const Neighbours& all, Index vertex, const vec3& own) {
+    const double least_cosine = std::cos(glm::radians(default_hard_angle));
+    dvec3 sum(0.0);
+    for (Index i = all.triangle_rows.begin(vertex); i < all.triangle_rows.end(vertex); ++i) {
+        const Index t = all.triangles[i];
+        const vec3 normal(surface.facet_plane[surface.triangle_facet[t]]);
+        const double cosine = glm::dot(dvec3(normal), dvec3(own));
+        // Neighbours may disagree about which side is out.
+        if (std::abs(cosine) < least_cosine) continue;
+        sum += (cosine < 0.0 ? -1.0 : 1.0) * corner_angle(surface, t, vertex) * dvec3(normal);
+    }
+    const double length = glm::length(sum);
+    return length > 0.0 && length < HUGE_VAL ? vec3(sum / length) : own;
+}
+
+CornerNormals find_normals(const Surface& surface) {
+    const auto fields = fields_of(surface);
+    const auto smooth = neighbours_of(surface), all = neighbours_of(surface, no_hard_edges);
+    CornerNormals normals;
+    normals.vertex.resize(surface.vertex_count());
+    parallel_for(normals.vertex.size(), [&](std::size_t v) { normals.vertex[v] = fields->curvature[v].normal; });
+    const auto own = [&](std::size_t t) { return vec3(surface.facet_plane[surface.triangle_facet[t]]); };
+    const auto fits = [&](Index v, const vec3& facet) {
+        return !smooth->hard[v] && glm::dot(normals.vertex[v], facet) > 0.0f;
+    };
+
+    normals.first.resize(surface.triangles.size());
+    parallel_for(normals.first.size(), [&](std::size_t t) {
+        const Triangle& c = surface.triangles[t];
+        const vec3 facet = own(t);
+        normals.first[t] = fits(c.x, facet) && fits(c.y, facet) && fits(c.z, facet) ? 0 : 3;
+    });
+    Index total = 0;
+    for (Index& first : normals.first) {
+        const Index count = first;
+        first = count ? total : none;
+        total += count;
+    }
+    normals.corner.resize(total);
+    parallel_for(normals.first.size(), [&](std::size_t t) {
+        if (normals.first[t] == none) return;
+        const vec3 facet = own(t);
+        for (int k = 0; k < 3; ++k) {
+            const Index v = surface.triangles[t][k];
+            vec3& normal = normals.corner[normals.first[t] + k];
+            normal = smooth->hard[v] ? smooth_side(surface, *all, v, facet) : normals.vertex[v];
+            const float side = glm::dot(normal, facet);
+            if (side < 0.0f) normal = -normal;
+            if (!(std::abs(side) > 0.0f)) normal = facet;
+        }
+    });
+    return normals;
+}
+
+}  // namespace
+
+std::shared_ptr<const CornerNormals> corner_normals(const Surface& surface) {
+    return surface.cache().get<CornerNormals>(0, [&] { return find_normals(surface); });
+}
+
+}  // namespace fovea

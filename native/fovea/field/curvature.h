@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curvature at a point of a surface: second and third order, in the principal frame.
+#pragma once
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+
+/// Shape operator h(x, y) = (D_x n) . y for the outward unit normal n: convex is positive, a sphere of radius R has
+/// 1 / R. C is the covariant derivative of h, symmetric in all arguments. Units: k 1 / length, C 1 / length^2.
+/// Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004.
+/// Turning the frame around (e1 -> -e1, e2 -> -e2) turns C around and leaves k as it is. Where |k1| = |k2| the frame is
+/// arbitrary. Where nothing is known of a point (no surface around it) all is zero, the normal too.
+template <typename Real>
+struct CurvatureOf {
+    using Vec3 = glm::vec<3, Real>;
+    Vec3 normal{0};
+    Vec3 e1{0}, e2{0};         ///< principal directions, unit, e1 x e2 = normal
+    Real k1 = 0, k2 = 0;       ///< principal curvatures along e1 and e2, |k1| >= |k2|
+    Real C[4] = {0, 0, 0, 0};  ///< C(e1,e1,e1), C(e1,e1,e2), C(e1,e2,e2), C(e2,e2,e2)
+};
+
+using Curvature = CurvatureOf<float>;    ///< as kept per vertex
+using CurvatureD = CurvatureOf<double>;  ///< as computed
+
+inline Curvature rounded(const CurvatureD& c) {
+    return {vec3(c.normal), vec3(c.e1),  vec3(c.e2),
+            float(c.k1),    float(c.k2), {float(c.C[0]), float(c.C[1]), float(c.C[2]), float(c.C[3])}};
+}
+
+}  // namespace fovea

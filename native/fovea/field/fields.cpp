@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/field/fields.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+#include <fovea/base/hash.h>
+#include <fovea/base/parallel.h>
+#include <fovea/field/implicit.h>
+#include <fovea/field/jets.h>
+#include <fovea/field/limit_curvature.h>
+#include <fovea/field/normals.h>
+#include <fovea/field/one_ring.h>
+#include <fovea/field/smooth.h>
+
+namespace fovea {
+namespace {
+
+/// Residuals, in edge lengths, up to which positions count as clean, and as slightly noisy. Under the first a jet of
+/// degree 4 over 3 rings has the smaller error in C on a torus of 128 x 64 quads.
+constexpr double clean = 0.0007, slightly_noisy = 0.004;
+
+/// Deviation, in edge lengths, by which fields of noisy positions are smoothed: less, and lines on scans are jagged.
+constexpr double smoothing_of_noise = 1.2;
+
+struct Choice {
+    JetOptions jets;
+    double smoothing = 0.0;
+    std::string reason;
+};
+
+/// Rings over which a cubic has the least error in C. Noise leaves the same residuals over many rings as over few, and
+/// more points average it out; what a cubic cannot follow, on coarse meshes, leaves larger ones the more rings.
+int rings_for(double noise, const std::function<double(int)>& residual) {
+    constexpr double share = 0.3;  // of the residuals that is no noise: how much of it reaches C
+    int best = 0;
+    double least = HUGE_VAL;
+    for (const int rings : {2, 3, 4, 6}) {
+        const double of_shape = share * std::sqrt(std::max(0.0, std::pow(residual(rings), 2) - noise * noise));
+        const double of_noise = noise / std::sqrt(3.0 * rings * (rings + 1) + 1);
+        const double error = std::hypot(of_shape, of_noise) / std::pow(rings, 3);
+        if (error >= least) break;
+        least = error;
+        best = rings;
+    }
+    return best;
+}
+
+Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                   const FieldOptions& options) {
+    Choice choice;
+    choice.jets = {.degree = 4, .rings = 3, .hard_angle = options.hard_angle};
+    choice.smoothing = options.smoothing;
+    if (options.degree && options.rings) {
+        choice.reason = "jets as asked for";
+    } else {
+        const auto residual = [&](int degree, int rings) {
+            JetOptions jets{.degree = degree, .rings = rings, .hard_angle = options.hard_angle};
+            jets.even = degree == 3;
+            return jet_noise(surface, neighbours, normals, jets);
+        };
+        // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
+        const double noise = std::min(residual(4, 3), residual(4, 2));
+        const char* kind = "clean";
+        if (noise > clean) {
+            choice.jets.even = true;
+            choice.jets.degree = 3;
+            choice.jets.rings = rings_for(noise, [&](int rings) { return residual(3, rings); });
+            const bool noisy = noise > slightly_noisy;
+            if (noisy && options.smoothing == 0.0 && options.estimator == Estimator::automatic)
+                choice.smoothing = smoothing_of_noise;
+            kind = noisy ? "noisy" : "slightly noisy";
+        }
+        char text[120];
+        std::snprintf(text, sizeof text, "positions are %s (%.2g %% of an edge off a smooth surface): jets", kind,
+                      100.0 * noise);
+        choice.reason = text;
+    }
+    if (options.degree) choice.jets.degree = options.degree;
+    if (options.rings) choice.jets.rings = options.rings;
+    choice.reason += " of degree " + std::to_string(choice.jets.degree) + " over " + std::to_string(choice.jets.rings) +
+                     (choice.jets.rings == 1 ? " ring" : " rings");
+    return choice;
+}
+
+float feature_size_of(const Surface& surface, const Neighbours& neighbours, const Array<Curvature>& curvature) {
+    const Array<float> areas = vertex_areas(surface, neighbours);
+    struct Weighted {
+        float k, area;
+    };
+    std::vector<Weighted> pool;
+    pool.reserve(2 * curvature.size());
+    double total = 0.0;
+    for (std::size_t v = 0; v < curvature.size(); ++v) {
+        if (!(areas[v] > 0.0f)) continue;
+        pool.push_back({std::abs(curvature[v].k1), areas[v]});
+        pool.push_back({std::abs(curvature[v].k2), areas[v]});
+        total += 2.0 * areas[v];
+    }
+    if (pool.empty()) return 0.0f;
+    // Quickselect by weight: the half that holds the quantile is halved again. Ties in k may stand in any order.
+    auto low = pool.begin(), high = pool.end();
+    double below = 0.0;
+    const double wanted = 0.1 * total;
+    const auto less = [](const Weighted& a, const Weighted& b) { return a.k < b.k; };
+    while (high - low > 1) {
+        const auto middle = low + (high - low) / 2;
+        std::nth_element(low, middle, high, less);
+        double sum = below;
+        for (auto it = low; it != middle; ++it) sum += it->area;
+        if (sum > wanted) {
+            high = middle;
+        } else {
+            below = sum;
+            low = middle;
+        }
+    }
+    const double cap = 0.05 * surface.radius, k = low->k;
+    return static_cast<float>(0.01 < cap * k ? 0.01 / k : cap);
+}
+
+/// Those of a stretched surface.
+Fields map_fields(const Surface& surface, const Fields& source, const FieldOptions& options) {
+    Fields fields{Array<Curvature>(source.curvature.size()), 0.0f, source.reason};
+    const dmat3 inverse = glm::inverse(surface.stretch());
+    parallel_for(fields.curvature.size(),
+                 [&](std::size_t v) { fields.curvature[v] = rounded(mapped(source.curvature[v], inverse)); });
+    const auto neighbours = neighbours_of(*surface.source(), options.hard_angle);
+    fields.feature_size = feature_size_of(surface, *neighbours, fields.curvature);
+    return fields;
+}
+
+Fields make_fields(const Surface& surface, const FieldOptions& options) {
+    const auto around = neighbours_of(surface, options.hard_angle);
+    const Neighbours& neighbours = *around;
+    Fields fields;
+    double smoothing = options.smoothing;
+    if (options.estimator == Estimator::automatic && !surface.jets.empty()) {
+        fields.curvature = curvature_of(surface.jets);
+        fields.reason = "exact: derivatives of the subdivision's limit surface";
+    } else if (options.estimator == Estimator::one_ring) {
+        fields.curvature = one_ring_curvature(surface, neighbours);
+        fields.reason = "one-rings as asked for";
+    } else {
+        const Array<vec3> normals = vertex_normals(surface, neighbours);
+        const Choice choice = choose_jets(surface, neighbours, normals, options);
+        fields.curvature = jet_curvature(surface, neighbours, normals, choice.jets);
+        fields.reason = choice.reason;
+        smoothing = choice.smoothing;
+    }
+    if (smoothing > 0.0) {
+        fields.curvature = smooth(surface, neighbours, fields.curvature, smoothing);
+        char text[60];
+        std::snprintf(text, sizeof text, ", smoothed over %.3g edges", smoothing);
+        fields.reason += text;
+    }
+    fields.feature_size = feature_size_of(surface, neighbours, fields.curvature);
+    return fields;
+}
+
+}  // namespace
+
+std::uint64_t hash_of(const FieldOptions& options) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    return hash_numbers(static_cast<int>(options.estimator), options.degree, options.rings, bits(options.smoothing),
+                        bits(options.hard_angle));
+}
+
+std::shared_ptr<const Fields> fields_of(const Surface& surface) { return fields_of(surface, surface.field_options()); }
+
+std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options) {
+    check_options(options, surface.name());
+    return surface.cache().get<Fields>(hash_of(options), [&] {
+        return surface.source() ? map_fields(surface, *fields_of(*surface.source(), options), options)
+                                : make_fields(surface, options);
+    });
+}
+
+std::string fields_reason(const Surface& surface) {
+    const auto kept = surface.cache().find<Fields>(hash_of(surface.field_options()));
+    return kept ? kept->reason : "";
+}
+
+}  // namespace fovea

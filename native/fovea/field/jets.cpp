@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/field/jets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/field/implicit.h>
+#include <fovea/field/normals.h>
+#include <fovea/field/principal.h>
+#include <fovea/field/walk.h>
+
+namespace fovea {
+namespace {
+
+constexpr int terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
+constexpr int max_degree = 4;
+constexpr int spare_points = 4;  // beyond as many as there are coefficients
+constexpr int extra_rings = 4;   // at most, where there are too few points
+/// Pivot, as a share of its diagonal entry, below which points do not determine a coefficient.
+constexpr double least_pivot = 1e-10;
+
+/// Two points at a time: what every processor of 64 bits has, and the same sums on each.
+typedef double Lanes __attribute__((vector_size(16)));
+constexpr std::size_t lanes = 2, unrolled = 2 * lanes;
+
+/// Points around a vertex in its own frame, divided by `scale`, their mean distance. By coordinates, filled up with
+/// points of no weight to a multiple of `unrolled`.
+struct Surroundings {
+    std::vector<double> x, y, z, weight;
+    dvec3 t, b, n;
+    double scale = 1.0, edge_length = 0.0;
+    std::size_t count = 0;  // the vertex itself first
+};
+
+/// The surroundings that one thread looks at.
+struct Look {
+    explicit Look(Index vertices) : walk(vertices) {}
+    Walk walk;
+    Surroundings around;
+
+    /// `even`: all points weigh the same, which noisy surfaces need; else near points count more, which is what makes
+    /// fits exact on clean ones.
+    void place(const Surface& surface, const Neighbours& neighbours, const std::vector<Index>& found,
+               const dvec3& normal, bool even) {
+        around.count = found.size();
+        around.n = normal;
+        around.t = any_tangent(normal);
+        around.b = glm::cross(normal, around.t);
+        const std::size_t padded = (found.size() + unrolled - 1) / unrolled * unrolled;
+        for (auto* values : {&around.x, &around.y, &around.z, &around.weight}) values->assign(padded, 0.0);
+        const dvec3 origin(surface.positions[found[0]]);
+        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertex_rows.size(found[0]), found.size() - 1);
+        double sum = 0.0;
+        around.edge_length = 0.0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const dvec3 d = dvec3(surface.positions[found[i]]) - origin;
+            around.x[i] = glm::dot(d, around.t);
+            around.y[i] = glm::dot(d, around.b);
+            around.z[i] = glm::dot(d, around.n);
+            sum += glm::length(d);
+            if (i == first_ring && i > 0) around.edge_length = sum / double(i);
+        }
+        around.scale = found.size() > 1 ? sum / double(found.size() - 1) : 0.0;
+        if (!(around.scale > 0.0)) return;
+        const double inverse = 1.0 / around.scale;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const double x = around.x[i] *= inverse, y = around.y[i] *= inverse, z = around.z[i] *= inverse;
+            around.weight[i] = even ? 1.0 : 1.0 / (0.1 + x * x + y * y + z * z);
+        }
+    }
+};
+
+/// Monomials x^i y^j up to a degree, by degree, then by j, all times `first`.
+template <int degree, typename Real>
+void monomials(Real x, Real y, Real first, Real* m) {
+    m[0] = first;
+    for (int d = 1; d <= degree; ++d) {
+        const Real* lower = m + terms(d - 2);
+        Real* own = m + terms(d - 1);
+        for (int j = 0; j < d; ++j) own[j] = x * lower[j];
+        own[d] = y * lower[d - 1];
+    }
+}
+
+/// Weighted sums of all monomials up to twice the degree, and of heights times monomials up to the degree.
+template <int degree>
+void add_up(const Surroundings& points, double* moments, double* heights) {
+    constexpr int size = terms(degree), moment_count = terms(2 * degree);
+    Lanes sums[moment_count] = {}, z_sums[size] = {}, m[moment_count], n[moment_count];
+    const auto load = [](const std::vector<double>& values, std::size_t i) { return Lanes{values[i], values[i + 1]}; };
+    for (std::size_t i = 0; i < points.x.size(); i += unrolled) {
+        const std::size_t j = i + lanes;
+        monomials<2 * degree>(load(points.x, i), load(points.y, i), load(points.weight, i), m);
+        monomials<2 * degree>(load(points.x, j), load(points.y, j), load(points.weight, j), n);
+        const Lanes z = load(points.z, i), w = load(points.z, j);
+        for (int k = 0; k < moment_count; ++k) sums[k] += m[k] + n[k];
+        for (int k = 0; k < size; ++k) z_sums[k] += z * m[k] + w * n[k];
+    }
+    for (int k = 0; k < moment_count; ++k) moments[k] = sums[k][0] + sums[k][1];
+    for (int k = 0; k < size; ++k) heights[k] = z_sums[k][0] + z_sums[k][1];
+}
+
+/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false when they are not determined.
+/// The normal matrix holds moments only, terms(2 degree) of them.
+template <int degree>
+bool fit(const Surroundings& points, double* a) {
+    constexpr int size = terms(degree), moment_count = terms(2 * degree);
+    if (points.count < std::size_t(size)) return false;
+    double moments[moment_count], heights[size];
+    add_up<degree>(points, moments, heights);
+    // L D L^T by rows; L below the diagonal, D on it.
+    double l[size][size], inverse[size];
+    int row = 0;
+    for (int d = 0; d <= degree; ++d)
+        for (int j = 0; j <= d; ++j, ++row) {
+            int column = 0;
+            for (int e = 0; e <= d && column <= row; ++e)
+                for (int k = 0; k <= e && column <= row; ++k, ++column)
+                    l[row][column] = moments[terms(d + e - 1) + j + k];
+        }
+    for (int r = 0; r < size; ++r) {
+        const double diagonal = l[r][r];
+        double pivot = diagonal;
+        for (int c = 0; c < r; ++c) {
+            double sum = l[r][c];
+            for (int k = 0; k < c; ++k) sum -= l[r][k] * l[c][k];
+            l[r][c] = sum;  // times D still
+        }
+        for (int c = 0; c < r; ++c) {
+            const double scaled = l[r][c] * inverse[c];
+            pivot -= scaled * l[r][c];
+            l[r][c] = scaled;
+        }
+        if (!(pivot > least_pivot * diagonal)) return false;
+        l[r][r] = pivot;
+        inverse[r] = 1.0 / pivot;
+    }
+    for (int r = 0; r < size; ++r) {
+        a[r] = heights[r];
+        for (int c = 0; c < r; ++c) a[r] -= l[r][c] * a[c];
+    }
+    for (int r = size - 1; r >= 0; --r) {
+        a[r] *= inverse[r];
+        for (int k = r + 1; k < size; ++k) a[r] -= l[k][r] * a[k];
+    }
+    return true;
+}
+
+/// Coefficients of the highest degree up to options.degree that the points determine; returns it, 0 when none.
+int fit_up_to(const JetOptions& options, const Surroundings& points, double* a) {
+    std::fill_n(a, terms(max_degree), 0.0);
+    if (options.degree >= 4 && fit<4>(points, a)) return 4;
+    std::fill_n(a, terms(max_degree), 0.0);
+    if (options.degree >= 3 && fit<3>(points, a)) return 3;
+    std::fill_n(a, terms(max_degree), 0.0);
+    if (fit<2>(points, a)) return 2;
+    std::fill_n(a, terms(max_degree), 0.0);
+    return 0;
+}
+
+/// Of F = z - f(x, y) at x = y = 0, lengths in units of `scale`.
+ImplicitJet jet_of(const double* a) {
+    ImplicitJet jet;
+    jet.gradient = {-a[1], -a[2], 1.0};
+    const double xx = -2.0 * a[3], xy = -a[4], yy = -2.0 * a[5];
+    jet.hessian = dmat3(xx, xy, 0, xy, yy, 0, 0, 0, 0);
+    const double xxx = -6.0 * a[6], xxy = -2.0 * a[7], xyy = -2.0 * a[8], yyy = -6.0 * a[9];
+    jet.third[0] = dmat3(xxx, xxy, 0, xxy, xyy, 0, 0, 0, 0);
+    jet.third[1] = dmat3(xxy, xyy, 0, xyy, yyy, 0, 0, 0, 0);
+    return jet;
+}
+
+Curvature to_object(CurvatureD c, const Surroundings& around) {
+    const dmat3 frame(around.t, around.b, around.n);
+    c.normal = frame * c.normal;
+    c.e1 = frame * c.e1;
+    c.e2 = frame * c.e2;
+    c.k1 /= around.scale;
+    c.k2 /= around.scale;
+    for (double& third : c.C) third /= around.scale * around.scale;
+    return rounded(c);
+}
+
+void check_jets(const JetOptions& options) {
+    check(options.degree >= 2 && options.degree <= max_degree, "jets: degree must be 2, 3 or 4");
+    check(options.rings >= 1 && options.rings <= 32, "jets: rings must be 1 to 32");
+}
+
+/// Surroundings of vertex v, placed; false where v has no normal.
+bool look_around(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, const vec3& normal,
+                 Index v, Look& look) {
+    if (normal == vec3(0.0f)) return false;
+    const auto& found =
+        look.walk.gather(neighbours, v, options.rings, terms(options.degree) + spare_points, extra_rings);
+    look.place(surface, neighbours, found, glm::normalize(dvec3(normal)), options.even);
+    return look.around.scale > 0.0;
+}
+
+}  // namespace
+
+Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options) {
+    const auto neighbours = neighbours_of(surface, options.hard_angle);
+    return jet_curvature(surface, *neighbours, vertex_normals(surface, *neighbours), options);
+}
+
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                               const JetOptions& options) {
+    check_jets(options);
+    Array<Curvature> result(surface.vertex_count());
+    tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
+    parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+        Look& look = looks.local();
+        double a[terms(max_degree)];
+        for (std::size_t v = begin; v < end; ++v) {
+            result[v] = {};
+            if (!look_around(surface, neighbours, options, normals[v], Index(v), look)) continue;
+            fit_up_to(options, look.around, a);
+            result[v] = to_object(curvature_of(jet_of(a)), look.around);
+        }
+    });
+    return result;
+}
+
+double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+                 const JetOptions& options, Index samples) {
+    check_jets(options);
+    const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
+    Look look(surface.vertex_count());
+    std::vector<double> noise;
+    double a[terms(max_degree)], m[terms(max_degree)];
+    for (Index v = 0; v < surface.vertex_count(); v += step) {
+        if (!look_around(surface, neighbours, options, normals[v], v, look)) continue;
+        const Surroundings& around = look.around;
+        if (around.count < std::size_t(terms(options.degree) + spare_points)) continue;
+        if (fit_up_to(options, around, a) != options.degree) continue;
+        double squares = 0.0;
+        for (std::size_t i = 0; i < around.count; ++i) {
+            monomials<max_degree>(around.x[i], around.y[i], 1.0, m);
+            double z = around.z[i];
+            for (int k = 0; k < terms(max_degree); ++k) z -= a[k] * m[k];
+            squares += z * z;
+        }
+        const double freedom = double(around.count) - terms(options.degree);
+        noise.push_back(std::sqrt(squares / freedom) * around.scale / around.edge_length);
+    }
+    if (noise.empty()) return 0.0;
+    std::nth_element(noise.begin(), noise.begin() + noise.size() / 2, noise.end());
+    return noise[noise.size() / 2];
+}
+
+}  // namespace fovea

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who surrounds a vertex, with and without crossing hard edges.
+#pragma once
+
+#include <memory>
+
+#include <fovea/mesh/surface.h>
+
+namespace fovea {
+
+/// As an angle: no edge is hard, marks and edges of many facets included.
+inline constexpr double no_hard_edges = 1e9;
+
+/// Triangles and vertices around each vertex, ascending. Vertices are neighbours when a triangle has both (every mesh
+/// edge that bounds a surface is a side of a triangle); loose edges and skipped polygons make none.
+///
+/// A vertex on a hard edge has only the triangles of one smooth sector, the one of the largest angle at the vertex (of
+/// equals the one with the lowest triangle), and their vertices. A walk from neighbour to neighbour must not go on from
+/// such a vertex (`hard`): what lies beyond may be on the other side.
+struct Neighbours {
+    Rows triangle_rows;      ///< per vertex
+    Array<Index> triangles;  ///< of the surface's `triangles`
+    Rows vertex_rows;        ///< per vertex
+    Array<Index> vertices;
+    Array<std::uint8_t> hard;  ///< per vertex: on a hard edge
+};
+
+/// Kept with the surface. An edge is hard when it is marked sharp, has more than two facets, or its facets' normals
+/// differ by more than `hard_angle` degrees and by far more than the surface turns beside the edge (or by more than 75
+/// degrees): a rounded edge of few triangles is not hard, nor a fold of noise that goes on nowhere. A border is not
+/// hard: nothing lies beyond it.
+std::shared_ptr<const Neighbours> neighbours_of(const Surface& surface, double hard_angle = default_hard_angle);
+
+}  // namespace fovea

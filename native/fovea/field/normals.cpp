@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/field/normals.h>
+
+#include <cmath>
+
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+namespace {
+
+/// Corners of triangle t in turn, beginning at vertex v.
+struct Turned {
+    dvec3 p, q, r;
+    int corner;
+    Turned(const Surface& surface, Index t, Index v) {
+        const Triangle& tri = surface.triangles[t];
+        corner = tri.x == v ? 0 : tri.y == v ? 1 : 2;
+        p = dvec3(surface.positions[v]);
+        q = dvec3(surface.positions[tri[(corner + 1) % 3]]);
+        r = dvec3(surface.positions[tri[(corner + 2) % 3]]);
+    }
+};
+
+}  // namespace
+
+Array<vec3> vertex_normals(const Surface& surface, const Neighbours& neighbours) {
+    Array<vec3> normals(surface.vertex_count());
+    parallel_for(normals.size(), [&](std::size_t v) {
+        dvec3 sum(0.0);
+        for (Index i = neighbours.triangle_rows.begin(Index(v)); i < neighbours.triangle_rows.end(Index(v)); ++i) {
+            const Turned tri(surface, neighbours.triangles[i], Index(v));
+            const dvec3 a = tri.q - tri.p, b = tri.r - tri.p;
+            const double weight = glm::dot(a, a) * glm::dot(b, b);
+            if (weight > 0.0) sum += glm::cross(a, b) / weight;
+        }
+        const double length = glm::length(sum);
+        normals[v] = length > 0.0 && length < HUGE_VAL ? vec3(sum / length) : vec3(0.0f);
+    });
+    return normals;
+}
+
+dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {
+    const dvec3 e[3] = {p2 - p1, p0 - p2, p1 - p0};
+    const double area = 0.5 * glm::length(glm::cross(e[0], e[1]));
+    if (!(area > 0.0 && area < HUGE_VAL)) return dvec3(0.0);
+    const dvec3 l(glm::dot(e[0], e[0]), glm::dot(e[1], e[1]), glm::dot(e[2], e[2]));
+    const dvec3 beta(l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2]));
+    dvec3 corner;
+    for (int j = 0; j < 3; ++j) {
+        if (beta[j] > 0.0) continue;
+        const int k = (j + 1) % 3, m = (j + 2) % 3;
+        corner[k] = -0.25 * l[m] * area / glm::dot(e[j], e[m]);
+        corner[m] = -0.25 * l[k] * area / glm::dot(e[j], e[k]);
+        corner[j] = area - corner[k] - corner[m];
+        return corner;
+    }
+    const double scale = 0.5 * area / (beta[0] + beta[1] + beta[2]);
+    for (int j = 0; j < 3; ++j) corner[j] = scale * (beta[(j + 1) % 3] + beta[(j + 2) % 3]);
+    return corner;
+}
+
+Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours) {
+    // By triangle first: each has three corners that would ask for the same.
+    Array<vec3> corners(surface.triangles.size());
+    parallel_for(corners.size(), [&](std::size_t t) {
+        const Triangle& tri = surface.triangles[t];
+        const auto at = [&](Index v) { return dvec3(surface.positions[v]); };
+        corners[t] = vec3(corner_areas(at(tri.x), at(tri.y), at(tri.z)));
+    });
+    Array<float> areas(surface.vertex_count());
+    parallel_for(areas.size(), [&](std::size_t v) {
+        double sum = 0.0;
+        for (Index i = neighbours.triangle_rows.begin(Index(v)); i < neighbours.triangle_rows.end(Index(v)); ++i) {
+            const Index t = neighbours.triangles[i];
+            const Triangle& tri = surface.triangles[t];
+            sum += corners[t][tri.x == v ? 0 : tri.y == v ? 1 : 2];
+        }
+        areas[v] = static_cast<float>(sum);
+    });
+    return areas;
+}
+
+}  // namespace fovea

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tangent directions carried from one tangent plane to another.
+#pragma once
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+
+/// Components of the directions (p, q), turned rigidly from normal `from` to the plane of (t, b), along t and b.
+struct Turn {
+    double pt, pb, qt, qb;
+    Turn(const dvec3& p, const dvec3& q, const dvec3& from, const dvec3& t, const dvec3& b) {
+        const dvec3 to = glm::cross(t, b);
+        const double cosine = glm::dot(from, to);
+        if (cosine <= -1.0 + 1e-12) {
+            pt = -glm::dot(p, t), pb = -glm::dot(p, b), qt = -glm::dot(q, t), qb = -glm::dot(q, b);
+            return;
+        }
+        const dvec3 mean = (from + to) / (1.0 + cosine), across = to - cosine * from;
+        const dvec3 p1 = p - mean * glm::dot(p, across), q1 = q - mean * glm::dot(q, across);
+        pt = glm::dot(p1, t), pb = glm::dot(p1, b), qt = glm::dot(q1, t), qb = glm::dot(q1, b);
+    }
+};
+
+}  // namespace fovea

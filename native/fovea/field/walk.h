@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walks in rings around vertices.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <fovea/field/neighbours.h>
+
+namespace fovea {
+
+/// One per thread: marks are stamps, so nothing has to be cleared between walks.
+class Walk {
+   public:
+    explicit Walk(Index vertices) : seen_(vertices, 0) {}
+
+    /// The vertices within `rings` of v, v first, then ring by ring; further rings, up to `extra_rings`, while they are
+    /// fewer than `enough`. Does not go on from vertices on hard edges, but for v itself. Valid until the next call.
+    const std::vector<Index>& gather(const Neighbours& neighbours, Index v, int rings, std::size_t enough = 0,
+                                     int extra_rings = 0) {
+        if (++stamp_ == 0) {
+            std::fill(seen_.begin(), seen_.end(), 0);
+            stamp_ = 1;
+        }
+        found_.clear();
+        found_.push_back(v);
+        seen_[v] = stamp_;
+        std::size_t begin = 0;
+        for (int ring = 0; ring < rings || (ring < rings + extra_rings && found_.size() < enough); ++ring) {
+            const std::size_t end = found_.size();
+            if (begin == end) break;
+            for (; begin < end; ++begin) {
+                const Index from = found_[begin];
+                if (from != v && neighbours.hard[from]) continue;
+                for (Index i = neighbours.vertex_rows.begin(from); i < neighbours.vertex_rows.end(from); ++i) {
+                    const Index to = neighbours.vertices[i];
+                    if (seen_[to] == stamp_) continue;
+                    seen_[to] = stamp_;
+                    found_.push_back(to);
+                }
+            }
+        }
+        return found_;
+    }
+
+   private:
+    Array<Index> seen_;
+    Index stamp_ = 0;
+    std::vector<Index> found_;
+};
+
+}  // namespace fovea

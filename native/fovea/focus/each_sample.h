@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walk over the atlas samples of clipped paths.
+#pragma once
+
+#include <fovea/base/parallel.h>
+#include <fovea/project/clipped_paths.h>
+
+namespace fovea {
+
+/// Where an atlas sample lies: on the segment from a point of ClippedPaths to the next, and what share of it, on the
+/// screen and in space.
+struct SamplePlace {
+    Index sample, point;
+    float on_screen, in_space;
+};
+
+/// Calls out(SamplePlace) for every atlas sample, from many threads.
+template <typename Out>
+void each_sample(const ClippedPaths& clipped, const Out& out) {
+    parallel_blocks(clipped.px.size(), 4096, [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Index count = clipped.sample_count[i];
+            if (count == 0) continue;
+            const bool flat = clipped.orthographic;
+            const float wa = flat ? 1.0f : -clipped.position_view[i].z;
+            const float wb = flat ? 1.0f : -clipped.position_view[i + 1].z;
+            for (Index j = 0; j < count; ++j) {
+                const float s = (float(j) + 0.5f) / float(count), t = s * wa / (wb + s * (wa - wb));
+                out(SamplePlace{clipped.sample_start[i] + j, Index(i), s, t});
+            }
+        }
+    });
+}
+
+inline vec2 px_at(const ClippedPaths& clipped, const SamplePlace& at) {
+    return glm::mix(clipped.px[at.point], clipped.px[at.point + 1], at.on_screen);
+}
+
+inline vec3 position_at(const ClippedPaths& clipped, const SamplePlace& at) {
+    return glm::mix(clipped.position_view[at.point], clipped.position_view[at.point + 1], at.in_space);
+}
+
+}  // namespace fovea

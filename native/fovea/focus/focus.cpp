@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/focus/focus.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/focus/each_sample.h>
+#include <fovea/focus/from_surfaces.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t rows_per_block = 8;
+
+/// 0 up to `near`, 1 from `far` on; equal: a step there. What is no number is far.
+float between(float distance, float near, float far) {
+    if (distance <= near) return 0.0f;
+    return distance < far ? (distance - near) / (far - near) : 1.0f;
+}
+
+}  // namespace
+
+float Focus::operator()(vec2 px, vec3 position_view) const {
+    if (points.empty()) return 0.0f;
+    const bool in_image = space == FocusSpace::image;
+    float least = 1.0f, in_focus = 0.0f;
+    for (const FocusPoint& point : points) {
+        const float away = in_image ? glm::distance(px, vec2(point.at)) : point.distance(position_view);
+        const float f = between(away, point.near, point.far);
+        least = std::min(least, f);
+        in_focus += 1.0f - f;
+    }
+    return sum ? 1.0f - std::min(in_focus, 1.0f) : least;
+}
+
+bool Focus::of_surfaces() const {
+    return std::ranges::any_of(points, [](const FocusPoint& point) { return point.surface != nullptr; });
+}
+
+float Focus::steepness() const {
+    float most = 0.0f, all = 0.0f;
+    for (const FocusPoint& point : points) {
+        const float own = 1.0f / (point.far - point.near);
+        most = std::max(most, own);
+        all += own;
+    }
+    return sum ? all : most;
+}
+
+Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus) {
+    Array<float> f(clipped.samples, 0.0f);
+    if (focus.points.empty()) return f;
+    if (focus.of_surfaces()) return focus_along_pieces(clipped, focus);
+    each_sample(clipped,
+                [&](const SamplePlace& at) { f[at.sample] = focus(px_at(clipped, at), position_at(clipped, at)); });
+    return f;
+}
+
+Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values) {
+    const auto at_point = [&](Index i) {
+        const Index source = clipped.source[i];
+        const float t = clipped.source_t[i];
+        return t > 0.0f ? glm::mix(values[source], values[source + 1], t) : values[source];
+    };
+    const auto last = std::ranges::max_element(clipped.source);
+    check(last == clipped.source.end() || *last < values.size(), "values: one per point of the paths expected");
+    Array<float> found(clipped.samples, 0.0f);
+    each_sample(clipped, [&](const SamplePlace& at) {
+        found[at.sample] = glm::mix(at_point(at.point), at_point(at.point + 1), at.in_space);
+    });
+    return found;
+}
+
+Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& focus) {
+    check(distance.size() == std::size_t(view.width) * view.height, "distance: one value per pixel expected");
+    if (focus.of_surfaces()) return FocusBetweenPixels(view, distance, focus).all();
+    Array<float> f(distance.size());
+    const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
+    parallel_blocks(view.height, rows_per_block, [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y)
+            for (int x = 0; x < view.width; ++x) {
+                const std::size_t i = y * view.width + x;
+                const vec2 px(x + 0.5f, y + 0.5f);
+                const bool in_scene = focus.space == FocusSpace::scene;
+                // Beyond everything: infinity times 0 is no number.
+                const bool nothing = in_scene && !std::isfinite(distance[i]);
+                const vec3 place =
+                    in_scene && !nothing ? vec3(from_pixels(view, clip_to_view, px, distance[i])) : vec3(0.0f);
+                f[i] = nothing && !focus.points.empty() ? 1.0f : focus(px, place);
+            }
+    });
+    return f;
+}
+
+Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float far) {
+    Array<float> d(clipped.samples, 0.0f);
+    each_sample(clipped,
+                [&](const SamplePlace& at) { d[at.sample] = between(-position_at(clipped, at).z, near, far); });
+    return d;
+}
+
+}  // namespace fovea

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/image/lattice.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fovea {
+
+Lattice lattice_over(const View& view, double step_reference_px, int border) {
+    constexpr double most_nodes = 1 << 24;
+    Lattice lattice;
+    const double room = 1.0 + lattice_margin;
+    lattice.step_px = std::max(step_reference_px * view.reference_scale,
+                               std::sqrt(room * view.width * room * view.height / most_nodes));
+    const dvec2 axis = to_pixels(view, view.view_to_clip * dvec4(0, 0, -1, 1));
+    const auto along = [&](double on_axis, int pixels, double& first, int& count) {
+        const double margin = 0.5 * lattice_margin * pixels, step = lattice.step_px;
+        if (!std::isfinite(on_axis)) on_axis = 0.0;
+        const double low = std::floor((-margin - on_axis) / step) - border;
+        count = static_cast<int>(std::ceil((pixels + margin - on_axis) / step) + border - low) + 1;
+        first = on_axis + low * step;
+    };
+    along(axis.x, view.width, lattice.first_px.x, lattice.width);
+    along(axis.y, view.height, lattice.first_px.y, lattice.height);
+    return lattice;
+}
+
+}  // namespace fovea

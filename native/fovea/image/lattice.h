@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lattice of places in the image, fixed to the camera.
+#pragma once
+
+#include <fovea/base/view.h>
+
+namespace fovea {
+
+/// Room around the frame, as a share of its half size, in which lines are traced: as much as paths keep.
+inline constexpr double lattice_margin = 0.1;
+
+/// Nodes at equal distances, row by row from the lower left. They are counted from where the view axis meets the
+/// image, in reference pixels, so that a render border, a crop or a preview of another size looks through the same
+/// nodes and shows the same lines.
+struct Lattice {
+    dvec2 first_px{0.0};  ///< node (0, 0), pixels of the view
+    double step_px = 1.0;
+    int width = 0, height = 0;
+
+    std::size_t size() const { return std::size_t(width) * height; }
+    std::size_t at(int x, int y) const { return std::size_t(y) * width + x; }
+    dvec2 px(const dvec2& node) const { return first_px + step_px * node; }
+};
+
+/// One value per node.
+using Buffer = Array<float>;
+
+/// A lattice over the frame, its margin and `border` more steps on each side. The step grows where there would be more
+/// than 2^24 nodes.
+Lattice lattice_over(const View& view, double step_reference_px, int border);
+
+}  // namespace fovea

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/image/tiles.h>
+
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+
+namespace {
+
+constexpr std::size_t blocks = 16;
+
+/// body(tile) for every tile that the triangle may touch.
+template <typename Body>
+void for_tiles(const FixedTriangle& triangle, const PixelBox& picture, int across, const Body& body) {
+    if (triangle.empty()) return;
+    const PixelBox box = intersect(triangle.box(), picture);
+    if (box.empty()) return;
+    constexpr int size = Tiles::size;
+    const int i0 = box.x0 / size, i1 = (box.x1 - 1) / size, j0 = box.y0 / size, j1 = (box.y1 - 1) / size;
+    const bool test = i0 != i1 && j0 != j1;  // long diagonals miss most tiles of their box
+    for (int j = j0; j <= j1; ++j)
+        for (int i = i0; i <= i1; ++i)
+            if (!test || triangle.may_touch({i * size, j * size, (i + 1) * size, (j + 1) * size}))
+                body(std::size_t(j) * across + i);
+}
+
+}  // namespace
+
+Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int height) {
+    Tiles tiles;
+    tiles.across = (width + Tiles::size - 1) / Tiles::size;
+    tiles.up = (height + Tiles::size - 1) / Tiles::size;
+    const std::size_t count = std::size_t(tiles.across) * tiles.up;
+    const std::size_t block_size = triangles.size() / blocks + 1;
+    const PixelBox picture{0, 0, width, height};
+    const auto each = [&](const auto& body) {
+        parallel_blocks(triangles.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t) {
+                const glm::uvec3 c = triangles[t];
+                for_tiles(FixedTriangle(px[c[0]], px[c[1]], px[c[2]]), picture, tiles.across,
+                          [&](std::size_t tile) { body(tile * blocks + block, Index(t)); });
+            }
+        });
+    };
+    // One list per tile and block of triangles; within a tile the blocks follow each other, so
+    // order is kept.
+    std::vector<std::size_t> next(count * blocks, 0);
+    each([&](std::size_t list, Index) { ++next[list]; });
+    counts_to_offsets(next);
+    for (std::size_t tile = 0; tile <= count; ++tile) tiles.offsets.push_back(next[tile * blocks]);
+    tiles.triangle.resize(next.back());
+    each([&](std::size_t list, Index t) { tiles.triangle[next[list]++] = t; });
+    return tiles;
+}
+
+}  // namespace fovea

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A triangle in fixed point: which pixel centres it covers, exactly. Of two triangles on either
+// side of a common edge, one and only one covers a centre that lies on it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+
+/// Half-open rectangle of pixels.
+struct PixelBox {
+    int x0, y0, x1, y1;
+    bool empty() const { return x0 >= x1 || y0 >= y1; }
+};
+
+inline PixelBox intersect(const PixelBox& a, const PixelBox& b) {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+class FixedTriangle {
+   public:
+    static constexpr std::int64_t one = 256;    // steps per pixel
+    static constexpr float far_away = 1 << 20;  // px; corners beyond it are nobody's picture
+
+    /// Corners in px, either way round.
+    FixedTriangle(vec2 a, vec2 b, vec2 c) {
+        const vec2 px[3] = {a, b, c};
+        for (int k = 0; k < 3; ++k) {
+            if (!(std::abs(px[k].x) < far_away && std::abs(px[k].y) < far_away)) return;
+            x_[k] = std::llrint(px[k].x * float(one));
+            y_[k] = std::llrint(px[k].y * float(one));
+        }
+        area_ = (x_[1] - x_[0]) * (y_[2] - y_[0]) - (y_[1] - y_[0]) * (x_[2] - x_[0]);
+        const int sign = area_ < 0 ? -1 : 1;
+        for (int k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3;
+            const std::int64_t dx = sign * (x_[l] - x_[k]), dy = sign * (y_[l] - y_[k]);
+            step_x_[k] = -dy * one;
+            step_y_[k] = dx * one;
+            at_origin_[k] = dx * (one / 2 - y_[k]) - dy * (one / 2 - x_[k]) - !(dy > 0 || (dy == 0 && dx > 0));
+        }
+    }
+
+    /// Without area, or with a corner that is not finite or far away: covers nothing.
+    bool empty() const { return area_ == 0; }
+
+    /// Pixels whose centres lie in the bounding box.
+    PixelBox box() const {
+        const auto [left, right] = std::minmax({x_[0], x_[1], x_[2]});
+        const auto [low, high] = std::minmax({y_[0], y_[1], y_[2]});
+        return {first_centre(left), first_centre(low), first_centre(right + 1), first_centre(high + 1)};
+    }
+
+    /// False where the box certainly lies outside.
+    bool may_touch(const PixelBox& box) const {
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t x = step_x_[k] > 0 ? box.x1 - 1 : box.x0, y = step_y_[k] > 0 ? box.y1 - 1 : box.y0;
+            if (at_origin_[k] + step_x_[k] * x + step_y_[k] * y < 0) return false;
+        }
+        return true;
+    }
+
+    /// Narrows [begin, end) to the pixels of row y that the triangle covers.
+    void span(int y, int& begin, int& end) const {
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t start = at_origin_[k] + step_y_[k] * y, step = step_x_[k];
+            if (step > 0) {  // start + step * x >= 0
+                if (start + step * begin < 0) begin = int(std::min<std::int64_t>(end, (-start + step - 1) / step));
+            } else if (step < 0) {
+                if (start + step * (end - 1) < 0) end = int(std::max<std::int64_t>(begin, floor(start, -step) + 1));
+            } else if (start < 0) {
+                end = begin;
+            }
+        }
+    }
+
+    /// Corner as drawn [px].
+    dvec2 corner(int k) const { return dvec2(double(x_[k]), double(y_[k])) / double(one); }
+
+   private:
+    static std::int64_t floor(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+    static int first_centre(std::int64_t x) { return int(floor(x + one / 2 - 1, one)); }
+
+    std::int64_t x_[3]{}, y_[3]{};
+    std::int64_t area_ = 0;
+    // Edge functions at pixel centres; >= 0 inside.
+    std::int64_t at_origin_[3]{}, step_x_[3]{}, step_y_[3]{};
+};
+
+/// What three corners say, over their triangle: affine, exact at the corners as drawn.
+template <int N>
+class OverTriangle {
+    using Value = glm::vec<N, double>;
+
+   public:
+    OverTriangle(const FixedTriangle& shape, const Value& a, const Value& b, const Value& c)
+        : origin_(shape.corner(0)), at_origin_(a) {
+        const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
+        const double area = e.x * f.y - e.y * f.x;
+        slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
+        slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
+    }
+
+    /// At the centre of pixel (x, y).
+    glm::vec<N, float> at(int x, int y) const {
+        return glm::vec<N, float>(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) + slope_x_ * (x + 0.5 - origin_.x));
+    }
+
+   private:
+    dvec2 origin_;
+    Value at_origin_, slope_x_, slope_y_;
+};
+
+}  // namespace fovea

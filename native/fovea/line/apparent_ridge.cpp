@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Apparent ridge: a ridge of curvature as it appears in the image.
+// Judd, Durand & Adelson, "Apparent Ridges for Line Drawing", SIGGRAPH 2007.
+// In   curvature and its derivative, the view
+// Out  on the side that faces the viewer, maxima of the greatest view-dependent curvature along its own direction. Near
+//      contours, where it grows beyond all bounds, nothing: a contour is drawn there.
+#include <fovea/line/cluster_trace.h>
+#include <fovea/line/seen_vertices.h>
+#include <fovea/line/threshold.h>
+
+namespace fovea {
+namespace {
+
+/// n . v below which a contour is near.
+constexpr float contour_near = 0.1f;
+/// What view_curvature keeps n . v from.
+constexpr float least_facing = 1e-3f;
+
+std::vector<Parameter> parameters() {
+    auto all = threshold_parameters(
+        0.1, 0.5, 3.0,
+        "Squared view-dependent curvature that a line reaches somewhere, in units of 1 / feature size squared");
+    all.push_back({"ridges", "Ridges", 1, 0, 1, "bool", "Draw lines where the surface bulges across them"});
+    all.push_back({"valleys", "Valleys", 1, 0, 1, "bool", "Draw lines where the surface is hollow across them"});
+    return all;
+}
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    const Surface& surface = seen.surface;
+    const auto fields = fields_of(surface);
+    const Thresholds thresholds(surface, values, 2);
+    const bool ridges = values[3] != 0.0, valleys = values[4] != 0.0;
+    // Nothing appears more curved than it is by more than 1 / n . v.
+    struct Glance {
+        SeenOf<float> seen;
+        bool may_be_above;
+    };
+    const auto glance = [&](Index v) -> Glance {
+        const Curvature& c = fields->curvature[v];
+        const SeenOf<float> s = see_vertex(seen, c, v);
+        return {s, c.k1 * c.k1 > 0.9999f * thresholds.low * s.facing * s.facing};
+    };
+    struct Detail {
+        vec3 uphill;
+        float bend;
+        vec2 margin;
+    };
+    const auto detail = [&](Index v, const Glance& at) -> Detail {
+        const Curvature& c = fields->curvature[v];
+        const ViewCurvatureOf<float> view = view_curvature(c, at.seen, least_facing);
+        const vec3 along = view.a1 * c.e1 + view.a2 * c.e2;
+        return {along * (view.derivative / glm::length(along)), c.k1 * view.a1 * view.a1 + c.k2 * view.a2 * view.a2,
+                vec2(view.squared - thresholds.low, at.seen.facing - contour_near)};
+    };
+    const auto none_in = [&](const SeenCluster& cluster) {
+        const Range facing = cluster.facing();
+        const float most = cluster.bounds().curvature / std::max(facing.low, least_facing);
+        return facing.high <= contour_near || most * most <= 0.9999f * thresholds.low;
+    };
+    const auto wanted = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.seen.facing > 0.0f && b.seen.facing > 0.0f && c.seen.facing > 0.0f &&
+               (a.may_be_above || b.may_be_above || c.may_be_above);
+    };
+    const auto sides = triangle_sides(surface);
+    return trace_clusters(seen, none_in, glance, wanted, detail,
+                          [&](Index triangle, const auto&, const auto& at, auto& out) {
+                              const Triangle& t = surface.triangles[triangle];
+                              const bool bulges = at(t.x).bend + at(t.y).bend + at(t.z).bend >= 0.0f;
+                              if (bulges ? !ridges : !valleys) return;
+                              append_maximum(
+                                  surface, *sides, triangle, [&](Index v) { return at(v).uphill; }, 0.0f,
+                                  [&](Index v) { return at(v).margin; }, fading(thresholds), out);
+                          });
+}
+
+}  // namespace
+
+extern const LineDefinition apparent_ridge;
+const LineDefinition apparent_ridge = {
+    .name = "apparent_ridge",
+    .label = "Apparent Ridge",
+    .source = "Judd, Durand & Adelson 2007",
+    .description = "Where the surface bends most as the viewer sees it",
+    .scope = Scope::view,
+    .parameters = parameters(),
+    .on_by_default = false,
+    .find = find,
+    .select = select_by_threshold<2>,
+};
+
+}  // namespace fovea

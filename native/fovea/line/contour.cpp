@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contour as mesh edges: where the surface turns away from the viewer.
+// Hertzmann, "Introduction to 3D Silhouette Detection and Smoothing", SIGGRAPH 1999 course; Benard & Hertzmann, "Line
+// Drawings from 3D Models: a Tutorial", 2019.
+// In   facing per facet
+// Out  edges whose facets all lie on one side of them in the image. For a consistently oriented pair that means one
+//      faces the viewer and the other does not; for pairs that disagree about which side is out, and for more than two
+//      facets, it is the same condition without trusting the orientation. An edge of one facet is a border instead.
+#include <fovea/line/edges.h>
+
+namespace fovea {
+namespace {
+
+void trace(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+    const Surface& surface = seen.surface;
+    mark_edges(surface.edges.size(), bit, kinds, [&](Index e) {
+        const Index begin = surface.edge_rows.begin(e), end = surface.edge_rows.end(e);
+        if (end - begin < 2) return false;
+        // A facet that winds along the edge lies to its left when it faces the viewer.
+        const auto left = [&](const EdgeSide& side) { return bool(seen.facing[side.facet()]) == side.forward(); };
+        const bool first = left(surface.edge_sides[begin]);
+        for (Index i = begin + 1; i < end; ++i)
+            if (left(surface.edge_sides[i]) != first) return false;
+        return true;
+    });
+}
+
+}  // namespace
+
+extern const LineDefinition contour;
+const LineDefinition contour = {
+    .name = "contour",
+    .label = "Contour",
+    .source = "Cole 2009, section 2.2; Benard & Hertzmann 2019",
+    .description = "Where a surface turns away from the viewer: edges between front and back faces",
+    .scope = Scope::view,
+    .parameters = {},
+    .on_by_default = true,
+    .trace = trace,
+};
+
+}  // namespace fovea

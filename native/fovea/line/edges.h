@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The loop every definition over mesh edges shares.
+#pragma once
+
+#include <fovea/base/parallel.h>
+#include <fovea/line/definition.h>
+
+namespace fovea {
+
+/// Sets `bit` on the edges [0, count) for which `is_line(edge)` holds.
+template <typename IsLine>
+void mark_edges(std::size_t count, Kinds bit, Array<Kinds>& kinds, const IsLine& is_line) {
+    parallel_for(count, [&](std::size_t e) {
+        if (is_line(static_cast<Index>(e))) kinds[e] |= bit;
+    });
+}
+
+}  // namespace fovea

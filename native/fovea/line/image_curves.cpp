@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/line/image_curves.h>
+
+#include <bit>
+#include <limits>
+
+#include <fovea/base/hash.h>
+#include <fovea/image/gaussian.h>
+#include <fovea/line/hysteresis.h>
+
+namespace fovea {
+namespace {
+
+/// Steps that filters look beyond a node.
+constexpr int reach = 8;
+constexpr double least_length = 5.0 * steps_per_sigma;
+
+SmoothTone make_tone(const FrameView& frame, const ImageValues& values, std::shared_ptr<const ShadedBuffer> shaded) {
+    SmoothTone tone{std::move(shaded), {}};
+    const ShadedBuffer& buffer = *tone.shaded;
+    const Lattice& lattice = buffer.lattice;
+    Buffer lit = buffer.tone;
+    const auto background = static_cast<float>(values.outline ? values.background : 0.0);
+    parallel_for(lit.size(), [&](std::size_t i) { lit[i] += background * (1.0f - buffer.coverage[i]); });
+    // Less the variance of the square that a node stands for.
+    const double sigma = std::sqrt(steps_per_sigma * steps_per_sigma - 1.0 / 12.0);
+    tone.value = gaussian(lit, lattice.width, lattice.height, sigma);
+    frame.cancel.poll();
+    if (values.outline) return tone;
+    constexpr float least_share = 0.01f;
+    const Buffer share = gaussian(buffer.coverage, lattice.width, lattice.height, sigma);
+    parallel_for(share.size(), [&](std::size_t i) {
+        tone.value[i] = share[i] > least_share ? tone.value[i] / share[i] : std::numeric_limits<float>::quiet_NaN();
+    });
+    return tone;
+}
+
+/// Node of the nearest surface around a place, looked for farther away where nothing is seen; `none` without any.
+Index nearest_surface(const ShadedBuffer& shaded, const vec2& place) {
+    const Lattice& lattice = shaded.lattice;
+    const int x = int(place.x), y = int(place.y);
+    for (int ring = 0; ring < reach; ++ring) {
+        Index nearest = none;
+        float distance = std::numeric_limits<float>::infinity();
+        for (int j = std::max(0, y - ring); j <= std::min(lattice.height - 1, y + 1 + ring); ++j)
+            for (int i = std::max(0, x - ring); i <= std::min(lattice.width - 1, x + 1 + ring); ++i) {
+                const std::size_t node = lattice.at(i, j);
+                if (!(shaded.distance[node] < distance)) continue;
+                distance = shaded.distance[node];
+                nearest = Index(node);
+            }
+        if (nearest != none) return nearest;
+    }
+    return none;
+}
+
+}  // namespace
+
+std::vector<Parameter> image_parameters(double threshold, const char* meaning, double sigma) {
+    return {{"threshold", "Threshold", threshold, 0.0, 1.0, "", meaning},
+            {"low", "Low", 0.4, 0.0, 1.0, "", "Share of the threshold down to which a line goes on, fading"},
+            {"sigma", "Sigma", sigma, 1.0, 50.0, "pixels", "Width of the smoothing, in pixels of a picture 1080 high"},
+            {"outline", "Outline", 1.0, 0.0, 1.0, "bool", "Also lines of the outline, against a light background"},
+            {"light_right", "Light Right", 0.0, -180.0, 180.0, "degrees", "Direction of the light, to the right"},
+            {"light_up", "Light Up", 0.0, -90.0, 90.0, "degrees", "Direction of the light, upwards from the viewer"}};
+}
+
+std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    const std::uint64_t key = hash_numbers(bits(values.sigma), bits(values.lamp.right), bits(values.lamp.up));
+    return frame.shared.get<SmoothTone>(hash_numbers(key, values.outline, bits(values.background)), [&] {
+        auto shaded = frame.shared.get<ShadedBuffer>(key, [&] {
+            const Lattice lattice = lattice_over(frame.tracer.view(), values.sigma / steps_per_sigma, reach);
+            return shade(frame.tracer, lattice, values.lamp, frame.cancel);
+        });
+        return make_tone(frame, values, std::move(shaded));
+    });
+}
+
+Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pieces) {
+    const View& view = frame.tracer.view();
+    const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
+    Curves lifted;
+    for (CurvePiece piece : keep_strong(pieces, least_length)) {
+        bool drawn = true;
+        for (vec3& point : piece.point) {
+            const Index node = nearest_surface(shaded, point);
+            drawn = drawn && node != none && shaded.drawn[node];
+            if (!drawn) break;
+            point = vec3(from_pixels(view, clip_to_view, shaded.lattice.px(dvec2(point)), shaded.distance[node]));
+        }
+        if (drawn) lifted.push_back(piece);
+    }
+    return lifted;
+}
+
+}  // namespace fovea

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Intersection: where surfaces pass through each other, two objects or parts of one.
+// In   triangles of all placements that are drawn; the view has no part in it
+// Out  curves in two triangles at once; they belong to the placement of the lower id (object space), and `other` is the
+//      triangle of the second. Surfaces that only touch have none (scene/crossings.h): a box on a floor is outlined by
+//      its own creases. Placements that flatten a surface to nothing have none with others that do, and instances in
+//      a heap none with each other.
+// Crossings are kept with the first surface, by the second's version and its placement relative to the first, to single
+// precision: nothing is found again when the camera, or two objects together, move, and pairs of instances share.
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include <fovea/base/hash.h>
+#include <fovea/line/definition.h>
+#include <fovea/scene/crossings.h>
+#include <fovea/scene/overlaps.h>
+
+namespace fovea {
+namespace {
+
+/// Frames for which crossings that nobody asks for are kept.
+constexpr std::uint64_t kept_frames = 16;
+
+/// Instances of one surface that each meet as many others of them are leaves, grass or gravel: there are as many lines
+/// where they pass through each other as there is nothing to see in them.
+constexpr Index heap = 24;
+
+/// Larger numbers are nobody's scene.
+constexpr double farthest = 1e18;
+
+/// Crossings of a surface with others, and with itself.
+struct KeptPairs {
+    struct Entry {
+        std::shared_ptr<const KeptCurves> curves;
+        std::uint64_t frame = 0;  ///< when it was last asked for
+    };
+    struct State {
+        std::mutex mutex;
+        std::map<std::uint64_t, Entry> entries;
+    };
+    std::unique_ptr<State> state = std::make_unique<State>();
+
+    std::shared_ptr<const KeptCurves> find(std::uint64_t key, std::uint64_t frame) const {
+        const std::lock_guard lock(state->mutex);
+        const auto it = state->entries.find(key);
+        if (it == state->entries.end()) return nullptr;
+        it->second.frame = frame;
+        return it->second.curves;
+    }
+    void keep(std::uint64_t key, std::uint64_t frame, std::shared_ptr<const KeptCurves> curves) const {
+        const std::lock_guard lock(state->mutex);
+        state->entries[key] = {std::move(curves), frame};
+    }
+    /// Lets go of what has not been asked for.
+    void forget(std::uint64_t frame) const {
+        const std::lock_guard lock(state->mutex);
+        std::erase_if(state->entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
+    }
+};
+
+/// Two placements, or one twice.
+struct Pair {
+    Index first, second;
+    Affine second_to_first{1.0};
+    std::uint64_t key = 0;
+};
+
+/// To multiples of 2^-24 of the size; without a sign on zero.
+double rounded(double value, double size) {
+    const double step = std::ldexp(1.0, std::ilogb(size) - 24);
+    return std::nearbyint(value / step) * step + 0.0;
+}
+
+/// To single precision: the same for objects that move together. False where there is no such map.
+bool relate(const Scene& scene, Pair& pair) {
+    const Placement &first = scene.placements[pair.first], &second = scene.placements[pair.second];
+    Affine& map = pair.second_to_first;
+    map = Affine(glm::inverse(first.object_to_world) * second.object_to_world);
+    double turn = 0.0, shift = glm::length(first.surface->center) + first.surface->radius;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) {
+            double& size = column < 3 ? turn : shift;
+            if (!(std::abs(map[column][row]) < farthest)) return false;
+            size = std::max(size, std::abs(map[column][row]));
+        }
+    if (turn == 0.0 || shift == 0.0) return false;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) map[column][row] = rounded(map[column][row], column < 3 ? turn : shift);
+    pair.key = hash_bytes(&map, sizeof(map), second.surface->version());
+    return true;
+}
+
+/// Per position in `drawn`: 1 where a placement lies in a heap of its surface's.
+Array<std::uint8_t> heaped_placements(const Scene& scene, In<Index> drawn,
+                                      const std::vector<std::pair<Index, Index>>& overlaps) {
+    Array<Index> alike(drawn.size(), 0);
+    for (const auto& [i, j] : overlaps) {
+        if (scene.placements[drawn[i]].surface != scene.placements[drawn[j]].surface) continue;
+        ++alike[i];
+        ++alike[j];
+    }
+    Array<std::uint8_t> heaped(drawn.size());
+    for (std::size_t i = 0; i < heaped.size(); ++i) heaped[i] = alike[i] >= heap;
+    return heaped;
+}
+
+std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, bool between, bool within) {
+    std::vector<Pair> pairs;
+    if (within)
+        for (const Index placement : drawn) pairs.push_back({placement, placement});
+    if (!between) return pairs;
+    const auto overlaps = overlapping_placements(scene, drawn);
+    const Array<std::uint8_t> heaped = heaped_placements(scene, drawn, overlaps);
+    for (const auto& [i, j] : overlaps) {
+        if (heaped[i] && heaped[j]) continue;
+        Pair pair{drawn[i], drawn[j]};
+        if (scene.placements[pair.second].id < scene.placements[pair.first].id) std::swap(pair.first, pair.second);
+        if (relate(scene, pair)) {
+            pairs.push_back(pair);
+        } else if (std::swap(pair.first, pair.second); relate(scene, pair)) {
+            pairs.push_back(pair);
+        }
+    }
+    return pairs;
+}
+
+std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair, const Cancel& cancel) {
+    const Surface &first = *scene.placements[pair.first].surface, &second = *scene.placements[pair.second].surface;
+    const Crossings crossings =
+        pair.first == pair.second ? cross_itself(first, cancel) : cross(first, second, pair.second_to_first, cancel);
+    auto curves = std::make_shared<KeptCurves>();
+    curves->pieces.resize(crossings.size());
+    parallel_for(crossings.size(), [&](std::size_t i) {
+        const Crossing& c = crossings[i];
+        curves->pieces[i] = {.triangle = c.triangle[0],
+                             .side = {c.end[0], c.end[1]},
+                             .point = {c.point[0], c.point[1]},
+                             .strength = {1.0f, 1.0f},
+                             .other = c.triangle[1]};
+    });
+    return curves;
+}
+
+std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Values& values, const Cancel& cancel) {
+    static std::atomic<std::uint64_t> frames{0};
+    const std::uint64_t frame = ++frames;
+    const std::vector<Pair> pairs = pairs_of(scene, drawn, values[0] != 0.0, values[1] != 0.0);
+    std::vector<std::shared_ptr<const KeptPairs>> stores(pairs.size());
+    std::vector<SceneCurves> found(pairs.size());
+    std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;  // the first pair that lacks each
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Surface& surface = *scene.placements[pairs[i].first].surface;
+        stores[i] = surface.cache().get<KeptPairs>(0, [] { return KeptPairs(); });
+        found[i] = {pairs[i].first, pairs[i].second, stores[i]->find(pairs[i].key, frame)};
+        if (!found[i].curves) missing.try_emplace({stores[i].get(), pairs[i].key}, i);
+    }
+    std::vector<std::size_t> jobs;
+    for (const auto& [key, i] : missing) jobs.push_back(i);
+    parallel_blocks(jobs.size(), 1, [&](std::size_t j, std::size_t, std::size_t) {
+        const std::size_t i = jobs[j];
+        stores[i]->keep(pairs[i].key, frame, find_pair(scene, pairs[i], cancel));
+    });
+    for (const auto& store : std::set(stores.begin(), stores.end())) store->forget(frame);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (!found[i].curves) found[i].curves = stores[i]->find(pairs[i].key, frame);
+    return found;
+}
+
+}  // namespace
+
+extern const LineDefinition intersection;
+const LineDefinition intersection = {
+    .name = "intersection",
+    .label = "Intersection",
+    .source = "Saito & Takahashi 1990; Edelsbrunner & Mücke 1990, Simulation of Simplicity",
+    .description = "Where surfaces pass through each other; not where they only touch",
+    .scope = Scope::placements,
+    .parameters = {{"between", "Between Objects", 1.0, 0.0, 1.0, "bool", "Where two objects pass through each other"},
+                   {"within", "Within Objects", 1.0, 0.0, 1.0, "bool", "Where an object passes through itself"}},
+    .on_by_default = false,
+    .find_in_scene = find,
+};
+
+}  // namespace fovea

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Isophote: lines of equal shading by a lamp at the eye.
+// Cole 2009, section 2.2.
+// In   normals, the view
+// Out  where n . v is one of so many evenly spaced values between 0 and 1
+#include <fovea/line/cluster_trace.h>
+#include <fovea/line/seen_vertices.h>
+
+namespace fovea {
+namespace {
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    const auto fields = fields_of(seen.surface);
+    const int count = std::max(1, static_cast<int>(values[0]));
+    const auto sample = [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; };
+    const Levels levels{0.0f, 1.0f / float(count), count};
+    const auto none_in = [&](const SeenCluster& cluster) { return levels.none_in(cluster.facing()); };
+    return trace_levels(seen, none_in, sample, levels);
+}
+
+}  // namespace
+
+extern const LineDefinition isophote;
+const LineDefinition isophote = {
+    .name = "isophote",
+    .label = "Isophote",
+    .source = "Cole 2009, section 2.2",
+    .description = "Lines of equal shading by a lamp at the eye",
+    .scope = Scope::view,
+    .parameters = {{"count", "Count", 10.0, 1.0, 100.0, "",
+                    "How many lines from the contour, left out, to what faces the viewer"}},
+    .on_by_default = false,
+    .find = find,
+};
+
+}  // namespace fovea

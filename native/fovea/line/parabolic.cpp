@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parabolic line: between elliptic and hyperbolic parts of a surface.
+// Koenderink, "What does the occluding contour tell us about solid shape?", Perception 1984.
+// In   curvature
+// Out  where k1 k2 is zero and the greater of the two above the threshold
+#include <fovea/line/zero_curvature.h>
+
+namespace fovea {
+namespace {
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    return find_zero_curvature(seen, values, 1.0f, [](const Curvature& c) { return c.k1 * c.k2; });
+}
+
+}  // namespace
+
+extern const LineDefinition parabolic;
+const LineDefinition parabolic = {
+    .name = "parabolic",
+    .label = "Parabolic Line",
+    .source = "Koenderink 1984; Cole 2009, section 2.2",
+    .description = "Between convex or concave and saddle-shaped parts: zero Gaussian curvature",
+    .scope = Scope::surface,
+    .parameters = zero_curvature_parameters(),
+    .on_by_default = false,
+    .find = find,
+    .select = select_by_threshold<1>,
+};
+
+}  // namespace fovea

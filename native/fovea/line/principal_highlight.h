@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What principal highlights on ridges and in valleys share.
+#pragma once
+
+#include <limits>
+
+#include <fovea/line/seen_vertices.h>
+#include <fovea/line/threshold.h>
+#include <fovea/line/zero_set.h>
+
+namespace fovea {
+
+inline std::vector<Parameter> principal_highlight_parameters() {
+    return threshold_parameters(0.04, 0.5, 3.0,
+                                "Difference of the squared curvatures times n . v that a line reaches somewhere, in "
+                                "units of 1 / feature size squared");
+}
+
+/// Zeros of v . e1 where sign k1 is positive and (k1^2 - k2^2) n . v above the threshold, which is so on the side that
+/// faces the viewer alone. e1 has no sign: in each triangle the corners follow the one of greatest |k1|. Triangles
+/// whose corners disagree about its line by more than 45 degrees have no line, nor have those with a corner that is
+/// nearly as curved along e2 (an umbilic, or where e1 and e2 change places): there e1 is noise.
+inline Curves find_principal_highlights(const SurfaceView& seen, const Values& values, float sign) {
+    constexpr float least_cosine = 0.70710678f, greatest_ratio = 0.98f;  // of |k2| and |k1|
+    const Surface& surface = seen.surface;
+    const auto fields = fields_of(surface);
+    const Thresholds thresholds(surface, values, 2);
+    Array<float> along(surface.vertex_count()), above(along.size());
+    parallel_for(along.size(), [&](std::size_t v) {
+        const Curvature& c = fields->curvature[v];
+        const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
+        const bool known = sign * c.k1 > 0.0f && std::abs(c.k2) < greatest_ratio * std::abs(c.k1);
+        // NaN crosses nothing. A zero lies on the side that its own e1 points to, however that is turned later.
+        along[v] = !known ? std::nanf("") : s.u == 0.0f ? std::numeric_limits<float>::min() : s.u;
+        above[v] = (c.k1 * c.k1 - c.k2 * c.k2) * s.facing - thresholds.low;
+    });
+    const auto sides = triangle_sides(surface);
+    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
+        const Triangle& t = surface.triangles[triangle];
+        const auto curvature = [&](Index v) -> const Curvature& { return fields->curvature[v]; };
+        const auto bend = [&](Index v) { return std::abs(curvature(v).k1); };
+        Index most = t.x;
+        for (const Index v : {t.y, t.z})
+            if (bend(v) > bend(most)) most = v;
+        for (int i = 0; i < 3; ++i)
+            if (!(std::abs(glm::dot(curvature(most).e1, curvature(t[i]).e1)) > least_cosine)) return;
+        const auto value = [&](Index v) {
+            return glm::dot(curvature(most).e1, curvature(v).e1) < 0.0f ? -along[v] : along[v];
+        };
+        append_zero(surface, *sides, triangle, value, [&](Index v) { return above[v]; }, fading(thresholds), out);
+    });
+}
+
+}  // namespace fovea

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Principal highlight of a ridge: the bright line along it.
+// DeCarlo & Rusinkiewicz, "Highlight Lines for Conveying Shape", NPAR 2007.
+// In   curvature, the view
+// Out  on the side that faces the viewer, where k1 > 0 and the view is at a right angle to the direction of k1, so that
+//      n . v is greatest across the line
+#include <fovea/line/principal_highlight.h>
+
+namespace fovea {
+
+extern const LineDefinition principal_highlight_ridge;
+const LineDefinition principal_highlight_ridge = {
+    .name = "principal_highlight_ridge",
+    .label = "Principal Highlight, Ridge",
+    .source = "DeCarlo & Rusinkiewicz 2007",
+    .description = "The shine of a ridge: where it is turned most towards the viewer across itself",
+    .scope = Scope::view,
+    .parameters = principal_highlight_parameters(),
+    .on_by_default = false,
+    .find = [](const SurfaceView& seen, const Values& values) { return find_principal_highlights(seen, values, 1.0f); },
+    .select = select_by_threshold<2>,
+};
+
+}  // namespace fovea

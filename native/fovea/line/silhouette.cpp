@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Silhouette: the outer boundary of an object, against the background or another object.
+// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
+// In   contour and border edges, and what is seen behind the middle of each, or right beside it
+// Out  those where the same placement does not go on. Where coarse meshes turn away, facets seen edge-on lie a hair
+// behind
+//      one another: what shows less of itself than a pen covers is no reason to go on.
+#include <algorithm>
+
+#include <fovea/line/edges.h>
+
+namespace fovea {
+
+extern const LineDefinition contour, border;
+
+namespace {
+
+constexpr double beside_px = 1.5;  // reference pixels
+constexpr double steepest = 8.0;   // slope towards the viewer of a surface that may go on there
+
+/// Asks what lies behind the edges of one placement.
+class Beyond {
+   public:
+    explicit Beyond(const SurfaceView& seen)
+        : seen_(seen),
+          view_(seen.tracer->view()),
+          clip_to_view_(glm::inverse(view_.view_to_clip)),
+          mirrored_(glm::determinant(dmat3(seen.object_to_view)) < 0.0) {}
+
+    /// Whether the placement ends at an edge.
+    bool is_outer(Index e) const {
+        const Edge edge = seen_.surface.edges[e];
+        const dvec4 a = in_view(edge.x), b = in_view(edge.y), middle = 0.5 * (a + b);
+        if (!view_.orthographic && middle.z >= 0.0) return false;
+        const Ignore ignore = seen_.tracer->ignore_at(seen_.placement, e);
+        if (is_other(vec3(middle), ignore)) return true;
+        const dvec4 clip_a = view_.view_to_clip * a, clip_b = view_.view_to_clip * b;
+        if (clip_a.w <= 0.0 || clip_b.w <= 0.0) return false;
+        const dvec2 along = to_pixels(view_, clip_b) - to_pixels(view_, clip_a);
+        const double length = glm::length(along);
+        if (!(length > 0.0)) return false;
+        const dvec2 right = dvec2(along.y, -along.x) * (beside_px * view_.reference_scale / length);
+        const dvec2 px = to_pixels(view_, view_.view_to_clip * middle) + (lies_left(e) ? right : -right);
+        const double away = -middle.z, nearer = steepest * glm::distance(dvec2(middle), dvec2(beside(px, away)));
+        return is_other(vec3(beside(px, view_.orthographic ? away - nearer : std::max(away - nearer, 0.1 * away))),
+                        ignore);
+    }
+
+   private:
+    dvec3 beside(const dvec2& px, double away) const { return from_pixels(view_, clip_to_view_, px, away); }
+
+    dvec4 in_view(Index vertex) const {
+        return seen_.object_to_view * dvec4(dvec3(seen_.surface.positions[vertex]), 1.0);
+    }
+
+    bool is_other(const vec3& point, const Ignore& ignore) const {
+        const auto behind = seen_.tracer->behind(point, ignore);
+        return !behind || behind->placement != seen_.placement;
+    }
+
+    /// Whether the surface lies to the left of a contour or border edge in the image, from its first to its second
+    /// vertex: a facet that winds along the edge does when it faces the viewer.
+    bool lies_left(Index e) const {
+        const EdgeSide side = seen_.surface.edge_sides[seen_.surface.edge_rows.begin(e)];
+        return (bool(seen_.facing[side.facet()]) == side.forward()) != mirrored_;
+    }
+
+    const SurfaceView& seen_;
+    const View& view_;
+    const dmat4 clip_to_view_;
+    const bool mirrored_;
+};
+
+void trace(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
+    Array<Kinds> candidates(seen.surface.edges.size(), 0);
+    contour.trace(seen, values, 1, candidates);
+    border.trace(seen, values, 1, candidates);
+    const Beyond beyond(seen);
+    mark_edges(candidates.size(), bit, kinds, [&](Index e) { return candidates[e] && beyond.is_outer(e); });
+}
+
+}  // namespace
+
+extern const LineDefinition silhouette;
+const LineDefinition silhouette = {
+    .name = "silhouette",
+    .label = "Silhouette",
+    .source = "Isenberg et al. 2003, A Developer's Guide to Silhouette Algorithms",
+    .description = "The outer boundary of an object, against the background or another object",
+    .scope = Scope::scene,
+    .parameters = {},
+    .on_by_default = false,
+    .trace = trace,
+};
+
+}  // namespace fovea

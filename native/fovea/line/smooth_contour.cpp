@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smooth contour: the contour of the surface that the mesh stands for, across its triangles.
+// Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000, section 4.
+// In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles), its curvature
+//      where hidden parts are left out, the view
+// Out  where the interpolated n . v is zero; without the parts behind cusps, where the radial curvature is negative:
+//      there the surface hides its own contour (Koenderink, "What does the occluding contour tell us about solid
+//      shape?", Perception 1984)
+#include <fovea/line/smooth_contour.h>
+
+namespace fovea {
+namespace {
+
+/// Strength where the radial curvature is zero, and how fast it grows with it, in units of 1 / feature size. Between 0
+/// and 1 it says how sure the sign is, so that noise does not break a contour.
+constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
+
+/// Sheets are seen from both sides, so that they hide none of their contours; nor can those of a surface be told that
+/// is inside out.
+struct Solid {
+    bool yes;
+};
+
+Solid solid(const Surface& surface) {
+    for (Index e = 0; e < surface.edges.size(); ++e)
+        if (surface.edge_rows.size(e) == 1) return {false};
+    double volume = 0.0;
+    const dvec3 center(surface.center);
+    for (const Triangle& t : surface.triangles) {
+        const auto at = [&](Index v) { return dvec3(surface.positions[v]) - center; };
+        volume += glm::dot(at(t.x), glm::cross(at(t.y), at(t.z)));
+    }
+    return {volume > 0.0};
+}
+
+bool hides_its_own(const Surface& surface, const Values& values) {
+    return values[0] != 0.0 && surface.cache().get<Solid>(0, [&] { return solid(surface); })->yes;
+}
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    if (!hides_its_own(seen.surface, values)) return find_smooth_contour(seen, [](Index) { return 1.0f; });
+    const auto fields = fields_of(seen.surface);
+    return find_smooth_contour(seen, [&](Index v) {
+        const Curvature& c = fields->curvature[v];
+        const float k_r = radial(c, see_vertex(seen, c, v)).curvature;
+        return std::clamp(at_cusp + sureness * fields->feature_size * k_r, 1e-3f, 1.0f);
+    });
+}
+
+Selection select(const Surface& surface, const Values& values) {
+    if (!hides_its_own(surface, values)) return {};
+    return {.level = at_cusp, .depth = surely, .reach = at_cusp + surely, .uniform = true};
+}
+
+}  // namespace
+
+extern const LineDefinition smooth_contour;
+const LineDefinition smooth_contour = {
+    .name = "smooth_contour",
+    .label = "Smooth Contour",
+    .source = "Hertzmann & Zorin 2000, section 4; Cole 2009, section 2.2",
+    .description = "The contour of the smooth surface that a mesh stands for, across its faces",
+    .scope = Scope::view,
+    .parameters = {{"end_at_cusps", "End at Cusps", 1, 0, 1, "bool",
+                    "Leave out what a closed surface hides of its own contour behind a cusp"}},
+    .on_by_default = false,
+    .find = find,
+    .select = select,
+    .on_smooth_surface = true,
+};
+
+}  // namespace fovea

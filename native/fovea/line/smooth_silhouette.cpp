@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smooth silhouette: the outer boundary of an object, where the smooth surface turns away.
+// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003; contours as in
+// Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000.
+// In   the smooth contour, and the surface seen right beside the middle of each of its pieces
+// Out  the pieces beside which the same placement does not go on behind
+#include <fovea/line/smooth_contour.h>
+
+namespace fovea {
+namespace {
+
+bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
+    const dvec3 middle = 0.5 * (dvec3(piece.point[0]) + dvec3(piece.point[1]));
+    const auto own = seen.tracer->ignore_at(seen.placement, seen.surface.place_of_triangle(piece.triangle), none, true);
+    const vec3 point = vec3(seen.object_to_view * dvec4(middle, 1.0)) + own.above;
+    if (!seen.tracer->view().orthographic && point.z >= 0.0f) return false;
+    const auto behind = seen.tracer->behind(point, own);
+    return !behind || behind->placement != seen.placement;
+}
+
+Curves find(const SurfaceView& seen, const Values&) {
+    Curves pieces = find_smooth_contour(seen, [](Index) { return 1.0f; });
+    parallel_for(
+        pieces.size(),
+        [&](std::size_t i) {
+            const float strength = is_outer(seen, pieces[i]) ? 1.0f : 0.0f;
+            pieces[i].strength[0] = pieces[i].strength[1] = strength;
+        },
+        64);
+    return pieces;
+}
+
+}  // namespace
+
+extern const LineDefinition smooth_contour;
+
+extern const LineDefinition smooth_silhouette;
+const LineDefinition smooth_silhouette = {
+    .name = "smooth_silhouette",
+    .label = "Smooth Silhouette",
+    .source = "Isenberg et al. 2003; Hertzmann & Zorin 2000, section 4",
+    .description =
+        "The outer boundary of the smooth surface that a mesh stands for, "
+        "against the background or another object",
+    .scope = Scope::scene,
+    .parameters = {},
+    .on_by_default = false,
+    .find = find,
+    // Smoothed along the contour, the answer of a single ray that slipped is outvoted.
+    .select = [](const Surface&, const Values&) -> Selection {
+        return {.level = 0.5f, .reach = 0.5f, .whole = true, .uniform = true};
+    },
+    .on_smooth_surface = true,
+    .part_of = &smooth_contour,
+};
+
+}  // namespace fovea

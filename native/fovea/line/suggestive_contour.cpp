@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Suggestive contour: contours of nearby views.
+// DeCarlo et al., "Suggestive Contours for Conveying Shape", SIGGRAPH 2003.
+// In   curvature and its derivative, the view
+// Out  on the side that faces the viewer, where the radial curvature is zero and rises along the view
+#include <fovea/line/suggestive.h>
+
+namespace fovea {
+
+extern const LineDefinition suggestive_contour;
+const LineDefinition suggestive_contour = {
+    .name = "suggestive_contour",
+    .label = "Suggestive Contour",
+    .source = "DeCarlo et al. 2003; DeCarlo, Finkelstein & Rusinkiewicz 2004",
+    .description = "Where a contour would first appear if the viewer moved a little",
+    .scope = Scope::view,
+    .parameters = suggestive_parameters(0.01),
+    .on_by_default = false,
+    .find = [](const SurfaceView& seen, const Values& values) { return find_suggestive(seen, values, 1.0f); },
+    .select = select_by_threshold<2>,
+};
+
+}  // namespace fovea

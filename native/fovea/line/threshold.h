@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What definitions with a threshold share: lines that reach it somewhere go on below it, fading.
+#pragma once
+
+#include <fovea/field/fields.h>
+#include <fovea/line/definition.h>
+
+namespace fovea {
+
+/// The parameters, in this order; more may follow. `meaning` says what is measured, and its unit.
+inline std::vector<Parameter> threshold_parameters(double threshold, double low, double length, const char* meaning) {
+    return {{"threshold", "Threshold", threshold, 0.0, 100.0, "", meaning},
+            {"low", "Low Threshold", low, 0.0, 1.0, "",
+             "Share of the threshold above which a line goes on that reaches the threshold somewhere"},
+            {"length", "Length", length, 0.0, 1000.0, "",
+             "Least length of a line as strong as the threshold, in units of the feature size; "
+             "a stronger one may be shorter"}};
+}
+
+/// Threshold, low threshold, and how far above the low one a line has half its strength; all in the measure's own unit.
+struct Thresholds {
+    float high, low, fade;
+
+    /// Values of threshold_parameters, of a measure in units of 1 / feature size or (`power` 2) its square.
+    Thresholds(const Surface& surface, const Values& values, int power) {
+        const double size = fields_of(surface)->feature_size, unit = 1.0 / (power == 2 ? size * size : size);
+        high = static_cast<float>(values[0] * unit);
+        low = static_cast<float>(values[0] * values[1] * unit);
+        fade = 0.5f * high;
+    }
+
+    /// Strength of a line so far above the low threshold.
+    float strength(float above) const { return above > 0.0f ? above / (above + fade) : 0.0f; }
+};
+
+/// LineDefinition::select of such a definition.
+template <int power>
+Selection select_by_threshold(const Surface& surface, const Values& values) {
+    const Thresholds t(surface, values, power);
+    const float reach = t.high > t.low ? t.strength(t.high - t.low) : 0.0f;
+    return {.reach = reach, .least = values[2] * fields_of(surface)->feature_size};
+}
+
+/// Strength as trace_zero_set and trace_maxima ask for it.
+inline auto fading(const Thresholds& thresholds) {
+    return [thresholds](float above) { return thresholds.strength(above); };
+}
+
+}  // namespace fovea

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Topographic line: lines of equal distance along the view, like those of a map.
+// Cole 2009, section 2.2.
+// In   the view
+// Out  where the distance along the view is one of so many evenly spaced values over the depth of the surface
+#include <fovea/line/cluster_trace.h>
+
+namespace fovea {
+namespace {
+
+Curves find(const SurfaceView& seen, const Values& values) {
+    const dmat4& m = seen.object_to_view;
+    const auto depth_of = [&](const vec3& p) { return -(m * dvec4(dvec3(p), 1.0)).z; };
+    const auto sample = [&](Index v) { return static_cast<float>(depth_of(seen.surface.positions[v])); };
+    // Of the sphere around the surface, so that lines do not move with single vertices.
+    const dvec3 row(m[0][2], m[1][2], m[2][2]);
+    const double middle = -(glm::dot(row, dvec3(seen.surface.center)) + m[3][2]);
+    const double reach = glm::length(row) * seen.surface.radius;
+    const int count = std::max(1, static_cast<int>(values[0]));
+    const double step = 2.0 * reach / (count + 1);
+    const Levels levels{static_cast<float>(middle - reach), static_cast<float>(step), count};
+    const auto none_in = [&](const SeenCluster& cluster) {
+        const double at = depth_of(cluster.bounds().center), spread = glm::length(row) * cluster.bounds().radius;
+        const double wide = spread + 1e-5 * (std::abs(at) + spread);
+        return levels.none_in({static_cast<float>(at - wide), static_cast<float>(at + wide)});
+    };
+    return trace_levels(seen, none_in, sample, levels);
+}
+
+}  // namespace
+
+extern const LineDefinition topographic;
+const LineDefinition topographic = {
+    .name = "topographic",
+    .label = "Topographic Line",
+    .source = "Cole 2009, section 2.2",
+    .description = "Lines of equal distance along the view, like those of a map",
+    .scope = Scope::view,
+    .parameters = {{"count", "Count", 20.0, 1.0, 200.0, "", "How many lines over the depth of the object"}},
+    .on_by_default = false,
+    .find = find,
+};
+
+}  // namespace fovea

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/mesh/stretch.h>
+
+#include <cmath>
+
+#include <fovea/base/hash.h>
+
+namespace fovea {
+namespace {
+
+/// Deviation from the identity up to which a stretch is none, and the steps others are rounded to.
+constexpr double same_angles = 1e-4, step = 1.0 / (1 << 18);
+/// Determinant of a stretch below which everything is flat.
+constexpr double flat = 1e-3;
+
+double squares(const dmat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
+
+}  // namespace
+
+dmat3 stretch_of(const dmat3& linear) {
+    const dmat3 identity(1.0), even = linear * std::sqrt(3.0 / squares(linear));
+    if (!(std::abs(glm::determinant(even)) > flat)) return identity;
+    // The nearest rigid motion or mirroring, by Newton's iteration.
+    dmat3 motion = even;
+    for (int i = 0; i < 40; ++i) {
+        const dmat3 next = 0.5 * (motion + glm::transpose(glm::inverse(motion)));
+        const double change = squares(next - motion);
+        motion = next;
+        if (change < 1e-28) break;
+    }
+    dmat3 stretch = glm::transpose(motion) * even;
+    stretch = 0.5 * (stretch + glm::transpose(stretch));
+    if (squares(stretch - identity) < same_angles * same_angles) return identity;
+    for (int i = 0; i < 3; ++i) stretch[i] = glm::round(stretch[i] / step) * step;
+    return stretch;
+}
+
+std::shared_ptr<const Surface> as_placed(const std::shared_ptr<const Surface>& surface, const dmat4& object_to_world) {
+    const dmat3 stretch = stretch_of(dmat3(object_to_world));
+    if (stretch == dmat3(1.0)) return surface;
+    struct Stretched {
+        std::shared_ptr<const Surface> surface;
+    };
+    const std::uint64_t key = hash_bytes(&stretch, sizeof stretch);
+    return surface->cache()
+        .get<Stretched>(key, [&] { return Stretched{std::make_shared<const Surface>(*surface, stretch)}; })
+        ->surface;
+}
+
+}  // namespace fovea

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Topology of a surface: checks, the edge table, marks. Geometry is in surface_geometry.cpp.
+#include <fovea/mesh/surface.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include <fovea/base/check.h>
+#include <fovea/base/hash.h>
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+namespace {
+
+std::uint64_t next_version() {
+    static std::atomic<std::uint64_t> counter{0};
+    return ++counter;
+}
+
+template <typename T>
+void check_size(In<T> values, std::size_t size, const std::string& name, const char* what) {
+    check(values.empty() || values.size() == size,
+          name + ": " + what + " has " + std::to_string(values.size()) + " entries, expected " + std::to_string(size));
+}
+
+/// Every value lies in [0, limit).
+void check_range(In<int> values, std::size_t limit, const std::string& name, const char* what) {
+    std::atomic<bool> fits{true};
+    parallel_blocks(values.size(), 1 << 16, [&](std::size_t, std::size_t begin, std::size_t end) {
+        int low = 0, high = -1;
+        for (std::size_t i = begin; i < end; ++i) {
+            low = std::min(low, values[i]);
+            high = std::max(high, values[i]);
+        }
+        if (low < 0 || high >= static_cast<std::int64_t>(limit)) fits = false;
+    });
+    check(fits,
+          name + ": " + what + " names an element that does not exist; the mesh is broken (Mesh > Validate mends it)");
+}
+
+template <int N>
+In<int> flat(In<glm::vec<N, int>> values) {
+    return {reinterpret_cast<const int*>(values.data()), values.size() * N};
+}
+
+}  // namespace
+
+void check_mesh(const std::string& name, const MeshArrays& mesh) {
+    const std::size_t corners = mesh.corner_verts.size(), edge_count = mesh.edge_verts.size();
+    const std::size_t polygon_total = mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1;
+    check(mesh.positions.size() < none / 4 && corners < none / 4, name + ": more than a billion elements");
+    check(mesh.corner_edges.size() == corners, name + ": corner_edges and corner_verts differ in length");
+    check_range(mesh.corner_verts, mesh.positions.size(), name, "corner_verts");
+    check_range(mesh.corner_edges, edge_count, name, "corner_edges");
+    check_range(flat(mesh.edge_verts), mesh.positions.size(), name, "edge_verts");
+    check_range(flat(mesh.ngon_triangles), mesh.positions.size(), name, "ngon_triangles");
+    check_range(mesh.ngon_polygon, polygon_total, name, "ngon_polygon");
+    check(mesh.ngon_triangles.size() == mesh.ngon_polygon.size(),
+          name + ": ngon_triangles and ngon_polygon differ in length");
+    check(std::is_sorted(mesh.ngon_polygon.begin(), mesh.ngon_polygon.end()), name + ": ngon_polygon must ascend");
+    check(std::is_sorted(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end()) &&
+              (polygon_total == 0 ||
+               (mesh.polygon_offsets.front() == 0 && std::size_t(mesh.polygon_offsets.back()) == corners)),
+          name + ": polygon_offsets must ascend from 0 to the number of corners");
+    check_size(mesh.material, polygon_total, name, "material");
+    check_size(mesh.occluding, polygon_total, name, "occluding");
+    check_size(mesh.sharp, edge_count, name, "sharp_edges");
+    check_size(mesh.seam, edge_count, name, "seams");
+    check_size(mesh.edge_mark, edge_count, name, "edge_marks");
+}
+
+Surface::Surface(std::string name, const MeshArrays& mesh) : name_(std::move(name)) {
+    take_topology(mesh);
+    build_edge_corners();
+    set_positions(mesh.positions);
+}
+
+void Surface::set_positions(In<vec3> moved, bool refit) {
+    check(
+        positions.empty() || moved.size() == vertex_count(),
+        name_ + ": " + std::to_string(moved.size()) + " positions for " + std::to_string(vertex_count()) + " vertices");
+    positions.resize(moved.size() + 1);
+    std::copy(moved.begin(), moved.end(), positions.begin());
+    positions.back() = vec3(0.0f);
+    jets.clear();
+    version_ = next_version();
+    cache_->clear();
+    if (!refit) lasting_cache_->clear();
+    build_geometry();
+}
+
+void Surface::set_field_options(const FieldOptions& options) {
+    check_options(options, name_);
+    field_options_ = options;
+}
+
+void Surface::take_topology(const MeshArrays& mesh) {
+    const std::size_t edge_count = mesh.edge_verts.size();
+    const std::size_t polygon_total = mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1;
+    check_mesh(name_, mesh);
+
+    polygons_.offsets.assign(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end());
+    if (polygons_.offsets.empty()) polygons_.offsets.push_back(0);
+    corner_verts_.assign(mesh.corner_verts.begin(), mesh.corner_verts.end());
+    corner_edges_.assign(mesh.corner_edges.begin(), mesh.corner_edges.end());
+    edges.assign(mesh.edge_verts.begin(), mesh.edge_verts.end());
+    mesh_edges = static_cast<Index>(edge_count);
+    polygon_material.assign(mesh.material.begin(), mesh.material.end());
+    polygon_material.resize(polygon_total, 0);
+    polygon_occludes_.assign(mesh.occluding.begin(), mesh.occluding.end());
+
+    edge_marks.assign(edge_count, 0);
+    const auto mark = [&](In<std::uint8_t> flags, Mark bit) {
+        for (std::size_t e = 0; e < flags.size(); ++e)
+            if (flags[e]) edge_marks[e] |= bit;
+    };
+    mark(mesh.sharp, mark_sharp);
+    mark(mesh.seam, mark_seam);
+    mark(mesh.edge_mark, mark_edge);
+
+    ngon_triangles_.assign(mesh.ngon_triangles.begin(), mesh.ngon_triangles.end());
+    if (!ngon_triangles_.empty()) {
+        ngon_rows_.offsets.assign(polygon_total, 0);
+        for (int polygon : mesh.ngon_polygon) ++ngon_rows_.offsets[polygon];
+        counts_to_offsets(ngon_rows_.offsets);
+    }
+}
+
+void Surface::build_edge_corners() {
+    auto& offsets = edge_corners_rows_.offsets;
+    offsets.assign(mesh_edges, 0);
+    for (Index e : corner_edges_) ++offsets[e];
+    counts_to_offsets(offsets);
+    edge_corners_.resize(corner_edges_.size());
+    Array<Index> next(offsets.begin(), offsets.end() - 1);
+    for (Index c = 0; c < corner_edges_.size(); ++c) edge_corners_[next[corner_edges_[c]]++] = c;
+    report_.loose_edges = 0;
+    for (Index e = 0; e < mesh_edges; ++e) report_.loose_edges += offsets[e] == offsets[e + 1];
+}
+
+}  // namespace fovea

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Geometry of a surface: triangles, facets and their planes, the sides of edges.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include <fovea/base/parallel.h>
+#include <fovea/mesh/surface.h>
+
+namespace fovea {
+namespace {
+
+/// Deviation from its plane, as a share of its size, up to which a polygon counts as flat: 0.1 degrees.
+constexpr double flat_tolerance = 0.0017;
+/// Area, as a share of the squared perimeter, below which a polygon has no usable normal.
+constexpr double least_area = 1e-11;
+
+bool finite(const vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+/// Newell's normal (twice the area vector) and perimeter of a polygon; exact for planar ones, a mean for bent ones.
+struct Outline {
+    dvec3 area{0.0};
+    double perimeter = 0.0;
+};
+
+Outline outline_of(const Array<vec3>& positions, const Index* corners, Index count) {
+    Outline outline;
+    const dvec3 origin(positions[corners[0]]);
+    dvec3 a = dvec3(positions[corners[count - 1]]) - origin;
+    for (Index i = 0; i < count; ++i) {
+        const dvec3 b = dvec3(positions[corners[i]]) - origin;
+        outline.area += glm::cross(a, b);
+        outline.perimeter += glm::length(b - a);
+        a = b;
+    }
+    return outline;
+}
+
+vec4 plane_through(const dvec3& area, const dvec3& point) {
+    const dvec3 n = area / glm::length(area);
+    return vec4(vec3(n), static_cast<float>(glm::dot(n, point)));
+}
+
+}  // namespace
+
+void Surface::build_geometry() {
+    Array<std::uint8_t> skip(polygon_count(), 0);
+    find_degenerate(skip);
+    find_duplicates(skip);
+    triangulate(skip);
+    build_facets(skip);
+    build_edge_sides(skip);
+    sort_occluding();
+    bound();
+}
+
+Surface::Surface(const Surface& source, const dmat3& stretch)
+    : edges(source.edges),
+      mesh_edges(source.mesh_edges),
+      edge_marks(source.edge_marks),
+      polygon_material(source.polygon_material),
+      positions(source.positions.size()),
+      triangles(source.triangles),
+      triangle_facet(source.triangle_facet),
+      occluding_triangles(source.occluding_triangles),
+      facet_plane(source.facet_plane.size()),
+      facet_polygon(source.facet_polygon),
+      edge_rows(source.edge_rows),
+      edge_sides(source.edge_sides),
+      name_(source.name_),
+      polygons_(source.polygons_),
+      report_(source.report_),
+      source_(&source),
+      stretch_(stretch),
+      version_(source.version_) {
+    parallel_for(positions.size(), [&](std::size_t v) { positions[v] = vec3(stretch * dvec3(source.positions[v])); });
+    const dmat3 of_planes = glm::transpose(glm::inverse(stretch));
+    parallel_for(facet_plane.size(), [&](std::size_t f) {
+        const dvec3 n = of_planes * dvec3(source.facet_plane[f]);
+        facet_plane[f] = vec4(dvec4(n, source.facet_plane[f].w) / glm::length(n));
+    });
+    bound();
+}
+
+void Surface::find_degenerate(Array<std::uint8_t>& skip) {
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        const Index* corners = corner_verts_.data() + polygons_.begin(f);
+        const Index count = polygons_.size(f);
+        skip[f] = count < 3;
+        for (Index i = 0; i < count && !skip[f]; ++i)
+            skip[f] = !finite(positions[corners[i]]) || corners[i] == corners[(i + 1) % count];
+        if (skip[f]) return;
+        const Outline outline = outline_of(positions, corners, count);
+        const double size = outline.perimeter * outline.perimeter;
+        skip[f] = !(glm::length(outline.area) > least_area * size);
+    });
+    report_.degenerate_polygons = static_cast<Index>(std::count(skip.begin(), skip.end(), 1));
+    report_.non_finite_vertices =
+        static_cast<Index>(std::count_if(positions.begin(), positions.end(), [](const vec3& p) { return !finite(p); }));
+}
+
+void Surface::find_duplicates(Array<std::uint8_t>& skip) {
+    // Duplicates share their first edge, so only the polygons around it are compared.
+    Array<Index> corner_polygon(corner_verts_.size());
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        std::fill(corner_polygon.begin() + polygons_.begin(f), corner_polygon.begin() + polygons_.end(f), Index(f));
+    });
+    const auto corners_of = [&](Index f) {
+        return In<Index>(corner_verts_.data() + polygons_.begin(f), polygons_.size(f));
+    };
+    const auto sum = [&](Index f) {
+        const In<Index> verts = corners_of(f);
+        return std::accumulate(verts.begin(), verts.end(), std::uint64_t(0));
+    };
+    const auto same_vertices = [&](Index a, Index b) {
+        const In<Index> of_a = corners_of(a), of_b = corners_of(b);
+        return std::all_of(of_a.begin(), of_a.end(),
+                           [&](Index v) { return std::find(of_b.begin(), of_b.end(), v) != of_b.end(); });
+    };
+    Array<std::uint8_t> duplicate(polygon_count(), 0);
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        if (skip[f]) return;
+        const Index edge = corner_edges_[polygons_.begin(f)];
+        for (Index i = edge_corners_rows_.begin(edge); i < edge_corners_rows_.end(edge); ++i) {
+            const Index other = corner_polygon[edge_corners_[i]];
+            if (other >= f || skip[other] || polygons_.size(other) != polygons_.size(f)) continue;
+            duplicate[f] = sum(other) == sum(f) && same_vertices(other, f);
+            if (duplicate[f]) break;
+        }
+    });
+    report_.duplicate_polygons = static_cast<Index>(std::count(duplicate.begin(), duplicate.end(), 1));
+    for (Index f = 0; f < polygon_count(); ++f) skip[f] |= duplicate[f];
+}
+
+void Surface::triangulate(const Array<std::uint8_t>& skip) {
+    const bool has_ngons = !ngon_triangles_.empty();
+    auto& offsets = polygon_triangles_.offsets;
+    offsets.resize(polygon_count());
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        const Index corners = polygons_.size(f);
+        const Index given = has_ngons ? ngon_rows_.size(f) : 0;
+        offsets[f] = skip[f] ? 0 : corners > 4 && given ? given : corners - 2;
+    });
+    counts_to_offsets(offsets);
+    triangles.resize(offsets.back());
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        if (skip[f]) return;
+        const Index* v = corner_verts_.data() + polygons_.begin(f);
+        Triangle* out = triangles.data() + polygon_triangles_.begin(f);
+        const Index corners = polygons_.size(f), count = polygon_triangles_.size(f);
+        if (corners > 4 && has_ngons && ngon_rows_.size(f)) {
+            std::copy_n(ngon_triangles_.data() + ngon_rows_.begin(f), count, out);
+        } else if (corners == 4) {
+            // The diagonal 0-2 unless it lies outside (a concave quad): then both halves would face differently.
+            const dvec3 origin(positions[v[0]]), diagonal = dvec3(positions[v[2]]) - origin;
+            const dvec3 left = glm::cross(dvec3(positions[v[1]]) - origin, diagonal);
+            const dvec3 right = glm::cross(diagonal, dvec3(positions[v[3]]) - origin);
+            const bool flip = glm::dot(left, right) < 0.0;
+            out[0] = flip ? Triangle(v[1], v[2], v[3]) : Triangle(v[0], v[1], v[2]);
+            out[1] = flip ? Triangle(v[1], v[3], v[0]) : Triangle(v[0], v[2], v[3]);
+        } else {
+            for (Index i = 0; i < count; ++i) out[i] = Triangle(v[0], v[i + 1], v[i + 2]);
+        }
+    });
+}
+
+void Surface::build_facets(const Array<std::uint8_t>& skip) {
+    // Per polygon: one facet when flat, else one per triangle.
+    Array<Outline> outlines(polygon_count());
+    Array<Index> first(polygon_count());
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        first[f] = 0;
+        if (skip[f]) return;
+        const Index* v = corner_verts_.data() + polygons_.begin(f);
+        const Index corners = polygons_.size(f);
+        outlines[f] = outline_of(positions, v, corners);
+        const dvec3 n = outlines[f].area / glm::length(outlines[f].area);
+        double deviation = 0.0;
+        for (Index i = 1; i < corners; ++i)
+            deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v[i]]) - dvec3(positions[v[0]]))));
+        // The side of a square of as much area or outline, whichever is less: strips that twist and jagged polygons
+        // have long outlines.
+        const double size = std::min(0.25 * outlines[f].perimeter, std::sqrt(0.5 * glm::length(outlines[f].area)));
+        const bool is_flat = corners == 3 || deviation <= flat_tolerance * size;
+        first[f] = is_flat ? 1 : polygon_triangles_.size(f);
+    });
+    counts_to_offsets(first);
+
+    facet_plane.resize(first.back());
+    facet_polygon.resize(first.back());
+    triangle_facet.resize(triangles.size());
+    parallel_for(polygon_count(), [&](std::size_t f) {
+        const Index begin = polygon_triangles_.begin(f), end = polygon_triangles_.end(f);
+        const bool is_flat = first[f + 1] - first[f] == 1;
+        for (Index t = begin; t < end; ++t) {
+            const Index facet = first[f] + (is_flat ? 0 : t - begin);
+            triangle_facet[t] = facet;
+            if (is_flat && t > begin) continue;
+            const Triangle& tri = triangles[t];
+            const Outline own = outline_of(positions, &tri.x, 3);
+            const bool usable = glm::length(own.area) > least_area * own.perimeter * own.perimeter;
+            facet_plane[facet] =
+                plane_through(is_flat || !usable ? outlines[f].area : own.area, dvec3(positions[tri.x]));
+            facet_polygon[facet] = static_cast<Index>(f);
+        }
+    });
+}
+
+void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std::vector<Diagonal>& diagonals) {
+    // Sides of the triangles and of the polygon, sorted by their vertices: what meets a corner is a side of the
+    // polygon, what meets another triangle is a diagonal.
+    sides.clear();
+    const Index c0 = polygons_.begin(f), corners = polygons_.size(f);
+    const auto add = [&](Index from, Index to, Index facet, Index corner) {
+        sides.push_back({std::min(from, to), std::max(from, to), from < to, facet, corner});
+    };
+    for (Index i = 0; i < corners; ++i) add(corner_verts_[c0 + i], corner_verts_[c0 + (i + 1) % corners], none, c0 + i);
+    for (Index t = polygon_triangles_.begin(f); t < polygon_triangles_.end(f); ++t)
+        for (int i = 0; i < 3; ++i) add(triangles[t][i], triangles[t][(i + 1) % 3], triangle_facet[t], none);
+    std::stable_sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    });
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        const TriangleSide &a = sides[i], &b = sides[i + 1];
+        if (a.low != b.low || a.high != b.high) continue;
+        if (a.corner != none && b.facet != none) corner_facet_[a.corner] = b.facet;
+        if (a.facet != none && b.facet != none)
+            diagonals.push_back({Edge(a.low, a.high), EdgeSide(a.facet, a.ascending), EdgeSide(b.facet, b.ascending)});
+        ++i;
+    }
+}
+
+void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
+    // Each polygon side bounds one facet: the polygon when flat, else the triangle that holds the side.
+    corner_facet_.assign(corner_verts_.size(), none);
+    const std::size_t block = 4096;
+    std::vector<std::vector<Diagonal>> found((polygon_count() + block - 1) / block);
+    parallel_blocks(polygon_count(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        std::vector<TriangleSide> scratch;
+        for (std::size_t f = begin; f < end; ++f) {
+            if (skip[f]) continue;
+            const Index t0 = polygon_triangles_.begin(f), t1 = polygon_triangles_.end(f);
+            if (triangle_facet[t0] == triangle_facet[t1 - 1]) {
+                std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f),
+                          triangle_facet[t0]);
+            } else {
+                split_bent_polygon(static_cast<Index>(f), scratch, found[b]);
+            }
+        }
+    });
+
+    edges.resize(mesh_edges);
+    std::size_t diagonals = 0;
+    for (const auto& list : found) diagonals += list.size();
+    edges.reserve(mesh_edges + diagonals);
+    auto& offsets = edge_rows.offsets;
+    offsets.assign(mesh_edges + diagonals, 2);
+    parallel_for(mesh_edges, [&](std::size_t e) {
+        offsets[e] = 0;
+        for (Index i = edge_corners_rows_.begin(e); i < edge_corners_rows_.end(e); ++i)
+            offsets[e] += corner_facet_[edge_corners_[i]] != none;
+    });
+    counts_to_offsets(offsets);
+    edge_sides.resize(offsets.back());
+    parallel_for(mesh_edges, [&](std::size_t e) {
+        EdgeSide* out = edge_sides.data() + offsets[e];
+        for (Index i = edge_corners_rows_.begin(e); i < edge_corners_rows_.end(e); ++i) {
+            const Index corner = edge_corners_[i];
+            if (corner_facet_[corner] == none) continue;
+            *out++ = EdgeSide(corner_facet_[corner], corner_verts_[corner] == edges[e].x);
+        }
+    });
+    Index next = mesh_edges;
+    for (const auto& list : found) {
+        for (const Diagonal& d : list) {
+            edges.push_back(d.edge);
+            edge_sides[offsets[next]] = d.first;
+            edge_sides[offsets[next] + 1] = d.second;
+            ++next;
+        }
+    }
+    report_.non_manifold_edges = report_.inconsistent_edges = 0;
+    for (Index e = 0; e < mesh_edges; ++e) {
+        const Index sides = edge_rows.size(e), begin = edge_rows.begin(e);
+        report_.non_manifold_edges += sides > 2;
+        report_.inconsistent_edges += sides == 2 && edge_sides[begin].forward() == edge_sides[begin + 1].forward();
+    }
+}
+
+void Surface::sort_occluding() {
+    // Triangles that hide what lies behind come first, so that a BVH takes a prefix.
+    occluding_triangles = static_cast<Index>(triangles.size());
+    if (!polygon_occludes_.empty()) {
+        Array<Index> order(triangles.size());
+        std::iota(order.begin(), order.end(), 0);
+        const auto middle = std::stable_partition(order.begin(), order.end(), [&](Index t) {
+            return polygon_occludes_[facet_polygon[triangle_facet[t]]] != 0;
+        });
+        occluding_triangles = static_cast<Index>(middle - order.begin());
+        Array<Triangle> sorted_triangles(triangles.size());
+        Array<Index> sorted_facets(triangles.size());
+        parallel_for(order.size(), [&](std::size_t t) {
+            sorted_triangles[t] = triangles[order[t]];
+            sorted_facets[t] = triangle_facet[order[t]];
+        });
+        triangles.swap(sorted_triangles);
+        triangle_facet.swap(sorted_facets);
+    }
+}
+
+void Surface::bound() {
+    vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+    for (Index v = 0; v < vertex_count(); ++v) {
+        if (!finite(positions[v])) continue;
+        low = glm::min(low, positions[v]);
+        high = glm::max(high, positions[v]);
+    }
+    const bool any = low.x <= high.x;
+    center = any ? 0.5f * (low + high) : vec3(0.0f);
+    radius = any ? 0.5f * glm::length(high - low) : 0.0f;
+}
+
+}  // namespace fovea

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of curves chained into polylines.
+#pragma once
+
+#include <fovea/base/columns.h>
+#include <fovea/line/curves.h>
+
+namespace fovea {
+
+/// Polylines across triangles; points of curve c are rows.begin(c) .. rows.end(c).
+struct CurveChains {
+    Rows rows;
+    Array<std::uint8_t> closed;
+    Array<std::uint64_t> anchor;
+    Array<vec3> point;
+    Array<float> strength;
+    Array<Index> triangle, side, other;
+
+    static constexpr std::tuple curve_columns{
+        Column{"closed", &CurveChains::closed, "the last point repeats the first"},
+        Column{
+            "anchor", &CurveChains::anchor,
+            "level (high half) and lowest triangle, or the lowest triangles of both surfaces: no two have the same"}};
+    static constexpr std::tuple point_columns{
+        Column{"point", &CurveChains::point, "object space"}, Column{"strength", &CurveChains::strength, "in [0, 1]"},
+        Column{"triangle", &CurveChains::triangle, "of the piece from this point; the last repeats the one before"},
+        Column{"side", &CurveChains::side,
+               "side of triangles (mesh/triangle_sides.h) that the point is on; `none`: inside a triangle"},
+        Column{"other", &CurveChains::other, "the triangle of the second surface, or `none`"}};
+};
+
+/// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where
+/// three or more pieces end (a non-manifold edge) ends them all. The result depends on the order of the pieces alone.
+CurveChains chain_curves(const Curves& pieces);
+
+}  // namespace fovea

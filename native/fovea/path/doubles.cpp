@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/path/doubles.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include <fovea/base/parallel.h>
+#include <fovea/field/fields.h>
+#include <fovea/line/smooth_contour.h>
+#include <fovea/mesh/triangle_sides.h>
+#include <fovea/path/hysteresis.h>
+
+namespace fovea {
+namespace {
+
+std::shared_ptr<const Neighbours> neighbours_in(const Surface& surface) {
+    return neighbours_of(surface, surface.field_options().hard_angle);
+}
+
+/// An edge that the smooth surface does not go around.
+bool is_hard(const Surface& surface, const Neighbours& neighbours, Index edge) {
+    static const double hard = std::cos(glm::radians(default_hard_angle));
+    const Index begin = surface.edge_rows.begin(edge);
+    if (surface.edge_rows.size(edge) != 2) return true;
+    if (!neighbours.hard[surface.edges[edge].x] || !neighbours.hard[surface.edges[edge].y]) return false;
+    const auto normal = [&](Index side) { return vec3(surface.facet_plane[surface.edge_sides[side].facet()]); };
+    return glm::dot(normal(begin), normal(begin + 1)) <= hard;
+}
+
+/// Marks the triangles where the chain runs for long with at least so many corners near.
+void mark_long_stretches(const CurveChains& chains, Index chain, const Surface& surface, const TriangleSides& sides,
+                         In<std::uint8_t> near, int corners, Array<std::uint8_t>& removed) {
+    constexpr double longest = 4.0;
+    const auto corners_near = [&](Index i) {
+        const Triangle& t = surface.triangles[chains.triangle[i]];
+        return (near[t.x] != 0) + (near[t.y] != 0) + (near[t.z] != 0);
+    };
+    const auto is_near = [&](Index i) { return corners_near(i) >= corners; };
+    const auto leads_away = [&](Index i) { return corners_near(i) < std::min(corners + 1, 3); };
+    const Index begin = chains.rows.begin(chain), last = chains.rows.end(chain) - 1;
+    for (Index i = begin; i < last;) {
+        Index j = i;
+        double length = 0.0, side = 0.0;
+        for (; j < last && is_near(j); ++j) {
+            length += glm::distance(chains.point[j], chains.point[j + 1]);
+            const Edge e = sides.vertices[sides.of_triangle[chains.triangle[j]].x];
+            side += glm::distance(surface.positions[e.x], surface.positions[e.y]);
+        }
+        const Index next = j + 1;
+        if (j > i && length > longest * side / (j - i)) {
+            while (i < j && leads_away(i)) ++i;
+            while (i < j && leads_away(j - 1)) --j;
+            for (; i < j; ++i) removed[chains.triangle[i]] = 1;
+        }
+        i = next;
+    }
+}
+
+}  // namespace
+
+CurveChains Claims::claim(const LineDefinition& definition, CurveChains chains) {
+    Array<std::uint8_t>& taken = taken_[definition.part_of ? definition.part_of : &definition];
+    if (!taken.empty()) chains = without_triangles(chains, taken);
+    taken.resize(surface_.triangles.size(), 0);
+    for (Index triangle : chains.triangle) taken[triangle] = 1;
+    return chains;
+}
+
+Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without) {
+    const Surface& surface = seen.surface;
+    const auto neighbours = neighbours_in(surface);
+    Array<std::uint8_t> near(surface.vertex_count(), 0);
+    Array<Index> at;
+    const auto mark = [&](Index triangle, bool first) {
+        const Triangle& t = surface.triangles[triangle];
+        for (int i = 0; i < 3; ++i) {
+            if (first && !near[t[i]]) at.push_back(t[i]);
+            near[t[i]] = 1;
+        }
+    };
+    for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
+        if (without.empty() || !without[piece.triangle]) mark(piece.triangle, true);
+    for (const Index v : at)
+        for (Index i = neighbours->triangle_rows.begin(v); i < neighbours->triangle_rows.end(v); ++i)
+            mark(neighbours->triangles[i], false);
+    return near;
+}
+
+void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds) {
+    const auto neighbours = neighbours_in(surface);
+    parallel_for(kinds.size(), [&](std::size_t e) {
+        const Edge edge = surface.edges[e];
+        if (!(kinds[e] & bits[e]) || !near[edge.x] || !near[edge.y]) return;
+        if (!is_hard(surface, *neighbours, static_cast<Index>(e))) kinds[e] &= ~bits[e];
+    });
+}
+
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds) {
+    const auto neighbours = neighbours_in(surface);
+    Array<std::uint8_t> at(surface.vertex_count(), 0);
+    parallel_for(kinds.size(), [&](std::size_t e) {
+        if (!(kinds[e] & bits) || !is_hard(surface, *neighbours, static_cast<Index>(e))) return;
+        for (Index v : {surface.edges[e].x, surface.edges[e].y})
+            std::atomic_ref(at[v]).store(1, std::memory_order_relaxed);
+    });
+    return at;
+}
+
+CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners) {
+    const auto sides = triangle_sides(surface);
+    // Chains of one level share no triangle, and curves that run along contours have but one.
+    Array<std::uint8_t> removed(surface.triangles.size(), 0);
+    parallel_for(
+        chains.rows.count(),
+        [&](std::size_t c) {
+            mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, corners, removed);
+        },
+        16);
+    return without_triangles(chains, removed);
+}
+
+}  // namespace fovea

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/path/extract.h>
+
+#include <algorithm>
+#include <bit>
+
+#include <fovea/base/hash.h>
+#include <fovea/field/fields.h>
+#include <fovea/mesh/stretch.h>
+#include <fovea/path/doubles.h>
+#include <fovea/path/find_curves.h>
+#include <fovea/path/find_edges.h>
+
+namespace fovea {
+namespace {
+
+/// Room around the frame, as a share of its half size: strokes must not end where one can see it.
+constexpr double frame_margin = 0.1;
+
+/// Those of a style that depend on the surface alone.
+struct StaticCurves {
+    std::vector<FoundCurves> found;
+};
+
+/// What one placement contributes.
+struct PlacementPaths {
+    std::shared_ptr<const EdgePaths> edges;
+    std::shared_ptr<const StaticCurves> kept_curves;
+    std::vector<FoundCurves> seen_curves;
+};
+
+std::uint64_t hash_sets(const std::vector<PlacedSet>& sets) {
+    std::uint64_t hash = sets.size();
+    for (const PlacedSet& set : sets) {
+        hash = hash_numbers(hash, set.kinds.size(), std::bit_cast<std::uint64_t>(set.corner_angle_rad));
+        hash = hash_of(In<std::uint8_t>(set.materials), hash);
+        for (const LineKind& kind : set.kinds)
+            hash = hash_of(In<double>(kind.values), hash_numbers(hash, kind.definition));
+    }
+    return hash;
+}
+
+bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
+    for (const LineSet& set : sets)
+        for (const LineKind& kind : set.kinds)
+            if (line_definitions()[kind.definition]->scope >= least) return true;
+    return false;
+}
+
+/// Of definitions that mark edges, and hold for all views or depend on the view.
+bool any_marks_edges(const std::vector<PlacedSet>& sets, bool of_surface) {
+    for (const PlacedSet& set : sets)
+        for (const LineKind& kind : set.kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            if (definition.trace && (definition.scope == Scope::surface) == of_surface) return true;
+        }
+    return false;
+}
+
+/// In object space; for an orthographic view the direction towards it.
+dvec3 eye_of(const View& view, const Placement& placed) {
+    const dmat4 view_to_object = glm::inverse(view.world_to_view * placed.object_to_world);
+    return dvec3(view_to_object * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1)));
+}
+
+/// `surface`: the placement's as it is placed.
+SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view,
+                    const Tracer& tracer) {
+    const Placement& placed = scene.placements[placement];
+    SurfaceView seen{.surface = surface};
+    seen.object_to_view = view.world_to_view * placed.object_to_world * dmat4(glm::inverse(surface.stretch()));
+    seen.orthographic = view.orthographic;
+    seen.eye_obj = surface.stretch() * eye_of(view, placed);
+    seen.placement = placement;
+    seen.tracer = &tracer;
+    return seen;
+}
+
+/// Lines of the view that a contour would double.
+bool any_beside_contours(Kinds asked) {
+    const auto& all = line_definitions();
+    for (Index i = 0; i < all.size(); ++i)
+        if ((asked >> i & 1) && all[i]->scope != Scope::surface && all[i]->select && !all[i]->on_smooth_surface)
+            return true;
+    return false;
+}
+
+/// Per triangle: 1 where no set has some of `kinds`; empty where that is nowhere.
+Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<PlacedSet>& sets, Kinds kinds) {
+    if (!any_by_material(sets)) return {};
+    std::vector<const PlacedSet*> asking;
+    for (const PlacedSet& set : sets)
+        if (asked_of(set) & kinds) asking.push_back(&set);
+    return triangles_without(surface, [&](int material) {
+        const auto has = [&](const PlacedSet* set) { return set->has_material(material); };
+        return std::any_of(asking.begin(), asking.end(), has);
+    });
+}
+
+PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash,
+                                 bool view_dependent) {
+    Cache& cache = seen.surface.cache();
+    PlacementPaths paths;
+    Array<std::uint8_t> near, hard;
+    const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
+    if (view_dependent && (asked & contours) && (doubled_edges(asked) || any_beside_contours(asked)))
+        near = near_smooth_contour(seen, triangles_without(seen.surface, sets, contours));
+    if (any_marks_edges(sets, false)) {
+        auto [edges, hard_ones] = find_edges(seen, sets, sets_hash, true, near);
+        paths.edges = std::make_shared<const EdgePaths>(std::move(edges));
+        hard = std::move(hard_ones);
+    } else if (any_marks_edges(sets, true)) {
+        paths.edges =
+            cache.get<EdgePaths>(sets_hash, [&] { return find_edges(seen, sets, sets_hash, false, {}).first; });
+    }
+    paths.kept_curves = cache.get<StaticCurves>(
+        sets_hash, [&] { return StaticCurves{find_curves({.surface = seen.surface}, sets, true)}; });
+    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
+    return paths;
+}
+
+/// Where the chains of one placement (`none`: of the frame) go in the result, and whether they are those of this view
+/// alone.
+struct Slot {
+    Index placement, path, point;
+    bool of_view;
+};
+
+/// What each path of a slot holds: chains of edges and of curves alike. Functions of the chain's number, and of the
+/// number of a point among all of them.
+template <typename Chains, typename LineSet, typename Free, typename Id, typename Point>
+void write_paths(const Chains& chains, Slot slot, const LineSet& line_set, const Free& free, const Id& id,
+                 const Point& point, Paths& paths) {
+    parallel_for(chains.rows.count(), [&](std::size_t c) {
+        const std::size_t p = slot.path + c;
+        paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
+        paths.closed[p] = chains.closed[c];
+        paths.line_set[p] = line_set(c);
+        paths.free_ends[p] = free(c);
+        paths.of_view[p] = slot.of_view;
+        paths.placement[p] = slot.placement;
+        paths.id[p] = id(c);
+        double arc = 0.0;
+        for (Index i = chains.rows.begin(c); i < chains.rows.end(c); ++i) {
+            if (i > chains.rows.begin(c)) arc += glm::distance(dvec3(point(i - 1)), dvec3(point(i)));
+            paths.points_obj[slot.point + i] = point(i);
+            paths.arc_obj[slot.point + i] = arc;
+        }
+    });
+}
+
+void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, const Array<std::uint8_t>& free,
+                  Slot slot, Paths& paths) {
+    const Placement& placement = scene.placements[slot.placement];
+    const Surface& surface = *placement.surface;
+    write_paths(
+        chains, slot, [&](std::size_t c) { return chains.label[c]; }, [&](std::size_t c) { return free[c]; },
+        [&](std::size_t c) { return hash_numbers(placement.id, chains.anchor[c]); },
+        [&](Index i) { return surface.positions[chains.vertex[i]]; }, paths);
+    parallel_for(chains.vertex.size(), [&](std::size_t i) {
+        const std::size_t n = slot.point + i;
+        paths.place[n] = chains.edge[i];
+        paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
+        paths.kinds[n] = kinds[i];
+        paths.strength[n] = 1.0f;
+        paths.other_facet[n] = none;
+    });
+}
+
+void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
+    const Placement* placement = slot.placement == none ? nullptr : &scene.placements[slot.placement];
+    const CurveChains& chains = *found.chains;
+    std::uint64_t id = placement ? placement->id : 0;
+    if (found.other != none && found.other != slot.placement) id = hash_numbers(id, scene.placements[found.other].id);
+    write_paths(
+        chains, slot, [&](std::size_t) { return found.line_set; },
+        [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
+        [&](std::size_t c) { return hash_numbers(id, found.definition + 1, chains.anchor[c]); },
+        [&](Index i) { return chains.point[i]; }, paths);
+    if (slot.of_view && line_definitions()[found.definition]->on_smooth_surface)
+        std::fill_n(paths.of_view.begin() + slot.path, chains.rows.count(), ends_at_cusps);
+    parallel_for(chains.point.size(), [&](std::size_t i) {
+        const std::size_t n = slot.point + i;
+        paths.place[n] = placement ? placement->surface->place_of_triangle(chains.triangle[i]) : none;
+        paths.edge_t[n] = 0.0f;
+        paths.kinds[n] = Kinds(1) << found.definition;
+        paths.strength[n] = chains.strength[i];
+        paths.other_facet[n] = found.other == none
+                                   ? none
+                                   : scene.facet_base[found.other] +
+                                         scene.placements[found.other].surface->triangle_facet[chains.other[i]];
+    });
+}
+
+void resize(Paths& paths, Index path_count, Index point_count) {
+    paths.rows.offsets.resize(path_count + 1);
+    paths.rows.offsets[path_count] = point_count;
+    resize_columns(paths, Paths::path_columns, path_count);
+    resize_columns(paths, Paths::point_columns, point_count);
+}
+
+}  // namespace
+
+Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
+                    const Cancel& cancel, const OwnLines& own) {
+    check(sets.size() < 255, "a style holds at most 254 line sets");
+    Paths paths;
+    if (sets.empty()) return paths;
+    tracer.check_current();
+    check_filters(scene.placements.size(), sets, own);
+    const bool view_dependent = any_of_scope(sets, Scope::view);
+    std::vector<Index> drawn;
+    for (Index i = 0; i < scene.placements.size(); ++i)
+        if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin))
+            drawn.push_back(i);
+
+    std::vector<PlacementPaths> found(drawn.size());
+    std::vector<std::vector<PlacedSet>> placed_sets(scene.placements.size());
+    parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+        cancel.poll();
+        const Placement& placed = scene.placements[drawn[i]];
+        const auto surface = as_placed(placed.surface, placed.object_to_world);
+        const std::vector<PlacedSet>& mine = placed_sets[drawn[i]] = sets_of(drawn[i], sets, own);
+        const std::uint64_t asked = hash_numbers(hash_sets(mine), hash_of(surface->field_options()));
+        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), mine, asked, view_dependent);
+    });
+
+    const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
+    const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, placed_sets, cancel);
+
+    struct CurveSlot {
+        const FoundCurves* found;
+        Slot slot;
+    };
+    std::vector<std::pair<Slot, Slot>> slots(drawn.size());
+    std::vector<CurveSlot> curve_slots;
+    Index path = 0, point = 0;
+    const auto add_curves = [&](Index placement, const FoundCurves& curves, bool of_view) {
+        curve_slots.push_back({&curves, {placement, path, point, of_view}});
+        path += curves.chains->rows.count();
+        point += static_cast<Index>(curves.chains->point.size());
+    };
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (const EdgePaths* edges = found[i].edges.get()) {
+            slots[i].first = {drawn[i], path, point, false};
+            path += edges->kept->rows.count();
+            point += static_cast<Index>(edges->kept->vertex.size());
+            slots[i].second = {drawn[i], path, point, true};
+            path += edges->seen.rows.count();
+            point += static_cast<Index>(edges->seen.vertex.size());
+        }
+        for (const FoundCurves& c : found[i].kept_curves->found) add_curves(drawn[i], c, false);
+        for (const FoundCurves& c : found[i].seen_curves) add_curves(drawn[i], c, true);
+    }
+    for (const FoundCurves& c : in_image) add_curves(none, c, true);
+    for (const auto& [placement, curves] : of_scene) add_curves(placement, curves, false);
+    resize(paths, path, point);
+    parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+        const EdgePaths* edges = found[i].edges.get();
+        if (!edges) return;
+        write_chains(scene, *edges->kept, edges->kept_kinds, edges->kept_free, slots[i].first, paths);
+        write_chains(scene, edges->seen, edges->seen_kinds, edges->seen_free, slots[i].second, paths);
+    });
+    parallel_blocks(curve_slots.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+        write_curves(scene, *curve_slots[i].found, curve_slots[i].slot, paths);
+    });
+    return paths;
+}
+
+}  // namespace fovea

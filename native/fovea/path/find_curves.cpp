@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/path/find_curves.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include <fovea/base/parallel.h>
+#include <fovea/path/curves_of.h>
+#include <fovea/path/doubles.h>
+#include <fovea/path/hysteresis.h>
+
+namespace fovea {
+namespace {
+
+void to_object(const dmat3& stretch, Array<vec3>& points) {
+    const dmat3 inverse = glm::inverse(stretch);
+    parallel_for(points.size(), [&](std::size_t i) { points[i] = vec3(inverse * dvec3(points[i])); });
+}
+
+/// A definition across triangles with its values: found once, whoever has its lines.
+struct Job {
+    const LineDefinition* definition;
+    Values values;
+};
+
+/// Which of a job's lines a line set has; in the order of the sets. A silhouette of mesh edges stands for the smooth
+/// one, which is found for nobody then.
+struct Share {
+    std::size_t job;
+    Index line_set, number;  // of the definition; none: for nobody
+    bool everywhere;         // whatever the materials
+};
+
+struct Plan {
+    std::vector<Job> jobs;
+    std::vector<Share> shares;
+
+    std::size_t job(const LineDefinition* definition, const Values& values) {
+        const auto same = [&](const Job& job) { return job.definition == definition && job.values == values; };
+        const auto found = std::find_if(jobs.begin(), jobs.end(), same);
+        const auto place = static_cast<std::size_t>(found - jobs.begin());
+        if (found == jobs.end()) jobs.push_back({definition, values});
+        return place;
+    }
+};
+
+/// Whether a set before number `s` has the lines of a definition, on faces of a material or on all.
+template <typename Has>
+bool is_taken(const std::vector<PlacedSet>& sets, std::size_t s, Index definition, const Has& has) {
+    return std::any_of(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(s),
+                       [&](const PlacedSet& set) { return set.has(definition) && has(set); });
+}
+
+Plan plan_of(const std::vector<PlacedSet>& sets, bool of_surface) {
+    Plan plan;
+    const Kinds asked = asked_of(sets);
+    for (Index s = 0; s < sets.size(); ++s)
+        for (const LineKind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const bool all = sets[s].materials.empty();
+            if (!of_surface && definition.name == std::string_view("silhouette") && (asked & smooth_contours())) {
+                const LineDefinition* smooth = line_definitions()[definition_index("smooth_silhouette")];
+                plan.shares.push_back({plan.job(smooth, {}), s, none, all});
+            }
+            if (!definition.find || (definition.scope == Scope::surface) != of_surface) continue;
+            if (is_taken(sets, s, kind.definition, [](const PlacedSet& set) { return set.materials.empty(); }))
+                continue;
+            const bool some = is_taken(sets, s, kind.definition, [](const PlacedSet&) { return true; });
+            plan.shares.push_back({plan.job(&definition, kind.values), s, kind.definition, all && !some});
+        }
+    return plan;
+}
+
+/// What a share has of the lines that were found.
+CurveChains part_of(const CurveChains& chains, const Share& share, const std::vector<PlacedSet>& sets,
+                    const Surface& surface) {
+    if (share.everywhere) return chains;
+    return without_triangles(chains, triangles_without(surface, [&](int material) {
+                                 const auto has = [&](const PlacedSet& set) { return set.has_material(material); };
+                                 return has(sets[share.line_set]) && !is_taken(sets, share.line_set, share.number, has);
+                             }));
+}
+
+}  // namespace
+
+std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<PlacedSet>& sets, bool of_surface,
+                                     In<std::uint8_t> near, In<std::uint8_t> hard) {
+    const Plan plan = plan_of(sets, of_surface);
+    std::vector<CurveChains> chains(plan.jobs.size());
+    const auto find = [&](std::size_t i) {
+        const LineDefinition& definition = *plan.jobs[i].definition;
+        chains[i] = curves_of(definition, seen, plan.jobs[i].values, near);
+        if (definition.on_smooth_surface && !hard.empty())
+            chains[i] = without_doubles(chains[i], seen.surface, hard, 1);
+    };
+    // What is kept with the surface is found under the lock of its cache, which all definitions ask: one by one then.
+    if (of_surface)
+        for (std::size_t i = 0; i < chains.size(); ++i) find(i);
+    else
+        parallel_for(chains.size(), find, 1);
+    std::vector<FoundCurves> found;
+    Claims claims(seen.surface);
+    for (const Share& share : plan.shares) {
+        const LineDefinition& definition = *plan.jobs[share.job].definition;
+        CurveChains part = part_of(chains[share.job], share, sets, seen.surface);
+        if (definition.on_smooth_surface) part = claims.claim(definition, std::move(part));
+        if (share.number == none) continue;
+        if (seen.surface.source()) to_object(seen.surface.stretch(), part.point);
+        found.push_back({static_cast<std::uint8_t>(share.line_set), share.number,
+                         std::make_shared<const CurveChains>(std::move(part))});
+    }
+    return found;
+}
+
+std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,
+                                              const Cancel& cancel) {
+    std::vector<FoundCurves> found;
+    Cache shared;
+    Kinds done = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        for (const LineKind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const Kinds bit = Kinds(1) << kind.definition;
+            if (!definition.find_in_image || !sets[s].is_for_all() || (done & bit)) continue;
+            done |= bit;
+            const FrameView frame{tracer, cancel, shared};
+            CurveChains chains = chain_curves(definition.find_in_image(frame, kind.values));
+            found.push_back({static_cast<std::uint8_t>(s), kind.definition,
+                             std::make_shared<const CurveChains>(std::move(chains))});
+        }
+    return found;
+}
+
+}  // namespace fovea

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines across triangles that line sets ask for.
+#pragma once
+
+#include <fovea/base/check.h>
+#include <fovea/path/chain_curves.h>
+#include <fovea/path/placed_set.h>
+
+namespace fovea {
+
+/// Curves across triangles that one definition finds for one line set.
+struct FoundCurves {
+    std::uint8_t line_set;
+    Index definition;
+    std::shared_ptr<const CurveChains> chains;
+    Index other = none;  // the second placement on which they lie
+};
+
+/// Of one placement's surface: of definitions that hold for all views, or those that do not. `near`, `hard`: of
+/// doubles.h, or empty. On every triangle a definition goes to the first line set that has it there.
+std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<PlacedSet>& sets, bool of_surface,
+                                     In<std::uint8_t> near = {}, In<std::uint8_t> hard = {});
+
+/// Of the whole scene, each with the placement that it is reported of. Such a line lies on faces of two placements: it
+/// is for a set that one of them is for, and both must show its definition. `placed`: per placement; empty if not
+/// drawn.
+std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& scene, In<Index> drawn,
+                                                                const std::vector<LineSet>& sets, const OwnLines& own,
+                                                                const std::vector<std::vector<PlacedSet>>& placed,
+                                                                const Cancel& cancel);
+
+/// Of the frame, in view space. They are of no placement: sets that are for some lines only have none.
+std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,
+                                              const Cancel& cancel);
+
+}  // namespace fovea

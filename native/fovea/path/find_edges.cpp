@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/path/find_edges.h>
+
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+
+#include <fovea/base/hash.h>
+#include <fovea/base/parallel.h>
+#include <fovea/path/doubles.h>
+#include <fovea/path/paths.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::uint8_t unlabelled = 255;
+
+/// Static kinds of a surface for one style: per line set and edge, and the edges that have any.
+struct StaticLines {
+    std::vector<Array<Kinds>> kinds;
+    Array<Index> edges;
+};
+
+void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
+    for (const LineKind& kind : set.kinds) {
+        const LineDefinition& definition = *line_definitions()[kind.definition];
+        if (definition.trace && (definition.scope == Scope::surface) == of_surface)
+            definition.trace(seen, kind.values, Kinds(1) << kind.definition, kinds);
+    }
+    if (set.materials.empty()) return;
+    const auto wanted = [&](int material) { return set.has_material(material); };
+    parallel_for(kinds.size(), [&](std::size_t e) {
+        if (kinds[e] && !any_beside(seen.surface, static_cast<Index>(e), wanted)) kinds[e] = 0;
+    });
+}
+
+/// Per edge: contours of mesh edges for which a smooth one stands on a face beside it.
+Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSet>& sets) {
+    Array<Kinds> doubled(surface.edges.size(), doubled_edges(asked_of(sets)));
+    if (!any_by_material(sets)) return doubled;
+    std::fill(doubled.begin(), doubled.end(), Kinds(0));
+    for (const PlacedSet& set : sets)
+        if (const Kinds of_set = doubled_edges(asked_of(set)))
+            parallel_for(doubled.size(), [&](std::size_t e) {
+                const auto has = [&](int material) { return set.has_material(material); };
+                if (any_beside(surface, static_cast<Index>(e), has)) doubled[e] |= of_set;
+            });
+    return doubled;
+}
+
+StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& sets) {
+    StaticLines lines;
+    const SurfaceView seen{.surface = surface};
+    Array<std::uint8_t> any(surface.edges.size(), 0);
+    for (const PlacedSet& set : sets) {
+        Array<Kinds>& kinds = lines.kinds.emplace_back(surface.edges.size(), Kinds(0));
+        trace_kinds(set, seen, true, kinds);
+        parallel_for(kinds.size(), [&](std::size_t e) { any[e] |= kinds[e] != 0; });
+    }
+    for (Index e = 0; e < any.size(); ++e)
+        if (any[e]) lines.edges.push_back(e);
+    return lines;
+}
+
+/// Asked of the surface as it is, like everywhere else: a stretch changes nothing of it but the last digits.
+void find_facing(SurfaceView& seen) {
+    const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
+    const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
+    seen.facing.resize(surface.facet_count());
+    parallel_for(seen.facing.size(), [&](std::size_t f) {
+        const dvec4 plane(surface.facet_plane[f]);
+        seen.facing[f] = glm::dot(dvec3(plane), eye) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
+    });
+}
+
+/// Per edge: the first line set that finds it. Edges of `kept` come first, in their order; the others follow.
+struct Labelled {
+    Array<std::uint8_t> kept_labels, seen_labels;
+    Array<Index> seen_edges;
+    Array<Kinds> kinds;  // per edge, as found by the set that has it
+};
+
+Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& kinds) {
+    Labelled labelled;
+    const std::size_t edges = kinds[0].size();
+    Array<std::uint8_t> label(edges, unlabelled);
+    labelled.kinds.assign(edges, 0);
+    parallel_for(edges, [&](std::size_t e) {
+        for (std::size_t s = kinds.size(); s-- > 0;)
+            if (kinds[s][e]) {
+                label[e] = static_cast<std::uint8_t>(s);
+                labelled.kinds[e] = kinds[s][e];
+            }
+    });
+    labelled.kept_labels.resize(lines.edges.size());
+    parallel_for(lines.edges.size(), [&](std::size_t i) { labelled.kept_labels[i] = label[lines.edges[i]]; });
+    std::size_t next = 0;
+    for (Index e = 0; e < edges; ++e) {
+        if (next < lines.edges.size() && lines.edges[next] == e) {
+            ++next;
+        } else if (label[e] != unlabelled) {
+            labelled.seen_edges.push_back(e);
+            labelled.seen_labels.push_back(label[e]);
+        }
+    }
+    return labelled;
+}
+
+Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
+    Array<Kinds> kinds(chains.edge.size());
+    parallel_for(kinds.size(), [&](std::size_t i) { kinds[i] = edge_kinds[chains.edge[i]]; });
+    return kinds;
+}
+
+/// How many lines meet at each vertex, up to 2.
+Array<std::uint8_t> lines_at_vertices(const Surface& surface, In<Index> kept, In<Index> seen) {
+    Array<std::uint8_t> count(surface.vertex_count(), 0);
+    for (const In<Index> edges : {kept, seen})
+        for (Index e : edges)
+            for (Index v : {surface.edges[e].x, surface.edges[e].y}) count[v] = std::min(count[v] + 1, 2);
+    return count;
+}
+
+Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& lines_at) {
+    Array<std::uint8_t> free(chains.rows.count());
+    parallel_for(free.size(), [&](std::size_t c) {
+        const Index first = chains.vertex[chains.rows.begin(c)], last = chains.vertex[chains.rows.end(c) - 1];
+        free[c] = (lines_at[first] < 2 ? free_start : 0) | (lines_at[last] < 2 ? free_end : 0);
+    });
+    return free;
+}
+
+}  // namespace
+
+Kinds doubled_edges(Kinds asked) {
+    const auto bit = [](const char* name) { return Kinds(1) << definition_index(name); };
+    Kinds doubled = 0;
+    if (asked & bit("smooth_contour")) doubled |= bit("contour");
+    if (asked & bit("smooth_silhouette")) doubled |= bit("silhouette");
+    return doubled;
+}
+
+std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
+                                                     std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near) {
+    const Surface& surface = seen.surface;
+    // Contours of a mesh fold back on themselves where they end on a smooth surface: one path through all folds, so
+    // that what is seen of them can be told from a line.
+    std::vector<double> corner_angles, never(sets.size(), glm::pi<double>());
+    for (const PlacedSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
+    const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
+    std::vector<Array<Kinds>> kinds = lines->kinds;
+    Array<std::uint8_t> hard;
+    if (of_view) {
+        find_facing(seen);
+        const Kinds doubled = doubled_edges(asked_of(sets));
+        const Array<Kinds> doubled_at = doubled ? doubled_at_edges(surface, sets) : Array<Kinds>();
+        Array<Kinds> all(doubled_at.size(), 0);
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            trace_kinds(sets[s], seen, false, kinds[s]);
+            if (doubled) drop_doubled_edges(surface, near, doubled_at, kinds[s]);
+            parallel_for(all.size(), [&](std::size_t e) { all[e] |= kinds[s][e]; });
+        }
+        if (doubled) hard = at_hard_edges(surface, doubled, all);
+    }
+    const Labelled labelled = label_edges(*lines, kinds);
+    // With one line set the labels never change, so its static chains are made once.
+    const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
+    EdgePaths paths;
+    paths.kept = surface.cache().get<Chains>(
+        chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
+    paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, never);
+    paths.kept_kinds = kinds_of(*paths.kept, labelled.kinds);
+    paths.seen_kinds = kinds_of(paths.seen, labelled.kinds);
+    const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
+    paths.kept_free = free_ends(*paths.kept, lines_at);
+    paths.seen_free = free_ends(paths.seen, lines_at);
+    return {paths, hard};
+}
+
+}  // namespace fovea

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of the whole scene: each lies on faces of two placements.
+#include <algorithm>
+
+#include <fovea/base/hash.h>
+#include <fovea/path/find_curves.h>
+
+namespace fovea {
+namespace {
+
+/// Two placements' line sets, and what lies on both.
+struct Shared {
+    const SceneCurves& part;
+    const Surface &first, &second;
+    const std::vector<PlacedSet>&first_sets, &second_sets;
+
+    /// Whether a set has a definition's lines, wherever they are.
+    bool all(std::size_t s, Index definition) const {
+        const PlacedSet &a = first_sets[s], &b = second_sets[s];
+        return (a.has(definition) && a.materials.empty()) || (b.has(definition) && b.materials.empty());
+    }
+    bool any(std::size_t s, Index definition) const {
+        return first_sets[s].has(definition) || second_sets[s].has(definition);
+    }
+    bool has(std::size_t s, Index definition, const CurvePiece& piece) const {
+        const PlacedSet &a = first_sets[s], &b = second_sets[s];
+        return (a.has(definition) && a.has_material(material_of_triangle(first, piece.triangle))) ||
+               (b.has(definition) && b.has_material(material_of_triangle(second, piece.other)));
+    }
+};
+
+std::shared_ptr<const CurveChains> chain_kept(const KeptCurves& curves, In<std::uint8_t> kept) {
+    return curves.derived.get<CurveChains>(kept.empty() ? 0 : hash_of(kept), [&] {
+        if (kept.empty()) return chain_curves(curves.pieces);
+        Curves pieces;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            if (kept[i]) pieces.push_back(curves.pieces[i]);
+        return chain_curves(pieces);
+    });
+}
+
+/// What set number `s` has and none before it; null: nothing.
+std::shared_ptr<const CurveChains> of_set(const Shared& shared, std::size_t s, Index definition) {
+    const Curves& pieces = shared.part.curves->pieces;
+    bool shares = !shared.all(s, definition);
+    for (std::size_t before = 0; before < s; ++before) {
+        if (shared.all(before, definition)) return nullptr;
+        shares = shares || shared.any(before, definition);
+    }
+    if (!shares) return chain_kept(*shared.part.curves, {});
+    Array<std::uint8_t> kept(pieces.size());
+    parallel_for(pieces.size(), [&](std::size_t i) {
+        kept[i] = shared.has(s, definition, pieces[i]);
+        for (std::size_t before = 0; before < s && kept[i]; ++before)
+            kept[i] = !shared.has(before, definition, pieces[i]);
+    });
+    const bool none_kept = std::all_of(kept.begin(), kept.end(), [](std::uint8_t k) { return !k; });
+    return none_kept ? nullptr : chain_kept(*shared.part.curves, kept);
+}
+
+}  // namespace
+
+std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& scene, In<Index> drawn,
+                                                                const std::vector<LineSet>& sets, const OwnLines& own,
+                                                                const std::vector<std::vector<PlacedSet>>& placed,
+                                                                const Cancel& cancel) {
+    std::vector<std::pair<Index, FoundCurves>> found;
+    Kinds done = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        for (const LineKind& kind : sets[s].kinds) {
+            const LineDefinition& definition = *line_definitions()[kind.definition];
+            const Kinds bit = Kinds(1) << kind.definition;
+            if (!definition.find_in_scene || (done & bit)) continue;
+            if (sets[s].is_for_all()) done |= bit;
+            for (const SceneCurves& part : definition.find_in_scene(scene, drawn, kind.values, cancel)) {
+                if (part.curves->pieces.empty()) continue;
+                if (!own.shows(part.placement, kind.definition) || !own.shows(part.other, kind.definition)) continue;
+                const Surface& first = *scene.placements[part.placement].surface;
+                const Surface& second = *scene.placements[part.other].surface;
+                const Shared shared{part, first, second, placed[part.placement], placed[part.other]};
+                const auto chains = of_set(shared, s, kind.definition);
+                if (!chains) continue;
+                const FoundCurves curves{static_cast<std::uint8_t>(s), kind.definition, chains, part.other};
+                found.push_back({part.placement, curves});
+            }
+        }
+    return found;
+}
+
+}  // namespace fovea

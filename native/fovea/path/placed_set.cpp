@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/path/placed_set.h>
+
+#include <cmath>
+
+#include <fovea/base/check.h>
+
+namespace fovea {
+namespace {
+
+void check_materials(const MaterialFilter& filter, std::size_t placements) {
+    if (filter.row.empty()) return;
+    check(filter.row.size() == placements, "a filter of materials must name a mask for each placement");
+    for (Index row : filter.row)
+        check(row < filter.masks.size(), "a filter of materials names a mask that is not there");
+}
+
+/// What both filters let through of a placement's materials; empty where that is all.
+std::vector<std::uint8_t> both(const MaterialFilter& a, const MaterialFilter& b, Index placement) {
+    std::vector<std::uint8_t> mask;
+    for (const MaterialFilter* filter : {&a, &b}) {
+        if (filter->row.empty()) continue;
+        const std::vector<std::uint8_t>& other = filter->masks[filter->row[placement]];
+        mask.resize(std::max(mask.size(), other.size()), 1);
+        for (std::size_t i = 0; i < other.size(); ++i) mask[i] = mask[i] && other[i];
+    }
+    const bool all = std::all_of(mask.begin(), mask.end(), [](std::uint8_t has) { return has; });
+    return all ? std::vector<std::uint8_t>() : mask;
+}
+
+}  // namespace
+
+void check_filters(std::size_t placements, const std::vector<LineSet>& sets, const OwnLines& own) {
+    for (const LineSet& set : sets) {
+        check(set.placements.empty() || set.placements.size() == placements,
+              "a line set must say of each placement whether its lines are for it");
+        check_materials(set.materials, placements);
+    }
+    check(own.kinds.empty() || own.kinds.size() == placements, "own lines must say what each placement shows");
+    for (const OwnLines::Parameter& parameter : own.parameters)
+        check(parameter.values.size() == placements, "own parameters must have a value for each placement");
+    check_materials(own.materials, placements);
+}
+
+std::vector<PlacedSet> sets_of(Index placement, const std::vector<LineSet>& sets, const OwnLines& own) {
+    std::vector<PlacedSet> placed;
+    for (const LineSet& set : sets) {
+        PlacedSet& mine = placed.emplace_back(PlacedSet{{}, set.corner_angle_rad});
+        if (!set.placements.empty() && !set.placements[placement]) continue;
+        mine.materials = both(set.materials, own.materials, placement);
+        for (const LineKind& kind : set.kinds)
+            if (own.shows(placement, kind.definition)) mine.kinds.push_back(kind);
+        for (const OwnLines::Parameter& parameter : own.parameters)
+            for (LineKind& kind : mine.kinds)
+                if (kind.definition == parameter.definition && !std::isnan(parameter.values[placement]))
+                    kind.values[parameter.parameter] = parameter.values[placement];
+    }
+    return placed;
+}
+
+Kinds asked_of(const PlacedSet& set) {
+    Kinds asked = 0;
+    for (const LineKind& kind : set.kinds) asked |= Kinds(1) << kind.definition;
+    return asked;
+}
+
+Kinds asked_of(const std::vector<PlacedSet>& sets) {
+    Kinds asked = 0;
+    for (const PlacedSet& set : sets) asked |= asked_of(set);
+    return asked;
+}
+
+bool any_by_material(const std::vector<PlacedSet>& sets) {
+    return std::any_of(sets.begin(), sets.end(), [](const PlacedSet& set) { return !set.materials.empty(); });
+}
+
+}  // namespace fovea

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
+#pragma once
+
+#include <fovea/base/columns.h>
+
+namespace fovea {
+
+/// The depth of lines that nothing hides: nearer than any surface, however steep it is.
+inline constexpr float before_all = 1e30f;
+
+/// How a piece begins and ends: with an end of its path, at the seam of a closed path, or, with no bit set, cut by the
+/// frame.
+enum PieceEnds : std::uint8_t { path_start = 1, path_end = 2, seam_start = 4, seam_end = 8 };
+
+/// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves
+/// and comes back gives several), a polyline of points; segment i runs from point i to point i + 1 of a piece.
+/// The last point of every piece starts no segment: its sample_count is 0.
+struct ClippedPaths {
+    /// Pieces: points pieces.begin(q) .. pieces.end(q).
+    Rows pieces;
+    Array<Index> path;
+    Array<std::uint8_t> closed, free_ends, ends;
+    Array<double> path_length_px;
+    Array<vec2> px;
+    Array<float> depth;
+    Array<vec3> position_view;
+    Array<double> arc_px;
+    Array<Index> source;
+    Array<float> source_t;
+    Array<Index> facet0, facet1;
+    Array<Index> sample_start, sample_count;
+
+    static constexpr std::tuple piece_columns{
+        Column{"path", &ClippedPaths::path, "(Q,) uint32 path it comes from"},
+        Column{"closed", &ClippedPaths::closed,
+               "(Q,) uint8: 1 where a whole closed path lies inside the frame (first and last point coincide)"},
+        Column{"free_ends", &ClippedPaths::free_ends,
+               "(Q,) uint8: 1 where it starts, 2 where it ends with an end of the path that touches no other line: "
+               "there pens taper"},
+        Column{
+            "path_length_px", &ClippedPaths::path_length_px,
+            "(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies "
+            "behind the near plane, which has no pixels, does not count"},
+        Column{"ends", &ClippedPaths::ends,
+               "(Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the "
+               "frame cuts it"}};
+    static constexpr std::tuple point_columns{
+        Column{"px", &ClippedPaths::px, "(M, 2) float32 pixels"},
+        Column{"depth", &ClippedPaths::depth,
+               "(M,) float32, reversed and screen-linear (base/view.h); before_all where nothing hides the path"},
+        Column{"position_view", &ClippedPaths::position_view, "(M, 3) float32 view space"},
+        Column{"arc_px", &ClippedPaths::arc_px,
+               "(M,) float64 arc length in pixels along the whole path, 0 at its middle, independent of clipping"},
+        Column{"source", &ClippedPaths::source, "(M,) uint32 point of Paths"},
+        Column{"source_t", &ClippedPaths::source_t, "(M,) float32 fraction towards the next point"},
+        Column{"facet0", &ClippedPaths::facet0,
+               "(M,) uint32: with facet1 the facets at the mesh edge of the segment from this point, numbered over the "
+               "whole scene, which visibility ignores; 0xffffffff: none"},
+        Column{"facet1", &ClippedPaths::facet1, "(M,) uint32: see facet0"},
+        Column{
+            "sample_start", &ClippedPaths::sample_start,
+            "(M,) uint32: the segment from this point has the samples sample_start .. sample_start + sample_count of "
+            "the atlas; sample j lies at its screen fraction (j + 0.5) / sample_count"},
+        Column{"sample_count", &ClippedPaths::sample_count, "(M,) uint32, 0 at the end of a piece"}};
+
+    /// Samples in the atlas.
+    Index samples = 0;
+    /// Whether screen fractions of a segment are also fractions of it in space.
+    bool orthographic = false;
+};
+
+}  // namespace fovea

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/project/project.h>
+
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/project/clip.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t paths_per_block = 512;
+constexpr const char* too_many_samples = "the drawing has more than four billion samples; raise the sample step";
+/// Coordinates beyond it are nobody's scene, and Embree drops them.
+constexpr double farthest = 1e18;
+/// Finer steps would only fill memory.
+constexpr double least_sample_step_px = 1e-3;
+
+/// One path, projected, before clipping.
+struct Projected {
+    std::vector<dvec3> view;
+    std::vector<dvec4> clip;
+    std::vector<dvec2> px;              // of points in front of the near plane
+    std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it lies beyond
+    std::uint8_t outside_all = 0, outside_any = 0;
+    std::vector<ClipRange> near_range;  // per segment: the part in front of the near plane
+    std::vector<double> length;         // per segment, in space
+    std::vector<double> arc_px;         // per point: pixels of path in front of the near plane before it
+    double middle_px = 0.0;
+};
+
+/// A point of a piece: a place on a segment of its path, and the pixels of path before it.
+struct Stop {
+    Index segment;
+    double t;
+    double arc;
+};
+
+/// Projects paths one after the other into its own ClippedPaths.
+class Projector {
+   public:
+    Projector(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options)
+        : paths_(paths), scene_(scene), view_(view), options_(options) {}
+
+    /// Room for so many pieces and points, so that arrays do not grow step by step.
+    void reserve(std::size_t pieces, std::size_t points) {
+        reserve_columns(out, ClippedPaths::piece_columns, pieces);
+        reserve_columns(out, ClippedPaths::point_columns, points);
+        out.pieces.offsets.reserve(pieces);
+    }
+
+    void add(Index path) {
+        const Index begin = paths_.rows.begin(path), end = paths_.rows.end(path);
+        if (end - begin < 2) return;
+        transform(path, begin, end);
+        if (!reachable() || p_.outside_all) return;
+        measure();
+        if (is_speck(path) || is_sliver(path)) return;
+        clip(path, begin, end);
+    }
+
+    ClippedPaths out;
+
+   private:
+    void transform(Index path, Index begin, Index end) {
+        const Index placement = paths_.placement[path];
+        if (placement != placement_) {
+            const bool in_image = placement == none;
+            check(in_image || placement < scene_.placements.size(), "project: the paths are not of this scene");
+            placement_ = placement;
+            object_to_view_ =
+                in_image ? dmat4(1.0) : view_.world_to_view * scene_.placements[placement].object_to_world;
+            object_to_clip_ = view_.view_to_clip * object_to_view_;
+        }
+        const std::size_t count = end - begin;
+        p_.view.resize(count);
+        p_.clip.resize(count);
+        p_.px.resize(count);
+        p_.outside.resize(count);
+        p_.outside_all = 0xff;
+        p_.outside_any = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const dvec4 point(dvec3(paths_.points_obj[begin + i]), 1.0);
+            p_.view[i] = dvec3(object_to_view_ * point);
+            p_.clip[i] = object_to_clip_ * point;
+            p_.outside[i] = beyond(p_.view[i], p_.clip[i]);
+            p_.outside_all &= p_.outside[i];
+            p_.outside_any |= p_.outside[i];
+            if (!(p_.outside[i] & 1)) p_.px[i] = to_pixels(view_, p_.clip[i]);
+        }
+    }
+
+    /// A bit per clip plane.
+    std::uint8_t beyond(const dvec3& position, const dvec4& clip) const {
+        int bits = 0;
+        for (int plane = 0; plane < clip_planes; ++plane)
+            bits |= (plane_distance(plane, position, clip, view_, options_.margin) < 0.0) << plane;
+        return static_cast<std::uint8_t>(bits);
+    }
+
+    /// False where a placement puts the path nowhere, or farther than rays reach.
+    bool reachable() const {
+        return std::all_of(p_.view.begin(), p_.view.end(), [](const dvec3& p) {
+            return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
+        });
+    }
+
+    /// A short path that leads nowhere; what fades away at its ends does not make it longer.
+    bool is_speck(Index path) const {
+        const std::size_t set = paths_.line_set[path];
+        return set < options_.least_length_px.size() && paths_.free_ends[path] != 0 &&
+               drawn_px(path) < options_.least_length_px[set];
+    }
+
+    /// Pixels of a path that are strong enough to be seen.
+    double drawn_px(Index path) const {
+        constexpr float faint = 0.1f;
+        double length = 0.0;
+        for (Index i = paths_.rows.begin(path), k = 0; i + 1 < paths_.rows.end(path); ++i, ++k)
+            if (paths_.strength[i] + paths_.strength[i + 1] >= 2.0f * faint) length += p_.arc_px[k + 1] - p_.arc_px[k];
+        return length;
+    }
+
+    /// A short contour around nothing: noise of the mesh where a smooth surface is seen at a grazing angle.
+    bool is_sliver(Index path) const {
+        constexpr double roundness = 0.02;  // area / perimeter^2; a circle has 0.08
+        const std::size_t set = paths_.line_set[path];
+        const double perimeter = p_.arc_px.back();
+        if (set >= options_.least_length_px.size() || !paths_.of_view[path] || !paths_.closed[path] ||
+            perimeter > 2.0 * options_.least_length_px[set])
+            return false;
+        double area = 0.0;
+        for (std::size_t i = 0; i + 1 < p_.clip.size(); ++i) {
+            const dvec2 a = pixels_at(i, 0.0), b = pixels_at(i, 1.0);
+            area += 0.5 * (a.x * b.y - a.y * b.x);
+        }
+        return std::abs(area) < roundness * perimeter * perimeter;
+    }
+
+    /// Arc length in pixels of what lies in front of the near plane, and where the path's middle (in space) falls.
+    void measure() {
+        const std::size_t segments = p_.clip.size() - 1;
+        p_.near_range.resize(segments);
+        p_.arc_px.resize(segments + 1);
+        p_.length.resize(segments);
+        double total_space = 0.0;
+        for (std::size_t i = 0; i < segments; ++i)
+            total_space += p_.length[i] = glm::length(p_.view[i + 1] - p_.view[i]);
+        double space = 0.0, px = 0.0;
+        bool middle_found = false;
+        for (std::size_t i = 0; i < segments; ++i) {
+            p_.arc_px[i] = px;
+            ClipRange range;
+            if (p_.outside_any & 1) range = clip_near(p_.view[i], p_.view[i + 1], view_);
+            p_.near_range[i] = range;
+            const double length = p_.length[i];
+            const double to_middle = 0.5 * total_space - space;
+            if (!middle_found && (to_middle <= length || i + 1 == segments)) {
+                const double t = length > 0.0 ? std::min(1.0, to_middle / length) : 0.0;
+                p_.middle_px = px + (range.begin < range.end && t > range.begin
+                                         ? pixel_length(i, range.begin, std::min(t, range.end))
+                                         : 0.0);
+                middle_found = true;
+            }
+            if (range.begin < range.end) px += pixel_length(i, range.begin, range.end);
+            space += length;
+        }
+        p_.arc_px[segments] = px;
+    }
+
+    dvec2 pixels_at(std::size_t segment, double t) const {
+        if (t == 0.0 && !(p_.outside[segment] & 1)) return p_.px[segment];
+        if (t == 1.0 && !(p_.outside[segment + 1] & 1)) return p_.px[segment + 1];
+        return to_pixels(view_, glm::mix(p_.clip[segment], p_.clip[segment + 1], t));
+    }
+    double pixel_length(std::size_t segment, double t0, double t1) const {
+        return glm::length(pixels_at(segment, t1) - pixels_at(segment, t0));
+    }
+
+    /// Pixels of path before a place in front of the near plane.
+    double arc_at(std::size_t segment, double t) const {
+        const ClipRange& range = p_.near_range[segment];
+        if (t <= range.begin) return p_.arc_px[segment];
+        if (t >= range.end) return p_.arc_px[segment + 1];
+        return p_.arc_px[segment] + pixel_length(segment, range.begin, t);
+    }
+
+    void clip(Index path, Index begin, Index end) {
+        const Index segments = end - begin - 1;
+        bool whole = true;
+        const std::size_t first_piece = out.path.size();
+        stops_.clear();
+        for (Index i = 0; i < segments; ++i) {
+            ClipRange range;
+            if (p_.outside[i] | p_.outside[i + 1])
+                range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
+            const bool visible = range.begin < range.end;
+            whole = whole && range.begin == 0.0 && range.end == 1.0;
+            if (!visible || range.begin > 0.0) finish_piece(path, begin);
+            if (!visible) continue;
+            if (stops_.empty()) stops_.push_back({i, range.begin, arc_at(i, range.begin)});
+            stops_.push_back({i, range.end, arc_at(i, range.end)});
+            if (range.end < 1.0) finish_piece(path, begin);
+        }
+        finish_piece(path, begin);
+        if (out.path.size() == first_piece) return;
+        if (whole && paths_.closed[path] && out.path.size() == first_piece + 1) out.closed.back() = 1;
+        mark_ends(path, begin, end, first_piece);
+    }
+
+    /// Writes the piece through the stops, if there is one.
+    void finish_piece(Index path, Index begin) {
+        if (stops_.empty()) return;
+        const std::size_t count = stops_.size(), first = out.px.size();
+        resize_columns(out, ClippedPaths::point_columns, first + count);
+        std::uint64_t total = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            write_point(first + k, begin, stops_[k]);
+            if (k + 1 < count)
+                write_segment(first + k, path, begin + stops_[k + 1].segment, stops_[k + 1].arc - stops_[k].arc);
+            total += out.sample_count[first + k];
+        }
+        check(out.samples + total < none, too_many_samples);
+        stops_.clear();
+        if (total == 0 || (count == 2 && total == 1)) {
+            resize_columns(out, ClippedPaths::point_columns, first);
+            return;
+        }
+        for (std::size_t i = first; i < first + count; ++i) {
+            out.sample_start[i] = out.samples;
+            out.samples += out.sample_count[i];
+        }
+        append_zeros(out, ClippedPaths::piece_columns);
+        out.path.back() = path;
+        out.path_length_px.back() = p_.arc_px.back();
+        out.pieces.offsets.push_back(static_cast<Index>(first + count));
+    }
+
+    void write_point(std::size_t at, Index begin, const Stop& stop) {
+        const auto [segment, t, arc] = stop;
+        const dvec3 position = t == 0.0   ? p_.view[segment]
+                               : t == 1.0 ? p_.view[segment + 1]
+                                          : glm::mix(p_.view[segment], p_.view[segment + 1], t);
+        out.px[at] = vec2(pixels_at(segment, t));
+        out.depth[at] = placement_ == none ? before_all : static_cast<float>(screen_depth(view_, position.z));
+        out.position_view[at] = vec3(position);
+        out.arc_px[at] = arc - p_.middle_px;
+        out.source[at] = t < 1.0 ? begin + segment : begin + segment + 1;
+        out.source_t[at] = t < 1.0 ? static_cast<float>(t) : 0.0f;
+        out.facet0[at] = out.facet1[at] = none;
+        out.sample_count[at] = 0;
+    }
+
+    /// The segment that starts at a point.
+    void write_segment(std::size_t at, Index path, Index source, double length) {
+        out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
+        const Index placement = paths_.placement[path], place = paths_.place[source];
+        if (placement == none) return;
+        const Surface& surface = *scene_.placements[placement].surface;
+        check(place < surface.place_count(), "project: the paths are not of this scene");
+        const Index base = scene_.facet_base[placement];
+        if (surface.is_edge(place)) {
+            const Index side = surface.edge_rows.begin(place), sides = surface.edge_rows.size(place);
+            if (sides > 0) out.facet0[at] = base + surface.edge_sides[side].facet();
+            if (sides > 1) out.facet1[at] = base + surface.edge_sides[side + 1].facet();
+        } else {
+            out.facet0[at] = base + surface.triangle_facet[surface.triangle_at(place)];
+            out.facet1[at] = paths_.other_facet_at(source);
+        }
+    }
+
+    /// The first and the last piece may have ends of their path.
+    void mark_ends(Index path, Index begin, Index end, std::size_t first_piece) {
+        const int free = path < paths_.free_ends.size() ? paths_.free_ends[path] : 0;
+        const bool closed = paths_.closed[path];
+        const Index first = out.pieces.begin(static_cast<Index>(first_piece)), last = out.pieces.offsets.back() - 1;
+        if (out.source[first] == begin && out.source_t[first] == 0.0f) {
+            out.free_ends[first_piece] |= free & free_start;
+            out.ends[first_piece] |= closed ? seam_start : path_start;
+        }
+        if (out.source[last] == end - 1) {
+            out.free_ends.back() |= free & free_end;
+            out.ends.back() |= closed ? seam_end : path_end;
+        }
+    }
+
+    const Paths& paths_;
+    const Scene& scene_;
+    const View& view_;
+    const ProjectOptions& options_;
+    Projected p_;
+    Index placement_ = none;  // what lies in view space
+    dmat4 object_to_view_{1.0}, object_to_clip_{view_.view_to_clip};
+    std::vector<Stop> stops_;  // of the piece that is being clipped
+};
+
+/// Where each block's pieces, points and samples start in the joined result.
+struct Start {
+    Index piece, point, sample;
+};
+
+void append(const ClippedPaths& part, Start at, ClippedPaths& all) {
+    for (Index q = 0; q < part.path.size(); ++q) all.pieces.offsets[at.piece + q] = at.point + part.pieces.begin(q);
+    copy_columns(part, ClippedPaths::piece_columns, all, at.piece);
+    copy_columns(part, ClippedPaths::point_columns, all, at.point);
+    for (std::size_t i = 0; i < part.px.size(); ++i) all.sample_start[at.point + i] = at.sample + part.sample_start[i];
+}
+
+ClippedPaths join(const std::vector<ClippedPaths>& parts) {
+    std::vector<Start> starts;
+    std::uint64_t piece = 0, point = 0, sample = 0;
+    for (const ClippedPaths& part : parts) {
+        starts.push_back({Index(piece), Index(point), Index(sample)});
+        piece += part.path.size();
+        point += part.px.size();
+        sample += part.samples;
+    }
+    check(sample < none && point < none, too_many_samples);
+    ClippedPaths all;
+    all.pieces.offsets.resize(piece + 1);
+    all.pieces.offsets[piece] = Index(point);
+    all.samples = Index(sample);
+    resize_columns(all, ClippedPaths::piece_columns, piece);
+    resize_columns(all, ClippedPaths::point_columns, point);
+    parallel_blocks(parts.size(), 1,
+                    [&](std::size_t b, std::size_t, std::size_t) { append(parts[b], starts[b], all); });
+    return all;
+}
+
+}  // namespace
+
+ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
+                     const Cancel& cancel) {
+    check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
+    std::vector<ClippedPaths> parts((paths.count() + paths_per_block - 1) / paths_per_block);
+    parallel_blocks(paths.count(), paths_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        cancel.poll();
+        Projector projector(paths, scene, view, options);
+        projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
+        for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
+        parts[b] = std::move(projector.out);
+    });
+    ClippedPaths all = join(parts);
+    all.orthographic = view.orthographic;
+    return all;
+}
+
+}  // namespace fovea

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/raster/triangles.h>
+
+#include <algorithm>
+#include <string>
+
+#include <fovea/base/check.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t block_triangles = 2048;
+constexpr std::size_t group_blocks = 128;
+
+/// What is left out of a mesh, by the sign of a triangle's area on the screen; 0: nothing.
+double away_sign(const RasterMesh& mesh) {
+    if (!mesh.one_sided) return 0.0;
+    return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0;
+}
+
+/// Twice the signed area of (a, b, p). Computed the same way for (b, a), with the other sign.
+double edge_function(dvec2 a, dvec2 b, dvec2 p) {
+    const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
+    if (swapped) std::swap(a, b);
+    const double area = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    return swapped ? -area : area;
+}
+
+/// First texel whose centre is not below `edge`, clamped to [0, size].
+int first_texel(double edge, int size) {
+    return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
+}
+
+/// Depth over texels as a plane: the screen image of the triangle's own plane, found without dividing by w, so that
+/// corners behind the eye do no harm. `corner`: (x w, y w, depth w, w) in texels. False for a triangle seen edge on.
+bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
+    const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
+        c(corner[2].x, corner[2].y, corner[2].w);
+    const double det = glm::dot(a, glm::cross(b, c));
+    plane = (glm::cross(b, c) * corner[0].z + glm::cross(c, a) * corner[1].z + glm::cross(a, b) * corner[2].z) / det;
+    return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
+}
+
+/// A triangle of a mesh before it is on the screen.
+struct Source {
+    std::array<dvec4, 3> corner;  ///< (x w, y w, depth w, w) in texels
+    Index mesh, triangle;
+};
+
+/// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
+/// of the near plane.
+void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, const RasterTarget& target, double away,
+                      const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {
+    RasterTriangle t;
+    t.of_mesh = of_mesh;
+    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
+    const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
+    const auto [ay, by, cy] = std::array{t.corner[0].y, t.corner[1].y, t.corner[2].y};
+    t.x0 = first_texel(std::min({ax, bx, cx}), target.width);
+    t.x1 = first_texel(std::max({ax, bx, cx}), target.width);
+    t.y0 = first_texel(std::min({ay, by, cy}), target.height);
+    t.y1 = first_texel(std::max({ay, by, cy}), target.height);
+    if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
+    const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
+    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
+    if (area < 0.0) {
+        std::swap(t.corner[1], t.corner[2]);
+        std::swap(t.of_mesh[0], t.of_mesh[2]);
+    }
+    if (!depth_plane(source.corner, t.plane)) return;
+    t.mesh = source.mesh;
+    t.triangle = source.triangle;
+    out.push_back(t);
+}
+
+/// Cuts the triangle at the near plane (depth <= 1) and appends what is left, as one triangle or two.
+void append_clipped(const Source& source, const RasterTarget& target, double away, std::vector<RasterTriangle>& out) {
+    const auto& corner = source.corner;
+    std::array<double, 3> inside;
+    int kept = 0;
+    for (int i = 0; i < 3; ++i) kept += (inside[i] = corner[i].w - corner[i].z) >= 0.0;
+    if (kept == 0) return;
+    if (kept == 3) {
+        append_on_screen({dvec3(corner[0].x, corner[0].y, corner[0].w), dvec3(corner[1].x, corner[1].y, corner[1].w),
+                          dvec3(corner[2].x, corner[2].y, corner[2].w)},
+                         source, target, away, {true, true, true}, out);
+        return;
+    }
+    std::array<dvec3, 4> polygon;
+    std::array<bool, 4> of_mesh;  // the edge from each corner to the next
+    int count = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const dvec3 p(corner[i].x, corner[i].y, corner[i].w), q(corner[j].x, corner[j].y, corner[j].w);
+        if (inside[i] >= 0.0) {
+            of_mesh[count] = true;
+            polygon[count++] = p;
+        }
+        if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
+            of_mesh[count] = inside[i] < 0.0;
+            polygon[count++] = glm::mix(p, q, inside[i] / (inside[i] - inside[j]));
+        }
+    }
+    for (int i = 2; i < count; ++i)
+        append_on_screen({polygon[0], polygon[i - 1], polygon[i]}, source, target, away,
+                         {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
+}
+
+/// A share of the work: triangles begin .. end of a mesh.
+struct Block {
+    Index mesh;
+    std::size_t begin, end;
+};
+
+std::vector<Block> divide(In<RasterMesh> meshes) {
+    std::vector<Block> blocks;
+    for (Index m = 0; m < meshes.size(); ++m) {
+        const std::size_t count = meshes[m].triangles.size();
+        for (std::size_t begin = 0; begin < count; begin += block_triangles)
+            blocks.push_back({m, begin, std::min(begin + block_triangles, count)});
+    }
+    return blocks;
+}
+
+void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTarget& target,
+                      std::vector<RasterTriangle>& out) {
+    const RasterMesh& mesh = meshes[block.mesh];
+    // Pixels of homogeneous points: (x / w * .5 + .5) * size, kept homogeneous.
+    dmat4 to_texels(1.0);
+    to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
+    to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
+    const dmat4 matrix = to_texels * target.view_to_clip * mesh.object_to_view;
+    const double away = away_sign(mesh);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+        Source source{{}, block.mesh, static_cast<Index>(i)};
+        for (int k = 0; k < 3; ++k) source.corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
+        append_clipped(source, target, away, out);
+    }
+}
+
+/// What is to be drawn of a block: its triangles, and those of each band of rows in the order of the mesh.
+struct Binned {
+    std::vector<RasterTriangle> triangles;
+    Rows bands;
+    Array<Index> members;
+};
+
+Binned bin_block(In<RasterMesh> meshes, const Block& block, const RasterTarget& target, int bands) {
+    Binned binned;
+    append_triangles(meshes, block, target, binned.triangles);
+    const auto each_band = [&](const auto& visit) {
+        for (Index i = 0; i < binned.triangles.size(); ++i) {
+            const int first = binned.triangles[i].y0 / raster_band_rows;
+            const int last = (binned.triangles[i].y1 - 1) / raster_band_rows;
+            for (int band = first; band <= last; ++band) visit(band, i);
+        }
+    };
+    binned.bands.offsets.assign(bands, 0);
+    each_band([&](int band, Index) { ++binned.bands.offsets[band]; });
+    counts_to_offsets(binned.bands.offsets);
+    binned.members.resize(binned.bands.offsets.back());
+    Array<Index> next(binned.bands.offsets.begin(), binned.bands.offsets.end() - 1);
+    each_band([&](int band, Index i) { binned.members[next[band]++] = i; });
+    return binned;
+}
+
+void check_mesh(const RasterMesh& mesh, std::size_t number) {
+    const std::string name = "depth mesh " + std::to_string(number) + ": ";
+    check(mesh.triangles.size() == mesh.triangle_facet.size(), name + "one facet per triangle expected");
+    Index highest = 0;
+    for (const auto& t : mesh.triangles) highest = std::max({highest, t.x, t.y, t.z});
+    check(mesh.triangles.empty() || highest < mesh.positions.size(), name + "triangle refers to a missing vertex");
+}
+
+}  // namespace
+
+bool RasterTriangle::covers(dvec2 p) const {
+    for (int i = 0; i < 3; ++i)
+        if (edge_function(corner[i], corner[(i + 1) % 3], p) < 0.0) return false;
+    return true;
+}
+
+TriangleRows::TriangleRows(const RasterTriangle& t) : triangle_(t), plane_(t.plane) {
+    left_.fill({-HUGE_VAL, 0.0});
+    right_.fill({HUGE_VAL, 0.0});
+    int lefts = 0, rights = 0;
+    double reach = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
+        reach = std::max({reach, std::abs(a.x), std::abs(a.y)});
+        if (a.y == b.y) continue;
+        const double step = (b.x - a.x) / (b.y - a.y);
+        const Side side{a.x - 0.5 + step * (0.5 - a.y), step};
+        if (!std::isfinite(side.at)) {  // the edge has next to no height
+            unsure_ = HUGE_VAL;
+            continue;
+        }
+        reach = std::max(reach, std::abs(side.at));
+        (a.y > b.y ? left_[lefts++] : right_[rights++]) = side;
+    }
+    unsure_ = std::max(unsure_, 1e-9 * reach);  // far more than what rounding moves a crossing by
+}
+
+TriangleRows::Texels TriangleRows::covered(int y) const {
+    const auto in_box = [&](double x) { return std::clamp(x, double(triangle_.x0), double(triangle_.x1)); };
+    const auto from = [&](double x) {  // x rounded up
+        const double edge = in_box(x);
+        const int whole = static_cast<int>(edge);
+        return whole + (whole < edge);
+    };
+    const auto up_to = [&](double x) { return static_cast<int>(in_box(x + 1.0)); };
+    const double left = std::max(left_[0].at + left_[0].step * y, left_[1].at + left_[1].step * y);
+    const double right = std::min(right_[0].at + right_[0].step * y, right_[1].at + right_[1].step * y);
+    int begin = from(left - unsure_), end = up_to(right + unsure_);
+    const int sure_begin = from(left + unsure_), sure_end = up_to(right - unsure_);
+    const auto covers = [&](int x) { return triangle_.covers(dvec2(x + 0.5, y + 0.5)); };
+    while (begin < std::min(sure_begin, end) && !covers(begin)) ++begin;
+    while (end > std::max(sure_end, begin) && !covers(end - 1)) --end;
+    return {begin, end};
+}
+
+void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Cancel* cancel,
+                    const std::function<void(const RasterTriangle&, int, int)>& draw) {
+    for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
+    const std::vector<Block> blocks = divide(meshes);
+    const int bands = (target.height + raster_band_rows - 1) / raster_band_rows;
+    // Groups bound the memory; their order, and the order inside, is that of the input.
+    for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {
+        if (cancel) cancel->poll();
+        std::vector<Binned> binned(std::min(group_blocks, blocks.size() - start));
+        const auto bin = [&](std::size_t i) { binned[i] = bin_block(meshes, blocks[start + i], target, bands); };
+        parallel_for(binned.size(), bin, 1);
+        parallel_for(
+            bands,
+            [&](std::size_t band) {
+                const int begin = int(band) * raster_band_rows, end = std::min(begin + raster_band_rows, target.height);
+                for (const Binned& part : binned)
+                    for (Index m = part.bands.begin(Index(band)); m < part.bands.end(Index(band)); ++m) {
+                        const RasterTriangle& t = part.triangles[part.members[m]];
+                        draw(t, std::max(begin, t.y0), std::min(end, t.y1));
+                    }
+            },
+            1);
+    }
+}
+
+}  // namespace fovea

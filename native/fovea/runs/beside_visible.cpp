@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/runs/beside_visible.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t runs_per_block = 256;
+constexpr double step_px = 2.0;
+constexpr double alongside = 0.97;  // cosine between lines that go the same way, either way round: 14 degrees
+constexpr double crossing = 3.0;    // times near_px: how far a line is beside one that it crosses at that angle
+
+struct Place {
+    dvec2 px, way;
+};
+
+/// visit(arc, place) along a run every step_px, half a step from its start.
+template <typename Visit>
+void walk(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const Visit& visit) {
+    Index i = clipped.pieces.begin(runs.piece[run]);
+    const Index last = clipped.pieces.end(runs.piece[run]) - 1;
+    const double length = runs.end_px[run] - runs.start_px[run];
+    const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(length / step_px)));
+    for (std::int64_t k = 0; k < steps; ++k) {
+        const double arc = runs.start_px[run] + (k + 0.5) * length / double(steps);
+        while (i + 1 < last && clipped.arc_px[i + 1] <= arc) ++i;
+        const dvec2 a(clipped.px[i]), b(clipped.px[i + 1]);
+        const double part = clipped.arc_px[i + 1] - clipped.arc_px[i], chord = glm::length(b - a);
+        if (!(part > 0.0 && chord > 0.0 && std::isfinite(chord))) continue;
+        visit(arc, Place{glm::mix(a, b, std::clamp((arc - clipped.arc_px[i]) / part, 0.0, 1.0)), (b - a) / chord});
+    }
+}
+
+/// The places of visible runs, by square cells of the image.
+class Grid {
+   public:
+    Grid(const ClippedPaths& clipped, const Runs& runs, double near_px) : cell_(std::max(near_px, step_px)) {
+        std::vector<std::vector<Place>> found((runs.size() + runs_per_block - 1) / runs_per_block);
+        parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+            for (std::size_t r = begin; r < end; ++r)
+                if (runs.invisibility[r] == 0)
+                    walk(clipped, runs, r, [&](double, const Place& place) { found[b].push_back(place); });
+        });
+        dvec2 low(INFINITY), high(-INFINITY);
+        for (const auto& block : found)
+            for (const Place& place : block) {
+                low = glm::min(low, place.px);
+                high = glm::max(high, place.px);
+            }
+        if (!(low.x <= high.x)) return;
+        low_ = low;
+        across_ = std::int64_t((high.x - low.x) / cell_) + 1;
+        up_ = std::int64_t((high.y - low.y) / cell_) + 1;
+        Array<Index> counts(std::size_t(across_ * up_), 0);
+        for (const auto& block : found)
+            for (const Place& place : block) ++counts[cell(place.px)];
+        counts_to_offsets(counts);
+        offsets_ = counts;
+        places_.resize(counts.back());
+        for (const auto& block : found)
+            for (const Place& place : block) places_[counts[cell(place.px)]++] = place;
+    }
+
+    /// Whether a visible run goes along `place` nearer than near_px.
+    bool holds(const Place& place, double near_px) const {
+        const dvec2 at = (place.px - low_) / cell_;
+        const auto x = std::int64_t(std::floor(at.x)), y = std::int64_t(std::floor(at.y));
+        for (std::int64_t j = std::max<std::int64_t>(y - 1, 0); j <= std::min(y + 1, up_ - 1); ++j)
+            for (std::int64_t i = std::max<std::int64_t>(x - 1, 0); i <= std::min(x + 1, across_ - 1); ++i) {
+                const std::size_t c = std::size_t(j * across_ + i);
+                for (Index k = offsets_[c]; k < offsets_[c + 1]; ++k)
+                    if (glm::distance(places_[k].px, place.px) < near_px &&
+                        std::abs(glm::dot(places_[k].way, place.way)) > alongside)
+                        return true;
+            }
+        return false;
+    }
+
+   private:
+    std::size_t cell(dvec2 px) const {
+        const dvec2 at = (px - low_) / cell_;
+        return std::size_t(std::int64_t(at.y) * across_ + std::int64_t(at.x));
+    }
+
+    double cell_;
+    dvec2 low_{0.0};
+    std::int64_t across_ = 0, up_ = 0;
+    Array<Index> offsets_;
+    std::vector<Place> places_;
+};
+
+/// Appends what is left of a hidden run.
+void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const Grid& grid, double near_px,
+               Runs& out) {
+    const double least = crossing * near_px;
+    double kept_from = runs.start_px[run], beside_from = 0.0;
+    bool beside = false;
+    const auto leave = [&](double until) {
+        if (beside && until - beside_from >= least) {
+            out.push(runs.piece[run], kept_from, beside_from, runs.invisibility[run]);
+            kept_from = until;
+        }
+        beside = false;
+    };
+    bool first = true;
+    walk(clipped, runs, run, [&](double arc, const Place& place) {
+        const bool now = grid.holds(place, near_px);
+        if (now && !beside) beside_from = first ? runs.start_px[run] : arc - 0.5 * step_px;
+        if (!now) leave(arc - 0.5 * step_px);
+        beside = now;
+        first = false;
+    });
+    leave(runs.end_px[run]);
+    out.push(runs.piece[run], kept_from, runs.end_px[run], runs.invisibility[run]);
+}
+
+}  // namespace
+
+Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, double near_px) {
+    check(runs.piece.empty() || runs.piece.back() < clipped.path.size(), "runs: they are not of these clipped paths");
+    check(std::isfinite(near_px) && near_px > 0.0, "near_px: not a number above 0");
+    const Grid grid(clipped, runs, near_px);
+    std::vector<Runs> blocks((runs.size() + runs_per_block - 1) / runs_per_block);
+    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r) {
+            if (runs.invisibility[r] == 0)
+                blocks[b].push(runs.piece[r], runs.start_px[r], runs.end_px[r]);
+            else
+                keep_rest(clipped, runs, r, grid, near_px, blocks[b]);
+        }
+    });
+    Runs all;
+    for (const Runs& block : blocks) all.append(block);
+    return all;
+}
+
+}  // namespace fovea

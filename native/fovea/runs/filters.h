@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filters along the path. They act on visible runs (those that nothing hides), in pixels of arc length, over segments,
+// atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
+// Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
+//
+// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. A halo after an overshoot would leave what is beyond the
+// line that it passes behind.
+#pragma once
+
+#include <fovea/visibility/runs.h>
+
+namespace fovea {
+
+/// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`; of those
+/// that begin or end where their line does, or the frame, only the ones shorter than `speck_px`. What is all of a line
+/// stays.
+Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px, double speck_px = 0.0);
+
+/// A contour of mesh edges folds back on itself where a smooth surface turns away, and the way back is hidden. On paths
+/// with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of visible runs (not
+/// of pieces, unless they end at cusps), and ends a run where the next one goes on beside it.
+Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
+
+/// Where a contour of mesh edges breaks off because facets of its own rough outline hide it, and another line goes on
+/// a little farther: draws visible runs of paths with `of_view` set on, by at most `reach_px` along their hidden way,
+/// and straight on beyond their line's end by three eighths of it, to where they come nearest to the end of a run of
+/// another path of the same `placement` (per path of Paths) that faces theirs, if they come near. Hidden runs give way.
+Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, In<Index> placement,
+               double reach_px);
+
+/// Lengthens visible runs by the path's `amount_px` where their line ends, straight on beyond it: such a run starts
+/// before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame, and a line that a
+/// surface hides stops at its edge; a pixel of it may be hidden at its end, and from two on it goes no farther.
+/// By less than nothing, shortens them at all their ends (erosion); runs that vanish go. The result grows with the
+/// amount, without steps but where runs meet; an amount of 0 leaves a path as it is. Cole 2009, section 5.1.2, dilates
+/// visibility instead, which draws lines on behind what hides them.
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
+
+/// The same, by `amount_px` mixed with the path's `other_px` as `mix` (per atlas sample, in [0,1]) says at each end.
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px, In<float> mix);
+
+/// Where a line passes behind another one, it stops the path's `gap_px` (0 or more) short: where a visible run crosses,
+/// in the image, a visible run that is nearer by more than eight pixels' size in space, or ends at one. The gap is
+/// measured across the nearer line, from its middle, on both sides; where they cross at less than 15 degrees it grows
+/// no further. Ends at which a line turns away on its own surface, or meets another line, stay. So do those behind an
+/// outline that is not drawn. Nothing passes behind lines found in the image. A gap of 0 leaves a path as it is.
+/// On paths with `of_view` set (one entry per path of Paths; may be empty) a gap is only where a line crosses at 15
+/// degrees or more: contours of mesh edges graze themselves where their own surface folds over them.
+/// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
+
+}  // namespace fovea

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/runs/filters.h>
+#include <fovea/runs/passes_behind.h>
+#include <fovea/runs/strand.h>
+
+namespace fovea {
+namespace {
+
+constexpr double least_sine = 0.2588;  // of 15 degrees: a gap does not grow along the line it follows
+
+/// Takes one span out of all.
+void cut_out(const Span& gap, std::vector<Span>& spans) {
+    const std::size_t count = spans.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Span& span = spans[i];
+        if (gap.end <= span.begin || gap.begin >= span.end) continue;
+        const Span after{gap.end, span.end};
+        span.end = gap.begin;
+        if (after.begin < after.end) spans.push_back(after);
+    }
+    std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
+}
+
+}  // namespace
+
+Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view) {
+    check_runs(clipped, runs);
+    check(clipped.path.empty() || clipped.path.back() < gap_px.size(), "gap_px: one value per path expected");
+    check(of_view.empty() || of_view.size() == gap_px.size(), "of_view: one value per path expected");
+    Array<std::uint8_t> wanted(gap_px.size());
+    for (std::size_t p = 0; p < gap_px.size(); ++p) {
+        check(std::isfinite(gap_px[p]) && gap_px[p] >= 0.0f, "gap_px: not a number of 0 or more");
+        wanted[p] = gap_px[p] > 0.0f;
+    }
+    if (std::ranges::find(wanted, 1) == wanted.end()) return runs;
+    const Array<PassBehind> passes = passes_behind(clipped, runs, wanted);
+    const auto changes = [&](Index path) { return wanted[path] != 0; };
+    return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
+        const Index path = clipped.path[strand.parts()[0].piece];
+        const double gap = gap_px[path];
+        const bool contour = !of_view.empty() && of_view[path];
+        for (const auto& [piece, shift] : strand.parts()) {
+            for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
+                if (contour && pass.sine < least_sine) continue;
+                const double at = pass.arc_px + shift, along = gap / std::max(pass.sine, least_sine);
+                cut_out({at - along, at + along}, spans);
+                if (!strand.cyclic) continue;
+                cut_out({at - along - strand.length(), at + along - strand.length()}, spans);
+                cut_out({at - along + strand.length(), at + along + strand.length()}, spans);
+            }
+        }
+    });
+}
+
+}  // namespace fovea

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/runs/filters.h>
+#include <fovea/runs/strand.h>
+
+namespace fovea {
+namespace {
+
+constexpr double look_back_px = 4.0;  // a dense mesh's own segments zigzag
+constexpr double step_px = 0.5;
+constexpr double facing = -0.5;        // cosine between the ways out of two ends: what is left of a half turn is a bend
+constexpr double near_px = 3.5;        // so near to another end a line on its hidden way meets it
+constexpr double in_line_px = 1.5;     // and one that goes straight on; ends that near to each other meet as they are
+constexpr double straight_on = 0.375;  // share of the reach for which a line goes on beyond its own end
+constexpr double gain_px = 0.5;        // an end goes on for no less
+
+double first_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.begin(piece)]; }
+double last_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.end(piece) - 1]; }
+
+/// An end of a visible run, and the way out of it.
+struct End {
+    std::int64_t row, column;
+    Index run;
+    bool at_end;
+    dvec2 px, way;
+};
+
+class Ends {
+   public:
+    Ends(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double reach_px)
+        : clipped_(clipped), runs_(runs), placement_(placement), reach_(reach_px) {
+        for (Index r = 0; r < runs.size(); ++r)
+            if (runs.invisibility[r] == 0)
+                for (bool at_end : {false, true}) {
+                    const End end = end_of(r, at_end);
+                    if (std::isfinite(end.way.x + end.way.y)) ends_.push_back(end);
+                }
+        std::ranges::sort(ends_, {}, [](const End& e) { return std::tuple(e.row, e.column, e.run, e.at_end); });
+    }
+
+    /// Where an end of a run should be, at most at `limit` [px of the piece].
+    double met(Index run, bool at_end, double limit) const {
+        const End own = end_of(run, at_end);
+        const double start = at_end ? runs_.end_px[run] : runs_.start_px[run], sign = at_end ? 1.0 : -1.0;
+        double least = std::min(reach_, (limit - start) * sign), found = 0.0;
+        if (!(least > gain_px) || !std::isfinite(own.way.x + own.way.y)) return start;
+        for (std::int64_t row = own.row - 1; row <= own.row + 1; ++row) {
+            const auto place = [](const End& e) { return std::pair(e.row, e.column); };
+            for (auto e = std::ranges::lower_bound(ends_, std::pair(row, own.column - 1), {}, place);
+                 e != ends_.end() && e->row == row && e->column <= own.column + 1; ++e) {
+                const double way = way_to(own, *e, start, sign, least);
+                if (way > gain_px && (found == 0.0 || way < found)) found = way;
+            }
+        }
+        return start + sign * found;
+    }
+
+   private:
+    End end_of(Index run, bool at_end) const {
+        const double end = at_end ? runs_.end_px[run] : runs_.start_px[run];
+        const double length = std::min(look_back_px, runs_.end_px[run] - runs_.start_px[run]);
+        const dvec2 px(place_px(clipped_, runs_.piece[run], end));
+        const dvec2 out = px - dvec2(place_px(clipped_, runs_.piece[run], at_end ? end - length : end + length));
+        const dvec2 cell = glm::floor(px / reach_);
+        return {std::int64_t(cell.y), std::int64_t(cell.x), run, at_end, px, out / glm::length(out)};
+    }
+
+    /// How far along its own line an end comes nearest to another one that faces it; 0 where it does not meet it.
+    double way_to(const End& own, const End& other, double start, double sign, double most) const {
+        const Index piece = runs_.piece[own.run], path = clipped_.path[piece];
+        const Index others = clipped_.path[runs_.piece[other.run]];
+        if (others == path || placement_[others] != placement_[path]) return 0.0;
+        const dvec2 between = other.px - own.px;
+        const double apart = glm::length(between);
+        const bool ahead = glm::dot(between, own.way) > 0.0 && glm::dot(own.way, other.way) <= facing;
+        if (!ahead || !(apart > in_line_px && apart < reach_)) return 0.0;
+        const double rest = ((sign > 0.0 ? last_arc(clipped_, piece) : first_arc(clipped_, piece)) - start) * sign;
+        double nearest = apart, found = 0.0;
+        for (double way = step_px; way <= most; way += step_px) {
+            const double arc = start + sign * way, beyond = std::max(0.0, way - rest);
+            const dvec2 at = dvec2(place_px(clipped_, piece, arc)) + beyond * own.way;
+            const double distance = glm::distance(at, other.px);
+            if (distance >= nearest) continue;
+            nearest = distance;
+            found = way;
+        }
+        return nearest < (found > rest ? in_line_px : near_px) ? found : 0.0;
+    }
+
+    const ClippedPaths& clipped_;
+    const Runs& runs_;
+    In<Index> placement_;
+    double reach_;
+    std::vector<End> ends_;
+};
+
+}  // namespace
+
+Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, In<Index> placement,
+               double reach_px) {
+    check_runs(clipped, runs);
+    const std::size_t paths = clipped.path.empty() ? 0 : clipped.path.back() + 1;
+    check(of_view.size() >= paths, "of_view: one value per path expected");
+    check(placement.size() >= paths, "placement: one value per path expected");
+    check(std::isfinite(reach_px) && reach_px > 0.0, "reach_px: not a number above 0");
+    const Ends ends(clipped, runs, placement, reach_px);
+    const Rows rows = runs_of_pieces(clipped, runs);
+    const double beyond = straight_on * reach_px;
+    constexpr std::size_t pieces_per_block = 256;
+    std::vector<Runs> blocks((clipped.path.size() + pieces_per_block - 1) / pieces_per_block);
+    parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        std::vector<Span> visible;
+        for (Index q = Index(begin); q < end; ++q) {
+            visible.clear();
+            const bool contour = of_view[clipped.path[q]];
+            double before = first_arc(clipped, q) - (clipped.ends[q] & path_start ? beyond : 0.0);
+            const double farthest = last_arc(clipped, q) + (clipped.ends[q] & path_end ? beyond : 0.0);
+            for (Index r = rows.begin(q); r < rows.end(q); ++r) {
+                if (runs.invisibility[r] != 0) continue;
+                Index next = r + 1;
+                while (next < rows.end(q) && runs.invisibility[next] != 0) ++next;
+                const double after = next < rows.end(q) ? runs.start_px[next] : farthest;
+                visible.push_back({contour ? ends.met(r, false, before) : runs.start_px[r],
+                                   contour ? ends.met(r, true, after) : runs.end_px[r]});
+                before = visible.back().end;
+            }
+            replace_visible(runs, rows, q, visible, blocks[b]);
+        }
+    });
+    Runs all;
+    for (const Runs& block : blocks) all.append(block);
+    return all;
+}
+
+}  // namespace fovea

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/runs/outer_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/visibility/segment.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t runs_per_block = 64;
+
+/// The parts of a range of runs.
+class Parting {
+   public:
+    Parting(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, In<Kinds> sure, double step_px)
+        : clipped_(clipped), paths_(paths), tracer_(tracer), sure_(sure), step_px_(step_px) {}
+
+    void add(const Runs& runs, std::size_t r) {
+        const double start = runs.start_px[r], length = runs.end_px[r] - start;
+        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(length / step_px_)));
+        answers_.resize(count);
+        for (std::size_t k = 0; k < count; ++k) answers_[k] = ask(runs.piece[r], start + (k + 0.5) * length / count, k);
+        std::size_t first = 0;
+        for (std::size_t k = 1; k <= count; ++k) {
+            if (k < count && voted(k) == voted(first)) continue;
+            const double from = start + first * length / count;
+            const double to = k == count ? runs.end_px[r] : start + k * length / count;
+            const std::size_t before = out.runs.size();
+            out.runs.push(runs.piece[r], from, to, runs.invisibility[r]);
+            if (out.runs.size() > before) {
+                out.outer.push_back(voted(first));
+                out.source.push_back(answers_[first].source);
+            }
+            first = k;
+        }
+    }
+
+    OuterParts out;
+
+   private:
+    struct Answer {
+        Index source;
+        std::uint8_t outer;
+    };
+
+    Answer ask(Index piece, double arc, std::size_t k) {
+        const auto begin = clipped_.arc_px.begin() + clipped_.pieces.begin(piece);
+        const auto end = clipped_.arc_px.begin() + clipped_.pieces.end(piece) - 1;
+        const auto after = std::upper_bound(begin, end, arc);
+        const auto i = static_cast<Index>(std::max(begin, after - 1) - clipped_.arc_px.begin());
+        const Index source = clipped_.source[i], path = clipped_.path[piece];
+        if (paths_.kinds[source] & sure_[path]) return {source, 1};
+        if (k == 0 || i != at_) {
+            segment_ = segment_at(clipped_, paths_, tracer_, piece, i);
+            at_ = i;
+        }
+        const double long_px = clipped_.arc_px[i + 1] - clipped_.arc_px[i];
+        const double s = long_px > 0.0 ? std::clamp((arc - clipped_.arc_px[i]) / long_px, 0.0, 1.0) : 0.5;
+        const auto behind = tracer_.behind(vec3(segment_.at(s)), segment_.ignore);
+        return {source, !behind || behind->placement != paths_.placement[path]};
+    }
+
+    /// Without an answer that stands alone.
+    std::uint8_t voted(std::size_t k) const {
+        const std::uint8_t own = answers_[k].outer;
+        if (k == 0 || k + 1 == answers_.size() || answers_[k - 1].outer != answers_[k + 1].outer) return own;
+        return answers_[k - 1].outer;
+    }
+
+    const ClippedPaths& clipped_;
+    const Paths& paths_;
+    const Tracer& tracer_;
+    const In<Kinds> sure_;
+    const double step_px_;
+    std::vector<Answer> answers_;
+    Segment segment_{};
+    Index at_ = none;
+};
+
+}  // namespace
+
+OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs,
+                       In<Kinds> sure, double step_px, const Cancel& cancel) {
+    check_same_paths(clipped, paths, "outer_parts");
+    check_runs(clipped, runs);
+    check(sure.size() == paths.count(), "sure: one value per path expected");
+    check(step_px > 0.0, "step_px must be more than 0");
+    tracer.check_current();
+    std::vector<OuterParts> parts((runs.size() + runs_per_block - 1) / runs_per_block);
+    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        cancel.poll();
+        Parting parting(clipped, paths, tracer, sure, step_px);
+        for (std::size_t r = begin; r < end; ++r) parting.add(runs, r);
+        parts[b] = std::move(parting.out);
+    });
+    OuterParts all;
+    for (const OuterParts& part : parts) {
+        all.runs.append(part.runs);
+        all.outer.insert(all.outer.end(), part.outer.begin(), part.outer.end());
+        all.source.insert(all.source.end(), part.source.begin(), part.source.end());
+    }
+    return all;
+}
+
+}  // namespace fovea

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which parts of visible lines are the outer boundary of their object: what drafts ask instead of asking at every edge
+// of the mesh whether it is a silhouette.
+// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
+#pragma once
+
+#include <fovea/base/parallel.h>
+#include <fovea/path/paths.h>
+#include <fovea/scene/tracer.h>
+#include <fovea/visibility/runs.h>
+
+namespace fovea {
+
+struct OuterParts {
+    Runs runs;                  ///< those given, parted
+    Array<std::uint8_t> outer;  ///< per run: 1 where the same placement does not go on behind
+    Array<Index> source;        ///< per run: the point of Paths whose segment it begins on
+};
+
+/// Asks with rays at the middles of equal parts, at most `step_px` pixels long; one answer alone between two others is
+/// outvoted. `sure` (one entry per path of Paths): segments that are one of these kinds are not asked and count as
+/// outer. Lines found in the image lie on no placement: they must be sure. Throws std::invalid_argument for paths of
+/// another scene.
+OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs,
+                       In<Kinds> sure, double step_px, const Cancel& cancel);
+
+}  // namespace fovea

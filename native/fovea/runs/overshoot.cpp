@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/runs/filters.h>
+#include <fovea/runs/strand.h>
+
+namespace fovea {
+namespace {
+
+void check_amounts(const ClippedPaths& clipped, In<float> amounts, const char* name) {
+    check(clipped.path.empty() || clipped.path.back() < amounts.size(),
+          std::string(name) + ": one value per path expected");
+    for (float amount : amounts) check(std::isfinite(amount), std::string(name) + ": not a finite number");
+}
+
+constexpr double hidden_rest_px = 1.0;  // what may be hidden of a line at its end: a corner that touches a surface
+
+/// How far a span whose line ends `rest` pixels farther on is drawn on beyond its end. Where a surface hides it, a line
+/// stops at the edge of that surface, as a pencil does; it may draw back from there.
+double beyond(double amount, bool line_ends, double rest) {
+    if (amount <= 0.0) return amount;
+    return line_ends ? amount * std::clamp(2.0 - rest / hidden_rest_px, 0.0, 1.0) : 0.0;
+}
+
+/// Lengthens spans by amount_at(path, strand, place).
+template <typename Changes, typename Amount>
+Runs lengthen(const ClippedPaths& clipped, const Runs& runs, const Changes& changes, const Amount& amount_at) {
+    return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
+        const Index path = clipped.path[strand.parts()[0].piece];
+        for (Span& span : spans) {
+            if (strand.is_whole(span)) continue;
+            const double before = amount_at(path, strand, span.begin), after = amount_at(path, strand, span.end);
+            const double rest_before = span.begin - strand.begin, rest_after = strand.end - span.end;
+            // At the frame the line only seems to end.
+            if (strand.ends_at_begin || !strand.reaches_begin(span))
+                span.begin -= beyond(before, strand.ends_at_begin, rest_before);
+            if (strand.ends_at_end || !strand.reaches_end(span))
+                span.end += beyond(after, strand.ends_at_end, rest_after);
+        }
+        std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
+    });
+}
+
+}  // namespace
+
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px) {
+    check_amounts(clipped, amount_px, "amount_px");
+    return lengthen(
+        clipped, runs, [&](Index path) { return amount_px[path] != 0.0f; },
+        [&](Index path, const Strand&, double) { return double(amount_px[path]); });
+}
+
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px, In<float> mix) {
+    check_amounts(clipped, amount_px, "amount_px");
+    check_amounts(clipped, other_px, "other_px");
+    check(mix.size() == clipped.samples, "mix: one value per atlas sample expected");
+    return lengthen(
+        clipped, runs, [&](Index path) { return amount_px[path] != 0.0f || other_px[path] != 0.0f; },
+        [&](Index path, const Strand& strand, double at) {
+            return double(glm::mix(amount_px[path], other_px[path], strand.value(clipped, mix, at, 0.0f)));
+        });
+}
+
+}  // namespace fovea

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/runs/passes_behind.h>
+
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include <fovea/base/parallel.h>
+#include <fovea/runs/strand.h>
+#include <fovea/runs/stretch_grid.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t runs_per_block = 256;
+constexpr double reach_px = 2.0;      // beyond the ends of a run: what hides it is found there, however it was sampled
+constexpr double direction_px = 3.0;  // to both sides: a dense mesh's own segments zigzag
+constexpr double joint_px = 1e-3;     // two segments that share a point leave no gap for a line to slip through
+constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size; less has a rough outline
+constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
+
+double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// body(stretch) for the segments of a piece between two arc lengths.
+template <typename Body>
+void for_stretches(const ClippedPaths& clipped, Index piece, double start, double end, const Body& body) {
+    const auto arcs = clipped.arc_px.begin();
+    const Index begin = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
+    const auto first = std::upper_bound(arcs + begin + 1, arcs + last, start) - arcs - 1;
+    for (auto i = static_cast<Index>(first); i < last && clipped.arc_px[i] < end; ++i) {
+        const double arc = clipped.arc_px[i], length = clipped.arc_px[i + 1] - arc;
+        if (!(length > 0.0)) continue;
+        const double from = std::max(0.0, (start - arc) / length), to = std::min(1.0, (end - arc) / length);
+        const dvec2 a(clipped.px[i]), b(clipped.px[i + 1]);
+        if (!std::isfinite(a.x + a.y + b.x + b.y)) continue;
+        body(Stretch{vec2(glm::mix(a, b, from)), vec2(glm::mix(a, b, to)), i});
+    }
+}
+
+/// Whether nothing hides the path of a piece, and it hides nothing.
+bool in_image(const ClippedPaths& clipped, Index piece) {
+    return clipped.depth[clipped.pieces.begin(piece)] >= before_all;
+}
+
+Array<Stretch> visible_stretches(const ClippedPaths& clipped, const Runs& runs) {
+    std::vector<Array<Stretch>> blocks((runs.size() + runs_per_block - 1) / runs_per_block);
+    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r)
+            if (runs.invisibility[r] == 0 && !in_image(clipped, runs.piece[r]))
+                for_stretches(clipped, runs.piece[r], runs.start_px[r], runs.end_px[r],
+                              [&](const Stretch& stretch) { blocks[b].push_back(stretch); });
+    });
+    Array<Stretch> all;
+    for (const Array<Stretch>& block : blocks) all.insert(all.end(), block.begin(), block.end());
+    return all;
+}
+
+/// A place on a segment, by its screen fraction.
+struct Place {
+    Index point;
+    double s;
+};
+
+/// Distance from the eye along the view.
+double distance(const ClippedPaths& clipped, const Place& at) {
+    const double a = -clipped.position_view[at.point].z, b = -clipped.position_view[at.point + 1].z;
+    return clipped.orthographic ? glm::mix(a, b, at.s) : 1.0 / glm::mix(1.0 / a, 1.0 / b, at.s);
+}
+
+/// How wide a pixel is in space where a segment is.
+double pixel_size(const ClippedPaths& clipped, const Place& at) {
+    const dvec3 a(clipped.position_view[at.point]), b(clipped.position_view[at.point + 1]);
+    const double pixels = glm::length(dvec2(clipped.px[at.point + 1]) - dvec2(clipped.px[at.point]));
+    if (clipped.orthographic) return glm::length(dvec2(b) - dvec2(a)) / pixels;
+    return glm::length(dvec2(b) / b.z - dvec2(a) / a.z) / pixels * distance(clipped, at);
+}
+
+double arc_at(const ClippedPaths& clipped, const Place& at) {
+    return glm::mix(clipped.arc_px[at.point], clipped.arc_px[at.point + 1], at.s);
+}
+
+dvec2 direction(const ClippedPaths& clipped, Index piece, double arc) {
+    return dvec2(place_px(clipped, piece, arc + direction_px)) - dvec2(place_px(clipped, piece, arc - direction_px));
+}
+
+/// Where two stretches cross, on the segment of each.
+std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, const Stretch& far, const Stretch& near) {
+    const dvec2 a(far.a), c(near.a), along = dvec2(far.b) - a, across = dvec2(near.b) - c;
+    const double area = cross(along, across);
+    const double t = cross(c - a, across) / area, u = cross(c - a, along) / area;
+    // How far beside the stretches their lines cross, in shares of them.
+    const double beside_t = std::max({0.0, -t, t - 1.0}), beside_u = std::max({0.0, -u, u - 1.0});
+    const bool meet = beside_t * beside_t * glm::dot(along, along) <= joint_px * joint_px &&
+                      beside_u * beside_u * glm::dot(across, across) <= joint_px * joint_px;
+    if (area == 0.0 || !meet) return {};
+    const auto on_segment = [&](Index point, const dvec2& at) {
+        const dvec2 start(clipped.px[point]), way = dvec2(clipped.px[point + 1]) - start;
+        return Place{point, std::clamp(glm::dot(at - start, way) / glm::dot(way, way), 0.0, 1.0)};
+    };
+    return std::pair(on_segment(far.point, a + t * along), on_segment(near.point, c + u * across));
+}
+
+/// Adds what a run passes behind on one of its stretches.
+void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const StretchGrid& grid, const Stretch& far,
+          Array<PassBehind>& found) {
+    const Index piece = runs.piece[run];
+    grid.near(far.a, far.b, [&](const Stretch& near) {
+        if (near.point == far.point) return;
+        const auto places = crossing(clipped, far, near);
+        if (!places) return;
+        const auto& [behind, before] = *places;
+        const double arc = arc_at(clipped, behind);
+        const double beyond = std::max({0.0, runs.start_px[run] - arc, arc - runs.end_px[run]});
+        const double farther = distance(clipped, behind) - distance(clipped, before);
+        if (!(farther > (least_pixels + steepness * beyond) * pixel_size(clipped, behind))) return;
+        const auto& offsets = clipped.pieces.offsets;
+        const Index other = Index(std::upper_bound(offsets.begin(), offsets.end(), near.point) - offsets.begin()) - 1;
+        const dvec2 way = direction(clipped, piece, arc), others = direction(clipped, other, arc_at(clipped, before));
+        const double lengths = glm::length(way) * glm::length(others);
+        found.push_back({piece, arc, lengths > 0.0 ? std::abs(cross(way, others)) / lengths : 1.0});
+    });
+}
+
+}  // namespace
+
+Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> wanted) {
+    const StretchGrid grid(visible_stretches(clipped, runs));
+    std::vector<Array<PassBehind>> blocks((runs.size() + runs_per_block - 1) / runs_per_block);
+    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r) {
+            const Index piece = runs.piece[r];
+            if (!wanted[clipped.path[piece]] || runs.invisibility[r] != 0 || in_image(clipped, piece)) continue;
+            for_stretches(clipped, piece, runs.start_px[r] - reach_px, runs.end_px[r] + reach_px,
+                          [&](const Stretch& stretch) { find(clipped, runs, r, grid, stretch, blocks[b]); });
+        }
+        // The grid gives stretches in no certain order.
+        const auto place = [](const PassBehind& p) { return std::tuple(p.piece, p.arc_px, p.sine); };
+        std::ranges::sort(blocks[b], {}, place);
+    });
+    Array<PassBehind> all;
+    for (const Array<PassBehind>& block : blocks) all.insert(all.end(), block.begin(), block.end());
+    return all;
+}
+
+}  // namespace fovea

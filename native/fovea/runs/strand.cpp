@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/runs/strand.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <fovea/visibility/piece_samples.h>
+
+namespace fovea {
+namespace {
+
+double first_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.begin(piece)]; }
+double last_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.end(piece) - 1]; }
+
+/// The pieces of a path stand together: the other one at its seam is the last or the first of them.
+Index beyond_seam(const ClippedPaths& clipped, Index piece) {
+    const Index path = clipped.path[piece], count = static_cast<Index>(clipped.path.size());
+    Index other = piece;
+    if (clipped.ends[piece] & seam_start) {
+        while (other + 1 < count && clipped.path[other + 1] == path) ++other;
+        return other != piece && (clipped.ends[other] & seam_end) ? other : none;
+    }
+    while (other > 0 && clipped.path[other - 1] == path) --other;
+    return other != piece && (clipped.ends[other] & seam_start) ? other : none;
+}
+
+/// Sorts spans and joins those that meet.
+void unite(std::vector<Span>& spans) {
+    std::ranges::sort(spans, {}, [](const Span& s) { return std::pair(s.begin, s.end); });
+    std::size_t kept = 0;
+    for (const Span& span : spans) {
+        if (kept > 0 && span.begin <= spans[kept - 1].end + same_place_px) {
+            spans[kept - 1].end = std::max(spans[kept - 1].end, span.end);
+        } else {
+            spans[kept++] = span;
+        }
+    }
+    spans.resize(kept);
+}
+
+}  // namespace
+
+Strand::Strand(const ClippedPaths& clipped, Index piece) {
+    const int ends = clipped.ends[piece];
+    cyclic = clipped.closed[piece];
+    const bool at_seam = !cyclic && (ends & (seam_start | seam_end));
+    const Index other = at_seam ? beyond_seam(clipped, piece) : none;
+    // The piece that ends at the seam comes first.
+    Index first = piece, second = other;
+    if (other != none && (ends & seam_start)) std::swap(first, second);
+    begin = first_arc(clipped, first);
+    end = last_arc(clipped, first);
+    parts_[0] = {first, 0.0};
+    if (second != none) {
+        seam_ = end;
+        const double shift = seam_ - first_arc(clipped, second);
+        parts_[1] = {second, shift};
+        count_ = 2;
+        end = last_arc(clipped, second) + shift;
+    }
+    ends_at_begin = clipped.ends[parts_[0].piece] & path_start;
+    ends_at_end = clipped.ends[parts_[count_ - 1].piece] & path_end;
+}
+
+float Strand::value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const {
+    if (cyclic && at > end) at -= length();
+    const Part& part = parts_[count_ > 1 && at > seam_ ? 1 : 0];
+    return PieceSamples(clipped, part.piece).value(values, at - part.shift, otherwise);
+}
+
+void Strand::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const {
+    out.clear();
+    for (const auto& [piece, shift] : parts()) {
+        for (Index r = rows.begin(piece); r < rows.end(piece); ++r) {
+            if (runs.invisibility[r] != 0) continue;
+            const Span span{runs.start_px[r] + shift, runs.end_px[r] + shift};
+            if (!out.empty() && span.begin <= out.back().end + same_place_px) {
+                out.back().end = std::max(out.back().end, span.end);
+            } else {
+                out.push_back(span);
+            }
+        }
+    }
+    const bool across =
+        cyclic && out.size() > 1 && out.front().begin <= begin + same_place_px && out.back().end >= end - same_place_px;
+    if (!across) return;
+    out.back().end = end + (out.front().end - begin);
+    out.erase(out.begin());
+}
+
+void Strand::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const {
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const bool first = piece == parts_[0].piece, last = piece == parts_[count_ - 1].piece;
+    const double shift = first ? 0.0 : parts_[1].shift;
+    const double low = !first ? seam_ : ends_at_begin ? -endless : begin;
+    const double high = !last ? seam_ : ends_at_end ? endless : end;
+    out.clear();
+    const auto add = [&](const Span& span, double by) {
+        const Span held{std::max(span.begin + by, low), std::min(span.end + by, high)};
+        if (held.begin < held.end) out.push_back({held.begin - shift, held.end - shift});
+    };
+    for (const Span& span : spans) {
+        if (is_whole(span)) {
+            add({begin, end}, 0.0);
+            continue;
+        }
+        add(span, 0.0);
+        if (!cyclic) continue;
+        add(span, -length());
+        add(span, length());
+    }
+    unite(out);
+}
+
+vec2 place_px(const ClippedPaths& clipped, Index piece, double arc_px) {
+    const auto begin = clipped.arc_px.begin() + clipped.pieces.begin(piece),
+               end = clipped.arc_px.begin() + clipped.pieces.end(piece);
+    const auto above = std::clamp(std::upper_bound(begin, end, arc_px), begin + 1, end - 1);
+    const auto i = static_cast<Index>(above - clipped.arc_px.begin());
+    const double length = clipped.arc_px[i] - clipped.arc_px[i - 1];
+    const double t = length > 0.0 ? std::clamp((arc_px - clipped.arc_px[i - 1]) / length, 0.0, 1.0) : 0.0;
+    return glm::mix(clipped.px[i - 1], clipped.px[i], static_cast<float>(t));
+}
+
+void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out) {
+    std::size_t next = 0;  // visible span that is not written yet
+    const auto write_before = [&](double arc) {
+        for (; next < visible.size() && visible[next].begin < arc; ++next)
+            out.push(piece, visible[next].begin, visible[next].end);
+    };
+    for (Index r = rows.begin(piece); r < rows.end(piece); ++r) {
+        if (runs.invisibility[r] == 0) continue;
+        double from = runs.start_px[r];
+        const double to = runs.end_px[r];
+        write_before(from);
+        if (next > 0) from = std::max(from, visible[next - 1].end);
+        while (next < visible.size() && visible[next].begin < to) {
+            out.push(piece, from, visible[next].begin, runs.invisibility[r]);
+            from = std::max(from, visible[next].end);
+            out.push(piece, visible[next].begin, visible[next].end);
+            ++next;
+        }
+        out.push(piece, from, to, runs.invisibility[r]);
+    }
+    write_before(std::numeric_limits<double>::infinity());
+}
+
+}  // namespace fovea

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a line is to filters along it: pieces that go on into each other.
+#pragma once
+
+#include <fovea/base/parallel.h>
+#include <fovea/visibility/runs.h>
+
+namespace fovea {
+
+/// Part of a strand, in pixels of the strand's arc length.
+struct Span {
+    double begin, end;
+    double length() const { return end - begin; }
+};
+
+/// Runs nearer to each other than this, and ends of pieces than this, are the same place.
+inline constexpr double same_place_px = 1e-6;
+
+/// A piece; or, where the frame cuts a closed path, the two pieces that meet at its seam. A closed piece goes on into
+/// itself. Arc length is that of the first piece, and goes on along the second.
+class Strand {
+   public:
+    Strand(const ClippedPaths& clipped, Index piece);
+
+    double begin = 0.0, end = 0.0;
+    /// The end goes on at the begin.
+    bool cyclic = false;
+    /// Whether the line ends there, and is not cut by the frame.
+    bool ends_at_begin = false, ends_at_end = false;
+
+    double length() const { return end - begin; }
+    bool reaches_begin(const Span& span) const { return !cyclic && span.begin <= begin + same_place_px; }
+    bool reaches_end(const Span& span) const { return !cyclic && span.end >= end - same_place_px; }
+    bool is_whole(const Span& span) const { return cyclic && span.length() >= length() - same_place_px; }
+
+    struct Part {
+        Index piece;
+        double shift;  ///< arc length of the strand less that of the piece
+    };
+    In<Part> parts() const { return {parts_, std::size_t(count_)}; }
+
+    /// What per-atlas-sample `values` say at a place of the strand (PieceSamples::value).
+    float value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const;
+
+    /// The visible parts of the strand, ascending, apart from each other. Of a cyclic strand, one that goes on across
+    /// the seam ends beyond `end`.
+    void visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const;
+
+    /// What spans leave on one piece, in its own arc length, ascending and apart. Spans may overlap, may reach beyond a
+    /// cyclic strand, and beyond ends of the line; where the frame cuts it they end.
+    void on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const;
+
+   private:
+    Part parts_[2];
+    int count_ = 1;
+    double seam_ = 0.0;  // where two parts meet
+};
+
+/// Place in pixels at an arc length of a piece, or its nearest end.
+vec2 place_px(const ClippedPaths& clipped, Index piece, double arc_px);
+
+/// Appends the runs of a piece that is now visible in `visible` (ascending, apart), hidden where it was and is not
+/// visible now.
+void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out);
+
+/// The runs after change(strand, spans) has had its way with the visible spans of each strand whose path is `wanted`;
+/// the runs of others stay as they are. Hidden runs give way to visible ones and stay otherwise. A strand of two pieces
+/// is changed once for each. Parallel; the result does not depend on the number of threads.
+template <typename Wanted, typename Change>
+Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted& wanted, const Change& change) {
+    constexpr std::size_t pieces_per_block = 256;
+    const Rows rows = runs_of_pieces(clipped, runs);
+    std::vector<Runs> blocks((clipped.path.size() + pieces_per_block - 1) / pieces_per_block);
+    parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t b, std::size_t first, std::size_t last) {
+        std::vector<Span> spans, kept;
+        for (Index q = Index(first); q < last; ++q) {
+            if (!wanted(clipped.path[q])) {
+                for (Index r = rows.begin(q); r < rows.end(q); ++r)
+                    blocks[b].push(q, runs.start_px[r], runs.end_px[r], runs.invisibility[r]);
+                continue;
+            }
+            const Strand strand(clipped, q);
+            strand.visible(runs, rows, spans);
+            change(strand, spans);
+            strand.on_piece(q, spans, kept);
+            replace_visible(runs, rows, q, kept, blocks[b]);
+        }
+    });
+    Runs all;
+    for (const Runs& block : blocks) all.append(block);
+    return all;
+}
+
+}  // namespace fovea

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/path/paths.h>
+#include <fovea/runs/filters.h>
+#include <fovea/runs/strand.h>
+
+namespace fovea {
+namespace {
+
+/// Where a run of a contour that ends at `end` should end instead, looking back over at most fold_px along `way` (+1
+/// or -1): before a fold, from which the rest runs backwards.
+double trim_end(const ClippedPaths& clipped, Index piece, double start, double end, int way, double fold_px) {
+    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // back within 30 degrees of the way it came
+    double result = end;
+    const vec2 tip = place_px(clipped, piece, end);
+    const auto arcs = clipped.arc_px.begin();
+    const double low = way > 0 ? end - fold_px : end, high = way > 0 ? end : end + fold_px;
+    const auto first =
+        std::lower_bound(arcs + clipped.pieces.begin(piece), arcs + clipped.pieces.end(piece), low) - arcs;
+    for (auto i = static_cast<Index>(first); i < clipped.pieces.end(piece) && clipped.arc_px[i] <= high; ++i) {
+        const double arc = clipped.arc_px[i], left = (end - arc) * way;
+        if (left <= 0.0 || left > fold_px || (arc - start) * way <= before_px || left <= (end - result) * way) continue;
+        const vec2 onward = clipped.px[i] - place_px(clipped, piece, arc - way * before_px), rest = tip - clipped.px[i];
+        const double lengths = glm::length(onward) * glm::length(rest);
+        if (glm::length(rest) > least_px && glm::dot(onward, rest) < cosine * lengths) result = arc;
+    }
+    return result;
+}
+
+/// Where a run should end so that it meets the next one, which starts at `next` beside it: the nearest place within
+/// fold_px of its end, if it is near enough for one line to go on as the other.
+double meet_next(const ClippedPaths& clipped, Index piece, double start, double end, double next, double fold_px) {
+    constexpr double near_px = 3.0, step_px = 0.5;
+    const vec2 goal = place_px(clipped, piece, next);
+    double nearest = near_px, result = end;
+    for (double arc = end; arc > std::max(start, end - fold_px); arc -= step_px) {
+        const double distance = glm::length(place_px(clipped, piece, arc) - goal);
+        if (distance < nearest) {
+            nearest = distance;
+            result = arc;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px) {
+    check_runs(clipped, runs);
+    check(clipped.path.empty() || clipped.path.back() < of_view.size(), "of_view: one value per path expected");
+    Runs trimmed = runs;
+    const std::size_t count = runs.piece.size();
+    parallel_for(count, [&](std::size_t r) {
+        const Index piece = runs.piece[r];
+        if (!of_view[clipped.path[piece]] || runs.invisibility[r] != 0) return;
+        const double first = clipped.arc_px[clipped.pieces.begin(piece)],
+                     last = clipped.arc_px[clipped.pieces.end(piece) - 1];
+        double start = runs.start_px[r], end = runs.end_px[r];
+        const bool cusps = of_view[clipped.path[piece]] == ends_at_cusps && !clipped.closed[piece];
+        if (cusps || end < last - same_place_px) end = trim_end(clipped, piece, start, end, 1, fold_px);
+        if (cusps || start > first + same_place_px) start = trim_end(clipped, piece, end, start, -1, fold_px);
+        std::size_t next = r + 1;
+        while (next < count && runs.invisibility[next] != 0) ++next;
+        const bool goes_on = next < count && runs.piece[next] == piece && runs.start_px[next] - end < fold_px;
+        if (goes_on) end = meet_next(clipped, piece, start, end, runs.start_px[next], fold_px);
+        trimmed.start_px[r] = start;
+        trimmed.end_px[r] = end;
+    });
+    return trimmed;
+}
+
+}  // namespace fovea

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What bounds a volume, and what is a sheet.
+#pragma once
+
+#include <fovea/scene/scene.h>
+
+namespace fovea {
+
+/// Facets of a surface that hide, gathered in bodies: those that hang together by edges. A solid body is closed and
+/// consistently oriented: at each of its edges as many sides run one way as the other. All others are sheets, however
+/// small their holes.
+struct Bodies {
+    Array<Index> of_facet;      ///< body, numbered by first facet; `none` where a facet hides nothing
+    Array<std::uint8_t> solid;  ///< per body
+    bool all_outward = false;   ///< there are bodies, all are solid, and the volume inside each is positive
+
+    explicit Bodies(const Surface& surface);
+};
+
+/// Kept with the surface.
+std::shared_ptr<const Bodies> bodies_of(const Surface& surface);
+
+/// Bodies of every placement that hides something (null of others), kept with the surfaces.
+class SceneBodies {
+   public:
+    explicit SceneBodies(const Scene& scene);
+    const Bodies& of(Index placement) const { return *bodies_[placement]; }
+
+   private:
+    std::vector<std::shared_ptr<const Bodies>> bodies_;
+};
+
+}  // namespace fovea

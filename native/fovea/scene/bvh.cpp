@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/scene/bvh.h>
+
+#include <cmath>
+
+namespace fovea {
+namespace {
+
+void skip_ignored(const RTCFilterFunctionNArguments* at) {
+    if (static_cast<const RayContext*>(at->context)->ignored(*at)) at->valid[0] = 0;
+}
+
+}  // namespace
+
+Tracer::Bvh::Bvh() : top(rtcNewScene(bvh_device())) { rtcSetSceneFlags(top, bvh_flags); }
+
+void Tracer::Bvh::add(const Scene& scene, Index placement) {
+    const Surface& surface = *scene.placements[placement].surface;
+    const auto kept = surface.lasting_cache().get<std::unique_ptr<const SurfaceBvh>>(
+        0, [&] { return std::make_unique<const SurfaceBvh>(surface); });
+    surfaces.emplace_back(kept, kept->get());
+    surfaces.back()->follow(surface);
+    const RTCGeometry instance = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, surfaces.back()->scene());
+    rtcSetGeometryTimeStepCount(instance, 1);
+    const mat4 transform(object_to_view[placement]);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(top, instance, static_cast<unsigned>(placement_of_instance.size()));
+    rtcReleaseGeometry(instance);
+    placement_of_instance.push_back(placement);
+    versions.push_back(surface.version());
+}
+
+void Tracer::Bvh::commit() {
+    rtcCommitScene(top);
+    check_bvh_device("scene");
+}
+
+std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const {
+    RayContext context(scene, placement_of_instance, ray, ignore);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    if (ignore.placement != none) {
+        arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+        arguments.filter = skip_ignored;
+    }
+    RTCRayHit found{embree_ray(ray), {}};
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(top, &found, &arguments);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return Hit{placement_of_instance[found.hit.instID[0]], found.hit.primID, found.ray.tfar, found.hit.u, found.hit.v};
+}
+
+RayContext::RayContext(const Scene& of, const Array<Index>& placements, const Ray& ray, const Ignore& skipped)
+    : scene(of),
+      placement_of_instance(placements),
+      ignore(skipped),
+      reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(ray.direction) : 0.0f) {
+    rtcInitRayQueryContext(this);
+}
+
+bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
+    const Index hit = placement(at);
+    const float before = 1.0f - RTCRayN_tfar(at.ray, 1, 0);
+    if (hit == ignore.placement && std::abs(before) < reach_t) return true;
+    return ignore.holds(hit, *scene.placements[hit].surface, RTCHitN_primID(at.hit, 1, 0));
+}
+
+RTCRay embree_ray(const Ray& ray) {
+    RTCRay made{};
+    made.org_x = ray.origin.x;
+    made.org_y = ray.origin.y;
+    made.org_z = ray.origin.z;
+    made.dir_x = ray.direction.x;
+    made.dir_y = ray.direction.y;
+    made.dir_z = ray.direction.z;
+    made.tnear = ray.near_t;
+    made.tfar = ray.far_t;
+    made.mask = ~0u;
+    return made;
+}
+
+}  // namespace fovea

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One BVH per surface, and how it follows the surface's vertices.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tbb/task_arena.h>
+
+#include <fovea/base/hash.h>
+#include <fovea/scene/bvh.h>
+
+namespace fovea {
+namespace {
+
+/// Triangles whose neighbours tell how good a refitted BVH still is, and how many times farther apart they may come.
+constexpr Index probes = 4096;
+constexpr double worst_spread = 1.7;
+
+vec3 middle(const Surface& surface, Index triangle) {
+    const Triangle& t = surface.triangles[triangle];
+    return (surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3.0f;
+}
+
+/// Order along a space-filling curve: bits of the three coordinates (10 each) take turns.
+Index along_curve(const vec3& p) {
+    const auto spread = [](float share) {
+        auto x = static_cast<Index>(std::clamp(share, 0.0f, 1.0f) * 1023.0f);
+        x = (x | x << 16) & 0x030000ff;
+        x = (x | x << 8) & 0x0300f00f;
+        x = (x | x << 4) & 0x030c30c3;
+        return (x | x << 2) & 0x09249249;
+    };
+    return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
+}
+
+Array<Index> neighbours(const Surface& surface) {
+    const Index count = std::min(probes, surface.occluding_triangles);
+    Array<Index> chosen(count);
+    for (Index i = 0; i < count; ++i)
+        chosen[i] = static_cast<Index>(std::uint64_t(i) * surface.occluding_triangles / count);
+    const float size = std::max(2.0f * surface.radius, 1e-30f);
+    const auto key = [&](Index t) { return along_curve((middle(surface, t) - surface.center) / size + 0.5f); };
+    std::sort(chosen.begin(), chosen.end(),
+              [&](Index a, Index b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    return chosen;
+}
+
+/// How far those side by side lie apart, as a share of the surface's size.
+double spread(const Surface& surface, const Array<Index>& order) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        sum += glm::distance(middle(surface, order[i - 1]), middle(surface, order[i]));
+    return surface.radius > 0.0f ? sum / surface.radius : 0.0;
+}
+
+/// Of what they are, and of where the borrowed arrays lie.
+std::uint64_t hash_of_triangles(const Surface& surface) {
+    const std::uint64_t contents = hash_bytes(surface.triangles.data(), surface.occluding_triangles * sizeof(Triangle));
+    return hash_numbers(contents, reinterpret_cast<std::uintptr_t>(surface.triangles.data()),
+                        reinterpret_cast<std::uintptr_t>(surface.positions.data()));
+}
+
+}  // namespace
+
+RTCDevice bvh_device() {
+    // Lives as long as the process: Embree's threads may still run when statics are torn down.
+    static const RTCDevice shared = [] {
+        // The same instructions wherever there are wider ones, too: frames of one film are rendered on many machines.
+        const RTCDevice made = rtcNewDevice("max_isa=avx2");
+        if (!made) throw std::runtime_error("Embree could not be started on this machine");
+        return made;
+    }();
+    return shared;
+}
+
+void check_bvh_device(const std::string& what) {
+    const RTCError error = rtcGetDeviceError(bvh_device());
+    if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
+}
+
+SurfaceBvh::SurfaceBvh(const Surface& surface)
+    : scene_(rtcNewScene(bvh_device())), geometry_(rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_TRIANGLE)) {
+    take_triangles(surface);
+    rtcSetGeometryEnableFilterFunctionFromArguments(geometry_, true);
+    rtcCommitGeometry(geometry_);
+    rtcAttachGeometry(scene_, geometry_);
+    rtcReleaseGeometry(geometry_);
+    rtcSetSceneFlags(scene_, bvh_flags | RTC_SCENE_FLAG_COMPACT);
+    rtcCommitScene(scene_);
+    version_ = surface.version();
+    check_bvh_device(surface.name());
+}
+
+void SurfaceBvh::follow(const Surface& surface) const {
+    const std::lock_guard lock(mutex_);
+    if (version_ == surface.version()) return;
+    const bool same = moves_ && hash_of_triangles(surface) == triangles_;
+    if (same && spread(surface, neighbours_) <= worst_spread * spread_) {
+        rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
+    } else {
+        rtcSetSceneFlags(scene_, bvh_flags | RTC_SCENE_FLAG_DYNAMIC);
+        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
+        rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
+        take_triangles(surface);  // other triangles: Embree builds it anew
+        moves_ = true;
+    }
+    rtcCommitGeometry(geometry_);
+    // Isolated: a thread that waits inside must not pick up work that waits for this lock.
+    tbb::this_task_arena::isolate([&] { rtcCommitScene(scene_); });
+    version_ = surface.version();
+    check_bvh_device(surface.name());
+}
+
+void SurfaceBvh::take_triangles(const Surface& surface) const {
+    rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
+                               sizeof(vec3), surface.vertex_count());
+    rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface.triangles.data(), 0,
+                               sizeof(Triangle), surface.occluding_triangles);
+    triangles_ = hash_of_triangles(surface);
+    neighbours_ = neighbours(surface);
+    spread_ = spread(surface, neighbours_);
+}
+
+}  // namespace fovea

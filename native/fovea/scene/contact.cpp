@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/scene/contact.h>
+
+#include <fovea/base/disjoint_sets.h>
+#include <fovea/mesh/triangle_sides.h>
+
+namespace fovea {
+namespace {
+
+/// Tolerances that a curve must be long; what is left of one that touches is shorter.
+constexpr double shortest_curve = 16.0;
+
+/// Triangles at each side of a triangle.
+struct SideTriangles {
+    Rows rows;
+    Array<Index> triangle;
+};
+
+SideTriangles triangles_at_sides(const Surface& surface) {
+    const auto sides = triangle_sides(surface);
+    SideTriangles at;
+    at.rows.offsets.assign(sides->vertices.size(), 0);
+    for (const glm::uvec3& t : sides->of_triangle)
+        for (int i = 0; i < 3; ++i) ++at.rows.offsets[t[i]];
+    counts_to_offsets(at.rows.offsets);
+    at.triangle.resize(3 * sides->of_triangle.size());
+    Array<Index> next(at.rows.offsets.begin(), at.rows.offsets.end() - 1);
+    for (Index t = 0; t < sides->of_triangle.size(); ++t)
+        for (int i = 0; i < 3; ++i) at.triangle[next[sides->of_triangle[t][i]]++] = t;
+    return at;
+}
+
+/// A triangle's plane; the normal of a triangle without area is 0, and everything lies in its plane.
+struct Plane {
+    dvec3 normal{0.0};
+    dvec3 point{0.0};
+
+    Plane(const Mapped& in, Index triangle) : point(in.corner(triangle, 0)) {
+        const dvec3 n = glm::cross(in.corner(triangle, 1) - point, in.corner(triangle, 2) - point);
+        if (const double length = glm::length(n); length > 0.0) normal = n / length;
+    }
+    double height(const dvec3& p) const { return glm::dot(normal, p - point); }
+};
+
+class ContactTest {
+   public:
+    ContactTest(const Mapped& first, const Mapped& second, double tolerance)
+        : mapped_{first, second}, tolerance_(tolerance) {}
+
+    /// True where the piece runs along a side of one of its triangles, and the surface there does not go on to the
+    /// other side of the other triangle.
+    bool touches(const Crossing& crossing) const {
+        for (int own = 0; own < 2; ++own)
+            for (int side = 0; side < 3; ++side)
+                if (runs_along(crossing, own, side) && turns_back(crossing, own, side)) return true;
+        return false;
+    }
+
+   private:
+    bool runs_along(const Crossing& crossing, int own, int side) const {
+        // A shorter piece has no direction.
+        if (glm::distance(dvec3(crossing.point[0]), dvec3(crossing.point[1])) <= 4.0 * tolerance_) return false;
+        const Index t = crossing.triangle[own];
+        const dvec3 from = mapped_[own].corner(t, side), along = mapped_[own].corner(t, (side + 1) % 3) - from;
+        const double room = tolerance_ * glm::length(along);
+        return glm::length(glm::cross(dvec3(crossing.point[0]) - from, along)) <= room &&
+               glm::length(glm::cross(dvec3(crossing.point[1]) - from, along)) <= room;
+    }
+
+    bool turns_back(const Crossing& crossing, int own, int side) const {
+        const Mapped& in = mapped_[own];
+        const Index t = crossing.triangle[own];
+        const Plane plane(mapped_[1 - own], crossing.triangle[1 - own]);
+        const double here = plane.height(in.corner(t, (side + 2) % 3));
+        const Index number = triangle_sides(in.surface)->of_triangle[t][side];
+        const Edge ends = triangle_sides(in.surface)->vertices[number];
+        const auto at = in.surface.cache().get<SideTriangles>(0, [&] { return triangles_at_sides(in.surface); });
+        for (Index i = at->rows.begin(number); i < at->rows.end(number); ++i) {
+            const Triangle& beyond = in.surface.triangles[at->triangle[i]];
+            for (int k = 0; k < 3; ++k) {
+                if (beyond[k] == ends.x || beyond[k] == ends.y) continue;
+                const double there = plane.height(in.corner(at->triangle[i], k));
+                if (std::min(std::abs(here), std::abs(there)) > tolerance_ && here * there < 0.0) return false;
+            }
+        }
+        return true;
+    }
+
+    const Mapped mapped_[2];
+    const double tolerance_;
+};
+
+/// Per crossing: the total length of its curve, all that hang together by their ends.
+Array<double> curve_lengths(const Crossings& crossings) {
+    Index ends = 0;
+    for (const Crossing& c : crossings) ends = std::max({ends, c.end[0] + 1, c.end[1] + 1});
+    DisjointSets curves(ends);
+    for (const Crossing& c : crossings) curves.join(c.end[0], c.end[1]);
+    Array<double> total(ends, 0.0);
+    for (const Crossing& c : crossings)
+        total[curves.name(c.end[0])] += glm::distance(dvec3(c.point[0]), dvec3(c.point[1]));
+    Array<double> lengths(crossings.size());
+    for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = total[curves.name(crossings[i].end[0])];
+    return lengths;
+}
+
+}  // namespace
+
+Crossings without_contact(const Crossings& crossings, const Mapped& first, const Mapped& second, double tolerance) {
+    const ContactTest test(first, second, tolerance);
+    Array<std::uint8_t> contact(crossings.size());
+    parallel_for(crossings.size(), [&](std::size_t i) { contact[i] = test.touches(crossings[i]); }, 256);
+    Crossings kept, result;
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+        if (!contact[i]) kept.push_back(crossings[i]);
+    const Array<double> lengths = curve_lengths(kept);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (lengths[i] > shortest_curve * tolerance) result.push_back(kept[i]);
+    return result;
+}
+
+}  // namespace fovea

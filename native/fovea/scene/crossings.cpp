@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/scene/crossings.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <tbb/parallel_sort.h>
+
+#include <fovea/base/hash.h>
+#include <fovea/scene/contact.h>
+#include <fovea/scene/orientation.h>
+
+namespace fovea {
+namespace {
+
+/// Sine of the angle up to which two triangles, each within the tolerance of the other's plane, lie in one.
+constexpr double flat_sine = 0.01;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Corners of a triangle on the grid, and which surface they are of (as bits of `second` of an orientation).
+struct Corners {
+    dvec3 p[3];
+    unsigned second;
+
+    bool collapsed() const { return p[0] == p[1] || p[1] == p[2] || p[2] == p[0]; }
+};
+
+struct End {
+    std::uint64_t id;
+    dvec3 point;
+};
+
+/// A piece before its ends are numbered.
+struct Piece {
+    Index triangle[2];
+    End end[2];
+};
+
+/// The grid on which both surfaces lie: a power of two in the object space of the first.
+class Grid {
+   public:
+    Grid(const TriangleTree& first, const Box& second) {
+        double size = 0.0;
+        for (const Box& box : {first.bounds(), second})
+            for (int i = 0; i < 3; ++i)
+                size = std::max({size, std::abs(double(box.low[i])), std::abs(double(box.high[i]))});
+        usable_ = size > 0.0 && size < 1e18;
+        int exponent = 0;
+        std::frexp(size, &exponent);  // size < 2^exponent
+        scale_ = std::ldexp(1.0, 38 - exponent);
+        size_ = size;
+    }
+    bool usable() const { return usable_; }
+    /// Of contact and of the grid, in object space.
+    double tolerance() const { return contact_tolerance * size_; }
+    double step() const { return 1.0 / scale_; }
+
+    /// Without a sign on zero: positions are compared and hashed by their bits.
+    dvec3 point(const dvec3& p) const {
+        return {std::nearbyint(p.x * scale_) + 0.0, std::nearbyint(p.y * scale_) + 0.0,
+                std::nearbyint(p.z * scale_) + 0.0};
+    }
+    vec3 back(const dvec3& p) const { return vec3(p / scale_); }
+
+   private:
+    bool usable_ = false;
+    double scale_ = 1.0, size_ = 0.0;
+};
+
+/// The same number for the same side and triangle, by where they are.
+std::uint64_t id_of(const dvec3& from, const dvec3& to, const Corners& t, bool within) {
+    dvec3 at[5] = {from, to, t.p[0], t.p[1], t.p[2]};
+    std::sort(at + 2, at + 5, before);
+    return hash_bytes(at, sizeof(at), within ? 2 : t.second);
+}
+
+/// Where the side from corner k to k + 1 of `s` meets triangle `t`; `heights` of the corners of s over t.
+bool meet_side(const Corners& s, int k, const Orientation (&heights)[3], const Corners& t, bool within, End& end) {
+    int i = k, j = (k + 1) % 3;
+    if (heights[i].sign * heights[j].sign >= 0) return false;
+    if (before(s.p[j], s.p[i])) std::swap(i, j);
+    const unsigned second = within ? 0u : (s.second ? 3u : 12u);
+    int sign = 0;
+    for (int side = 0; side < 3; ++side) {
+        const int turn = orientation({s.p[i], s.p[j], t.p[side], t.p[(side + 1) % 3]}, second).sign;
+        if (turn == 0 || (sign != 0 && turn != sign)) return false;
+        sign = turn;
+    }
+    const double fall = heights[i].value - heights[j].value;
+    const double share = fall != 0.0 ? heights[i].value / fall : 0.5;  // a side in the triangle's plane: anywhere
+    end = {id_of(s.p[i], s.p[j], t, within), glm::mix(s.p[i], s.p[j], share)};
+    return true;
+}
+
+/// A triangle in the object space of the first surface, not on the grid.
+struct Plain {
+    dvec3 p[3];
+};
+
+/// Six times the signed volumes of tetrahedra over a triangle.
+struct Heights {
+    dvec3 normal;  ///< of the triangle, not normalized
+    double size;   ///< square of no less than half the distance of any two of the points
+    double lowest = infinity, highest = -infinity;
+
+    /// Of the corners of `c`, but for those of the bits `shared`.
+    Heights(const Plain& c, const Plain& over, unsigned shared) {
+        const dvec3 first = over.p[1] - over.p[0], second = over.p[2] - over.p[0];
+        normal = glm::cross(first, second);
+        size = std::max(squared(first), squared(second));
+        for (int i = 0; i < 3; ++i) {
+            if (shared >> i & 1u) continue;
+            const dvec3 along = c.p[i] - over.p[0];
+            const double height = glm::dot(normal, along);
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+            size = std::max(size, squared(along));
+        }
+    }
+    double farthest() const { return std::max(std::abs(lowest), std::abs(highest)); }
+    /// Also of the points rounded to a grid of this step. A volume changes with the place of a point by the area of the
+    /// other three, at most twice `size` in each of four points; a step counts for more than rounding does.
+    bool on_one_side(double step) const {
+        const double room = 16.0 * size * step;
+        return lowest > room || highest < -room;
+    }
+
+    static double squared(const dvec3& v) { return glm::dot(v, v); }
+};
+
+/// Finds the pieces of two surfaces, or of one with itself.
+class Finder {
+   public:
+    Finder(const Mapped& first, const Mapped& second, const Grid& grid, bool within)
+        : mapped_{first, second}, grid_(grid), within_(within) {}
+
+    void meet(Index first, Index second, std::vector<Piece>& out) const {
+        unsigned shared = 0;  // corners of the second triangle that the first has, too, and of the first from bit 3 on
+        if (within_ && shared_vertices(first, second, shared) > 1) return;
+        const Plain plain_a = plain(0, first), plain_b = plain(1, second);
+        if (apart(plain_a, plain_b, shared)) return;
+        const Corners a = on_grid(plain_a, 0), b = on_grid(plain_b, 1);
+        if (a.collapsed() || b.collapsed()) return;
+        int shared_a = -1, shared_b = -1;
+        if (within_ && shared_corners(a, b, shared_a, shared_b) > 1) return;
+        Orientation of_a[3], of_b[3];  // heights of corners over the other triangle
+        if (!heights(b, shared_b, a, of_b) || !heights(a, shared_a, b, of_a)) return;
+        End ends[6];
+        int count = 0;
+        for (int k = 0; k < 3; ++k) {
+            count += meet_side(a, k, of_a, b, within_, ends[count]);
+            count += meet_side(b, k, of_b, a, within_, ends[count]);
+        }
+        if (shared_a >= 0) ends[count++] = {hash_bytes(&a.p[shared_a], sizeof(dvec3)), a.p[shared_a]};
+        if (count == 2) out.push_back({{first, second}, {ends[0], ends[1]}});
+    }
+
+   private:
+    /// The first surface stays as it is.
+    Plain plain(int of, Index triangle) const {
+        if (of == 1 && !within_)
+            return {{mapped_[1].corner(triangle, 0), mapped_[1].corner(triangle, 1), mapped_[1].corner(triangle, 2)}};
+        const Surface& surface = mapped_[0].surface;
+        const Triangle& t = surface.triangles[triangle];
+        return {{dvec3(surface.positions[t.x]), dvec3(surface.positions[t.y]), dvec3(surface.positions[t.z])}};
+    }
+
+    Corners on_grid(const Plain& plain, unsigned second) const {
+        return {{grid_.point(plain.p[0]), grid_.point(plain.p[1]), grid_.point(plain.p[2])}, second};
+    }
+
+    int shared_vertices(Index first, Index second, unsigned& which) const {
+        const Triangle &a = mapped_[0].surface.triangles[first], &b = mapped_[0].surface.triangles[second];
+        int shared = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                if (a[i] != b[j]) continue;
+                ++shared;
+                which |= 8u << i | 1u << j;
+            }
+        return shared;
+    }
+
+    /// True where the corners of one, but for shared ones, surely lie on one side of the other, whatever the grid does
+    /// to them; and where both lie in one plane.
+    bool apart(const Plain& a, const Plain& b, unsigned shared) const {
+        const Heights of_b(b, a, shared & 7u);
+        if (of_b.on_one_side(grid_.step())) return true;
+        const Heights of_a(a, b, shared >> 3);
+        if (of_a.on_one_side(grid_.step())) return true;
+        const double length_a = glm::length(of_b.normal), length_b = glm::length(of_a.normal);
+        return (of_b.farthest() <= grid_.tolerance() * length_a || of_a.farthest() <= grid_.tolerance() * length_b) &&
+               glm::length(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * length_a * length_b;
+    }
+
+    static int shared_corners(const Corners& a, const Corners& b, int& of_a, int& of_b) {
+        int shared = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                if (a.p[i] != b.p[j]) continue;
+                ++shared;
+                of_a = i;
+                of_b = j;
+            }
+        return shared;
+    }
+
+    /// False when all corners but a shared one lie on the same side of `over`.
+    bool heights(const Corners& c, int shared, const Corners& over, Orientation (&of)[3]) const {
+        const unsigned second = within_ ? 0u : (c.second ? 8u : 7u);
+        bool above = false, below = false;
+        for (int i = 0; i < 3; ++i) {
+            of[i] = i == shared ? Orientation{0.0, 0} : orientation({over.p[0], over.p[1], over.p[2], c.p[i]}, second);
+            above = above || of[i].sign > 0;
+            below = below || of[i].sign < 0;
+        }
+        return above && below;
+    }
+
+    const Mapped mapped_[2];
+    const Grid& grid_;
+    const bool within_;
+};
+
+/// Pieces with numbered ends; where triangles lie on top of each other, one of each.
+Crossings numbered(const std::vector<std::vector<Piece>>& parts, const Grid& grid) {
+    Crossings crossings;
+    std::vector<std::uint64_t> ids;
+    for (const auto& part : parts)
+        for (const Piece& piece : part)
+            for (const End& end : piece.end) ids.push_back(end.id);
+    tbb::parallel_sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    const auto number = [&](const End& end) {
+        return static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), end.id) - ids.begin());
+    };
+    for (const auto& part : parts)
+        for (const Piece& p : part)
+            crossings.push_back({{p.triangle[0], p.triangle[1]},
+                                 {number(p.end[0]), number(p.end[1])},
+                                 {grid.back(p.end[0].point), grid.back(p.end[1].point)}});
+    std::vector<std::pair<std::uint64_t, Index>> same(crossings.size());
+    for (Index i = 0; i < same.size(); ++i) {
+        const auto [low, high] = std::minmax(crossings[i].end[0], crossings[i].end[1]);
+        same[i] = {std::uint64_t(low) << 32 | high, i};
+    }
+    tbb::parallel_sort(same.begin(), same.end());
+    Array<std::uint8_t> again(crossings.size(), 0);
+    for (std::size_t i = 1; i < same.size(); ++i) again[same[i].second] = same[i].first == same[i - 1].first;
+    Crossings once;
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+        if (!again[i]) once.push_back(crossings[i]);
+    return once;
+}
+
+Crossings find(const Mapped& first, const Mapped& second, bool within, const Cancel& cancel) {
+    const auto tree_a = triangle_tree(first.surface), tree_b = triangle_tree(second.surface);
+    if (tree_a->empty() || tree_b->empty()) return {};
+    const Grid grid(*tree_a, tree_b->bounds().mapped(second.map));
+    if (!grid.usable()) return {};
+    const Finder finder(first, second, grid, within);
+    const auto visit = [&](Index i, Index j, std::vector<Piece>& out) {
+        finder.meet(tree_a->order[i], tree_b->order[j], out);
+    };
+    // The margin is more than rounding to the grid moves a box.
+    const TreeMeeting meeting(*tree_a, *tree_b, second.map, static_cast<float>(grid.tolerance()), within, visit);
+    std::vector<std::vector<Piece>> parts(meeting.block_count());
+    parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+        cancel.poll();
+        meeting.block(b, parts[b]);
+    });
+    return without_contact(numbered(parts, grid), first, second, grid.tolerance());
+}
+
+}  // namespace
+
+Crossings cross(const Surface& first, const Surface& second, const Affine& second_to_first, const Cancel& cancel) {
+    return find({first, Affine(1.0)}, {second, second_to_first}, false, cancel);
+}
+
+Crossings cross_itself(const Surface& surface, const Cancel& cancel) {
+    return find({surface, Affine(1.0)}, {surface, Affine(1.0)}, true, cancel);
+}
+
+}  // namespace fovea

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far places are from surfaces.
+#pragma once
+
+#include <memory>
+
+#include <fovea/scene/scene.h>
+
+namespace fovea {
+
+/// Distance from some of a scene's placements. Keeps a copy of their triangles, those that hide nothing, too; may be
+/// asked from many threads.
+class SurfaceDistance {
+   public:
+    /// Throws std::invalid_argument for a placement that does not exist, std::runtime_error where Embree fails.
+    SurfaceDistance(const Scene& scene, const View& view, In<Index> placements);
+
+    /// From a place in view space to the nearest of the triangles, inside bodies, too; infinite where all are farther
+    /// than `far`, which is what makes it cheap, where there are none, and for what is no place.
+    float operator()(const vec3& position_view, float far) const;
+
+   private:
+    struct Bvh;
+    std::shared_ptr<const Bvh> bvh_;
+};
+
+}  // namespace fovea

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rays through the scene tell; how they meet triangles is in bvh.cpp.
+#include <fovea/scene/tracer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fovea/base/check.h>
+#include <fovea/scene/bvh.h>
+
+namespace fovea {
+namespace {
+
+/// Flat to the margin of rays, so that it hides no more than its two triangles do.
+bool is_flat_and_convex(const Outline& quad) {
+    const dvec3* c = quad.corners;
+    const dvec3 normal = glm::cross(c[1] - c[0], c[3] - c[0]);
+    if (std::abs(glm::dot(normal, c[2] - c[0])) > 0.1 * ray_margin * glm::length(normal) * glm::length(c[2]))
+        return false;
+    for (int i = 0; i < 4; ++i)
+        if (glm::dot(glm::cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[i]), normal) <= 0.0) return false;
+    return true;
+}
+
+}  // namespace
+
+Tracer::Tracer(const Scene& scene, const View& view)
+    : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>()) {
+    bvh_->object_to_view.resize(scene.placements.size());
+    for (Index i = 0; i < scene.placements.size(); ++i) {
+        const Placement& placement = scene.placements[i];
+        bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
+        const bool hides = placement.usage & (usage_occlude | usage_holdout);
+        if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1)) bvh_->add(scene, i);
+    }
+    bvh_->commit();
+}
+
+Tracer::~Tracer() = default;
+
+Ray Tracer::ray_to(const vec3& point) const {
+    if (view_.orthographic) {
+        const float near_z = static_cast<float>(-view_.near_clip), length = near_z - point.z;
+        const float margin = static_cast<float>(ray_margin) * std::max(std::abs(point.z), glm::length(vec2(point)));
+        return {vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f,
+                length > margin ? 1.0f - margin / length : -1.0f};
+    }
+    return {vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z, static_cast<float>(1.0 - ray_margin)};
+}
+
+bool Tracer::surely_before(const Hit& hit, const Ray& ray) const {
+    // Single precision may put a large surface that the point lies on, a floor, before the point: hits so near to the
+    // end are measured again.
+    constexpr float sure = 0.98f;
+    return hit.t < sure || plane_share(hit, ray) < ray.far_t;
+}
+
+std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) const {
+    Ray ray = ray_to(point);
+    if (ray.far_t <= ray.near_t) return {};
+    for (int tries = 0; tries < 8; ++tries) {
+        const auto hit = bvh_->trace(scene_, ray, ignore);
+        if (!hit || surely_before(*hit, ray)) return hit;
+        ray.near_t = std::nextafter(hit->t, 2.0f);
+    }
+    return {};
+}
+
+double Tracer::plane_share(const Hit& hit, const Ray& ray) const {
+    dvec3 corner[3];
+    corners(hit.placement, hit.triangle, corner);
+    const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    return glm::dot(normal, corner[0] - dvec3(ray.origin)) / glm::dot(normal, dvec3(ray.direction));
+}
+
+std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (view_.orthographic) {
+        const float reach = std::max(std::abs(point.z), 1e-6f);
+        return bvh_->trace(scene_, {point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity}, ignore);
+    }
+    return bvh_->trace(scene_, {vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity}, ignore);
+}
+
+std::optional<Hit> Tracer::seen(const dvec2& px) const {
+    const dvec2 ndc(px.x / view_.width * 2.0 - 1.0, px.y / view_.height * 2.0 - 1.0);
+    const dvec4 on_near = clip_to_view_ * dvec4(ndc, -1.0, 1.0);
+    const dvec3 point = dvec3(on_near) / on_near.w;
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const auto near_distance = static_cast<float>(view_.near_clip);
+    if (view_.orthographic)
+        return bvh_->trace(scene_, {vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}, {});
+    // Scaled so that the parameter is the distance along -z.
+    return bvh_->trace(scene_, {vec3(0.0f), vec3(point / -point.z), near_distance, infinity}, {});
+}
+
+void Tracer::check_current() const {
+    for (std::size_t i = 0; i < bvh_->versions.size(); ++i) {
+        const Surface& surface = *scene_.placements[bvh_->placement_of_instance[i]].surface;
+        if (surface.version() != bvh_->versions[i])
+            check(false, surface.name() + ": moved after its tracer was made; make a new one");
+    }
+}
+
+Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool contour) const {
+    const Surface& surface = *scene_.placements[placement].surface;
+    if (surface.is_edge(place)) {
+        const EdgeSide* sides = surface.edge_sides.data();
+        return {placement, sides + surface.edge_rows.begin(place), sides + surface.edge_rows.end(place)};
+    }
+    const Index triangle = surface.triangle_at(place);
+    if (other_facet != none) {
+        const auto& base = scene_.facet_base;
+        const auto other =
+            static_cast<Index>(std::upper_bound(base.begin(), base.end(), other_facet) - base.begin() - 1);
+        Ignore ignore{.placement = placement, .facet = surface.triangle_facet[triangle]};
+        ignore.other_placement = other;
+        ignore.other_facet = other_facet - base[other];
+        return ignore;
+    }
+    dvec3 c[3];
+    corners(placement, triangle, c);
+    const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
+    Ignore ignore{.placement = placement, .around = surface.triangles[triangle]};
+    const dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+    const double size = glm::length(normal);
+    const bool mirrored = glm::determinant(dmat3(bvh_->object_to_view[placement])) < 0.0;
+    const bool away = glm::dot(normal, view_.orthographic ? dvec3(0, 0, 1) : -c[0]) < 0.0;
+    // Of a sheet either side may be seen; a contour has but one outside.
+    const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
+    const double height = size > 0.0 ? size / longest : 0.0;
+    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
+    if (contour) ignore.reach = static_cast<float>(2.0 * longest);
+    return ignore;
+}
+
+void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {
+    const Surface& surface = *scene_.placements[placement].surface;
+    const Triangle& vertices = surface.triangles[triangle];
+    for (int i = 0; i < 3; ++i)
+        out[i] = dvec3(bvh_->object_to_view[placement] * dvec4(dvec3(surface.positions[vertices[i]]), 1.0));
+}
+
+Outline Tracer::outline(const Hit& hit) const {
+    Outline triangle;
+    corners(hit.placement, hit.triangle, triangle.corners);
+    triangle.triangle = hit.triangle;
+    const Surface& surface = *scene_.placements[hit.placement].surface;
+    const Triangle& here = surface.triangles[hit.triangle];
+    for (const Index next : {hit.triangle + 1, hit.triangle - 1}) {  // before the first: beyond the last
+        if (next >= surface.occluding_triangles || surface.triangle_facet[next] != surface.triangle_facet[hit.triangle])
+            continue;
+        const Triangle& there = surface.triangles[next];
+        const auto in = [](Index vertex, const Triangle& other) {
+            return vertex == other[0] || vertex == other[1] || vertex == other[2];
+        };
+        int alone = -1, beyond = -1, shared = 0;
+        for (int i = 0; i < 3; ++i) {
+            if (!in(here[i], there)) alone = i;
+            if (in(there[i], here))
+                ++shared;
+            else
+                beyond = i;
+        }
+        if (shared != 2 || alone < 0) continue;
+        dvec3 others[3];
+        corners(hit.placement, next, others);
+        const dvec3* c = triangle.corners;
+        const Outline quad{{c[alone], c[(alone + 1) % 3], others[beyond], c[(alone + 2) % 3]}, 4, hit.triangle, next};
+        if (is_flat_and_convex(quad)) return quad;
+    }
+    return triangle;
+}
+
+}  // namespace fovea

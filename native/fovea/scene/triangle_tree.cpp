@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/scene/triangle_tree.h>
+
+#include <limits>
+#include <tbb/parallel_sort.h>
+
+namespace fovea {
+namespace {
+
+Box box_of(const Surface& surface, Index triangle) {
+    const Triangle& t = surface.triangles[triangle];
+    const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
+    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+/// Every third bit of the result is one of the 20 of a place among 2^20, from 0 upwards.
+std::uint64_t spread(double place) {
+    std::uint64_t x = place > 0.0 ? static_cast<std::uint64_t>(std::min(place, 1048575.0)) : 0;  // rounding, overflow
+    x = (x | x << 32) & 0x1f00000000ffffull;
+    x = (x | x << 16) & 0x1f0000ff0000ffull;
+    x = (x | x << 8) & 0x100f00f00f00f00full;
+    x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+    return (x | x << 2) & 0x1249249249249249ull;
+}
+
+struct Placed {
+    std::uint64_t code;
+    Index triangle;
+};
+
+Array<Index> morton_order(const Surface& surface) {
+    Array<Placed> placed(surface.triangles.size());
+    const dvec3 low = dvec3(surface.center) - double(surface.radius);
+    const double cells = surface.radius > 0.0f ? 524288.0 / surface.radius : 0.0;
+    parallel_for(placed.size(), [&](std::size_t t) {
+        const Box box = box_of(surface, static_cast<Index>(t));
+        const dvec3 at = (0.5 * (dvec3(box.low) + dvec3(box.high)) - low) * cells;
+        placed[t] = {spread(at.x) | spread(at.y) << 1 | spread(at.z) << 2, static_cast<Index>(t)};
+    });
+    tbb::parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+        return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
+    });
+    Array<Index> order(placed.size());
+    parallel_for(order.size(), [&](std::size_t i) { order[i] = placed[i].triangle; });
+    return order;
+}
+
+/// Boxes over `each` boxes in a row.
+Array<Box> boxes_over(const Array<Box>& below, Index each) {
+    Array<Box> boxes((below.size() + each - 1) / each);
+    parallel_for(boxes.size(), [&](std::size_t i) {
+        boxes[i] = below[each * i];
+        for (std::size_t k = each * i + 1; k < std::min<std::size_t>(each * (i + 1), below.size()); ++k)
+            boxes[i] = {glm::min(boxes[i].low, below[k].low), glm::max(boxes[i].high, below[k].high)};
+    });
+    return boxes;
+}
+
+TriangleTree make_tree(const Surface& surface) {
+    TriangleTree tree;
+    tree.order = morton_order(surface);
+    tree.boxes.resize(tree.order.size());
+    parallel_for(tree.order.size(), [&](std::size_t i) { tree.boxes[i] = box_of(surface, tree.order[i]); });
+    if (tree.boxes.empty()) return tree;
+    tree.levels.push_back(boxes_over(tree.boxes, TriangleTree::leaf_size));
+    while (tree.levels.back().size() > 1) tree.levels.push_back(boxes_over(tree.levels.back(), 2));
+    return tree;
+}
+
+}  // namespace
+
+Box Box::mapped(const Affine& map) const {
+    const dvec3 middle = 0.5 * (dvec3(low) + dvec3(high)), half = 0.5 * (dvec3(high) - dvec3(low));
+    const dvec3 at = map * dvec4(middle, 1.0);
+    dvec3 reach = glm::abs(map[0]) * half.x + glm::abs(map[1]) * half.y + glm::abs(map[2]) * half.z;
+    // More than rounding to single precision and of the map takes away.
+    reach += 4.0 * std::numeric_limits<float>::epsilon() * (glm::abs(at) + reach);
+    return {vec3(at - reach), vec3(at + reach)};
+}
+
+std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface) {
+    return surface.cache().get<TriangleTree>(0, [&] { return make_tree(surface); });
+}
+
+}  // namespace fovea

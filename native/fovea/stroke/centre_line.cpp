@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/centre_line.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+namespace fovea {
+
+namespace {
+
+constexpr double small_step = 1.5;      // px; longer steps are shape, not noise of a dense mesh
+constexpr double largest_shift = 0.15;  // px a point may move to even out small steps
+constexpr double tolerance = 0.1;       // px between a dropped point and the line that replaces it
+constexpr double shortest = 0.05;       // px between neighbours: below it a direction means nothing
+constexpr float strength_step = 0.05f;  // change of strength that keeps a point
+constexpr int taper_steps = 4;
+constexpr double most_overshoot = 1000.0;  // px
+constexpr double tip_width = 0.2;          // of a tapered end, in widths of the pen: corners of the drawing stay closed
+
+double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
+    const float s = float(t);
+    return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),
+            glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s), glm::mix(a.shown, b.shown, s)};
+}
+
+CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
+    float s = 1.0f;
+    if (!strength.empty()) {
+        const Index source = clipped.source[i];
+        s = strength[source];
+        // The last point of a path has nothing to mix with.
+        if (clipped.source_t[i] > 0.0f) s = glm::mix(s, strength[source + 1], clipped.source_t[i]);
+        s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
+    }
+    return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
+}
+
+/// The directions in which a straight line from `origin` passes all points seen so far within the
+/// tolerance.
+class Cone {
+   public:
+    explicit Cone(const CentrePoint& origin) : origin_(origin) {}
+
+    bool admits(const CentrePoint& p) const {
+        if (std::abs(p.opacity - origin_.opacity) > strength_step) return false;
+        const dvec2 d = p.px - origin_.px;
+        if (glm::length(d) < far_ - tolerance) return false;  // turns back
+        return far_ <= tolerance || (cross(right_, d) >= 0.0 && cross(d, left_) >= 0.0);
+    }
+
+    void narrow(const CentrePoint& p) {
+        const dvec2 d = p.px - origin_.px;
+        const double distance = glm::length(d);
+        if (distance > tolerance) {
+            const double s = tolerance / distance, c = std::sqrt(1.0 - s * s);
+            const dvec2 right(d.x * c + d.y * s, d.y * c - d.x * s), left(d.x * c - d.y * s, d.y * c + d.x * s);
+            if (far_ <= tolerance || cross(right_, right) > 0.0) right_ = right;
+            if (far_ <= tolerance || cross(left, left_) > 0.0) left_ = left;
+        }
+        far_ = std::max(far_, distance);
+    }
+
+   private:
+    CentrePoint origin_;
+    double far_ = 0.0;
+    dvec2 right_{0.0}, left_{0.0};
+};
+
+/// Binomial average where both steps are small: a zigzag of a dense mesh becomes straight.
+void even_out(CentreLine& line) {
+    dvec2 before = line.front().px;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const dvec2 here = line[i].px, after = line[i + 1].px;
+        if (glm::distance(before, here) < small_step && glm::distance(here, after) < small_step) {
+            const dvec2 shift = 0.25 * (before - 2.0 * here + after);
+            line[i].px += shift * std::min(1.0, largest_shift / std::max(glm::length(shift), 1e-9));
+        }
+        before = here;
+    }
+}
+
+/// Width of the pens where a line is as strong, and as far out of focus, as here; `opacity` is the strength still.
+float width_of(const PenPair& pens, const CentrePoint& p) {
+    const float width = glm::mix(pens.in_focus.width_px, pens.out_of_focus.width_px, p.mix.z);
+    return width * glm::mix(1.0f, p.opacity, pens.in_focus.strength_width);
+}
+
+/// Points where strength thins the pen to one pixel: thinner ones are drawn in another way.
+void insert_where_thin(CentreLine& line, const PenPair& pens) {
+    std::vector<double> arcs;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const float a = width_of(pens, line[i - 1]) - 1.0f, b = width_of(pens, line[i]) - 1.0f;
+        if (a * b < 0.0f) arcs.push_back(glm::mix(line[i - 1].arc, line[i].arc, double(a / (a - b))));
+    }
+    if (!arcs.empty()) insert_points(line, arcs);
+}
+
+}  // namespace
+
+void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px,
+         CentreLine& out) {
+    out.clear();
+    const Index begin = clipped.pieces.begin(piece), end = clipped.pieces.end(piece);
+    if (end - begin < 2 || !(start_px < end_px)) return;
+    const auto arc = clipped.arc_px.begin();
+    // First point beyond the start, first point not before the end; both have a predecessor in the
+    // piece.
+    const Index first = Index(std::upper_bound(arc + begin + 1, arc + end - 1, start_px) - arc);
+    const Index last = Index(std::lower_bound(arc + first, arc + end - 1, end_px) - arc);
+    const auto at = [&](Index i, double arc_px) {
+        const CentrePoint a = point_of(clipped, strength, i - 1), b = point_of(clipped, strength, i);
+        const double length = b.arc - a.arc;
+        return mix(a, b, length > 0.0 ? std::clamp((arc_px - a.arc) / length, 0.0, 1.0) : 0.0);
+    };
+    out.push_back(at(first, start_px));
+    for (Index i = first; i < last; ++i) out.push_back(point_of(clipped, strength, i));
+    out.push_back(at(last, end_px));
+    std::erase_if(out, [](const CentrePoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
+}
+
+void lengthen(CentreLine& line, double before_px, double after_px) {
+    if (line.size() < 2) return;
+    // Straight on is where the line leads over this length: at its very end a dense mesh leads anywhere.
+    constexpr double look_back = 3.0;
+    const auto beyond = [](const auto& from_end, double length, double sign) {
+        CentrePoint end = *from_end.begin();
+        const auto inner = std::ranges::find_if(
+            from_end, [&](const CentrePoint& p) { return glm::distance(p.px, end.px) > look_back; });
+        const dvec2 other = inner != from_end.end() ? inner->px : std::ranges::prev(from_end.end())->px;
+        if (other == end.px) return end;
+        end.px += glm::normalize(end.px - other) * length;
+        end.arc += sign * length;
+        return end;
+    };
+    before_px = std::min(before_px, most_overshoot);
+    after_px = std::min(after_px, most_overshoot);
+    const CentrePoint first = beyond(line, before_px, -1.0);
+    const CentrePoint last = beyond(std::views::reverse(line), after_px, 1.0);
+    if (after_px > 0.0) line.push_back(last);
+    if (before_px > 0.0) line.insert(line.begin(), first);
+}
+
+void insert_points(CentreLine& line, In<double> arcs, double near_px) {
+    CentreLine out{line.front()};
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const CentrePoint &a = line[i - 1], &b = line[i];
+        for (; next < arcs.size() && arcs[next] < b.arc; ++next)
+            if (arcs[next] > out.back().arc + near_px && arcs[next] < b.arc - near_px)
+                out.push_back(mix(a, b, (arcs[next] - a.arc) / (b.arc - a.arc)));
+        out.push_back(b);
+    }
+    line = std::move(out);
+}
+
+void simplify(CentreLine& line) {
+    if (line.size() < 2) return line.clear();
+    even_out(line);
+    std::size_t kept = 1;
+    Cone cone(line[0]);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (!cone.admits(line[i])) {
+            if (glm::distance(line[i - 1].px, line[kept - 1].px) > shortest) line[kept++] = line[i - 1];
+            cone = Cone(line[i - 1]);
+        }
+        cone.narrow(line[i]);
+    }
+    const CentrePoint end = line.back();
+    while (kept > 0 && glm::distance(line[kept - 1].px, end.px) <= shortest) --kept;
+    // Too short for a direction: nothing. A last step that was too short ends at the true end.
+    if (kept > 0) line[kept++] = end;
+    line.resize(kept);
+}
+
+void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
+    if (line.size() < 2) return;
+    const Pen &pen = pens.in_focus, &away = pens.out_of_focus;
+    insert_where_thin(line, pens);
+    const double start = line.front().arc, end = line.back().arc;
+    const bool any = tapered.start || tapered.end;
+    const double taper = any ? std::min<double>(pen.taper_px, (end - start) / 2.0) : 0.0;
+    if (taper > 0.0) {
+        double arcs[2 * taper_steps];
+        for (int k = 1; k <= taper_steps; ++k) {
+            arcs[k - 1] = start + taper * k / taper_steps;
+            arcs[2 * taper_steps - k] = end - taper * k / taper_steps;
+        }
+        insert_points(line, arcs);
+    }
+    // A line too short to taper in full keeps its width: a row of short ones shall not look like
+    // beads.
+    const double thinning = taper > 0.0 ? (1.0 - tip_width) * (taper / double(pen.taper_px)) : 0.0;
+    const auto along = [&](bool tapers, double distance) {
+        return tapers && taper > 0.0 ? std::clamp(distance / taper, 0.0, 1.0) : 1.0;
+    };
+    for (CentrePoint& p : line) {
+        const double x = std::min(along(tapered.start, p.arc - start), along(tapered.end, end - p.arc));
+        const float width = width_of(pens, p) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
+        const float faded = glm::mix(p.opacity, 1.0f, pen.strength_width);
+        p.half_width = std::max(width, 1.0f) / 2.0f;
+        p.opacity = faded * std::min(width, 1.0f) * glm::mix(pen.opacity, away.opacity, p.mix.w) * p.shown;
+    }
+}
+
+void extend(CentreLine& line, Cap cap) {
+    if (line.size() < 2) return;
+    const auto beyond = [&](CentrePoint end, dvec2 inner, double sign) {
+        const double reach = (cap == Cap::round ? end.half_width : 0.0) + 0.5;
+        end.px += glm::normalize(end.px - inner) * reach;
+        end.arc += sign * reach;
+        return end;
+    };
+    const CentrePoint first = beyond(line.front(), line[1].px, -1.0);
+    line.push_back(beyond(line.back(), line[line.size() - 2].px, 1.0));
+    line.insert(line.begin(), first);
+}
+
+}  // namespace fovea

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hand that holds the pen: it trembles, and it presses.
+#pragma once
+
+#include <cstdint>
+
+#include <fovea/stroke/centre_line.h>
+
+namespace fovea {
+
+/// Moves a line sideways by smooth noise of its arc length: at most `amount_px`, in waves of about `length_px`. The
+/// noise belongs to `seed` and stays where it is along the path, whatever is hidden of it. Ends (of a closed line: the
+/// seam) stay where they are, so that corners of the drawing stay closed. Before `shape`.
+void wobble(CentreLine& line, double amount_px, double length_px, std::uint64_t seed);
+
+/// Thins a line towards its ends: `amount` in [0,1] of its width is left out there, nothing in the middle. After
+/// `shape`.
+void press(CentreLine& line, float amount);
+
+}  // namespace fovea

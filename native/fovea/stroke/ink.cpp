@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/ink.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fovea/base/check.h>
+
+namespace fovea {
+
+namespace {
+
+/// Box filter of `from` values to `to` <= from values: each is the mean over its share of the row.
+/// Value i of line j lies at in[i * step + j * line_step].
+void shrink(const float* in, int from, float* out, int to, int lines, std::ptrdiff_t step_in, std::ptrdiff_t line_in,
+            std::ptrdiff_t step_out, std::ptrdiff_t line_out) {
+    const double share = double(from) / to;
+    for (int k = 0; k < to; ++k) {
+        const double begin = k * share, end = (k + 1) * share;
+        for (int line = 0; line < lines; ++line) {
+            double sum = 0.0;
+            for (int i = int(begin); i < std::min(from, int(std::ceil(end))); ++i)
+                sum += in[i * step_in + line * line_in] * (std::min(end, i + 1.0) - std::max(begin, double(i)));
+            out[k * step_out + line * line_out] = float(sum / share);
+        }
+    }
+}
+
+int fitted(int size, float px) { return std::isfinite(px) ? int(std::clamp(std::ceil(px), 1.0f, float(size))) : size; }
+
+}  // namespace
+
+PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px) {
+    check(texture.width > 0 && texture.height > 0 &&
+              texture.ink.size() == std::size_t(texture.width) * std::size_t(texture.height),
+          "pen texture: expected rows x columns of ink, at least one of each");
+    PenTexture narrow{fitted(texture.width, length_px), texture.height, {}};
+    narrow.ink.resize(std::size_t(narrow.width) * narrow.height);
+    shrink(texture.ink.data(), texture.width, narrow.ink.data(), narrow.width, texture.height, 1, texture.width, 1,
+           narrow.width);
+    PenTexture result{narrow.width, fitted(texture.height, width_px), {}};
+    result.ink.resize(std::size_t(result.width) * result.height);
+    shrink(narrow.ink.data(), narrow.height, result.ink.data(), result.height, narrow.width, narrow.width, 1,
+           result.width, 1);
+    result.row_mean.resize(std::size_t(result.height));
+    shrink(result.ink.data(), result.width, result.row_mean.data(), 1, result.height, 1, result.width, 1, 1);
+    return result;
+}
+
+std::vector<PenTexture> fit_textures(In<Pen> pens, In<PenTexture> textures) {
+    std::vector<PenTexture> fitted;
+    for (const Pen& pen : pens) {
+        check(pen.texture == none || pen.texture < textures.size(),
+              "pen: there is no texture " + std::to_string(pen.texture));
+        check(pen.away == none || pen.away < pens.size(),
+              "pen: there is no pen " + std::to_string(pen.away) + " out of focus");
+        fitted.push_back(pen.texture == none ? PenTexture{}
+                                             : fit_texture(textures[pen.texture], pen.texture_length_px, pen.width_px));
+    }
+    return fitted;
+}
+
+}  // namespace fovea

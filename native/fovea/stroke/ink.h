@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pen textures brought to the size at which a pen draws them.
+#pragma once
+
+#include <fovea/stroke/pen.h>
+
+namespace fovea {
+
+/// Area-filtered copy of a texture with at most one column per px of `length_px` and one row per px
+/// of `width_px` (at least one of each); never larger than the texture. Drawn with bilinear
+/// sampling it neither flickers nor loses ink: the mean stays the same. It has the means of its
+/// rows. Throws where the texture is
+/// empty or its array has the wrong size.
+PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px);
+
+/// The texture of each pen as it draws it; empty for a solid one. Throws where a pen's texture, or its pen out of
+/// focus, does not exist.
+std::vector<PenTexture> fit_textures(In<Pen> pens, In<PenTexture> textures);
+
+}  // namespace fovea

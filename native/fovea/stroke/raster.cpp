@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/raster.h>
+
+#include <algorithm>
+#include <string>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/image/tiles.h>
+#include <fovea/stroke/fragment.h>
+#include <fovea/stroke/ink.h>
+
+namespace fovea {
+
+namespace {
+
+/// Edges of a depth buffer's core lie between pixels, or beyond all of them.
+PixelBox pixels_of(const vec4& core) { return {int(core.x), int(core.y), int(core.z), int(core.w)}; }
+
+class Painter {
+   public:
+    Painter(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
+            const SpineTest* spine)
+        : strokes_(strokes),
+          pens_(pens),
+          picture_{0, 0, width, height},
+          decided_(picture_),
+          image_(image),
+          spine_(spine) {
+        if (spine) decided_ = intersect(picture_, pixels_of(spine->core()));
+        inks_ = fit_textures(pens, textures);
+    }
+
+    void tile(const Tiles& tiles, int i, int j) const {
+        const int size = Tiles::size;
+        const PixelBox box = intersect({i * size, j * size, (i + 1) * size, (j + 1) * size}, picture_);
+        for (int y = box.y0; y < box.y1; ++y) std::fill_n(row(y) + box.x0, box.x1 - box.x0, vec4(0.0f));
+        const PixelBox drawn = intersect(box, decided_);
+        if (drawn.empty()) return;
+        const std::size_t list = std::size_t(j) * tiles.across + i;
+        for (std::size_t k = tiles.offsets[list]; k < tiles.offsets[list + 1]; ++k)
+            triangle(strokes_.triangles[tiles.triangle[k]], drawn);
+    }
+
+   private:
+    vec4* row(int y) const { return image_.data() + std::size_t(y) * picture_.x1; }
+
+    void triangle(glm::uvec3 c, const PixelBox& tile) const {
+        const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);
+        const PixelBox box = intersect(shape.box(), tile);
+        const OverTriangle<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
+        const OverTriangle<2> mixes(shape, dvec2(strokes_.mix[c[0]]), dvec2(strokes_.mix[c[1]]),
+                                    dvec2(strokes_.mix[c[2]]));
+        const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w, path_px = strokes_.path_px[c[0]];
+        const Pen& pen = pens_[strokes_.pen[c[0]]];
+        const Index away = pen.away;
+        for (int y = box.y0; y < box.y1; ++y) {
+            int x0 = box.x0, x1 = box.x1;
+            shape.span(y, x0, x1);
+            for (int x = x0; x < x1; ++x) {
+                const vec4 f = values.at(x, y);
+                float alpha = coverage(f[0], f[1], start, end, f[2], pen.cap);
+                if (alpha <= 0.0f) continue;
+                vec3 color = pen.color;
+                if (away == none) {
+                    alpha *= ink_of(strokes_.pen[c[0]], f, path_px);
+                } else {
+                    const vec2 mix = mixes.at(x, y);
+                    color = glm::mix(color, pens_[away].color, mix.x);
+                    alpha *= glm::mix(ink_of(strokes_.pen[c[0]], f, path_px), ink_of(away, f, path_px), mix.y);
+                }
+                if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
+                row(y)[x] = over(row(y)[x], color, alpha * f[3]);
+            }
+        }
+    }
+
+    float ink_of(Index number, const vec4& f, float path_px) const {
+        const Pen& pen = pens_[number];
+        if (pen.texture == none) return 1.0f;
+        if (pen.anchor == Anchor::path)
+            return anchored_ink(inks_[number], f[0], f[1], f[2], path_px, pen.texture_length_px);
+        return ink(inks_[number], f[0] / pen.texture_length_px, f[1], f[2]);
+    }
+
+    dvec4 corner(Index i) const {
+        return {strokes_.arc[i].x, strokes_.arc[i].y, strokes_.half_width[i], strokes_.opacity[i]};
+    }
+
+    const Strokes& strokes_;
+    In<Pen> pens_;
+    PixelBox picture_, decided_;
+    Array<vec4>& image_;
+    const SpineTest* spine_;
+    std::vector<PenTexture> inks_;
+};
+
+void check_pieces(const Strokes& strokes, const SpineTest& spine) {
+    check(strokes.piece.size() == strokes.px.size(), "strokes: the spine test needs a piece per vertex");
+    const auto missing = std::ranges::find_if(strokes.piece, [&](Index q) { return !spine.has(q); });
+    check(missing == strokes.piece.end(), "strokes: a vertex belongs to a piece that is not there or has no segments");
+}
+
+void check_input(const Strokes& strokes, In<Pen> pens) {
+    const std::size_t count = strokes.px.size();
+    check(strokes.arc.size() == count && strokes.half_width.size() == count && strokes.opacity.size() == count &&
+              strokes.mix.size() == count && strokes.path_px.size() == count && strokes.pen.size() == count,
+          "strokes: px, arc, half_width, opacity, mix, path_px and pen must have the same length");
+    Index corner = 0, pen = 0;
+    for (const glm::uvec3 t : strokes.triangles) corner = std::max({corner, t.x, t.y, t.z});
+    for (const Index p : strokes.pen) pen = std::max(pen, p);
+    check(strokes.triangles.empty() || corner < count, "strokes: there is no vertex " + std::to_string(corner));
+    check(strokes.pen.empty() || pen < pens.size(), "strokes: there is no pen " + std::to_string(pen));
+}
+
+}  // namespace
+
+void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
+            const SpineTest* spine) {
+    check(width > 0 && height > 0, "raster: the picture needs a positive width and height");
+    check_input(strokes, pens);
+    if (spine) check_pieces(strokes, *spine);
+    image.resize(std::size_t(width) * height);
+    const Painter painter(strokes, pens, textures, width, height, image, spine);
+    const Tiles tiles = sort_into_tiles(strokes.px, strokes.triangles, width, height);
+    parallel_for(
+        std::size_t(tiles.across) * tiles.up,
+        [&](std::size_t t) { painter.tile(tiles, int(t % tiles.across), int(t / tiles.across)); }, 1);
+}
+
+}  // namespace fovea

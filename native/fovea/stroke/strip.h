@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A centre line with width becomes a strip of triangles with mitred or round joins.
+#pragma once
+
+#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/strokes.h>
+
+namespace fovea {
+
+/// What is the same all over a stroke.
+struct StripEnds {
+    /// u of the run's start and end; caps lie beyond them.
+    float start, end;
+    /// Length of the whole path [px].
+    float path_px;
+    Index pen;
+};
+
+/// Appends the strip around `line` (at least two points, neighbours apart), half a pixel wider than
+/// its width. Bends up to 100 degrees are mitred, sharper ones rounded. Where the inner side of
+/// bends is longer than the steps between them, their inner corners merge: no spikes, no folded
+/// triangles, and no pixel drawn twice unless the line turns back on itself (more than 150 degrees)
+/// within its own width. `closed`: the last point repeats the first, and is joined to it.
+void add_strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes& out);
+
+}  // namespace fovea

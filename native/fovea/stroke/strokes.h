@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Visible runs shaped into triangles: what every backend draws.
+#pragma once
+
+#include <fovea/base/columns.h>
+
+namespace fovea {
+
+/// Strips of triangles around the centre lines of strokes, half a pixel wider than the pen for
+/// antialiasing. Triangles of a stroke that touch share corners (or have corners at the very same
+/// place), so that a pixel between them is drawn once. Pixels as in View. Everything is affine over
+/// a triangle; coverage and ink of a fragment: fragment.h.
+struct Strokes {
+    Array<vec2> px;
+    Array<vec4> arc;
+    Array<float> half_width, opacity;
+    Array<vec2> mix;
+    Array<float> path_px;
+    Array<Index> pen, piece;
+
+    static constexpr std::tuple vertex_columns{
+        Column{"px", &Strokes::px, "(V, 2) float32 corner of the strip, pixels"},
+        Column{
+            "arc", &Strokes::arc,
+            "(V, 4) float32: u [px of arc along the whole path, 0 at its middle], v [px across, positive to the left "
+            "of the way], u of the run's start and of its end (-+1e9 where a closed stroke has no ends)"},
+        Column{"half_width", &Strokes::half_width,
+               "(V,) float32 half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and fainter"},
+        Column{"opacity", &Strokes::opacity, "(V,) float32 of strength, thinness and the pens"},
+        Column{"mix", &Strokes::mix,
+               "(V, 2) float32: how far color and ink are those of the pen out of focus, each in [0, 1]"},
+        Column{"path_px", &Strokes::path_px,
+               "(V,) float32 length of the whole path [px], the same all over a stroke; for textures anchored to it"},
+        Column{"pen", &Strokes::pen, "(V,) uint32 index of the pen in focus, the same all over a stroke"},
+        Column{"piece", &Strokes::piece,
+               "(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty "
+               "otherwise"}};
+
+    /// Corners of each triangle, either way round, in drawing order: stroke after stroke, along
+    /// each stroke.
+    Array<glm::uvec3> triangles;
+    /// Strokes that have triangles.
+    Index count = 0;
+};
+
+}  // namespace fovea

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/tessellate.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/path/paths.h>
+#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/emphasis.h>
+#include <fovea/stroke/fade.h>
+#include <fovea/stroke/hand.h>
+#include <fovea/stroke/strip.h>
+
+namespace fovea {
+
+namespace {
+
+constexpr std::size_t block_size = 128;  // runs
+constexpr double whole_error = 1e-3;     // px a run may miss at the ends of a piece that it covers
+constexpr float endless = 1e9f;
+
+void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
+                 In<Pen> pens) {
+    const std::size_t count = runs.size();
+    check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
+          "runs: piece, start_px, end_px and invisibility must have the same length");
+    check(pen_of_run.size() == count, "pen_of_run: one entry per run expected");
+    check(clipped.path_length_px.size() == clipped.pieces.count(), "path_length_px: one entry per piece expected");
+    Index piece = 0, pen = 0;
+    for (const Index q : runs.piece) piece = std::max(piece, q);
+    check(runs.piece.empty() || piece < clipped.pieces.count(), "runs: there is no piece " + std::to_string(piece));
+    for (const Index p : pen_of_run) pen = std::max(pen, p + 1);  // none + 1 == 0
+    check(pen <= pens.size(), "pen_of_run: there is no pen " + std::to_string(pen - 1));
+    for (const Pen& p : pens)
+        check(p.away == none || p.away < pens.size(),
+              "pen: there is no pen " + std::to_string(p.away) + " out of focus");
+    if (strength.empty()) return;
+    std::size_t source = 0;
+    for (std::size_t i = 0; i < clipped.source.size(); ++i)
+        source = std::max<std::size_t>(source, clipped.source[i] + std::size_t(clipped.source_t[i] > 0.0f));
+    check(clipped.source.empty() || source < strength.size(), "strength: no entry for point " + std::to_string(source));
+}
+
+/// The runs that have a pen, the most hidden first; those that are hidden alike as they come.
+Array<Index> drawing_order(const Runs& runs, In<Index> pen_of_run) {
+    constexpr int most = std::numeric_limits<std::uint8_t>::max();
+    Array<Index> place(most + 1, 0);  // per invisibility, the most first
+    for (std::size_t r = 0; r < runs.size(); ++r) place[most - runs.invisibility[r]] += pen_of_run[r] != none;
+    counts_to_offsets(place);
+    Array<Index> order(place.back());
+    for (std::size_t r = 0; r < runs.size(); ++r)
+        if (pen_of_run[r] != none) order[place[most - runs.invisibility[r]]++] = Index(r);
+    return order;
+}
+
+/// What each block of runs adds to the whole, laid end to end in order.
+Strokes join(std::vector<Strokes>& blocks) {
+    Array<std::size_t> vertices, triangles;
+    for (const Strokes& b : blocks) {
+        vertices.push_back(b.px.size());
+        triangles.push_back(b.triangles.size());
+    }
+    counts_to_offsets(vertices);
+    counts_to_offsets(triangles);
+    check(vertices.back() < none, "strokes: too many vertices for 32-bit indices");
+
+    Strokes all;
+    resize_columns(all, Strokes::vertex_columns, vertices.back());
+    all.triangles.resize(triangles.back());
+    for (const Strokes& b : blocks) all.count += b.count;
+    parallel_for(
+        blocks.size(),
+        [&](std::size_t i) {
+            const Strokes block = std::move(blocks[i]);
+            const std::size_t v = vertices[i];
+            copy_columns(block, Strokes::vertex_columns, all, v);
+            std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
+                                   [&](glm::uvec3 t) { return t + Index(v); });
+        },
+        1);
+    return all;
+}
+
+}  // namespace
+
+Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
+                   In<Pen> pens, In<float> visibility, const Emphasis& emphasis, In<std::uint64_t> ids) {
+    check_input(clipped, runs, pen_of_run, strength, pens);
+    check_emphasis(clipped, emphasis);
+    check(ids.empty() || clipped.path.empty() || clipped.path.back() < ids.size(), "ids: one per path expected");
+    check(visibility.empty() || visibility.size() == clipped.samples,
+          "visibility: one value per atlas sample expected");
+    const Array<Index> order = drawing_order(runs, pen_of_run);
+    std::vector<Strokes> blocks((order.size() + block_size - 1) / block_size);
+    parallel_blocks(order.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
+        CentreLine line;
+        Fade fade;
+        EmphasisAlong along;
+        for (std::size_t k = begin; k < end; ++k) {
+            const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
+            if (clipped.pieces.size(piece) < 2) continue;
+            const double first = clipped.arc_px[clipped.pieces.begin(piece)];
+            const double last = clipped.arc_px[clipped.pieces.end(piece) - 1];
+            // What overshoots its line goes straight on.
+            const double before = first - runs.start_px[r], after = runs.end_px[r] - last;
+            find_fade(clipped, visibility, piece, std::max(runs.start_px[r], first), std::min(runs.end_px[r], last),
+                      runs.invisibility[r] != 0, fade);
+            const double start = fade.start_px, stop = fade.end_px;
+            const bool from_first = start<first + whole_error, to_last = stop> last - whole_error;
+            const bool closed = clipped.closed[piece] && from_first && to_last;
+            cut(clipped, strength, piece, start, stop, line);
+            if (!closed) lengthen(line, before, after);
+            simplify(line);
+            insert_bends(line, fade);
+            find_emphasis(clipped, emphasis, piece, start, stop, along);
+            emphasize(line, along);
+            const Index path = clipped.path[piece];
+            const std::uint64_t id = ids.empty() ? path : ids[path];
+            wobble(line, pens[pen].wobble_px, pens[pen].wobble_length_px, id + pens[pen].seed);
+            const int free = clipped.free_ends[piece];
+            const PenPair pair{pens[pen], pens[pens[pen].away == none ? pen : pens[pen].away]};
+            shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
+            press(line, pens[pen].pressure);
+            fade_ends(line, fade);
+            if (line.size() < 2) continue;
+            const float ends[] = {closed ? -endless : float(line.front().arc),
+                                  closed ? endless : float(line.back().arc)};
+            if (!closed) extend(line, pens[pen].cap);
+            add_strip(line, closed, {ends[0], ends[1], float(clipped.path_length_px[piece]), pen}, blocks[block]);
+            blocks[block].piece.resize(blocks[block].px.size(), piece);
+            ++blocks[block].count;
+        }
+    });
+    return join(blocks);
+}
+
+}  // namespace fovea

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/visibility/depth.h>
+
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/scene/bodies.h>
+#include <fovea/visibility/triangle_edges.h>
+
+namespace fovea {
+namespace {
+
+/// Slopes of triangles seen almost edge on stay finite.
+float slope(double value) {
+    return static_cast<float>(std::clamp(value, -double(max_depth_slope), double(max_depth_slope)));
+}
+
+/// An edge of a triangle along a row of texels.
+struct RowEdge {
+    int along;            ///< its code without the distance
+    double inside, step;  ///< distance inside at texel 0, and its change from texel to texel
+
+    /// What is no edge of the mesh cuts nothing off.
+    RowEdge(dvec2 a, dvec2 b, int y, bool of_mesh) {
+        const dvec2 way = b - a, inwards(-way.y, way.x);
+        const double length = std::abs(way.x) + std::abs(way.y), unit = length > 0.0 && of_mesh ? 1.0 / length : 0.0;
+        along = edge_code({0.0f, float(inwards.x * unit), float(inwards.y * unit)});
+        inside = glm::dot(inwards, dvec2(0.5, y + 0.5) - a) * unit;
+        step = inwards.x * unit;
+    }
+    int code(int x) const { return edge_code(along, float(inside + step * x)); }
+};
+
+/// Draws rows y0 to y1 of a triangle that lies on a facet.
+void draw_rows(const RasterTriangle& t, int y0, int y1, Index facet, DepthBuffer& buffer) {
+    const TriangleRows rows(t);
+    const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), facet, {}};
+    for (int y = y0; y < y1; ++y) {
+        const RowEdge first(t.corner[0], t.corner[1], y, t.of_mesh[0]),
+            second(t.corner[1], t.corner[2], y, t.of_mesh[1]), third(t.corner[2], t.corner[0], y, t.of_mesh[2]);
+        DepthTexel* row = &buffer.texels[std::size_t(y) * buffer.width];
+        const auto in_front = [&](int x, double exact) {
+            const float depth = static_cast<float>(exact);
+            const DepthTexel& texel = row[x];
+            return texel.facet == none || depth > texel.depth || (depth == texel.depth && facet < texel.facet);
+        };
+        each_texel(rows, y, in_front, [&](int x, double depth) {
+            row[x] = plane;
+            row[x].depth = static_cast<float>(depth);
+            row[x].edges = pack_edges(first.code(x), second.code(x), third.code(x));
+        });
+    }
+}
+
+}  // namespace
+
+DepthBuffer depth_layout(const View& view, const DepthOptions& options) {
+    check(view.width > 0 && view.height > 0, "depth buffer: the image is empty");
+    check(options.scale >= 1, "depth buffer: scale must be at least 1");
+    check(options.margin >= 0.0, "depth buffer: margin must not be negative");
+    DepthBuffer layout;
+    layout.scale = options.scale;
+    layout.border_x = static_cast<int>(std::ceil(0.5 * options.margin * view.width));
+    layout.border_y = static_cast<int>(std::ceil(0.5 * options.margin * view.height));
+    layout.width = (view.width + 2 * layout.border_x) * options.scale;
+    layout.height = (view.height + 2 * layout.border_y) * options.scale;
+    return layout;
+}
+
+dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout) {
+    dmat4 matrix = view.view_to_clip;
+    const double range = view.far_clip - view.near_clip;
+    // Third row: depth times w. Perspective: near / -z times -z. Orthographic: (far + z) / (far - near).
+    const dvec4 row =
+        view.orthographic ? dvec4(0.0, 0.0, 1.0 / range, view.far_clip / range) : dvec4(0.0, 0.0, 0.0, view.near_clip);
+    // From the frame to the buffer: its share of the buffer, and how far their middles are apart.
+    const dvec2 size = dvec2(layout.width, layout.height) / double(layout.scale), frame(view.width, view.height);
+    const dvec2 share = frame / size, shift = (frame + 2.0 * dvec2(layout.border_x, layout.border_y)) / size - 1.0;
+    for (int column = 0; column < 4; ++column) {
+        dvec4& m = matrix[column];
+        m.x = m.x * share.x + m.w * shift.x;
+        m.y = m.y * share.y + m.w * shift.y;
+        m.z = row[column];
+    }
+    return matrix;
+}
+
+RasterTarget raster_target(const View& view, const DepthBuffer& layout) {
+    return {layout.width, layout.height, view_to_depth_clip(view, layout)};
+}
+
+std::vector<Occluder> occluders(const Scene& scene, const View& view, double margin) {
+    std::vector<Occluder> result;
+    for (Index i = 0; i < scene.placements.size(); ++i) {
+        const Placement& placement = scene.placements[i];
+        if ((placement.usage & usage_occlude) && placement.surface->occluding_triangles > 0 &&
+            in_frame(placement, view, margin)) {
+            const Sphere sphere = bounding_sphere(placement, view);
+            const bool beyond_near = -sphere.center.z - sphere.radius > view.near_clip;
+            result.push_back({i, view.world_to_view * placement.object_to_world,
+                              beyond_near && bodies_of(*placement.surface)->all_outward});
+        }
+    }
+    return result;
+}
+
+double depth_reach(const Scene& scene, const View& view, double margin) {
+    double reach = 0.0;
+    for (const Occluder& occluder : occluders(scene, view, margin)) {
+        const Sphere sphere = bounding_sphere(scene.placements[occluder.placement], view);
+        reach = std::max(reach, sphere.radius - sphere.center.z);
+    }
+    return reach;
+}
+
+std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, double margin) {
+    std::vector<RasterMesh> meshes;
+    for (const Occluder& occluder : occluders(scene, view, margin)) {
+        const Surface& surface = *scene.placements[occluder.placement].surface;
+        meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
+                          In<Index>(surface.triangle_facet).first(surface.occluding_triangles), occluder.object_to_view,
+                          scene.facet_base[occluder.placement], occluder.solid});
+    }
+    return meshes;
+}
+
+DepthBuffer draw_depth(const View& view, In<RasterMesh> meshes, const DepthOptions& options, const Cancel* cancel) {
+    return draw_depth_into(depth_layout(view, options), view, meshes, cancel);
+}
+
+DepthBuffer draw_depth_into(DepthBuffer buffer, const View& view, In<RasterMesh> meshes, const Cancel* cancel) {
+    buffer.texels.resize(std::size_t(buffer.width) * buffer.height);
+    parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
+        std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());
+    });
+    draw_triangles(raster_target(view, buffer), meshes, cancel, [&](const RasterTriangle& t, int y0, int y1) {
+        const RasterMesh& mesh = meshes[t.mesh];
+        draw_rows(t, y0, y1, mesh.facet_base + mesh.triangle_facet[t.triangle], buffer);
+    });
+    return buffer;
+}
+
+}  // namespace fovea

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact visibility: rays along paths, and the shadows of the triangles they meet.
+#pragma once
+
+#include <fovea/base/parallel.h>
+#include <fovea/path/paths.h>
+#include <fovea/scene/tracer.h>
+#include <fovea/visibility/runs.h>
+
+namespace fovea {
+
+/// Changes of visibility are found to this many pixels.
+inline constexpr double exact_tolerance_px = 1.0 / 16.0;
+
+/// Visible runs. One ray per atlas sample decides it, except where a triangle met before already hides it: a triangle
+/// hides the part of a straight segment that lies in its shadow volume, one interval that is found in closed form, so
+/// that all samples in it need no ray. Each change between samples is then narrowed to exact_tolerance_px.
+Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel);
+
+}  // namespace fovea

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the facets at a line's own mesh edge tell about where it can be seen.
+#pragma once
+
+#include <fovea/base/view.h>
+#include <fovea/project/clipped_paths.h>
+#include <fovea/scene/scene.h>
+
+namespace fovea {
+
+/// Per segment (indexed by its first point); the last point of a piece holds the same as a segment without facets.
+struct OwnSides {
+    /// The greatest slope of the segment's facets that face the viewer, in depth (base/view.h) per pixel: how far a
+    /// surface that goes on like its own can rise above the line next to it; 0 where both turn away. At most
+    /// max_depth_slope (depth.h), reached edge on.
+    Array<float> steepness;
+    /// 1 where an opaque body would hide the line itself: both facets turn away from the viewer, or one does and the
+    /// edge is a groove. Such a line is seen only on open surfaces, next to its own facets. 0 where they hide nothing.
+    Array<std::uint8_t> inner;
+};
+
+OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& view);
+
+}  // namespace fovea

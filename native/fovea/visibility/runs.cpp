@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/visibility/runs.h>
+
+#include <algorithm>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t pieces_per_block = 256;
+
+/// Runs of one piece: where the line through the samples crosses the threshold.
+void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshold, Index piece, Runs& runs) {
+    const Index begin = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
+    double start = 0.0, before = clipped.arc_px[begin];
+    float value_before = 0.0f;
+    bool open = false, first = true;
+    for (Index i = begin; i < last; ++i) {
+        const double step =
+            clipped.sample_count[i] ? (clipped.arc_px[i + 1] - clipped.arc_px[i]) / clipped.sample_count[i] : 0.0;
+        for (Index j = 0; j < clipped.sample_count[i]; ++j) {
+            const double here = clipped.arc_px[i] + (j + 0.5) * step;
+            const float read = visibility[clipped.sample_start[i] + j];
+            const float value = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // also what is not a number
+            const bool visible = value >= threshold;
+            if (visible != open) {
+                const double t = first ? 0.0 : (threshold - value_before) / (value - value_before);
+                const double change = before + t * (here - before);
+                if (open) runs.push(piece, start, change);
+                start = change;
+                open = visible;
+            }
+            before = here;
+            value_before = value;
+            first = false;
+        }
+    }
+    if (open) runs.push(piece, start, clipped.arc_px[last]);
+}
+
+}  // namespace
+
+void Runs::push(Index of, double start, double end, std::uint8_t hidden_by) {
+    if (end <= start) return;
+    piece.push_back(of);
+    start_px.push_back(start);
+    end_px.push_back(end);
+    invisibility.push_back(hidden_by);
+}
+
+void Runs::append(const Runs& more) {
+    const std::size_t before = size();
+    resize_columns(*this, columns, before + more.size());
+    copy_columns(more, columns, *this, before);
+}
+
+void check_runs(const ClippedPaths& clipped, const Runs& runs) {
+    check(runs.piece.empty() || runs.piece.back() < clipped.path.size(), "runs: they are not of these clipped paths");
+}
+
+Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs) {
+    check_runs(clipped, runs);
+    Array<Index> counts(clipped.path.size(), 0);
+    for (Index piece : runs.piece) ++counts[piece];
+    counts_to_offsets(counts);
+    return {std::move(counts)};
+}
+
+Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold) {
+    check(visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
+    const std::size_t pieces = clipped.path.size();
+    std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);
+    parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        for (std::size_t q = begin; q < end; ++q)
+            find_runs(clipped, visibility, threshold, static_cast<Index>(q), parts[b]);
+    });
+    Runs runs;
+    for (const Runs& part : parts) runs.append(part);
+    return runs;
+}
+
+Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
+    Array<float> samples(clipped.samples, 0.0f);
+    const Rows rows = runs_of_pieces(clipped, runs);
+    parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t, std::size_t first, std::size_t end_piece) {
+        for (std::size_t q = first; q < end_piece; ++q) {
+            Index run = rows.begin(q);
+            const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
+            for (Index i = begin; i < last; ++i) {
+                const Index count = clipped.sample_count[i];
+                if (count == 0) continue;
+                const double step = (clipped.arc_px[i + 1] - clipped.arc_px[i]) / count;
+                for (Index j = 0; j < count; ++j) {
+                    const double from = clipped.arc_px[i] + j * step, to = from + step;
+                    while (run < rows.end(q) && runs.end_px[run] <= from) ++run;
+                    double covered = 0.0;
+                    for (Index r = run; r < rows.end(q) && runs.start_px[r] < to; ++r)
+                        if (runs.invisibility[r] == 0)
+                            covered += std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]);
+                    samples[clipped.sample_start[i] + j] = static_cast<float>(std::clamp(covered / step, 0.0, 1.0));
+                }
+            }
+        }
+    });
+    return samples;
+}
+
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen) {
+    const Rows rows = runs_of_pieces(clipped, visible);
+    check(clipped.path.empty() || clipped.path.back() < always_seen.size(), "always_seen: one value per path expected");
+    Runs all;
+    for (Index q = 0; q < clipped.path.size(); ++q) {
+        const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
+        const bool has_hidden = !always_seen[clipped.path[q]];
+        double from = clipped.arc_px[begin];
+        for (Index r = rows.begin(q); r < rows.end(q); ++r) {
+            if (has_hidden) all.push(q, from, visible.start_px[r], 1);
+            all.push(q, visible.start_px[r], visible.end_px[r]);
+            from = visible.end_px[r];
+        }
+        if (has_hidden) all.push(q, from, clipped.arc_px[last], 1);
+    }
+    return all;
+}
+
+}  // namespace fovea

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Visibility in its canonical form: runs of arc length, and the way between runs and atlas samples.
+#pragma once
+
+#include <fovea/base/types.h>
+#include <fovea/project/clipped_paths.h>
+
+namespace fovea {
+
+/// Parts of pieces, sorted by piece, then by start; they do not overlap. start < end, in pixels of the piece's own
+/// arc_px; a run that overshoots its line starts before it or ends after it, where the line goes straight on. What
+/// finds visible parts leaves hidden ones out, until `with_hidden` adds them.
+struct Runs {
+    Array<Index> piece;
+    Array<double> start_px, end_px;
+    Array<std::uint8_t> invisibility;
+
+    static constexpr std::tuple columns{
+        Column{"piece", &Runs::piece, "(R,) uint32"}, Column{"start_px", &Runs::start_px, "(R,) float64"},
+        Column{"end_px", &Runs::end_px, "(R,) float64"},
+        Column{"invisibility", &Runs::invisibility,
+               "(R,) uint8, how many surfaces hide it (quantitative invisibility, Appel 1967), as far as they were "
+               "counted; 0: visible"}};
+
+    std::size_t size() const { return piece.size(); }
+    /// Appends a run, unless it has no length.
+    void push(Index of, double start, double end, std::uint8_t hidden_by = 0);
+    void append(const Runs& more);
+};
+
+/// Throws std::invalid_argument unless the runs can be of these pieces. Both ascend, so the last run tells.
+void check_runs(const ClippedPaths& clipped, const Runs& runs);
+
+/// Runs of each piece.
+Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs);
+
+/// Runs where the sampled visibility (atlas order, in [0,1]) is at least `threshold`; ends are interpolated between
+/// the two samples on either side.
+Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold = 0.5f);
+
+/// Share of each atlas sample that visible runs cover, in [0,1].
+Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
+
+/// Visible runs and what lies between them, hidden by 1 surface or more. Pieces of paths with `always_seen` set (one
+/// entry per path of Paths) have no hidden parts.
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen);
+
+}  // namespace fovea

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/visibility/shadow.h>
+
+#include <algorithm>
+
+namespace fovea {
+
+Shadow::Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin) {
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    // How far the plane lies beyond the eye, along its normal turned away from the eye.
+    const double facing = orthographic ? -normal.z : glm::dot(normal, corners[0]);
+    if (facing == 0.0) return;
+    for (const dvec3& corner : corners)
+        if (-corner.z < near_clip) return;
+    const dvec3 away = facing > 0.0 ? normal : -normal;
+    const double reach = glm::length(corners[0]) * glm::length(away);
+    planes_[0] = dvec4(away, -glm::dot(away, corners[0]) - margin * (orthographic ? reach : std::abs(facing)));
+    const std::size_t sides = corners.size();
+    for (std::size_t i = 0; i < sides; ++i) {
+        const dvec3 &a = corners[i], &b = corners[(i + 1) % sides], &c = corners[(i + 2) % sides];
+        dvec3 side = orthographic ? glm::cross(b - a, dvec3(0, 0, 1)) : glm::cross(a, b);
+        double offset = orthographic ? -glm::dot(side, a) : 0.0;
+        const double inside = glm::dot(side, c) + offset;
+        if (inside == 0.0) return;
+        const double sign = inside > 0.0 ? 1.0 : -1.0;
+        planes_[i + 1] = sign * dvec4(side, offset);
+    }
+    count_ = static_cast<int>(sides) + 1;
+    usable_ = true;
+}
+
+Interval Shadow::hides(const dvec3& a, const dvec3& b) const {
+    if (!usable_) return {};
+    Interval interval{0.0, 1.0};
+    for (int i = 0; i < count_; ++i) {
+        const dvec4& plane = planes_[i];
+        const double at_a = glm::dot(dvec3(plane), a) + plane.w, at_b = glm::dot(dvec3(plane), b) + plane.w;
+        if (at_a < 0.0 && at_b < 0.0) return {};
+        if (at_a < 0.0) interval.begin = std::max(interval.begin, at_a / (at_a - at_b));
+        if (at_b < 0.0) interval.end = std::min(interval.end, at_a / (at_a - at_b));
+    }
+    return interval;
+}
+
+}  // namespace fovea

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/visibility/spine.h>
+
+#include <algorithm>
+
+#include <fovea/base/check.h>
+#include <fovea/visibility/layout.h>
+
+namespace fovea {
+namespace {
+
+void check_sides(const ClippedPaths& clipped, const OwnSides& sides) {
+    check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
+          "spine test: own sides of other paths");
+}
+
+}  // namespace
+
+Runs whole_pieces(const ClippedPaths& clipped) {
+    Runs runs;
+    for (Index q = 0; q < clipped.pieces.count(); ++q)
+        if (clipped.pieces.size(q) > 1)
+            runs.push(q, clipped.arc_px[clipped.pieces.begin(q)], clipped.arc_px[clipped.pieces.end(q) - 1]);
+    return runs;
+}
+
+SpineTest::SpineTest(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
+                     const SampledOptions& options)
+    : clipped_(clipped), sides_(sides), buffer_(buffer), options_(options) {
+    check_sides(clipped, sides);
+    check_sampled(buffer, options);
+}
+
+float SpineTest::visibility(Index piece, float u) const {
+    // The last segment that starts at u or before it; the arc lengths are rounded as in the table below.
+    Index low = clipped_.pieces.begin(piece), high = clipped_.pieces.end(piece) - 2;
+    while (low < high) {
+        const Index middle = (low + high + 1) / 2;
+        if (float(clipped_.arc_px[middle]) <= u)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    const float start = float(clipped_.arc_px[low]), length = float(clipped_.arc_px[low + 1]) - start;
+    if (!(length > 0.0f)) return visibility_between(clipped_, sides_, low, 0.0f, 0.0f, buffer_, options_);
+    const float t0 = std::clamp((u - 0.5f - start) / length, 0.0f, 1.0f);
+    const float t1 = std::clamp((u + 0.5f - start) / length, 0.0f, 1.0f);
+    return visibility_between(clipped_, sides_, low, t0, t1, buffer_, options_);
+}
+
+Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
+    check_sides(clipped, sides);
+    Array<vec4> table(3 * clipped.px.size(), vec4(0.0f));
+    parallel_for(
+        clipped.pieces.count(),
+        [&](std::size_t q) {
+            for (Index i = clipped.pieces.begin(Index(q)); i + 1 < clipped.pieces.end(Index(q)); ++i) {
+                vec4* row = &table[3 * std::size_t(i)];
+                row[0] = {clipped.px[i], clipped.depth[i], float(clipped.arc_px[i])};
+                row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.arc_px[i + 1])};
+                row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]),
+                          sides.inner[i] ? -1.0f : sides.steepness[i], 0.0f};
+            }
+        },
+        256);
+    return table;
+}
+
+}  // namespace fovea
