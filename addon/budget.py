@@ -91,7 +91,7 @@ def _stand_ins(kinds, drawn):
 
 
 def outlines(style, quality):
-    """Options.outlines of a Style as a quality draws it."""
+    """`outlines` of the native Options of a Style as a quality draws it."""
     if quality.definitions:
         return ()
     drawn = {kind for s in style.line_sets for kind in s.kinds}
@@ -100,9 +100,8 @@ def outlines(style, quality):
 
 
 def coarser(options, quality):
-    """The pipeline's Options in a quality."""
-    return replace(
-        options,
+    """Native Options in a quality."""
+    return options.replace(
         sample_step=options.sample_step * quality.step,
         gap=max(options.gap, options.sample_step * quality.step + 1),
         probes=min(options.probes, quality.probes),

@@ -141,7 +141,7 @@ def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
-    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(settings))
+    options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
     with _watched(engine, cancel):
         try:
@@ -174,7 +174,8 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
         engine.update_stats("Fovea", f"frame {depsgraph.scene.frame_current}: {stage}")
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
-    return pipeline.shown_lines(found.placed, seen, chosen, backend, options, **beside)
+    frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
+    return frame.shown_lines() if frame.thins() else None
 
 
 @contextmanager

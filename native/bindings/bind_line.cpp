@@ -6,6 +6,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/line_filters.h"
 #include "bindings/values.h"
 
 namespace fovea::bindings {
@@ -47,23 +48,6 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
     return set;
 }
 
-template <typename T>
-std::vector<T> numbers(const py::handle& given) {
-    const auto array = py::array_t < T, py::array::c_style | py::array::forcecast > ::ensure(given);
-    check(array && array.ndim() == 1, "filters of line sets are flat arrays of numbers");
-    return {array.data(), array.data() + array.size()};
-}
-
-/// (mask of each placement, masks), or None: all materials.
-MaterialFilter material_filter(const py::handle& given) {
-    MaterialFilter filter;
-    if (given.is_none()) return filter;
-    const auto pair = given.cast<py::tuple>();
-    filter.row = numbers<Index>(pair[0]);
-    for (const auto& mask : pair[1].cast<py::sequence>()) filter.masks.push_back(numbers<std::uint8_t>(mask));
-    return filter;
-}
-
 std::vector<LineSet> line_sets(const py::sequence& sets) {
     std::vector<LineSet> result;
     for (const auto& item : sets) {
@@ -71,23 +55,6 @@ std::vector<LineSet> line_sets(const py::sequence& sets) {
         result.push_back(line_set(pair[0].cast<py::dict>(), pair[1].cast<double>()));
         if (pair.size() > 2 && !pair[2].is_none()) result.back().placements = numbers<std::uint8_t>(pair[2]);
         if (pair.size() > 3) result.back().materials = material_filter(pair[3]);
-    }
-    return result;
-}
-
-/// {definition: {parameter: a value per placement}}.
-std::vector<OwnLines::Parameter> own_parameters(const py::dict& given) {
-    std::vector<OwnLines::Parameter> result;
-    for (const auto& [name, values] : given) {
-        const Index definition = definition_index(name.cast<std::string>());
-        const std::vector<Parameter>& known = line_definitions()[definition]->parameters;
-        for (const auto& [parameter, of_placements] : values.cast<py::dict>()) {
-            const auto called = parameter.cast<std::string>();
-            const auto is_it = [&](const Parameter& p) { return p.name == called; };
-            const auto it = std::find_if(known.begin(), known.end(), is_it);
-            check(it != known.end(), name.cast<std::string>() + ": unknown parameter '" + called + "'");
-            result.push_back({definition, static_cast<Index>(it - known.begin()), numbers<double>(of_placements)});
-        }
     }
     return result;
 }
@@ -104,6 +71,31 @@ Values values_of(const LineDefinition& definition, std::map<std::string, double>
     check(given.empty(),
           std::string(definition.name) + ": unknown parameter '" + (given.empty() ? "" : given.begin()->first) + "'");
     return values;
+}
+
+MaterialFilter material_filter(const py::handle& given) {
+    MaterialFilter filter;
+    if (given.is_none()) return filter;
+    const auto pair = given.cast<py::tuple>();
+    filter.row = numbers<Index>(pair[0]);
+    for (const auto& mask : pair[1].cast<py::sequence>()) filter.masks.push_back(numbers<std::uint8_t>(mask));
+    return filter;
+}
+
+std::vector<OwnLines::Parameter> own_parameters(const py::dict& given) {
+    std::vector<OwnLines::Parameter> result;
+    for (const auto& [name, values] : given) {
+        const Index definition = definition_index(name.cast<std::string>());
+        const std::vector<Parameter>& known = line_definitions()[definition]->parameters;
+        for (const auto& [parameter, of_placements] : values.cast<py::dict>()) {
+            const auto called = parameter.cast<std::string>();
+            const auto is_it = [&](const Parameter& p) { return p.name == called; };
+            const auto it = std::find_if(known.begin(), known.end(), is_it);
+            check(it != known.end(), name.cast<std::string>() + ": unknown parameter '" + called + "'");
+            result.push_back({definition, static_cast<Index>(it - known.begin()), numbers<double>(of_placements)});
+        }
+    }
+    return result;
 }
 
 void bind_line(py::module_& m) {

@@ -107,7 +107,7 @@ def test_what_stands_for_an_outline_is_told_from_what_is_drawn_anyway():
 
 
 def test_options_never_get_finer():
-    options = pipeline.Options(probes=4, depth_scale=1)
+    options = pipeline.options(probes=4, depth_scale=1)
     for quality in budget.QUALITIES:
         coarse = budget.coarser(options, quality)
         assert coarse.probes <= 4 and coarse.depth_scale == 1
