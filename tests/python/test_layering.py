@@ -59,7 +59,7 @@ PARTS = {
     "visibility": "backend/cpu",
     "emphasis": "backend/cpu stages",
     "pipeline": "backend/cpu emphasis papers stages style textures visibility",
-    "budget": "focus",
+    "budget": "catalogue focus",
     "blender": "blender backend budget catalogue color curve_fit elision emphasis focus line_arrays native pipeline "
     "stages still_life style style_mix textures",
 }

@@ -15,8 +15,15 @@ const std::vector<const LineDefinition*>& line_definitions();
 
 /// Index of a definition; throws std::invalid_argument, listing the known names, for an unknown one.
 Index definition_index(std::string_view name);
+const LineDefinition& definition_called(std::string_view name);
 
-/// Bits of the definitions that lie on the smooth surface: its contours.
+/// The bit of a definition.
+Kinds kind_of(const LineDefinition& definition);
+
+/// Bits of the definitions of contours of the smooth surface.
 Kinds smooth_contours();
+
+/// Bits of those, and of what finds all contours of the mesh.
+Kinds contours();
 
 }  // namespace fovea
