@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass
 
-from .. import native, pipeline, style_parts
+from .. import catalogue, native, pipeline, style_parts
 from ..stages import Notes
 from . import color_sources, notes, properties, scene, surfaces
 
@@ -28,7 +28,7 @@ class Reader:
     def read(self, depsgraph, chosen, viewport=None):
         """`viewport`: the SpaceView3D whose local view counts, or None."""
         core = native.load()
-        with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+        with_marks = catalogue.read_edge_marks(chosen.line_sets)
         noted = notes.Gathering(core, self._colors, chosen)
         found = scene.gather(depsgraph, self._surfaces, with_marks=with_marks, viewport=viewport, notes=noted)
         placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)

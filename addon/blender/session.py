@@ -17,7 +17,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from .. import native, pipeline, style
+from .. import catalogue, native, pipeline, style
 from . import camera, color_sources, kept, methods, near_frames, notes, properties, scene, surfaces
 from .problem import CannotDraw
 
@@ -106,7 +106,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
     start, core = time.perf_counter(), native.load()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core, refit=depsgraph.mode == "VIEWPORT"))
-    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+    with_marks = catalogue.read_edge_marks(chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
     colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
     noted = notes.Gathering(core, colors_cache, chosen)

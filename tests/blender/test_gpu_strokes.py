@@ -68,8 +68,8 @@ def test_textures_anchored_to_the_path(path_px):
     stroke, drawn = straight(1, path_px=path_px), {}
     for anchor in ("screen", "path"):
         pens = [core.Pen(), core.Pen(**stretch, texture_anchor=anchor)]
-        drawn[anchor] = on_gpu(stroke, pens, OneTexture, view_of(160, 100))
-        np.testing.assert_allclose(drawn[anchor], core.raster(stroke, pens, OneTexture.native, 160, 100), atol=0.01)
+        drawn[anchor] = on_gpu(stroke, pens, textures, view_of(160, 100))
+        np.testing.assert_allclose(drawn[anchor], core.raster(stroke, pens, textures, 160, 100), atol=0.01)
     # Eight repetitions of 31 pixels are the one case in which both are the same.
     assert (np.abs(drawn["path"] - drawn["screen"]).max() < 0.01) == (path_px == 248.0)
 

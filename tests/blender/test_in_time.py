@@ -103,7 +103,7 @@ def test_the_scene_is_left_at_its_frame(fence, tmp_path, monkeypatch):
         asked.append(fence.frame_current)
         raise ValueError("ink ran out")
 
-    monkeypatch.setattr(session.pipeline, "shown_lines", broken)
+    monkeypatch.setattr(session.pipeline, "frame", broken)
     with pytest.raises(RuntimeError, match="ink ran out"):
         at(fence, 3, tmp_path)
     assert asked == [1] and fence.frame_current == 3 and fence.frame_subframe == 0

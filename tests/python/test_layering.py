@@ -57,7 +57,7 @@ PARTS = {
     "backend/cpu": "native",
     "backend/gpu": "backend/gpu native stages",
     "pipeline": "native stages style style_parts style_values",
-    "budget": "focus",
+    "budget": "catalogue focus",
     "blender": "blender backend budget catalogue color curve_fit elision focus line_arrays native pipeline stages "
     "still_life style style_mix",
 }

@@ -13,18 +13,6 @@ namespace {
 
 constexpr float most_density = 4.0f;  // times as dense as pens say, where a map is white
 
-Values values_of(const LineDefinition& definition, const style::Parameters& given) {
-    Values values;
-    for (const Parameter& parameter : definition.parameters) values.push_back(parameter.value);
-    for (const auto& [name, value] : given) {
-        const auto known = std::ranges::find_if(definition.parameters, [&](const auto& p) { return p.name == name; });
-        check(known != definition.parameters.end(),
-              std::string(definition.name) + ": unknown parameter '" + name + "'");
-        values[known - definition.parameters.begin()] = value;
-    }
-    return values;
-}
-
 /// Calls visit(sample, path) for the samples of pieces that runs lie on.
 template <typename Visit>
 void each_sample_with_runs(const ClippedPaths& clipped, const Runs& runs, const Visit& visit) {
