@@ -44,4 +44,3 @@ def focus_of_pixels(read, view, focus, scale):
     placed, tracer, noted = (read.placed, cpu.trace(read.placed, seen), read.notes) if read else (None, None, Notes())
     frame = pipeline.Frame(placed, seen, tracer, None, None, depth_scale=1, probes=1, notes=noted)
     return emphasis.of_pixels(frame, style_parts.Style(focus=focus), core.Cancel())
-

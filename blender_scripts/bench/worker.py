@@ -16,8 +16,9 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bpy
 import scenes
-from bench import renderers
 from mathutils import Matrix
+
+from bench import renderers
 
 STEP = math.radians(1)
 

@@ -110,7 +110,9 @@ def _surface(native, name, polygons):
 def _look(native, surface, positions, options):
     """The model alone in a scene, as a camera sees it; and the way back from the view."""
     usage = native.DRAW | native.OCCLUDE
-    scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
+    scene = native.Scene(
+        [surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8)
+    )
     # Lines as such are found wherever they are: a wide frame holds more of a model that is near.
     fov = options.fov if options.visible or options.fov else 90.0
     seen_from = eye.view(positions, options.eye, options.ortho, options.size, fov)

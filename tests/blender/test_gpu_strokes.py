@@ -128,7 +128,8 @@ def test_strokes_that_thin_and_fade_with_strength():
 
 def test_strokes_on_their_way_out_of_focus():
     """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
-    chosen, view = style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),)), view_of(320, 200)
+    chosen = style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),))
+    view = view_of(320, 200)
     frame = frame_of(room(), view, line_style=chosen)
     ink = np.random.default_rng(2).uniform(0.2, 1, (5, 40)).astype(np.float32)
 

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 import scenes
+from command import draw_options, figures, pages
+
 from addon import catalogue, style
 from addon.style_parts import Hidden, LineSet, Style
-from command import draw_options, figures, pages
 
 PROJECT = Path(__file__).parents[2]
 DOCS = PROJECT / "addon" / "docs"

@@ -6,8 +6,9 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-import addon
 import pytest
+
+import addon
 
 BLENDER = os.environ.get("FOVEA_BLENDER")
 DRAW = Path(__file__).parents[2] / "blender_scripts" / "draw.py"
@@ -38,7 +39,9 @@ def blender(home):
 @pytest.fixture(scope="module")
 def archive(blender, tmp_path_factory):
     file = tmp_path_factory.mktemp("archive") / "fovea.zip"
-    status, said = blender("--command", "extension", "build", "--source-dir", Path(addon.__file__).parent, "--output-filepath", file)
+    status, said = blender(
+        "--command", "extension", "build", "--source-dir", Path(addon.__file__).parent, "--output-filepath", file
+    )
     assert status == 0 and file.is_file(), said
     return file
 
@@ -69,7 +72,9 @@ def test_the_archive_is_small_and_has_the_documentation(archive):
     with zipfile.ZipFile(archive) as packed:
         names = {name.partition("docs/")[2] for name in packed.namelist() if "docs/" in name}
     docs = Path(addon.__file__).parent / "docs"
-    assert names - {""} >= {str(path.relative_to(docs)) for path in docs.rglob("*.*")} >= {"README.md", "lines/ridge.png"}
+    assert (
+        names - {""} >= {str(path.relative_to(docs)) for path in docs.rglob("*.*")} >= {"README.md", "lines/ridge.png"}
+    )
     assert archive.stat().st_size < 5 << 20
 
 
