@@ -2,12 +2,16 @@
 # One Debian suite as a folder in the cache: CACHE/SUITE/root. Made once by debootstrap (signatures verified with the
 # archive's keyring) from the mirror the machine's own apt uses; later calls and other clones find it by its stamps.
 
-# set_up_suite SUITE: returns at once when nothing is to be done, resumes where an earlier call was interrupted.
+# set_up_suite SUITE [PACKAGE...]: with the packages of packages.txt, or adds these to a suite that has them. Returns at
+# once when nothing is to be done, resumes where an earlier call was interrupted.
 set_up_suite() {
     suite=$1
+    shift
+    packages_are=${*:-Blender, compiler and libraries}
+    [ $# -gt 0 ] || set -- $(package_names)
     suite_folder=$cache/$suite
     root=$suite_folder/root
-    stamp=$suite_folder/installed/$(package_names | sha256sum | cut -c 1-16)
+    stamp=$suite_folder/installed/$(printf '%s\n' "$@" | sha256sum | cut -c 1-16)
     [ ! -e "$stamp" ] || return 0
     [ "$(id -u)" = 0 ] || {
         say "setting up Debian $suite needs root: run this once as root, or give a fitting Blender by BLENDER="
@@ -20,12 +24,13 @@ set_up_suite() {
         flock 9
     }
     set_up_status=0
-    [ -e "$stamp" ] || make_suite || set_up_status=$?
+    [ -e "$stamp" ] || make_suite "$@" || set_up_status=$?
     exec 9>&-
     [ "$set_up_status" -eq 0 ] || say "Debian $suite could not be set up; the next call goes on from here"
     return "$set_up_status"
 }
 
+# make_suite PACKAGE...
 make_suite() {
     find_host_tools || return
     if [ ! -d "$root" ]; then
@@ -34,7 +39,7 @@ make_suite() {
         find_keyring || return
         step "$cache/log/$suite-base.log" "$suite: base system" make_base || return
     fi
-    step "$cache/log/$suite-packages.log" "$suite: Blender, compiler and libraries" install_packages || return
+    step "$cache/log/$suite-packages.log" "$suite: $packages_are" install_packages "$@" || return
     sync
     touch "$stamp"
     say "Debian $suite is ready"
@@ -107,7 +112,7 @@ install_packages() {
     in_root apt-get update &&
         in_root dpkg --configure -a &&
         in_root apt-get -y --fix-broken install &&
-        in_root apt-get -y --no-install-recommends install $(package_names) &&
+        in_root apt-get -y --no-install-recommends install "$@" &&
         in_root apt-get clean
 }
 
