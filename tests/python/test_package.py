@@ -13,6 +13,8 @@ import addon
 BLENDER = os.environ.get("FOVEA_BLENDER")
 DRAW = Path(__file__).parents[2] / "blender_scripts" / "draw.py"
 MODULE = "bl_ext.user_default.fovea"
+# Suffixes of what the extension reads, or its user; folders have none.
+USED = {"", ".py", ".so", ".toml", ".json", ".glsl", ".png", ".jpg", ".md"}
 
 pytestmark = pytest.mark.skipif(not BLENDER, reason="FOVEA_BLENDER names no Blender")
 
@@ -76,6 +78,16 @@ def test_the_archive_is_small_and_has_the_documentation(archive):
         names - {""} >= {str(path.relative_to(docs)) for path in docs.rglob("*.*")} >= {"README.md", "lines/ridge.png"}
     )
     assert archive.stat().st_size < 5 << 20
+
+
+def test_the_archive_has_license_and_changes_and_nothing_that_only_developers_need(archive):
+    with zipfile.ZipFile(archive) as packed:
+        places = [Path(name) for name in packed.namelist()]
+    inside = {place.name: place for place in places}
+    root = inside["blender_manifest.toml"].parent
+    assert inside["LICENSE"].parent == inside["CHANGELOG.md"].parent == root
+    assert not [place for place in places if any(part.startswith((".", "__pycache__")) for part in place.parts)]
+    assert {place.suffix for place in places if place.name != "LICENSE"} <= USED
 
 
 def test_installed_it_is_enabled_at_every_start(blender, installed):
