@@ -9,7 +9,7 @@ check_sources() {
     while [ $# -gt 0 ]; do
         case $1 in
         --fix) fix=--fix ;;
-        --all) tidied="native tests/native" ;;
+        --all) tidied=native ;;
         --since)
             [ $# -gt 1 ] || fail "--since needs a revision of git"
             tidied=$(changed_since "$2") || fail "git does not tell what has changed since '$2'"
@@ -46,9 +46,9 @@ check_on() {
     run_command check "$@"
 }
 
-# C++ files that differ from those of a revision of git, and new ones.
+# C++ files of native/ that differ from those of a revision of git, and new ones.
 changed_since() {
-    cd "$project" && git diff --name-only --diff-filter=d "$1" -- native tests/native >"$cache/log/changed" &&
-        git ls-files --others --exclude-standard native tests/native >>"$cache/log/changed" &&
+    cd "$project" && git diff --name-only --diff-filter=d "$1" -- native >"$cache/log/changed" &&
+        git ls-files --others --exclude-standard native >>"$cache/log/changed" &&
         sed -n '/\.\(h\|cpp\)$/p' "$cache/log/changed"
 }

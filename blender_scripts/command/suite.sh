@@ -17,7 +17,7 @@ set_up_suite() {
         say "setting up Debian $suite needs root: run this once as root, or give a fitting Blender by BLENDER="
         return 1
     }
-    mkdir -p "$suite_folder/installed" "$suite_folder/archives"
+    mkdir -p "$suite_folder/installed"
     exec 9>"$suite_folder/lock"
     flock -n 9 || {
         say "another call is setting up Debian $suite; waiting for it"
@@ -92,6 +92,7 @@ mirror_of_host() {
 # The folder is at /mnt there, because debootstrap cannot do with spaces in a path.
 make_base() {
     rm -rf "$root.partial"
+    mkdir -p "$suite_folder/archives"
     bwrap --dev-bind / / --proc /proc --dev-bind "$suite_folder" /mnt --unshare-pid --die-with-parent \
         debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir=/mnt/archives \
         "$suite" /mnt/root.partial "$mirror" || { why_debootstrap_failed; return 1; }
