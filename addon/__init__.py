@@ -6,7 +6,10 @@ Importable without Blender: only `register` touches what needs it.
 
 import importlib
 
-MODULES = ("preferences", "properties", "style_operators", "line_set_operators", "panels", "viewport_settings", "engine")
+MODULES = (
+    *("preferences", "properties", "style_operators", "line_set_operators"),
+    *("panels", "viewport_settings", "engine"),
+)
 TOOLS = (
     *("focus_operators", "focus_place_operators", "focus_pull", "focus_gizmos", "focus_overlay"),
     *("style_assets", "line_operators", "report", "freestyle", "tools_panel"),

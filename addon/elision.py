@@ -16,7 +16,7 @@ class Elision:
     """Lines that go alongside each other nearer than their pens' spacing are thinned, by priority."""
 
     enabled: bool = False
-    fade_from: float = 0.35  # share of its room that a line must have to show at all; it is whole where it has all of it
+    fade_from: float = 0.35  # share of its room that a line needs to show at all; it is whole where it has all of it
     cut: float = 0.0  # opacity below which a line is left out altogether
     frames: int = 0  # so many before and after each, over which renders smooth what stays of a line
     length: float = 1.0  # what counts for the priority of a line, and how much: its length in space,
@@ -26,7 +26,7 @@ class Elision:
     object: float = 1.0  # what its object's own priority says,
     painted: float = 1.0  # and what is painted
     priority_attribute: str = ""  # there; none: that does not count
-    density_attribute: str = ""  # painted: 0 for lines a quarter as dense as their pens say, .5 as they say, 1 four times
+    density_attribute: str = ""  # painted: 0 for lines a quarter as dense as pens say, .5 as they say, 1 four times
 
     def weights(self):
         """{name of the native term: what it counts}."""

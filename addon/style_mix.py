@@ -79,7 +79,9 @@ def _line_set(one, other, pair, kinds, share):
     values = {kind: _parameters(a.kinds[kind], b.kinds[kind], share) for kind in kinds}
     overshoot_away = None
     if a.overshoot_away is not None or b.overshoot_away is not None:
-        overshoot_away = _between(*(s.overshoot if s.overshoot_away is None else s.overshoot_away for s in (a, b)), share)
+        overshoot_away = _between(
+            *(s.overshoot if s.overshoot_away is None else s.overshoot_away for s in (a, b)), share
+        )
     plain = ("corner_angle", "least_length", "overshoot", "halo", "pen", "name")
     mixed = {name: _between(getattr(a, name), getattr(b, name), share) for name in plain} | _filters(a)
     hidden = _hidden(a.hidden, b.hidden, share)

@@ -112,4 +112,6 @@ def check_keys(data, known, where):
     if isinstance(data, Part):
         data.unknown |= {key: data.pop(key) for key in unknown}
     elif unknown:
-        raise StyleError(f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known)) or 'none'}")
+        raise StyleError(
+            f"{where} has unknown keys: {', '.join(unknown)}; known are: {', '.join(sorted(known)) or 'none'}"
+        )

@@ -6,8 +6,14 @@ from pathlib import Path
 
 import bpy
 from bl_ext.user_default.fovea import catalogue, focus, style
-from bl_ext.user_default.fovea.blender import focus_settings, line_kinds, style_data
-from bl_ext.user_default.fovea.blender import style_read, style_words, style_write
+from bl_ext.user_default.fovea.blender import (
+    focus_settings,
+    line_kinds,
+    style_data,
+    style_read,
+    style_words,
+    style_write,
+)
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))

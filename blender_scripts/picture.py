@@ -5,7 +5,6 @@ import struct
 
 import bpy
 import numpy as np
-
 from command import output
 
 

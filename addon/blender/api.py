@@ -59,7 +59,15 @@ def fields(of, estimator="automatic", degree=0, rings=0):
 
 
 def lines(
-    definition, objects=None, *, camera=None, depsgraph=None, visible=False, hidden=False, corner_angle=60.0, **parameters
+    definition,
+    objects=None,
+    *,
+    camera=None,
+    depsgraph=None,
+    visible=False,
+    hidden=False,
+    corner_angle=60.0,
+    **parameters,
 ):
     """Lines of one definition as polylines in world space: the dict of arrays that line_arrays.whole gives, and with
     `visible` that of line_arrays.seen (with `hidden`, what surfaces hide, too); beside these object: (R,) names of the

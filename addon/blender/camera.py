@@ -100,7 +100,9 @@ def _projection(camera, depsgraph, width, height):
     aspect = {"scale_x": render.pixel_aspect_x, "scale_y": render.pixel_aspect_y}
     found = np.array(camera.calc_matrix_camera(depsgraph, x=width, y=height, **aspect), np.float64)
     if not (np.isfinite(found).all() and found[0, 0] and found[1, 1]):
-        raise CannotDraw(f"Camera '{camera.name}' shows nothing: its focal length, sensor or shift is too large; reset it")
+        raise CannotDraw(
+            f"Camera '{camera.name}' shows nothing: its focal length, sensor or shift is too large; reset it"
+        )
     return found
 
 

@@ -13,7 +13,6 @@ from bpy.props import BoolProperty, FloatProperty
 from .. import catalogue, native
 from .property_kinds import neat, redraw
 
-
 SLIDE = 20  # how many times the default a parameter is dragged to
 
 

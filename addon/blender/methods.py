@@ -11,7 +11,7 @@ from . import gpu_context
 VISIBILITY = [
     ("AUTO", "Automatic", "Exact in renders and on software OpenGL, the segment atlas in viewports", 0),
     ("ATLAS", "Segment Atlas", "A depth buffer decides what is hidden, at every sample along the lines", 2),
-    ("SPINE", "Spine Test", "A depth buffer decides what is hidden while strokes are drawn; their ends have no caps", 3),
+    ("SPINE", "Spine Test", "A depth buffer decides what is hidden while strokes are drawn; ends have no caps", 3),
     ("ITEM_BUFFER", "Item Buffer", "Lines are drawn by number and seen where their number is found: for comparison", 4),
     ("EXACT", "Exact", "Rays decide what is hidden", 1),
 ]

@@ -46,7 +46,9 @@ def through(material):
         if output.inputs["Surface"].links:
             return _of_socket(output.inputs["Surface"], ())
     alpha = min(max(material.diffuse_color[3], 0.0), 1.0)
-    return Through(1.0 - alpha, 1.0 - alpha, (f"the alpha of its viewport color is {alpha:.2g}",) if alpha < 1.0 else ())
+    return Through(
+        1.0 - alpha, 1.0 - alpha, (f"the alpha of its viewport color is {alpha:.2g}",) if alpha < 1.0 else ()
+    )
 
 
 def _of_socket(socket, groups):

@@ -19,7 +19,7 @@ APART = 1e-6  # of points along x; nearer ones are one
 
 
 def node_name(part, effect):
-    """"effects.width" is the curve of that effect."""
+    """Of an effect's curve, as "effects.width"."""
     return f"{part}.{effect}"
 
 

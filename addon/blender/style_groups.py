@@ -150,7 +150,7 @@ def _style():
     return {
         "schema": IntProperty(options={"HIDDEN"}),
         "untouched": StringProperty(options={"HIDDEN"}),
-        "source": StringProperty(options={"HIDDEN"}),  # the file name it has, or had, among those that ship or are saved
+        "source": StringProperty(options={"HIDDEN"}),  # its file name, now or once, among those that ship or are saved
         "brought": StringProperty(options={"HIDDEN"}),  # the .blend file and the name that it was appended from
         "kept": StringProperty(options={"HIDDEN"}),
         **parts,

@@ -12,13 +12,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bpy
-import numpy as np
-from bench import quality
+import draw
+import ending
 from bl_ext.user_default.fovea import native, pipeline
 from command import draw_options
 
-import draw
-import ending
+from bench import quality
 
 METHODS = ((1, 1), (1, 2), (4, 2), (9, 1), (9, 2), (16, 2), (16, 3))  # probes, depth scale
 

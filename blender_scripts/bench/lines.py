@@ -65,8 +65,8 @@ def main(words, native, shared: Path | None) -> int:
     rows = []
     for name, reference, mesh in meshes(options.triangles, shared):
         print(f"fovea: {name}", file=sys.stderr, flush=True)
-        for step, timed, count in steps(native, name, mesh, options.views):
-            rows.append(row(name, len(mesh.triangles), step, timed, count, REFERENCE.get(reference, {})))
+        for step, timed, found in steps(native, name, mesh, options.views):
+            rows.append(row(name, len(mesh.triangles), step, timed, found, REFERENCE.get(reference, {})))
     growth = exponents(rows)
     print(json.dumps({"rows": rows, "growth": growth}, indent=1) if options.json else table(rows, growth))
     return 0
@@ -137,7 +137,9 @@ def eyes_around(mesh, count):
     centre, radius = mesh.sphere()
     turn = np.radians(np.linspace(-20, 20, count))
     x, y, z = TOWARDS
-    directions = np.stack([np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y, np.full(count, z)], 1)
+    directions = np.stack(
+        [np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y, np.full(count, z)], 1
+    )
     return [tuple(centre + 5 * radius * direction) for direction in directions]
 
 

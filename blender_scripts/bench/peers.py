@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench peers`: Fovea beside Workbench, Freestyle and Line Art, on the same scenes, with the same lines.
 
-One process per scene and renderer, one after the other; needs plain Python only."""
+One process per scene and renderer, one after the other; needs plain Python only. Of Freestyle one frame is drawn, not
+a second one after the camera has moved."""
 
 import argparse
 import json
@@ -9,6 +10,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import scenes
@@ -16,6 +18,7 @@ import scenes
 SCENES = ("boxes:100", "suzanne:5", "boxes:30")
 RENDERERS = ("workbench", "freestyle", "lineart", "fovea-cpu", "fovea-gpu")
 WORKER = Path(__file__).with_name("worker.py")
+SIGN_OF_LIFE = 15  # seconds between two
 
 
 def parse(words):
@@ -24,7 +27,7 @@ def parse(words):
     add("--scenes", type=scene_list, default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--renderers", type=some_of(RENDERERS), metavar="A,B", help=", ".join(RENDERERS))
     add("--size", type=frame_size, default=(1920, 1080), metavar="WxH", help="of the picture (1920x1080)")
-    add("--repeats", type=count, metavar="N", help="of which medians are taken (5); Freestyle draws once")
+    add("--repeats", type=count, metavar="N", help="of which medians are taken (5); Freestyle draws one frame")
     add("--quick", action="store_true", help="without Freestyle, medians of 3")
     add("--timeout", type=float, default=900, metavar="S", help="seconds a process may take (900)")
     add("--json", action="store_true", help="print JSON instead of a table")
@@ -78,7 +81,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
             print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
             asked = {
                 "scene": spec, "renderer": renderer, "size": options.size, "shared": str(shared or ""),
-                "repeats": 1 if renderer == "freestyle" else options.repeats,
+                "repeats": options.repeats,
             }  # fmt: skip
             record, problem = measured(WORKER, asked, blender, environment, options.timeout)
             rows.append(row(spec, renderer, record or {}, problem))
@@ -86,18 +89,31 @@ def main(words, blender, environment, shared: Path | None) -> int:
     return 1 if any("problem" in row for row in rows) else 0
 
 
-def run(command, environment, timeout):
-    """None, or a sentence about what went wrong."""
-    captured = {"stdin": subprocess.DEVNULL, "capture_output": True, "text": True, "errors": "replace"}
-    try:
-        done = subprocess.run(command, env=environment, timeout=timeout, **captured)
-    except subprocess.TimeoutExpired:
-        return f"stopped after {timeout:.0f} s"
-    if done.returncode == 0:
+def run(command, environment, timeout, log):
+    """None, or a sentence about what went wrong. The command's output goes to the file `log`; while it runs, the last
+    line there is shown now and then: how far it is."""
+    streams = {"stdin": subprocess.DEVNULL, "stderr": subprocess.STDOUT}
+    with log.open("wb") as output, subprocess.Popen(command, env=environment, stdout=output, **streams) as process:
+        start, spent = time.monotonic(), 0.0
+        while spent < timeout:
+            try:
+                process.wait(min(SIGN_OF_LIFE, timeout - spent))
+                break
+            except subprocess.TimeoutExpired:
+                spent = time.monotonic() - start
+                print(f"fovea:   {spent:.0f} s: {' '.join(last_lines(log, 1))[:100]}", file=sys.stderr, flush=True)
+        else:
+            process.kill()
+            return f"stopped after {timeout:.0f} s"
+    if process.returncode == 0:
         return None
-    lines = (done.stdout + done.stderr).splitlines()
-    said = [line for line in lines if line.startswith("Error: ")] or lines[-3:]
-    return f"ended with {done.returncode}: {' '.join(said)}"
+    said = [line for line in last_lines(log) if line.startswith("Error: ")] or last_lines(log, 3)
+    return f"ended with {process.returncode}: {' '.join(said)}"
+
+
+def last_lines(log, count=0):
+    """So many lines from the end of a log; 0: all."""
+    return log.read_text(encoding="utf-8", errors="replace").splitlines()[-count:]
 
 
 def row(spec, renderer, record, problem):
@@ -130,7 +146,8 @@ def measured(worker, asked, blender, environment, timeout):
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "rows.json"
         words = json.dumps({**asked, "out": str(out)})
-        problem = run([blender, "-b", "--python-exit-code", "1", "-P", str(worker), "--", words], environment, timeout)
+        command = [blender, "-b", "--python-exit-code", "1", "-P", str(worker), "--", words]
+        problem = run(command, environment, timeout, Path(folder) / "log")
         return json.loads(out.read_text()) if out.is_file() else [], problem
 
 

@@ -2,7 +2,8 @@
 """The renderers that are compared, each told to draw the same lines: contours, creases of 30 degrees, borders.
 
 A renderer is set up once per scene; `frame` draws one picture (Line Art: evaluates its modifier once), and is what is
-timed; `told` gives what there is to tell of it: strokes, and for Fovea stages and lines_s. Runs inside Blender."""
+timed; `told` gives what there is to tell of it: strokes, and for Fovea stages and lines_s. `is_slow`: it draws one frame
+of each scene, as frames take minutes. Runs inside Blender."""
 
 import math
 
@@ -16,6 +17,7 @@ class Picture:
     """A render engine; a frame is a whole render."""
 
     engine = "BLENDER_WORKBENCH"
+    is_slow = False
 
     def __init__(self, scene):
         scene.render.engine = self.engine
@@ -34,6 +36,7 @@ class Workbench(Picture):
 class Freestyle(Picture):
     """Over Workbench. Its silhouettes are our contours."""
 
+    is_slow = True
     kinds = {"silhouette", "crease", "border"}
     others = {"contour", "external_contour", "edge_mark", "material_boundary", "ridge_valley", "suggestive_contour"}
 
@@ -67,6 +70,8 @@ class Freestyle(Picture):
 
 class LineArt:
     """Its evaluation alone, without a picture: moving the camera and one update is one evaluation."""
+
+    is_slow = False
 
     def __init__(self, scene):
         pencils = "grease_pencils_v3" if hasattr(bpy.data, "grease_pencils_v3") else "grease_pencils"  # from 5.0 on

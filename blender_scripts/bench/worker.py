@@ -3,8 +3,10 @@
 out).
 
 Each repeat starts from a new file: the first frame, then one after a small turn of the camera. A cold round goes first:
-it tells the memory, and compiles what is compiled once per process. OUT is written after every frame, so that a
-time-out loses only what came after."""
+it tells the memory, and compiles what is compiled once per process. With one repeat, which is all that renderers get
+whose frames take minutes, the cold round is the one that is measured; what is compiled is compiled before it for a tiny
+picture of a box. Of those renderers only the first frame is drawn. OUT is written after every frame, so that a time-out
+loses only what came after; what is going to be drawn is printed."""
 
 import json
 import math
@@ -16,18 +18,21 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bpy
 import scenes
-from bench import renderers
 from mathutils import Matrix
+
+from bench import renderers
 
 STEP = math.radians(1)
 
 
 def main(asked):
-    repeats, make = asked["repeats"], renderers.BY_NAME[asked["renderer"]]
-    if repeats == 1:  # too slow to be done twice
+    make = renderers.BY_NAME[asked["renderer"]]
+    repeats, kinds = (1, ("first",)) if make.is_slow else (asked["repeats"], ("first", "moved"))
+    if repeats == 1:
         warm(make)
     record = {"first": [], "moved": []}
-    for cold in (True, *[False] * repeats) if repeats > 1 else (True,):
+    rounds = (True, *[False] * repeats) if repeats > 1 else (True,)
+    for number, cold in enumerate(rounds, start=1):
         bpy.ops.wm.read_homefile()  # renderers that keep things between frames let go of them here
         scenes.build(asked["scene"], Path(asked["shared"]) if asked["shared"] else None)
         render = bpy.context.scene.render
@@ -37,7 +42,8 @@ def main(asked):
             record["triangles"] = triangles()
             reset_peak()
             before = memory("VmRSS")
-        for kind in ("first", "moved"):
+        for kind in kinds:
+            print(f"round {number} of {len(rounds)}, {kind} frame", flush=True)
             told = frame(renderer, moved=kind == "moved")
             if repeats == 1 or not cold:
                 record[kind].append(told)
@@ -57,8 +63,10 @@ def frame(renderer, moved: bool):
 
 def warm(renderer):
     """Compiles what is compiled once per process."""
+    print("what is compiled once", flush=True)
     bpy.ops.wm.read_homefile()
     scenes.build("boxes:1", None)
+    bpy.context.scene.render.resolution_percentage = 5
     renderer(bpy.context.scene).frame()
 
 

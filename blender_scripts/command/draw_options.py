@@ -49,7 +49,12 @@ def _parser():
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
-    add("--size", type=quantities.frame_size, metavar="WxH", help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet")
+    add(
+        "--size",
+        type=quantities.frame_size,
+        metavar="WxH",
+        help="pixels; 1920x1080 for a model, 480x360 for a tile of a sheet",
+    )
     add("--lens", type=quantities.within(*LENSES, "millimeters"), metavar="MM", help="focal length; 50 for a model")
     share = quantities.within(0, 100, "percent")
     add("--margin", type=share, metavar="PERCENT", default=5.0, help="free on each side of a framed model")
@@ -66,7 +71,12 @@ def _parser():
     add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
     add("--param", type=quantities.assignment, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
     add("--hidden", action="store_true", help="draw hidden lines, too: dashed, unless the style says how")
-    add("--hidden-by", type=quantities.surfaces, metavar="A-B", help="of hidden lines, those that A to B surfaces hide: 1, 2-3, 4-")
+    add(
+        "--hidden-by",
+        type=quantities.surfaces,
+        metavar="A-B",
+        help="of hidden lines, those that A to B surfaces hide: 1, 2-3, 4-",
+    )
     halo, overshoot = (quantities.within(*quantities.STYLE_RANGES[name], "pixels") for name in ("halo", "overshoot"))
     add("--halo", type=halo, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
     add("--overshoot", type=overshoot, metavar="PX", help="how far lines go on beyond their ends, alike")
@@ -74,7 +84,12 @@ def _parser():
     where = "where to look: 0..1 from the left and the top, or in space, or an object's surface, by its name"
     focus.add_argument("--focus", type=quantities.focus, metavar="U,V|X,Y,Z|OBJECT", help=where)
     focus.add_argument("--focus-painted", metavar="ATTRIBUTE", help="what is in focus is painted on the meshes")
-    add("--focus-radii", type=quantities.radii, metavar="NEAR,FAR", help="in focus up to, out of it from: heights, or units")
+    add(
+        "--focus-radii",
+        type=quantities.radii,
+        metavar="NEAR,FAR",
+        help="in focus up to, out of it from: heights, or units",
+    )
     add("--effects", type=lambda text: text.split(","), metavar="A,B", help="only these effects answer to focus")
     add("--uniform", choices=("lines", "colors", "both"), help="what is the same all over, wherever one looks")
     add("--without", choices=("lines", "colors"), help="what is not drawn")
@@ -90,7 +105,9 @@ def _check(options):
         if not Path(options.scene).is_file():
             raise ValueError(f"there is no file {options.scene}")
     elif Path(options.scene).suffix:
-        raise ValueError(f"{options.scene}: a scene is a {', '.join(MODELS)} or .blend file, or one of {scenes.names()}")
+        raise ValueError(
+            f"{options.scene}: a scene is a {', '.join(MODELS)} or .blend file, or one of {scenes.names()}"
+        )
     else:
         scenes.parse(options.scene)
     if options.scene == "demo" and not (options.style or options.lines or options.focus or options.focus_painted):
@@ -111,7 +128,8 @@ def _check_sheet(options):
     options.size = options.size or TILE
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
-    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "focus", "focus_painted", "elision")
+    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot")
+    others += ("focus", "focus_painted", "elision")
     for other in others:
         if getattr(options, other):
             raise ValueError(f"a sheet has no --{other.replace('_', '-')}")

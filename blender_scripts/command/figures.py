@@ -8,9 +8,8 @@ from pathlib import Path
 
 import window
 
-from . import actions
+from . import actions, pages
 from . import package as extension
-from . import pages
 from .target import PROJECT, SHARED
 from .variants import SHEETS
 

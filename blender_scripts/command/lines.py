@@ -83,7 +83,9 @@ def _style(options, definitions):
     """The Style whose lines are asked for."""
     style = importlib.import_module("addon.style")
     if options.definition:
-        given = {options.definition: style.parameters(options.definition, dict(options.param), "definition", definitions)}
+        given = {
+            options.definition: style.parameters(options.definition, dict(options.param), "definition", definitions)
+        }
         lines_of = importlib.import_module("addon.pipeline").style_of_lines
         return lines_of(given, options.corner_angle, options.hidden)
     if options.style in style.names():
@@ -129,7 +131,9 @@ def _look(native, surface, positions, options):
     """(native Scene of the model alone, native View of it, the way back from the view). The picture is as one of
     Blender's of this height: its pixels are as many reference pixels."""
     usage = native.DRAW | native.OCCLUDE
-    scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8))
+    scene = native.Scene(
+        [surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8)
+    )
     # Lines as such are found wherever they are: a wide frame holds more of a model that is near.
     fov = options.fov if options.visible or options.fov else 90.0
     seen_from = eye.view(positions, options.eye, options.ortho, options.size, fov)

@@ -12,8 +12,8 @@ ID = "fovea"
 
 
 def stage(target):
-    """Lays the package out in WORK/package/fovea: the add-on, the shaders and the native module beside __init__.py.
-    What is the same already is left alone, as tests may be reading it."""
+    """Lays the package out in WORK/package/fovea: the add-on, the shaders, the native module and the license beside
+    __init__.py. What is the same already is left alone, as tests may be reading it."""
     module = build.module(target)
     folder = target.work / "package" / ID
     fresh = folder.with_name("fresh")
@@ -23,6 +23,7 @@ def stage(target):
         shutil.copytree(PROJECT / "addon", fresh, ignore=unwanted)
         shutil.copytree(PROJECT / "shaders", fresh / "shaders", ignore=unwanted)
         shutil.copy2(module, fresh)
+        shutil.copy2(PROJECT / "LICENSE", fresh)
         if not folder.exists() or _content(fresh) != _content(folder):
             shutil.rmtree(folder, ignore_errors=True)
             fresh.rename(folder)

@@ -55,7 +55,9 @@ def surfaces(text):
     found = re.fullmatch(r"([1-9]\d{0,8})(-(\d{0,9}))?", text)
     first, last = (int(found[1]), int(found[3] or 0) if found[2] else int(found[1])) if found else (1, -1)
     if (last and last < first) or max(first, last) > MOST_SURFACES:
-        raise argparse.ArgumentTypeError(f"'{text}' is not FIRST-LAST of up to {MOST_SURFACES} surfaces that hide a line")
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is not FIRST-LAST of up to {MOST_SURFACES} surfaces that hide a line"
+        )
     return first, last or None
 
 

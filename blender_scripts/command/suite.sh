@@ -2,30 +2,35 @@
 # One Debian suite as a folder in the cache: CACHE/SUITE/root. Made once by debootstrap (signatures verified with the
 # archive's keyring) from the mirror the machine's own apt uses; later calls and other clones find it by its stamps.
 
-# set_up_suite SUITE: returns at once when nothing is to be done, resumes where an earlier call was interrupted.
+# set_up_suite SUITE [PACKAGE...]: with the packages of packages.txt, or adds these to a suite that has them. Returns at
+# once when nothing is to be done, resumes where an earlier call was interrupted.
 set_up_suite() {
     suite=$1
+    shift
+    packages_are=${*:-Blender, compiler and libraries}
+    [ $# -gt 0 ] || set -- $(package_names)
     suite_folder=$cache/$suite
     root=$suite_folder/root
-    stamp=$suite_folder/installed/$(package_names | sha256sum | cut -c 1-16)
+    stamp=$suite_folder/installed/$(printf '%s\n' "$@" | sha256sum | cut -c 1-16)
     [ ! -e "$stamp" ] || return 0
     [ "$(id -u)" = 0 ] || {
         say "setting up Debian $suite needs root: run this once as root, or give a fitting Blender by BLENDER="
         return 1
     }
-    mkdir -p "$suite_folder/installed" "$suite_folder/archives"
+    mkdir -p "$suite_folder/installed"
     exec 9>"$suite_folder/lock"
     flock -n 9 || {
         say "another call is setting up Debian $suite; waiting for it"
         flock 9
     }
     set_up_status=0
-    [ -e "$stamp" ] || make_suite || set_up_status=$?
+    [ -e "$stamp" ] || make_suite "$@" || set_up_status=$?
     exec 9>&-
     [ "$set_up_status" -eq 0 ] || say "Debian $suite could not be set up; the next call goes on from here"
     return "$set_up_status"
 }
 
+# make_suite PACKAGE...
 make_suite() {
     find_host_tools || return
     if [ ! -d "$root" ]; then
@@ -34,7 +39,7 @@ make_suite() {
         find_keyring || return
         step "$cache/log/$suite-base.log" "$suite: base system" make_base || return
     fi
-    step "$cache/log/$suite-packages.log" "$suite: Blender, compiler and libraries" install_packages || return
+    step "$cache/log/$suite-packages.log" "$suite: $packages_are" install_packages "$@" || return
     sync
     touch "$stamp"
     say "Debian $suite is ready"
@@ -87,6 +92,7 @@ mirror_of_host() {
 # The folder is at /mnt there, because debootstrap cannot do with spaces in a path.
 make_base() {
     rm -rf "$root.partial"
+    mkdir -p "$suite_folder/archives"
     bwrap --dev-bind / / --proc /proc --dev-bind "$suite_folder" /mnt --unshare-pid --die-with-parent \
         debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir=/mnt/archives \
         "$suite" /mnt/root.partial "$mirror" || { why_debootstrap_failed; return 1; }
@@ -107,7 +113,7 @@ install_packages() {
     in_root apt-get update &&
         in_root dpkg --configure -a &&
         in_root apt-get -y --fix-broken install &&
-        in_root apt-get -y --no-install-recommends install $(package_names) &&
+        in_root apt-get -y --no-install-recommends install "$@" &&
         in_root apt-get clean
 }
 

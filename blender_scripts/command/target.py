@@ -47,7 +47,7 @@ class Target:
         }
         # A build names its files relative to `work`, so that another clone's build finds the same objects in ccache.
         ccache = {"CCACHE_DIR": str(self.cache / "ccache"), "CCACHE_BASEDIR": str(self.work), "CCACHE_NOHASHDIR": "1"}
-        ccache["CCACHE_SLOPPINESS"] = "pch_defines,time_macros"  # without which it keeps nothing with precompiled headers
+        ccache["CCACHE_SLOPPINESS"] = "pch_defines,time_macros"  # else it keeps nothing with precompiled headers
         return kept | ccache | {"HOME": str(self.home), "PYTHONDONTWRITEBYTECODE": "1"}
 
     def run(self, sentence, command, **environment):

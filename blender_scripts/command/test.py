@@ -51,7 +51,8 @@ def _part(target, part, report, words):
     else:
         with ThreadPoolExecutor(len(runs)) as pool:
             counts = sum(pool.map(lambda run: _outcome(target, part, *run), runs), Counter())
-    say(f"{target.name}: {part} tests: {', '.join(f'{counts[kind]} {kind}' for kind in ('passed', 'failed', 'skipped'))}")
+    told = ", ".join(f"{counts[kind]} {kind}" for kind in ("passed", "failed", "skipped"))
+    say(f"{target.name}: {part} tests: {told}")
     return counts
 
 
@@ -64,7 +65,9 @@ def _outcome(target, part, sentence, command, report, environment):
     counts["failed"] += ended
     if counts["failed"]:
         print(f"{target.name}: {part} tests FAILED; all of it is in {log}:\n{tail(log, 400, PASSING)}", flush=True)
-        what = f"ended with status {status}; its last lines:\n{tail(log, 30, WAY)}" if ended else _names_of_failed(report)
+        what = (
+            f"ended with status {status}; its last lines:\n{tail(log, 30, WAY)}" if ended else _names_of_failed(report)
+        )
         _remember(target, f"{target.name}: {sentence}: {what}{_crashes(target, start) if ended else ''}")
     return counts
 

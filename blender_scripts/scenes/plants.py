@@ -83,7 +83,7 @@ def potted(
     length: float = 1.5,
     width: float = 0.28,
     tall: float = 1.0,
-    **habit
+    **habit,
 ):
     soil = pot(location, size, tall)
     made = rosette("Leaves", leaves, size * length, size * width, seed, **habit)

@@ -38,7 +38,9 @@ def ball(rings=24):
         return 1 + (i - 1) * around + j % around
 
     polygons = [(0, at(1, j), at(1, j + 1)) for j in range(around)]
-    polygons += [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)) for i in range(1, rings - 1) for j in range(around)]
+    polygons += [
+        (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)) for i in range(1, rings - 1) for j in range(around)
+    ]
     polygons += [(at(rings - 1, j + 1), at(rings - 1, j), len(points) - 1) for j in range(around)]
     return surface(points, polygons, "Ball")
 

@@ -29,7 +29,9 @@ class RecordedSurface(SimpleNamespace):
         self.positions = positions.copy()
 
 
-RECORDING = SimpleNamespace(Surface=RecordedSurface, RefinedSurface=NATIVE.RefinedSurface, content_hash=NATIVE.content_hash)
+RECORDING = SimpleNamespace(
+    Surface=RecordedSurface, RefinedSurface=NATIVE.RefinedSurface, content_hash=NATIVE.content_hash
+)
 
 
 class Capture(bpy.types.RenderEngine):

@@ -22,7 +22,9 @@ def ends(found):
 
 
 def corners(centre, half=1.0):
-    return {tuple(np.add(centre, (x, y, z)).tolist()) for x in (-half, half) for y in (-half, half) for z in (-half, half)}
+    return {
+        tuple(np.add(centre, (x, y, z)).tolist()) for x in (-half, half) for y in (-half, half) for z in (-half, half)
+    }
 
 
 def test_a_surface_is_the_evaluated_mesh(box):

@@ -15,7 +15,7 @@ from the_addon import part
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 import scenes
-from bench import agreement
+from bench import agreement, renderers, worker
 from bench import focus as bench
 from bench.focus import PER_SAMPLE, coherence, density, reproject, world
 from bench.focus import emphasis as emphasis_bench
@@ -134,6 +134,29 @@ def test_fall_off_is_measured_ring_by_ring():
     smooth = emphasis_bench.fall_off(f, 1 - f, sharp)
     assert smooth[0] == 1 and smooth[-1] == 0 and emphasis_bench.largest_jump(smooth) == pytest.approx(0.1, abs=0.01)
     assert emphasis_bench.largest_jump(emphasis_bench.fall_off(f, (f < 0.5) * 1.0, sharp)) == 1
+
+
+@pytest.mark.parametrize("is_slow, first, moved", [(True, 1, 0), (False, 3, 3)])
+def test_a_slow_renderer_draws_one_frame_of_a_scene(tmp_path, monkeypatch, is_slow, first, moved):
+    drawn = []
+
+    class Renderer(renderers.Picture):
+        def frame(self):
+            drawn.append(bpy.context.scene.render.resolution_percentage)
+
+    Renderer.is_slow = is_slow
+    monkeypatch.setitem(renderers.BY_NAME, "it", Renderer)
+    out = tmp_path / "rows.json"
+    asked = {"scene": "boxes:2", "renderer": "it", "repeats": 3, "size": SIZE, "shared": "", "out": str(out)}
+    worker.main(asked)
+    record = json.loads(out.read_text())
+    assert (len(record["first"]), len(record["moved"])) == (first, moved) and record["triangles"] > 0
+    # Beside the frames of the scene, whatever is compiled is compiled for a tiny picture, or in a cold round.
+    assert drawn.count(100) == (1 if is_slow else 8) and len(drawn) == (2 if is_slow else 8)
+
+
+def test_of_the_renderers_freestyle_alone_is_slow():
+    assert [name for name, renderer in renderers.BY_NAME.items() if renderer.is_slow] == ["freestyle"]
 
 
 def test_bench_rows_are_told_as_a_table():

@@ -163,8 +163,14 @@ def test_places_in_the_frame_are_blenders():
 
 
 UNUSABLE = {
-    "clips all": (lambda obj: setattr(obj.data, "clip_end", 0.05), "'Camera' sees from a distance of 0.1 up to one of 0.05"),
-    "clips all but a plane": (lambda obj: setattr(obj.data, "clip_start", 1000), "set its Clip Start below its Clip End"),
+    "clips all": (
+        lambda obj: setattr(obj.data, "clip_end", 0.05),
+        "'Camera' sees from a distance of 0.1 up to one of 0.05",
+    ),
+    "clips all but a plane": (
+        lambda obj: setattr(obj.data, "clip_start", 1000),
+        "set its Clip Start below its Clip End",
+    ),
     "scaled to 0": (lambda obj: setattr(obj, "scale", (0, 1, 1)), "'Camera' looks in no direction"),
     "shifted away": (lambda obj: setattr(obj.data, "shift_x", 1e30), "'Camera' shows nothing"),
 }
@@ -188,9 +194,7 @@ def viewport(projection, *, perspective, width=400, height=300):
     world_to_view = Matrix.LocRotScale(Vector((0.3, -0.2, -6)), Euler((0.4, 0.2, 0.1)), None)
     return SimpleNamespace(
         region=SimpleNamespace(width=width, height=height),
-        region_data=SimpleNamespace(
-            view_matrix=world_to_view, window_matrix=projection, view_perspective=perspective
-        ),
+        region_data=SimpleNamespace(view_matrix=world_to_view, window_matrix=projection, view_perspective=perspective),
         space_data=SimpleNamespace(clip_start=0.1, clip_end=100.0, camera=None),
     )
 

@@ -53,7 +53,9 @@ def test_a_file_is_drawn_though_opening_it_reports_an_error(tmp_path, capfd):
     scene = box_scene()
     editor = scene.sequence_editor_create()
     length = {"length": 5} if bpy.app.version >= (5, 0, 0) else {"frame_end": 6}
-    (editor.strips if hasattr(editor, "strips") else editor.sequences).new_effect("Zebra", "COLOR", CHANNEL, 1, **length)
+    (editor.strips if hasattr(editor, "strips") else editor.sequences).new_effect(
+        "Zebra", "COLOR", CHANNEL, 1, **length
+    )
     blend, path = tmp_path / "strip.blend", tmp_path / "strip.png"
     saved(blend)
     data = bytearray(blend.read_bytes())

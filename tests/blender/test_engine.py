@@ -148,6 +148,7 @@ def test_a_scene_that_wants_the_gpu_gets_it(scene, tmp_path, visibility):
     bpy.ops.render.render(animation=True)
     assert np.abs(pixels_of(tmp_path / "frame_0002.png") - by_gpu).max() < 0.01
 
+
 def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scene, tmp_path):
     names = {}
     for wanted in (False, True):
@@ -156,7 +157,6 @@ def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scen
         names[wanted] = set(session.last_statistics()["stages"])
     assert names[True] - names[False] == {"depth"} and names[False] <= names[True]
     assert names[True] <= part("blender.report").STAGES.keys()
-
 
 
 def test_both_views_of_a_stereo_pair_are_drawn(scene, tmp_path):

@@ -5,13 +5,13 @@ import math
 import random
 
 import bpy
-import numpy as np
 import pytest
 from the_addon import add_camera, empty_scene, new_object, only_lines, part, use_style
 
 session = part("blender.session")
 FRAMES = range(1, 13)
-LINES = ("contour", "crease", "intersection", "suggestive_contour", "smooth_contour", "image_edge", "abstracted_shading")
+LINES = ("contour", "crease", "intersection", "suggestive_contour", "smooth_contour")
+LINES += ("image_edge", "abstracted_shading")
 
 
 def deforming_scene():

@@ -84,8 +84,9 @@ def test_the_scene_draws_with_it(scene, tmp_path):
     chosen = properties.style_of(scene)
     (last,) = chosen.line_sets
     assert set(last.kinds) == {"crease"} and last.pen.width == pytest.approx(13.5)
-    assert last.kinds["crease"]["angle"] == pytest.approx(180 - math.degrees(
-        scene.view_layers[0].freestyle_settings.crease_angle), abs=1e-3)
+    assert last.kinds["crease"]["angle"] == pytest.approx(
+        180 - math.degrees(scene.view_layers[0].freestyle_settings.crease_angle), abs=1e-3
+    )
     scene.render.use_freestyle = False
     picture = drawn(scene, tmp_path / "matched.png")
     lined = ink(picture) > 0.5

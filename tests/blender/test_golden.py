@@ -5,7 +5,6 @@ import os
 import shutil
 from pathlib import Path
 
-import bpy
 import golden
 import golden_scenes
 import numpy as np

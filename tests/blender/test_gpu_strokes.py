@@ -8,6 +8,7 @@ from the_addon import part
 
 pytestmark = pytest.mark.gpu
 
+
 def on_gpu(strokes, pens, textures, view):
     return part("backend.gpu").Backend().draw_strokes(strokes, pens, textures, view)
 
@@ -116,7 +117,10 @@ def test_strokes_that_thin_and_fade_with_strength():
 
 def test_strokes_on_their_way_out_of_focus():
     """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
-    chosen, view = style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),)), view_of(320, 200)
+    chosen, view = (
+        style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),)),
+        view_of(320, 200),
+    )
     frame = frame_of(room(), view, chosen)
     ink = np.random.default_rng(2).uniform(0.2, 1, (5, 40)).astype(np.float32)
     textures = [core.PenTexture(ink)]

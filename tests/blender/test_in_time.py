@@ -114,7 +114,7 @@ def test_what_is_keyed_has_its_own_value_at_every_frame(fence, tmp_path):
     fence.camera.animation_data_clear()
     for frame, spacing in ((3, 0), (4, 160)):
         key_spacing(fence, frame, spacing)
-    amounts = [ink(at(fence, frame, tmp_path)).sum() for frame in range(0, 8)]
+    amounts = [ink(at(fence, frame, tmp_path)).sum() for frame in range(8)]
     assert amounts[0] == pytest.approx(amounts[1]) and amounts[6] == pytest.approx(amounts[7])
     steps = -np.diff(amounts[1:7])
     assert (steps > 0).all() and steps.max() < 0.5 * (amounts[0] - amounts[7])

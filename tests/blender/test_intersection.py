@@ -10,7 +10,6 @@ from test_gpu_visibility import both
 from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, only_lines, use_style
 
 
-
 def only(scene, *names):
     only_lines(scene, *names)
 

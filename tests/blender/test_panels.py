@@ -116,7 +116,11 @@ def test_every_setting_is_in_a_panel(scene):
     shown |= {(type(owner), name) for owner, name in layout.props}
     for owner in with_groups(owners(scene)[1:]):
         for prop in owner.bl_rna.properties:
-            if prop.identifier not in {"rna_type", "name", "focus_points"} and not prop.is_hidden and not is_group(prop):
+            if (
+                prop.identifier not in {"rna_type", "name", "focus_points"}
+                and not prop.is_hidden
+                and not is_group(prop)
+            ):
                 assert (type(owner), prop.identifier) in shown, prop.identifier
 
 

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from snapshots import NATIVE, capture_engine, fresh_scene, in_render, in_viewport, new_cache
+from snapshots import NATIVE, capture_engine, fresh_scene, in_render, in_viewport, new_cache  # noqa: F401 (fixtures)
 from the_addon import box_mesh, lines_of, mark_edges, new_mesh, new_object, part
 
 subdivision = part("blender.subdivision")
@@ -232,7 +232,10 @@ def test_changes_of_the_user_are_no_echo():
     modifier = subdivided(obj)
     seen = []
     bpy.context.view_layer.update()
-    handler = lambda scene, depsgraph: seen.append(subdivision.is_echo(depsgraph.updates))
+
+    def handler(scene, depsgraph):
+        seen.append(subdivision.is_echo(depsgraph.updates))
+
     bpy.app.handlers.depsgraph_update_post.append(handler)
 
     def change(what):

@@ -77,7 +77,8 @@ def test_a_full_disk_is_said_and_leaves_what_was_there(tmp_path, suffix):
     before = tmp_path / f"x_0001{suffix}"
     before.write_text("of an earlier run")
     words = [bpy.app.binary_path, "-b", "--factory-startup", "--addons", fovea.__name__, "--python-exit-code", "1"]
-    words += ["-P", SCRIPTS / "draw.py", "--", "boxes:3", "--size", "480x270", "--frames", "1-2", "-o", tmp_path / f"x{suffix}"]
+    words += ["-P", SCRIPTS / "draw.py", "--", "boxes:3", "--size", "480x270", "--frames", "1-2"]
+    words += ["-o", tmp_path / f"x{suffix}"]
     done = subprocess.run(words, capture_output=True, text=True, preexec_fn=no_room, restore_signals=False)
     (said,) = [line for line in done.stderr.splitlines() if line.startswith("fovea: ")]
     assert done.returncode == 1 and f"{before} could not be written" in said

@@ -123,7 +123,9 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
     stages = {"runs": runs, "closed": closed, "trimmed": trimmed, "haloed": haloed, "shot": shot, "parts": parts}
     for stage, visible in stages.items():
         arrays |= members(stage, visible, "piece start_px end_px invisibility")
-    names = "offsets path_id path piece start_px end_px invisibility line_set closed px position_view arc_px strength kinds"
+    names = (
+        "offsets path_id path piece start_px end_px invisibility line_set closed px position_view arc_px strength kinds"
+    )
     arrays |= members("compact", compact, names)
     arrays |= members("strokes", strokes, "px arc half_width opacity triangles")
     arrays["samples"] = core.samples_from_runs(clipped, runs)

@@ -3,8 +3,9 @@
 
 import numpy as np
 import pytest
-from addon import budget, catalogue, pipeline, style
 from native_core import core
+
+from addon import budget, catalogue, pipeline, style
 
 
 def cost(quality):

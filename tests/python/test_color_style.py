@@ -2,6 +2,7 @@
 """What a style file says about colour and paper."""
 
 import pytest
+
 from addon import style
 from addon.color import Color
 

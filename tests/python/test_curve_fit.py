@@ -3,8 +3,10 @@
 
 import numpy as np
 import pytest
-from addon import curve_fit
 from native_core import core
+
+from addon import curve_fit
+
 PLACES = 257
 X = np.linspace(0, 1, PLACES)
 

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+
 from addon import catalogue
 
 PROJECT = Path(__file__).parents[2]

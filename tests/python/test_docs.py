@@ -7,13 +7,15 @@ from pathlib import Path
 
 import pytest
 import scenes
+from command import draw_options, figures, pages
+
 from addon import catalogue, style
 from addon.style_parts import Hidden, LineSet, Style
-from command import draw_options, figures, pages
 
 PROJECT = Path(__file__).parents[2]
 DOCS = PROJECT / "addon" / "docs"
-TEXTS = sorted(DOCS.rglob("*.md")) + [PROJECT / "README.md"]
+DEVELOPERS = [PROJECT / "README.md", PROJECT / ".github" / "CONTRIBUTING.md"]  # who have the whole project
+TEXTS = [*sorted(DOCS.parent.rglob("*.md")), *DEVELOPERS]
 DEFINITIONS = {definition["name"]: definition for definition in catalogue.definitions()}
 PARAMETERS = [(name, parameter) for name, d in DEFINITIONS.items() for parameter in d["parameters"]]
 UNITS = {"": "number", "bool": "switch"}  # what is not here is called as the registry calls it
@@ -122,7 +124,7 @@ def test_links_and_pictures_exist(path):
         assert target.is_file(), link
         assert not anchor or anchor in anchors(target), link
         # The documentation is read where the add-on is installed, too: it leads nowhere else.
-        assert path.name == "README.md" and path.parent == PROJECT or DOCS in (target, *target.parents), link
+        assert path in DEVELOPERS or DOCS in (target, *target.parents), link
 
 
 def test_every_text_is_found_from_the_first_page():

@@ -25,7 +25,8 @@ def test_the_demo_shows_stylized_focus(words):
 
 
 @pytest.mark.parametrize(
-    "words", [["--style", "pencil"], ["--lines", "crease"], ["--focus", "Bicycle"], ["--focus-painted", "Look"], ["--sheet"]]
+    "words",
+    [["--style", "pencil"], ["--lines", "crease"], ["--focus", "Bicycle"], ["--focus-painted", "Look"], ["--sheet"]],
 )
 def test_the_demo_is_drawn_as_words_say_where_they_do(words):
     options, other = draw_options.parse(words), draw_options.parse(["office", *words])
@@ -57,7 +58,13 @@ def test_hidden_lines_are_chosen_by_what_hides_them(text, surfaces):
 
 @pytest.mark.parametrize(
     "text, where",
-    [("0.4,.5", (0.4, 0.5)), ("1,-2e1,+3", (1.0, -20.0, 3.0)), ("Suzanne", "Suzanne"), ("Box.001", "Box.001"), ("Tür 2", "Tür 2")],
+    [
+        ("0.4,.5", (0.4, 0.5)),
+        ("1,-2e1,+3", (1.0, -20.0, 3.0)),
+        ("Suzanne", "Suzanne"),
+        ("Box.001", "Box.001"),
+        ("Tür 2", "Tür 2"),
+    ],
 )
 def test_focus_is_a_place_or_an_object(text, where):
     assert draw_options.parse([f"--focus={text}"]).focus == where

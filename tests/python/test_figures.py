@@ -4,8 +4,9 @@
 from pathlib import Path
 
 import pytest
-from addon import style
 from command import draw_options, figures, variants
+
+from addon import style
 
 README = Path(__file__).parents[2] / "README.md"
 

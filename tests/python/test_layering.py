@@ -140,9 +140,13 @@ def test_the_rules_hold():
 @pytest.mark.parametrize(
     "file, text, complaint",
     [
-        ("native/fovea/mesh/planted.cpp", '#include <fovea/line/segments.h>', "which comes after it"),
+        ("native/fovea/mesh/planted.cpp", "#include <fovea/line/segments.h>", "which comes after it"),
         ("native/fovea/line/planted.cpp", "#include <pybind11/numpy.h>", "allowed only in native/bindings/"),
-        ("native/fovea/visibility/planted.cpp", "#include <embree4/rtcore.h>", "allowed only in native/fovea/scene/bvh"),
+        (
+            "native/fovea/visibility/planted.cpp",
+            "#include <embree4/rtcore.h>",
+            "allowed only in native/fovea/scene/bvh",
+        ),
         ("native/surprise/planted.h", "", "not in the order of the data"),
         ("addon/planted.py", "import bpy", "imports bpy"),
         ("addon/pipeline.py", "from .backend import gpu", "imports backend/gpu"),

@@ -24,7 +24,11 @@ def polygons(found):
 
 
 def test_every_way_to_write_a_corner(read):
-    assert polygons(read(SQUARE + "f 1/1/1 2//2 3/3\nf -4 -2 -1\nf\t1 2 \\\n 3 4\n")) == [[0, 1, 2], [0, 2, 3], [0, 1, 2, 3]]
+    assert polygons(read(SQUARE + "f 1/1/1 2//2 3/3\nf -4 -2 -1\nf\t1 2 \\\n 3 4\n")) == [
+        [0, 1, 2],
+        [0, 2, 3],
+        [0, 1, 2, 3],
+    ]
 
 
 def test_negative_indices_count_from_where_they_stand(read):
@@ -44,7 +48,9 @@ def test_faces_without_area_to_speak_of_and_other_lines_are_left_out(read):
     assert polygons(found) == [[0, 1, 2]]
 
 
-@pytest.mark.parametrize("text", ["v 1 2\n", "v a b c\n", SQUARE + "f 0 1 2\n", SQUARE + "f 1 2 9\n", SQUARE + "f -9 2 3\n"])
+@pytest.mark.parametrize(
+    "text", ["v 1 2\n", "v a b c\n", SQUARE + "f 0 1 2\n", SQUARE + "f 1 2 9\n", SQUARE + "f -9 2 3\n"]
+)
 def test_what_is_wrong_is_said_with_the_files_name(read, text):
     with pytest.raises(ValueError, match="model.obj"):
         read(text)

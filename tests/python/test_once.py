@@ -44,4 +44,3 @@ def test_a_picture_without_passes_has_the_same_lines(model):
     with_passes, lines_alone = passes(model, with_depth=True, with_focus=True), passes(model)
     assert lines_alone["depth"] is None and lines_alone["focus"] is None
     np.testing.assert_array_equal(with_passes["lines"], lines_alone["lines"])
-

@@ -41,7 +41,9 @@ def test_what_fails_leaves_what_was_there(tmp_path, how):
 
 @pytest.mark.parametrize("error", [OSError(28, "No space left on device"), RuntimeError("Error: cannot save")])
 def test_what_could_not_be_written_is_named(tmp_path, error):
-    with pytest.raises(ValueError, match=f"^{tmp_path}/out.png could not be written .*: make room, or name another place"):
+    with pytest.raises(
+        ValueError, match=f"^{tmp_path}/out.png could not be written .*: make room, or name another place"
+    ):
         with output.written(tmp_path / "out.png"):
             raise error
 

@@ -6,12 +6,15 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-import addon
 import pytest
+
+import addon
 
 BLENDER = os.environ.get("FOVEA_BLENDER")
 DRAW = Path(__file__).parents[2] / "blender_scripts" / "draw.py"
 MODULE = "bl_ext.user_default.fovea"
+# Suffixes of what the extension reads, or its user; folders have none.
+USED = {"", ".py", ".so", ".toml", ".json", ".glsl", ".png", ".jpg", ".md"}
 
 pytestmark = pytest.mark.skipif(not BLENDER, reason="FOVEA_BLENDER names no Blender")
 
@@ -38,7 +41,9 @@ def blender(home):
 @pytest.fixture(scope="module")
 def archive(blender, tmp_path_factory):
     file = tmp_path_factory.mktemp("archive") / "fovea.zip"
-    status, said = blender("--command", "extension", "build", "--source-dir", Path(addon.__file__).parent, "--output-filepath", file)
+    status, said = blender(
+        "--command", "extension", "build", "--source-dir", Path(addon.__file__).parent, "--output-filepath", file
+    )
     assert status == 0 and file.is_file(), said
     return file
 
@@ -69,8 +74,20 @@ def test_the_archive_is_small_and_has_the_documentation(archive):
     with zipfile.ZipFile(archive) as packed:
         names = {name.partition("docs/")[2] for name in packed.namelist() if "docs/" in name}
     docs = Path(addon.__file__).parent / "docs"
-    assert names - {""} >= {str(path.relative_to(docs)) for path in docs.rglob("*.*")} >= {"README.md", "lines/ridge.png"}
+    assert (
+        names - {""} >= {str(path.relative_to(docs)) for path in docs.rglob("*.*")} >= {"README.md", "lines/ridge.png"}
+    )
     assert archive.stat().st_size < 5 << 20
+
+
+def test_the_archive_has_license_and_changes_and_nothing_that_only_developers_need(archive):
+    with zipfile.ZipFile(archive) as packed:
+        places = [Path(name) for name in packed.namelist()]
+    inside = {place.name: place for place in places}
+    root = inside["blender_manifest.toml"].parent
+    assert inside["LICENSE"].parent == inside["CHANGELOG.md"].parent == root
+    assert not [place for place in places if any(part.startswith((".", "__pycache__")) for part in place.parts)]
+    assert {place.suffix for place in places if place.name != "LICENSE"} <= USED
 
 
 def test_installed_it_is_enabled_at_every_start(blender, installed):

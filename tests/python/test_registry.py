@@ -3,8 +3,9 @@
 
 import numpy as np
 import pytest
-from addon import catalogue, native, style
 from command import draw_options, lines
+
+from addon import catalogue, native, style
 
 DEFINITIONS = {definition["name"]: definition for definition in catalogue.definitions()}
 PARAMETERS = [(name, parameter) for name, d in DEFINITIONS.items() for parameter in d["parameters"]]

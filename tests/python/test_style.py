@@ -4,6 +4,7 @@
 import json
 
 import pytest
+
 from addon import focus, style
 
 DEFINITIONS = [
@@ -144,7 +145,10 @@ def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
         (minimal() | {"effects": {"fade": {"strength": 2}}}, "effects.fade.strength is 2"),
         (minimal() | {"effects": {"fade": 3}}, "effects.fade must be a JSON object"),
         (minimal() | {"effects": {"fade": {"curve": [[0.5, 0], [0.5, 1]]}}}, "effects.fade.curve: points must ascend"),
-        (minimal() | {"effects": {"fade": {"curve": [[0, 0, 0]]}}}, "effects.fade.curve[0] must be a list of 2 numbers"),
+        (
+            minimal() | {"effects": {"fade": {"curve": [[0, 0, 0]]}}},
+            "effects.fade.curve[0] must be a list of 2 numbers",
+        ),
         (minimal() | {"effects": {"lines": ["uniform"]}}, "effects.lines is ['uniform']"),
         (minimal() | {"distance": {"near": 5, "far": 5}}, "distance.far must be more than near"),
         (minimal(overshoot=-1), "line_sets[0].overshoot is -1"),
@@ -152,8 +156,14 @@ def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
         (minimal(hidden=[{"from": 0}]), "line_sets[0].hidden[0].from is 0"),
         (minimal(hidden=[{"from": 1.5}]), "hidden[0].from is 1.5"),
         (minimal(hidden=[{"to": True}]), "hidden[0].to is True"),
-        (minimal(hidden=[{"from": 3, "to": 2}]), "hidden[0].to is 2, less than line_sets[0].hidden[0].from, which is 3"),
-        (minimal(hidden=[{"from": 1, "to": 2}, {"from": 2}]), "line_sets[0].hidden: two ranges hold what 2 surfaces hide"),
+        (
+            minimal(hidden=[{"from": 3, "to": 2}]),
+            "hidden[0].to is 2, less than line_sets[0].hidden[0].from, which is 3",
+        ),
+        (
+            minimal(hidden=[{"from": 1, "to": 2}, {"from": 2}]),
+            "line_sets[0].hidden: two ranges hold what 2 surfaces hide",
+        ),
         (minimal(hidden=[{"from": 4}, {"from": 1}]), "two ranges hold what 4 surfaces hide"),
         (minimal(hidden=[{"pen": {"cap": "square"}}]), "line_sets[0].hidden[0].pen.cap is 'square'"),
         (minimal(hidden=[{"pen": {"width": 0}}]), "line_sets[0].hidden[0].pen.width"),

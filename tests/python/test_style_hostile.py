@@ -7,6 +7,7 @@ import random
 import time
 
 import pytest
+
 from addon import style
 from addon.style_json import LARGEST
 from addon.style_values import MOST_WORDS

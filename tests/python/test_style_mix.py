@@ -4,6 +4,7 @@
 from dataclasses import fields, is_dataclass, replace
 
 import pytest
+
 from addon import catalogue, style, style_mix
 from addon.stages import Pen
 from addon.style_parts import Hidden, LineSet, Paper, Style

@@ -7,8 +7,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import addon
 import pytest
+
+import addon
 
 BLENDER = os.environ.get("FOVEA_BLENDER")
 MODULE = "bl_ext.user_default.fovea"

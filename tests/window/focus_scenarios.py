@@ -76,7 +76,7 @@ def click(px, **keys):
 def drag(start, end):
     where = screen.region()
     a, b = ((round(where.x + px[0]), round(where.y + px[1])) for px in (start, end))
-    for step in (0.0, 0.0):
+    for _ in range(2):
         move(start)
         yield from screen.rest(0.15)
     event(type="LEFTMOUSE", value="PRESS", x=a[0], y=a[1])

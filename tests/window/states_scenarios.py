@@ -38,7 +38,7 @@ def troubles(folder):
     """What cannot be drawn, and what can be again: an empty scene, a camera that goes or is panoramic, another scene
     in the window, one that is deleted while it is drawn."""
     watch = yield from opened("boxes:2")
-    steps, ops, space, window = Steps(watch), bpy.ops, screen.space(), bpy.context.window_manager.windows[0]
+    steps, space, window = Steps(watch), screen.space(), bpy.context.window_manager.windows[0]
     first = bpy.context.scene
     yield from steps.step("start", bool)
     scene = bpy.data.scenes.new("Second")

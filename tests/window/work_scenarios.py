@@ -4,7 +4,6 @@
 import bpy
 from pointer import drag, event, press
 from showing import Steps, calm, opened
-from window import screen
 
 
 def operators(folder):

@@ -4,9 +4,9 @@
 import bpy
 
 from ...style_parts import FILTERS
+from .. import style_data
 from ..line_kinds import definitions
 from ..line_set_operators import edited, edited_hidden
-from .. import style_data
 from .common import StylePanel, draw_pen, draw_properties, fold
 
 # What lines depend on, by the registry's word for it.

@@ -118,8 +118,6 @@ class Stage:
         return max(self.places, key=out)
 
 
-
-
 def fall_off(f, ink, sharp):
     """(RINGS + 2,) share of its ink that each ring of f keeps: 0, RINGS equal steps, 1. nan: it never had any."""
     ring = np.where(f <= 0, 0, np.where(f >= 1, RINGS + 1, 1 + np.minimum((f * RINGS).astype(np.int64), RINGS - 1)))

@@ -15,11 +15,12 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import bpy
 import numpy as np
 import scenes
-from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, world
-from bench.visibility.worker import middle, orbit
 from bl_ext.user_default.fovea import focus
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import gpu_context
+
+from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, world
+from bench.visibility.worker import middle, orbit
 
 STEP = math.radians(0.25)
 REPEATS = 3

@@ -53,7 +53,9 @@ def table(rows):
     ]
     widths = [max(len(line[k]) for line in cells) for k in range(len(columns) + 1)]
     return "\n".join(
-        "  ".join(cell.rjust(w) if 2 <= k <= 6 else cell.ljust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip()
+        "  ".join(
+            cell.rjust(w) if 2 <= k <= 6 else cell.ljust(w) for k, (cell, w) in enumerate(zip(line, widths))
+        ).rstrip()
         for line in cells
     )
 

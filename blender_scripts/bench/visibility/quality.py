@@ -39,7 +39,9 @@ def follow(frame):
     # Segments that are whole in the image and lie along a whole edge.
     whole = (clipped.source_t[first] == 0) & (after == point + 1) & (clipped.source_t[first + 1] == 0)
     reversed_ = paths.edge_t[point] == 1
-    whole &= (paths.place[point] < frame.edge_counts[frame.placement_of(point)]) & (reversed_ | (paths.edge_t[point] == 0))
+    whole &= (paths.place[point] < frame.edge_counts[frame.placement_of(point)]) & (
+        reversed_ | (paths.edge_t[point] == 0)
+    )
     first, point, reversed_ = first[whole], point[whole], reversed_[whole]
     along = np.where(reversed_[:, None], 1 - PLACES, PLACES)
     depth = -clipped.position_view[:, 2].astype(np.float64)

@@ -15,11 +15,12 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import bpy
 import numpy as np
 import scenes
-from bench.visibility import methods, quality
 from bl_ext.user_default.fovea import native, pipeline
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from mathutils import Matrix, Vector
+
+from bench.visibility import methods, quality
 
 STEP = math.radians(1)
 LINES = ("contour", "crease", "border")
@@ -68,7 +69,9 @@ def remembering(kept, name, function):
 
 def middle(scene_):
     """Of the box around everything."""
-    corners = np.array([obj.matrix_world @ Vector(c) for obj in scene_.objects if obj.type == "MESH" for c in obj.bound_box])
+    corners = np.array(
+        [obj.matrix_world @ Vector(c) for obj in scene_.objects if obj.type == "MESH" for c in obj.bound_box]
+    )
     return (corners.min(axis=0) + corners.max(axis=0)) / 2
 
 

@@ -86,7 +86,5 @@ def slope():
 def eaves():
     put(Solid().add((1.3, LENGTH), (EDGE + 0.02, FRONT), (EAVE - 0.16, EAVE - 0.02)).mesh("Eave"), "trim")
     pipe("Gutter", [(x, EDGE - 0.06, EAVE - 0.05) for x in (1.42, LENGTH)], 0.06, "iron")
-    meeting = [
-        (math.sqrt(RADIUS**2 - y * y) + 0.01, y, height(y) + 0.05) for y in np.linspace(EDGE + 0.32, RIDGE, 40)
-    ]
+    meeting = [(math.sqrt(RADIUS**2 - y * y) + 0.01, y, height(y) + 0.05) for y in np.linspace(EDGE + 0.32, RIDGE, 40)]
     pipe("Flashing", meeting, 0.05, "trim")  # where tiles meet the tower there is no edge: lead covers it

@@ -23,7 +23,7 @@ constexpr int extra_rings = 4;   // at most, where there are too few points
 constexpr double least_pivot = 1e-10;
 
 /// Two points at a time: what every processor of 64 bits has, and the same sums on each.
-typedef double Lanes __attribute__((vector_size(16)));
+using Lanes = double __attribute__((vector_size(16)));
 constexpr std::size_t lanes = 2, unrolled = 2 * lanes;
 
 /// Points around a vertex in its own frame, divided by `scale`, their mean distance. By coordinates, filled up with

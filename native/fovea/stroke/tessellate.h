@@ -11,8 +11,8 @@ namespace fovea {
 /// Shapes every run that has a pen into a strip. The most hidden runs come first and visible ones last, so that visible
 /// strokes lie on top; those that are hidden alike keep the order of the runs. Runs without length in pixels and points
 /// that are not finite are left out. The same for any number of threads.
-/// - A run over the whole of a closed piece is joined to itself; other runs end in the pen's caps, and taper where their
-///   path ends freely; those that start before their piece or end after it go straight on.
+/// - A run over the whole of a closed piece is joined to itself; other runs end in the pen's caps, and taper where
+///   their path ends freely; those that start before their piece or end after it go straight on.
 /// - `pen_of_run`: index into `pens` per run; `none` draws nothing.
 /// - `strength`: per point of Paths, in [0,1], thins or fades (centre_line.h); empty: 1.
 /// - `emphasis`: leads from each pen to the one out of focus, and fades what elision drops.
