@@ -99,6 +99,12 @@ def _shards(part, folder, report):
     return runs
 
 
+def _core(target, report, _words):
+    """The core by itself: what CTest runs, an installed copy and a program that uses it among it."""
+    command = ["ctest", "--test-dir", build.core(target), "--output-on-failure", "--output-junit", report]
+    return [("core tests", [*command, "-j", str(len(os.sched_getaffinity(0)))], report, {})]
+
+
 def _python(target, report, words):
     package.stage(target)
     command = [sys.executable, "-m", "pytest", TESTS / "python", "-v", f"--junitxml={report}", *words]
@@ -146,4 +152,11 @@ def _result(case):
     return "skipped" if skipped else "passed"
 
 
-PARTS = {"native": _native, "python": _python, "blender": _blender, "window": _window, "sanitize": _sanitize}
+PARTS = {
+    "native": _native,
+    "python": _python,
+    "blender": _blender,
+    "window": _window,
+    "core": _core,
+    "sanitize": _sanitize,
+}
