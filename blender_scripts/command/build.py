@@ -66,6 +66,7 @@ def _options(target, sanitize):
     options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling()]
     options.append(f"-DFOVEA_SANITIZE={'address,undefined' if sanitize else ''}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")
+    options.append("-DFOVEA_TOOL=OFF")
     if target.python_include:
         options.append(f"-DPython_INCLUDE_DIR={target.python_include}")
     return options
