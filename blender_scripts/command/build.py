@@ -28,12 +28,13 @@ def module(target):
 
 
 def core(target):
-    """Builds all that the preset `release` has, as who uses the core without Blender does; returns the build folder."""
+    """Builds library and tool by the preset `release`, as who uses the core without Blender does; returns the build folder.
+    The same objects as those of the module: ccache has them."""
     folder = target.work / "core"
     with target.lock():
         options = ["--preset", "release", "-S", _source(target), "-B", folder, *_compiling()]
         target.run("configuring the core", ["cmake", *options])
-        _make(target, "building the core", folder)
+        _make(target, "building the core", folder, "--target", "fovea_core", "fovea_tool")
     return folder
 
 

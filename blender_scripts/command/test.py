@@ -100,9 +100,9 @@ def _shards(part, folder, report):
 
 
 def _core(target, report, _words):
-    """The core by itself: what CTest runs, an installed copy and a program that uses it among it."""
-    command = ["ctest", "--test-dir", build.core(target), "--output-on-failure", "--output-junit", report]
-    return [("core tests", [*command, "-j", str(len(os.sched_getaffinity(0)))], report, {})]
+    """The tool, an installed copy of the core and a program that uses it. The native tests are a part of their own."""
+    command = ["ctest", "--test-dir", build.core(target), "--exclude-regex", "native", "--output-on-failure"]
+    return [("core tests", [*command, "--output-junit", report], report, {})]
 
 
 def _python(target, report, words):

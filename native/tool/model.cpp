@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tool/model.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>

@@ -2,7 +2,9 @@
 #include <tool/options.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <tool/statistics.h>
 
 #include <fovea/line/registry.h>

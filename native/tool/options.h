@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <tool/camera.h>
+#include <vector>
 
 namespace fovea::tool {
 

@@ -2,6 +2,7 @@
 // What the header of a PLY file says of what follows it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

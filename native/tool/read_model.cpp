@@ -2,9 +2,11 @@
 #include <tool/read_model.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <tool/read_obj.h>
 #include <tool/read_ply.h>
+#include <vector>
 
 #include <fovea/base/check.h>
 

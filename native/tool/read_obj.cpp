@@ -2,6 +2,7 @@
 #include <tool/read_obj.h>
 
 #include <map>
+#include <optional>
 #include <tool/text.h>
 
 namespace fovea::tool {

@@ -2,6 +2,7 @@
 #include <tool/statistics.h>
 
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <fovea/path/extract.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polygons cut into triangles cover what they covered, whatever way they are turned.
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files with bytes changed, cut out, doubled or put in at random are read, or refused with their name; what is read is
 // a mesh.
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 #include <tool/read_obj.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ files are read as they stand; what is broken in them is left out and counted.
+#include <cmath>
 #include <gtest/gtest.h>
 #include <tool/read_obj.h>
 

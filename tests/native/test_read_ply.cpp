@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLY files of every format and type hold the same cube; broken ones are refused with the place.
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <tool/read_ply.h>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/mesh/ears.h>
 
+#include <algorithm>
+#include <array>
+
 namespace fovea {
 namespace {
 
