@@ -15,8 +15,13 @@ int main() {
     const std::vector<int> verts{0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
     const std::vector<int> polygons{0, 4, 8, 12, 16, 20, 24};
     const PolygonEdges edges = polygon_edges(polygons, verts);
-    const auto box =
-        std::make_shared<Surface>("box", MeshArrays{corners, edges.edge_verts, verts, edges.corner_edges, polygons});
+    MeshArrays mesh;
+    mesh.positions = corners;
+    mesh.edge_verts = edges.edge_verts;
+    mesh.corner_verts = verts;
+    mesh.corner_edges = edges.corner_edges;
+    mesh.polygon_offsets = polygons;
+    const auto box = std::make_shared<Surface>("box", mesh);
     const Scene scene(std::vector<Placement>{{box}});
 
     View view;
