@@ -20,12 +20,11 @@ std::optional<dvec3> coordinates(std::string_view line) {
 }
 
 /// A corner is VERTEX, VERTEX/UV, VERTEX//NORMAL or VERTEX/UV/NORMAL. Its vertex from 0, of which there are `count` so
-/// far: negative ones in the file count backwards from there. -1 where it cannot be.
+/// far: negative ones in the file count backwards from there. Negative where there is no such vertex.
 std::int64_t corner_vertex(std::string_view word, std::int64_t count) {
     const std::optional<std::int64_t> number = take_integer(word);
     if (!number || !(word.empty() || word.front() == '/')) return -1;
-    if (*number > 0) return *number - 1;
-    return *number < 0 && *number >= -count ? count + *number : -1;
+    return *number < 0 ? count + *number : *number - 1;
 }
 
 void take_corners(std::string_view line, std::int64_t count, std::vector<std::int64_t>& vertices) {
