@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds the native module and the native tests, out of the tree, in the work folder."""
+"""Builds the native module, the native tests and the core by itself, out of the tree, in the work folder."""
 
 import os
 import shutil
@@ -14,8 +14,7 @@ def build(target, goal="_native", sanitize=False):
     with target.lock():
         _configure(target, folder, sanitize)
         kind = " with sanitizers" if sanitize else ""
-        jobs = str(len(os.sched_getaffinity(0)))
-        target.run(f"building {goal}{kind}", ["cmake", "--build", folder, "--target", goal, "-j", jobs])
+        _make(target, f"building {goal}{kind}", folder, "--target", goal)
     return folder
 
 
@@ -28,27 +27,54 @@ def module(target):
     return found[0]
 
 
+def core(target):
+    """Builds library and tool by the preset `release`, as who uses the core without Blender does; returns the build folder.
+    The same objects as those of the module: ccache has them."""
+    folder = target.work / "core"
+    with target.lock():
+        options = ["--preset", "release", "-S", _source(target), "-B", folder, *_compiling()]
+        target.run("configuring the core", ["cmake", *options])
+        _make(target, "building the core", folder, "--target", "fovea_core", "fovea_tool")
+    return folder
+
+
+def _make(target, sentence, folder, *words):
+    target.run(sentence, ["cmake", "--build", folder, "-j", str(len(os.sched_getaffinity(0))), *words])
+
+
 def _configure(target, folder, sanitize):
     """CMake configures again by itself when its files change, so this runs only when the options do."""
-    link = target.work / "source"
-    if not link.is_symlink():
-        link.symlink_to(PROJECT)
+    source = _source(target)
     options = _options(target, sanitize)
     record = folder / "configured-with"
     if (folder / "build.ninja").exists() and record.exists() and record.read_text() == "\n".join(options):
         return
     folder.mkdir(parents=True, exist_ok=True)
     kind = " with sanitizers" if sanitize else ""
-    target.run(f"configuring the build{kind}", ["cmake", "-S", link, "-B", folder, *options])
+    target.run(f"configuring the build{kind}", ["cmake", "-S", source, "-B", folder, *options])
     record.write_text("\n".join(options))
 
 
+def _source(target):
+    """The checkout as builds name it: relative to the work folder, so that objects in ccache serve every clone."""
+    link = target.work / "source"
+    if not link.is_symlink():
+        link.symlink_to(PROJECT)
+    return link
+
+
 def _options(target, sanitize):
-    options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_COLOR_DIAGNOSTICS=OFF"]
-    options.append(f"-DFOVEA_SANITIZE={'ON' if sanitize else 'OFF'}")
+    options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling()]
+    options.append(f"-DFOVEA_SANITIZE={'address,undefined' if sanitize else ''}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")
+    options.append("-DFOVEA_TOOL=OFF")
     if target.python_include:
         options.append(f"-DPython_INCLUDE_DIR={target.python_include}")
+    return options
+
+
+def _compiling():
+    options = ["-DCMAKE_COLOR_DIAGNOSTICS=OFF"]
     if shutil.which("ccache"):
         options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
     return options

@@ -102,6 +102,12 @@ def _shards(part, folder, report):
     return runs
 
 
+def _core(target, report, _words):
+    """The tool, an installed copy of the core and a program that uses it. The native tests are a part of their own."""
+    command = ["ctest", "--test-dir", build.core(target), "--exclude-regex", "native", "--output-on-failure"]
+    return [("core tests", [*command, "--output-junit", report], report, {})]
+
+
 def _python(target, report, words):
     package.stage(target)
     command = [sys.executable, "-m", "pytest", TESTS / "python", "-v", f"--junitxml={report}", *words]
@@ -149,4 +155,11 @@ def _result(case):
     return "skipped" if skipped else "passed"
 
 
-PARTS = {"native": _native, "python": _python, "blender": _blender, "window": _window, "sanitize": _sanitize}
+PARTS = {
+    "native": _native,
+    "python": _python,
+    "blender": _blender,
+    "window": _window,
+    "core": _core,
+    "sanitize": _sanitize,
+}

@@ -29,6 +29,7 @@ const std::map<std::string, double>& Assets::lengths() const {
 }
 
 double Assets::texture_length(const std::string& name) const {
+    if (name == "solid") return 1.0;
     const std::lock_guard lock(mutex_);
     const auto found = lengths().find(name);
     return found == lengths().end() ? 1.0 : found->second;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The core as a program: reads a model and prints its statistics.
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <tool/options.h>
+#include <tool/read_model.h>
+#include <tool/statistics.h>
+
+#include <fovea/base/threads.h>
+
+int main(int count, char** words) {
+    using namespace fovea;
+    const tool::Options options = tool::parse(count, words);
+    try {
+        limit_threads(options.threads);
+        const tool::Model model = tool::read_model(options.model);
+        const nlohmann::ordered_json found = tool::statistics(model, options.camera, options.lines);
+        // Names of files need not be UTF-8.
+        std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    } catch (const std::exception& problem) {
+        std::cerr << "fovea_tool: " << problem.what() << "\n";
+        return 1;
+    }
+}

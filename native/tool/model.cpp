@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <tool/model.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/mesh/ears.h>
+#include <fovea/mesh/polygon_edges.h>
+
+namespace fovea::tool {
+namespace {
+
+constexpr std::size_t most_elements = std::size_t(none / 4);  // what a surface holds
+
+/// Larger polygons are left to be cut as a fan: cutting ears takes time with the square of their corners.
+constexpr int most_corners = 1 << 14;
+
+struct NgonTriangles {
+    std::vector<glm::ivec3> vertices;
+    std::vector<int> polygon;
+};
+
+/// Triangles of the polygons with more than four corners.
+NgonTriangles ngon_triangles(const Model& model) {
+    std::vector<std::vector<Triangle>> cut(model.polygon_count());
+    const auto corners_of = [&](std::size_t f) { return model.polygon_offsets[f + 1] - model.polygon_offsets[f]; };
+    parallel_for(
+        cut.size(),
+        [&](std::size_t f) {
+            if (corners_of(f) <= 4 || corners_of(f) > most_corners) return;
+            std::vector<vec3> corners;
+            for (int c = model.polygon_offsets[f]; c < model.polygon_offsets[f + 1]; ++c)
+                corners.push_back(model.positions[model.corner_verts[c]]);
+            cut[f] = cut_ears(corners);
+        },
+        64);
+    NgonTriangles all;
+    for (std::size_t f = 0; f < cut.size(); ++f) {
+        const int* verts = model.corner_verts.data() + model.polygon_offsets[f];
+        for (const Triangle& t : cut[f]) {
+            all.vertices.push_back({verts[t.x], verts[t.y], verts[t.z]});
+            all.polygon.push_back(int(f));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::shared_ptr<Surface> Model::surface() const {
+    const PolygonEdges edges = polygon_edges(polygon_offsets, corner_verts);
+    const NgonTriangles ngons = ngon_triangles(*this);
+    return std::make_shared<Surface>(name, MeshArrays{positions,
+                                                      edges.edge_verts,
+                                                      corner_verts,
+                                                      edges.corner_edges,
+                                                      polygon_offsets,
+                                                      ngons.vertices,
+                                                      ngons.polygon,
+                                                      material,
+                                                      {},
+                                                      {},
+                                                      {},
+                                                      {}});
+}
+
+void refuse(const std::string& file, const char* unit, std::size_t place, const std::string& what) {
+    throw std::invalid_argument(file + ", " + unit + " " + std::to_string(place) + ": " + what);
+}
+
+ModelBuilder::ModelBuilder(const std::string& file, const char* unit) : file_(file), unit_(unit) {
+    model_.name = std::filesystem::path(file).stem().string();
+}
+
+void ModelBuilder::note(Broken& broken, std::size_t place, const std::string& what) const {
+    if (broken.count++ == 0) broken.first = unit_ + (" " + std::to_string(place)) + ": " + what;
+}
+
+void ModelBuilder::add_broken_vertex(std::size_t place, const std::string& what) {
+    note(model_.vertices, place, what);
+    add_vertex(dvec3(std::numeric_limits<double>::quiet_NaN()));
+}
+
+void ModelBuilder::add_polygon(In<std::int64_t> vertices, int material, std::size_t place) {
+    if (vertices.size() < 3) {
+        note(model_.polygons, place, "a polygon has fewer than three corners");
+        return;
+    }
+    if (model_.corner_verts.size() + vertices.size() > most_elements)
+        refuse(file_, unit_, place, "there are more than a billion corners of polygons");
+    for (const std::int64_t v : vertices)
+        model_.corner_verts.push_back(v >= 0 && v < std::int64_t(most_elements) ? int(v) : -1);
+    model_.polygon_offsets.push_back(int(model_.corner_verts.size()));
+    model_.material.push_back(material);
+    places_.push_back(place);
+}
+
+Model ModelBuilder::finish() {
+    check(model_.positions.size() < most_elements, file_ + " has more than a billion vertices");
+    std::vector<int>&verts = model_.corner_verts, &offsets = model_.polygon_offsets;
+    int kept = 0, corners = 0;
+    for (std::size_t f = 0, begin = 0; f < places_.size(); ++f) {
+        const std::size_t end = offsets[f + 1];
+        const bool exist = std::all_of(verts.begin() + begin, verts.begin() + end,
+                                       [&](int v) { return v >= 0 && v < vertex_count(); });
+        if (exist) {
+            std::copy(verts.begin() + begin, verts.begin() + end, verts.begin() + corners);
+            corners += int(end - begin);
+            model_.material[kept] = model_.material[f];
+            offsets[++kept] = corners;
+        } else {
+            note(model_.polygons, places_[f], "a polygon names a vertex that is not there");
+        }
+        begin = end;
+    }
+    verts.resize(corners);
+    offsets.resize(kept + 1);
+    model_.material.resize(kept);
+    return std::move(model_);
+}
+
+}  // namespace fovea::tool

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <tool/camera.h>
+#include <vector>
+
+namespace fovea::tool {
+
+struct Options {
+    std::filesystem::path model;
+    std::vector<std::string> lines;  ///< names of line definitions
+    Camera camera;
+    int threads = 0;  ///< 0: as many as the machine has
+};
+
+/// Ends the program when the words ask for help, or for what there is not.
+Options parse(int count, char** words);
+
+}  // namespace fovea::tool
