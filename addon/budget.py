@@ -7,15 +7,9 @@ that one knows what a quality will cost before it is drawn.
 
 from dataclasses import dataclass, replace
 
+from . import catalogue
 from .focus import OFF
 
-# Lines that take long to find for each view, and what stands for them in drafts, where it is the outer boundary of its
-# object. Intersections are none of them: they are kept while the view turns.
-STANDS_FOR = {
-    "silhouette": {"contour": {}, "border": {}},
-    "smooth_silhouette": {"smooth_contour": {"end_at_cusps": 0.0}},
-}
-SLOW = frozenset(STANDS_FOR) | {"isophote", "topographic", "image_edge", "abstracted_shading"}
 ENOUGH = 1.25  # times the least that any quality costs: what is nearly as fast and better looking is taken
 MARGIN = 0.8  # of the budget: a better quality must keep within it, so that qualities do not alternate
 OVERVIEW = 500.0  # ms: resting views show a better picture in this time, if the best takes twice as long
@@ -77,21 +71,23 @@ def simplified(style, quality):
 
 def _quick(kinds, drawn):
     """The kinds of a line set without those that take long, and with what stands for them."""
-    return {kind: values for kind, values in kinds.items() if kind not in SLOW} | _stand_ins(kinds, drawn)
+    known = catalogue.by_name()
+    return {kind: values for kind, values in kinds.items() if not known[kind]["slow"]} | _stand_ins(kinds, drawn)
 
 
 def _stand_ins(kinds, drawn):
     """What stands for others of a line set's kinds, and is none of them itself. `drawn`: kinds of all sets; where the
-    smooth contour is among them, it goes before that of the mesh."""
-    found = {}
-    for slow, quick in STANDS_FOR.items():
-        if slow in kinds:
-            found |= ({"smooth_contour": {}} if "smooth_contour" in drawn else {}) | quick
+    smooth twin of a stand-in is among them, it goes before that of the mesh."""
+    found, known = {}, catalogue.by_name()
+    for name, definition in known.items():
+        if name in kinds:
+            twins = (known[quick]["smooth_twin"] for quick in definition["stand_ins"])
+            found |= {twin: {} for twin in twins if twin in drawn} | definition["stand_ins"]
     return {kind: values for kind, values in found.items() if kind not in kinds}
 
 
 def outlines(style, quality):
-    """Options.outlines of a Style as a quality draws it."""
+    """`outlines` of the native Options of a Style as a quality draws it."""
     if quality.definitions:
         return ()
     drawn = {kind for s in style.line_sets for kind in s.kinds}
@@ -100,9 +96,8 @@ def outlines(style, quality):
 
 
 def coarser(options, quality):
-    """The pipeline's Options in a quality."""
-    return replace(
-        options,
+    """Native Options in a quality."""
+    return options.replace(
         sample_step=options.sample_step * quality.step,
         gap=max(options.gap, options.sample_step * quality.step + 1),
         probes=min(options.probes, quality.probes),

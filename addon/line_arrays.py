@@ -8,8 +8,6 @@ import numpy as np
 
 from . import native
 
-MOST_SURFACES = 255  # that are told apart
-
 
 def whole(paths, view_to_world):
     """A dict of paths, visible or not. points: (M, 3) float64, in the space of the surface, but for lines of the image
@@ -29,18 +27,13 @@ def whole(paths, view_to_world):
     }
 
 
-def seen(paths, tracer, view_to_world, with_hidden):
-    """A dict of visible runs, and with `with_hidden` of hidden ones. points: (M, 3) float64 in the space that
-    `view_to_world` leads to; px: (M, 2) float32 pixels from the lower left corner; arc_px: (M,) float64, 0 at the path's
-    middle; strength: (M,) float32; kinds: (M,) uint32, bit i: the registry's definition i, of the segment from the
-    point; offsets, closed, path_id, path: as of `whole`; invisibility: (R,) uint8 surfaces that hide the run."""
-    core = native.load()
-    clipped = core.project(paths, tracer)
-    runs = core.exact_visibility(clipped, paths, tracer)
-    if with_hidden:
-        parts = core.with_hidden(clipped, runs, paths)
-        runs = core.count_invisibility(clipped, paths, tracer, parts, MOST_SURFACES)
-    found = core.compact(clipped, paths, runs)
+def seen(frame, view_to_world):
+    """A dict of the runs of a native Frame, as pens draw them before haloes and overshoot. points: (M, 3) float64 in the
+    space that `view_to_world` leads to; px: (M, 2) float32 pixels from the lower left corner; arc_px: (M,) float64, 0 at
+    the path's middle; strength: (M,) float32; kinds: (M,) uint32, bit i: the registry's definition i, of the segment
+    from the point; offsets, closed, path_id, path: as of `whole`; invisibility: (R,) uint8 surfaces that hide the run;
+    shown: (R,) float32 in [0, 1], what elision leaves of it."""
+    found = frame.polylines()
     return {
         "points": placed(found.position_view.astype(np.float64), view_to_world),
         "px": found.px,
@@ -49,6 +42,7 @@ def seen(paths, tracer, view_to_world, with_hidden):
         "path_id": found.path_id,
         "path": found.path,
         "invisibility": found.invisibility,
+        "shown": found.shown,
         "arc_px": found.arc_px,
         "strength": found.strength,
         "kinds": found.kinds,

@@ -50,15 +50,6 @@ class Pen:
 
 
 @dataclass(frozen=True)
-class Emphasis:
-    """What focus, distance and elision say of the samples along the lines; None: nothing."""
-
-    focus: np.ndarray | None = None  # (samples,) float32 in [0, 1]; 0: in focus
-    distance: np.ndarray | None = None  # (samples,) float32 in [0, 1]; 0: near
-    shown: np.ndarray | None = None  # (samples,) float32 in [0, 1], what elision leaves
-
-
-@dataclass(frozen=True)
 class LineFilters:
     """Which lines n placements have. Materials are a pair: (n,) uint32 mask of each placement, and a list of masks,
     uint8 by the number of the material on its surface, 0: its faces have no lines; None: all have."""

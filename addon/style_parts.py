@@ -11,7 +11,6 @@ from .style_json import dotted
 
 # Of a LineSet: what each is called where it is turned round.
 FILTERS = {"collection": "outside", "object": "other_objects", "material": "other_materials"}
-UNCOUNTED = 255  # more surfaces than are ever counted
 
 
 @dataclass(frozen=True)
@@ -82,26 +81,6 @@ class Style:
         """All pens: those in focus as in `pen_pairs`, then those out of focus."""
         pairs = self.pen_pairs()
         return [pen for pen, _ in pairs] + [away for _, away in pairs if away]
-
-    def away(self):
-        """{index of a pen: index of the pen out of focus}, into `pens`."""
-        pairs = self.pen_pairs()
-        led = [i for i, (_, away) in enumerate(pairs) if away]
-        return {pen: len(pairs) + k for k, pen in enumerate(led)}
-
-    def has_away(self):
-        """Whether lines out of focus are other than those in focus."""
-        return bool(self.away()) or any(s.overshoot_away is not None for s in self.line_sets)
-
-    def pen_ranges(self):
-        """(line set, least and most surfaces that hide a part, index of its pen) for each of the pens."""
-        rows = [(i, 0, 0) for i in range(len(self.line_sets))]
-        rows += [(i, h.first, h.last or UNCOUNTED) for i, s in enumerate(self.line_sets) for h in s.hidden]
-        return [(*row, pen) for pen, row in enumerate(rows)]
-
-    def counted(self):
-        """How many hiding surfaces the pens tell apart; more look like so many. 0: nothing hidden is drawn."""
-        return max((h.last + 1 if h.last else h.first for s in self.line_sets for h in s.hidden), default=0)
 
     def width_px(self, pen, scale):
         """Width of a pen in pixels of the image, `scale` of which are a reference pixel."""

@@ -9,8 +9,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import focus
-from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea import focus, native
 from bl_ext.user_default.fovea.blender import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -67,7 +66,8 @@ def plot(name, path):
     transfer = focus.parse_transfer(pages.TRANSFERS[name], name, focus.Transfer())
     size, margin, fine = pages.PLOT, 0.06, 8
     place = np.arange(size * fine) / (size * fine - 1) * (1 + 2 * margin) - margin  # 0 and 1: the frame
-    value = cpu.transfer(transfer)(place.clip(0, 1).astype(np.float32))
+    answer = native.load().Transfer(transfer.start, transfer.end, transfer.strength, list(transfer.curve))
+    value = answer(place.clip(0, 1).astype(np.float32))
     steep = np.abs(np.gradient(value, place))
     off = np.abs(place[:, None] - value[None, :]) / np.sqrt(1 + steep**2)  # rows: upwards; columns: focus
     curve = (off < 0.011) & (place >= 0) & (place <= 1)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The gpu backend: depth, visibility and strokes as passes of Blender's gpu module. Use it where there is a context."""
 
+import math
+
 import gpu
 import numpy as np
 
 from .. import native
-from .cpu import bands, depth_layouts, strokes_reach
 from .gpu_atlas import Atlas
 from .gpu_clock import Clock
 from .gpu_elision import ElisionPass, border_of
@@ -18,7 +19,7 @@ _BACKGROUND = (0.0, 0.0, 0.0, -1.0)  # depth, slopes, facet
 _FAR = 160  # near clip distances: there the steps of clip space are as large as the bias of lines on surfaces
 
 
-class Backend:
+class Backend(native.load().Backend):
     """Keeps programs and meshes on the GPU; live no longer than the context it is used in."""
 
     name = "gpu"
@@ -26,21 +27,18 @@ class Backend:
     most_side = 6144  # texels of a tile, where the GPU can do more: 1.1 GB
 
     def __init__(self):
+        super().__init__()
         self.clock = Clock()
         self._programs = Programs()
         self._items = ItemPass(self._programs)
         self._surfaces = {}  # version of a surface -> batch of its triangles
 
     def visibility(self, frame):
-        """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer."""
+        """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer, or by the item buffer."""
         self.clock.start()
         atlas = Atlas(self._programs, frame, self.batch_samples)
-        return self._fill(atlas, frame, self._look)
-
-    def item_visibility(self, frame):
-        """The same by the item buffer."""
-        self.clock.start()
-        atlas = Atlas(self._programs, frame, self.batch_samples)
+        if frame.options.visibility != "item_buffer":
+            return self._fill(atlas, frame, self._look)
         atlas.add_table("items", item_of_point(frame.clipped))
         return self._fill(atlas, frame, self._look_for_items)
 
@@ -60,14 +58,14 @@ class Backend:
 
     def _look_for_items(self, atlas, frame, layout):
         depth = self._depth(frame, layout)
-        layers = self._items.draw(atlas, depth, layout, frame.layers)
+        layers = self._items.draw(atlas, depth, layout, frame.options.layers)
         self.clock.mark("items", layers[-1])
         samplers = {f"layer{i}": layers[min(i, len(layers) - 1)].color for i in range(3)}
-        atlas.run("item_samples", layout, samplers, layer_count=frame.layers)
+        atlas.run("item_samples", layout, samplers, layer_count=frame.options.layers)
 
     def layouts(self, frame, overlap_px=0):
         """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
-        return depth_layouts(frame, min(size_limit(), self.most_side), overlap_px)
+        return frame.layouts(min(size_limit(), self.most_side), overlap_px)
 
     def _depth(self, frame, layout):
         depth = self.draw_depth(frame.scene, frame.view, layout)
@@ -107,26 +105,30 @@ class Backend:
                 kept[version] = gpu.types.GPUBatch(type="TRIS", buf=buffer)
         self._surfaces = kept
 
-    def elide(self, frame, runs, ranks, half_width_px, cancel=None, **options):
-        """(samples,) float32 in [0, 1]: what elision leaves of the opacity of Runs; as the cpu backend's."""
+    def elide(self, frame, elision):
+        """(D, 2) float32: pixels of each sample's band that others take, pixels that it has; as the cpu backend's."""
         self.clock.start()
-        elision = bands(frame, runs, ranks, half_width_px)
-        self.clock.mark("bands")
         passes = ElisionPass(self._programs, elision, self.batch_samples)
         for box in boxes(frame.view.width, frame.view.height, self._elision_side(elision)):
-            if cancel is not None and cancel.requested:
+            if frame.cancel.requested:
                 raise native.load().Cancelled("cancelled")
             passes.look(box, frame.view, self.clock)
         crowding = passes.read()
         self.clock.mark("read")
-        return elision.opacities(frame.clipped, crowding, **options)
+        return crowding
 
     def _elision_side(self, elision):
         """Pixels of a tile's side that are left when its border is taken off, on both sides."""
         return max(min(size_limit(), self.most_side) - 2 * border_of(elision), 64)
 
-    def draw(self, strokes, pens, textures, view):
-        """(height, width, 4) float32: strokes alone, premultiplied, bottom row first."""
+    def draw(self, frame):
+        """(height, width, 4) float32: a Frame's strokes alone, premultiplied, bottom row first."""
+        if frame.options.visibility == "spine":
+            return self._draw_spine(frame)
+        return self.draw_strokes(frame.strokes, frame.pens, frame.textures, frame.view)
+
+    def draw_strokes(self, strokes, pens, textures, view):
+        """The same of strokes that nothing hides."""
         picture = Picture(view)
         if len(strokes.triangles) == 0:
             return picture.pixels
@@ -137,9 +139,9 @@ class Backend:
             self._put(picture, box, passes.draw(box))
         return picture.pixels
 
-    def draw_seen(self, frame, strokes, pens, textures):
-        """The same, by the spine test: every pixel is as opaque as its stroke is visible next to it."""
-        picture, core = Picture(frame.view), native.load()
+    def _draw_spine(self, frame):
+        """By the spine test: every pixel is as opaque as its stroke is visible next to it."""
+        picture, core, strokes = Picture(frame.view), native.load(), frame.strokes
         if len(strokes.triangles) == 0:
             return picture.pixels
         self.clock.start()
@@ -147,9 +149,9 @@ class Backend:
         segments = upload_row(core.spine_table(frame.clipped, sides))
         offsets = frame.clipped.offsets.astype(np.float32)
         ranges = np.stack((offsets[strokes.piece], offsets[strokes.piece + 1] - 2), axis=1)
-        passes = StrokePass(self._programs, strokes, pens, textures, ranges)
+        passes = StrokePass(self._programs, strokes, frame.pens, frame.textures, ranges)
         self.clock.mark("upload")
-        for layout in self.layouts(frame, strokes_reach(strokes)):
+        for layout in self.layouts(frame, math.ceil(2 * strokes.half_width.max())):
             box = box_of(layout, frame.view)
             if box[0] < box[2] and box[1] < box[3]:
                 self._put(picture, box, self._draw_seen(frame, layout, box, passes, segments))
@@ -175,4 +177,4 @@ def _looked_into(depth):
 def _looks(frame):
     """Constants of looking into the depth buffer."""
     core = native.load()
-    return {"bias": core.SAMPLED_BIAS, "slack_px": core.SAMPLED_SLACK_PX, "probes": frame.probes}
+    return {"bias": core.SAMPLED_BIAS, "slack_px": core.SAMPLED_SLACK_PX, "probes": frame.options.probes}

@@ -14,7 +14,7 @@ class StrokePass:
     segments of the spine test."""
 
     def __init__(self, programs, strokes, pens, textures, spine_ranges=None):
-        pen_rows, ink = native.load().pen_table(pens, textures.native)
+        pen_rows, ink = native.load().pen_table(pens, textures)
         self._programs = programs
         self._samplers = {"pens": upload_row(pen_rows), "ink": upload_row(ink)}
         attributes = {

@@ -16,7 +16,7 @@ What cannot be done raises ValueError, CannotDraw, or native.Unavailable with on
 import bpy
 import numpy as np
 
-from .. import catalogue, line_arrays, native, style
+from .. import catalogue, line_arrays, native, pipeline, style
 from . import camera as cameras
 from . import scene as scenes
 from . import surfaces as kept
@@ -85,11 +85,12 @@ def lines(
         wanted = {obj.name for obj in objects}
         others = np.array([name not in wanted for name in snapshot.objects], bool)
         snapshot.usage[others] &= ~np.uint8(scenes.DRAW)
-    tracer = core.Tracer(scenes.placed(core, snapshot), scenes.seen(core, view))
-    paths = core.extract_paths(tracer, [(kinds, corner_angle)])
-    view_to_world = np.linalg.inv(view.world_to_view)
+    chosen, placed = pipeline.style_of_lines(kinds, corner_angle, hidden), scenes.placed(core, snapshot)
+    frame = pipeline.frame(placed, scenes.seen(core, view), chosen, core.CpuBackend(), pipeline.options())
+    frame.find()
+    view_to_world, paths = np.linalg.inv(view.world_to_view), frame.paths
     if visible or hidden:
-        found = line_arrays.seen(paths, tracer, view_to_world, hidden)
+        found = line_arrays.seen(frame, view_to_world)
     else:
         found = line_arrays.whole(paths, view_to_world)
         _to_world(found, paths.placement, snapshot.object_to_world)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import bpy
 
+from .. import catalogue
 from . import notes, properties, scene, session, subdivision, worker
 
 # What an update of these alone leaves as it was, unless what is placed where tells otherwise.
@@ -76,7 +77,7 @@ def _is_harmless(update, of_scene):
 
 def _needs(style, density_map):
     """What a style asks of the scene besides its shapes."""
-    marks = any("edge_mark" in line_set.kinds for line_set in style.line_sets)
+    marks = catalogue.read_edge_marks(style.line_sets)
     return marks, style.has_color(), notes.asked(style, density_map)
 
 

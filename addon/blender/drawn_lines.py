@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import emphasis, line_arrays, native, pipeline
-from ..backend import cpu, cpu_lines
+from .. import line_arrays, native, pipeline
+from ..backend import cpu
 from . import scene
 
 _LEAST = 0.02  # share of a line that elision must leave
@@ -31,25 +31,14 @@ class DrawnLines:
 def of(read, view, style, options, near=()):
     """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot. `near`: the lines of
     the frames around it, for elision smoothed in time."""
-    core = native.load()
-    seen, cancel, backend = scene.seen(core, view), core.Cancel(), cpu.Backend()
-    frame, runs, _, felt = pipeline.find_lines(read.placed, seen, style, backend, options, read.notes, cancel)
-    if pipeline.thins(style, options):
-        felt = emphasis.thinned(felt, frame, runs, style, backend, cancel, near)
-    found = cpu_lines.compact(frame, runs)
-    return _drawn(found, cpu_lines.pens_of(frame, runs, style.pen_ranges()), _left(frame, found, felt), view, style)
+    seen = scene.seen(native.load(), view)
+    frame = pipeline.frame(read.placed, seen, style, cpu.Backend(), options, notes=read.notes, near=near)
+    return _drawn(frame.polylines(), view, style)
 
 
-def _left(frame, found, felt):
-    """(R,) what elision leaves of the polylines."""
-    if felt.shown is None:
-        return np.ones(len(found.path), np.float32)
-    return cpu_lines.of_runs(frame, found, felt.shown)
-
-
-def _drawn(found, pen, left, view, style):
-    """DrawnLines of those of CompactRuns that a pen draws and elision leaves."""
-    count = np.diff(found.offsets.astype(np.int64))
+def _drawn(found, view, style):
+    """DrawnLines of those of native Polylines that a pen draws and elision leaves."""
+    count, pen, left = np.diff(found.offsets.astype(np.int64)), found.pen, found.shown
     kept = (pen != native.UNSET) & (left > _LEAST)
     at = np.repeat(kept, count)
     pens, pen_of_point = style.pens(), np.repeat(pen, count)[at]

@@ -21,6 +21,10 @@ KINDS = {
     "external_contour": ("silhouette",),
     "edge_mark": ("edge_mark",),
 }
+# Of our lines, one that has all of the other.
+HAS = {"contour": "silhouette"}
+# Our parameters, of Freestyle's settings: its crease angle is that between faces, ours between normals.
+PARAMETERS = {"crease": lambda settings: {"angle": 180 - math.degrees(settings.crease_angle)}}
 _RELATIVE_HEIGHT = 480  # Freestyle's relative thickness is in pixels of an image so high
 
 
@@ -38,13 +42,11 @@ def style_of(scene, layer):
 
 
 def _kinds(line_set, settings):
-    """{definition: parameters} of a line set; Freestyle's crease angle is that between faces, ours between normals."""
-    parameters = {"crease": {"angle": 180 - math.degrees(settings.crease_angle)}}
+    """{definition: parameters} of a line set."""
     wanted = [word for word in KINDS if getattr(line_set, f"select_{word}") or not line_set.select_by_edge_types]
     names = dict.fromkeys(name for word in wanted for name in KINDS[word])
-    if "contour" in names and "silhouette" in names:
-        del names["silhouette"]  # the contour has it
-    return {name: parameters.get(name, {}) for name in names}
+    had = {HAS.get(name) for name in names}
+    return {name: PARAMETERS[name](settings) if name in PARAMETERS else {} for name in names if name not in had}
 
 
 def _line_set(line_set, kinds, scene):

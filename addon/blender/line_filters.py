@@ -6,20 +6,29 @@ import numpy as np
 
 from ..stages import LineFilters
 from ..style_parts import FILTERS
-from .own_lines import ALL_KINDS
+from . import own_lines
 
 
 def of(line_sets, snapshot):
     """The LineFilters of a style's line sets on a Snapshot's placements."""
-    shown, angles = snapshot.shown, snapshot.crease_angle
+    shown = snapshot.shown
     by_material = [_slots_of(line_set, snapshot.slots) for line_set in line_sets]
     return LineFilters(
         tuple(_placements(line_set, masks, snapshot) for line_set, masks in zip(line_sets, by_material)),
         tuple(masks and (snapshot.surface_of_placement, masks) for masks in by_material),
-        None if (shown == ALL_KINDS).all() else shown,
-        {} if np.isnan(angles).all() else {"crease": {"angle": angles}},
+        None if (shown == own_lines.ALL_KINDS).all() else shown,
+        _own_parameters(snapshot.own_values),
         _lined(snapshot),
     )
+
+
+def _own_parameters(own_values):
+    """{definition: {parameter: (n,) values}} of those that some placement has of its own."""
+    found = {}
+    for (definition, parameter), values in zip(own_lines.parameters(), own_values):
+        if not np.isnan(values).all():
+            found.setdefault(definition["name"], {})[parameter["name"]] = values
+    return found
 
 
 def asked(line_sets):

@@ -46,11 +46,17 @@ def set_parameters(kinds, name, values):
 
 
 def _values(kinds, definition):
-    found = {}
-    for parameter in definition["parameters"]:
-        value = float(getattr(kinds, f"{definition['name']}_{parameter['name']}"))
-        found[parameter["name"]] = neat(math.degrees(value) if parameter["unit"] == "degrees" else value)
-    return found
+    return {parameter["name"]: value_of(kinds, definition, parameter) for parameter in definition["parameters"]}
+
+
+def value_of(settings, definition, parameter):
+    """A parameter of a definition in the registry's unit, as a group's property of it has it."""
+    value = float(getattr(settings, property_name(definition, parameter)))
+    return neat(math.degrees(value) if parameter["unit"] == "degrees" else value)
+
+
+def property_name(definition, parameter):
+    return f"{definition['name']}_{parameter['name']}"
 
 
 def _stored(value, unit):
@@ -60,8 +66,9 @@ def _stored(value, unit):
     return math.radians(value) if unit == "degrees" else value
 
 
-def _parameter_property(parameter):
-    text = {"name": parameter["label"], "description": parameter["meaning"], "update": redraw}
+def parameter_property(parameter, **words):
+    """A property for a parameter; `words`: other keywords than by the registry."""
+    text = {"name": parameter["label"], "description": parameter["meaning"], "update": redraw} | words
     if parameter["unit"] == "bool":
         return BoolProperty(default=bool(parameter["default"]), **text)
     low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
@@ -86,6 +93,6 @@ def group():
         text = {"name": definition["label"], "description": f"{definition['description']}.\n{definition['source']}"}
         found[name] = BoolProperty(update=redraw, **text)
         for parameter in definition["parameters"]:
-            found[f"{name}_{parameter['name']}"] = _parameter_property(parameter)
+            found[property_name(definition, parameter)] = parameter_property(parameter)
     contents = {"__annotations__": found, "__module__": __name__, "__doc__": "Kinds of lines and their parameters."}
     return type("FoveaLineKinds", (bpy.types.PropertyGroup,), contents)

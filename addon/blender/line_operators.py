@@ -122,7 +122,7 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
 
 def _lines(engine, depsgraph):
     """DrawnLines of a final render's depsgraph, and the Style that draws them."""
-    chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.Options()
+    chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.options()
     near = session.lines_near(engine, depsgraph, chosen, cpu.Backend(), options)
     found = reading.Reader().read(depsgraph, chosen)
     if not found.snapshot.surfaces:

@@ -51,7 +51,7 @@ def properties(update):
 
 
 def quality(settings):
-    """The part of a pipeline's Options that sampled methods heed."""
+    """The part of the native Options that sampled methods heed."""
     return {"probes": int(settings.probes), "depth_scale": settings.depth_scale, "layers": settings.layers}
 
 

@@ -1,29 +1,47 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which lines an object has of its own accord, whatever the line sets say: its kinds, by the registry, and the angle of
-its creases."""
+"""Which lines an object has of its own accord, whatever the line sets say: its kinds, and the parameters of which the
+registry says that objects may have values of their own."""
 
 import math
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, PointerProperty
+from bpy.props import BoolProperty, PointerProperty
 
-from .line_kinds import definitions
-from .property_kinds import neat, redraw
+from .. import catalogue
+from .line_kinds import definitions, parameter_property, property_name, value_of
+from .property_kinds import redraw
 
 ALL_KINDS = 0xFFFFFFFF  # bits of the registry
 AS_THE_SET_SAYS = math.nan
 
 
 def of(settings):
-    """(bits of the registry that an object shows, degrees between the faces of a crease or NaN) of its settings."""
-    kinds, angle = ALL_KINDS, AS_THE_SET_SAYS
+    """(bits of the registry that an object shows, its value of each of `parameters()` or NaN, ...) of its settings."""
+    kinds = ALL_KINDS
     if settings.own_kinds:
         for bit, definition in enumerate(definitions()):
             if not getattr(settings.kinds, definition["name"], True):
                 kinds &= ~(1 << bit)
-    if settings.own_crease_angle:
-        angle = neat(math.degrees(settings.crease_angle))
-    return kinds, angle
+    return kinds, *(_own_value(settings, *known) for known in parameters())
+
+
+def _own_value(settings, definition, parameter):
+    own = getattr(settings, switch_name(definition, parameter))
+    return value_of(settings, definition, parameter) if own else AS_THE_SET_SAYS
+
+
+def parameters():
+    """(definition, parameter) of which an object may have a value of its own; none without the native module."""
+    return catalogue.per_object() if definitions() else ()
+
+
+def switch_name(definition, parameter):
+    """The property that says whether an object has a value of its own."""
+    return f"own_{property_name(definition, parameter)}"
+
+
+def label(definition, parameter):
+    return f"{definition['label']} {parameter['label']}"
 
 
 def switchable():
@@ -51,21 +69,20 @@ def annotations(kinds):
             update=redraw,
         ),
         "kinds": PointerProperty(type=kinds),
-        "own_crease_angle": BoolProperty(
-            name="Own Crease Angle",
-            description="Creases of this object, and of instances of it, have an angle of their own in all line sets",
+    } | _of_parameters()
+
+
+def _of_parameters():
+    found = {}
+    for definition, parameter in parameters():
+        name = label(definition, parameter)
+        found[switch_name(definition, parameter)] = BoolProperty(
+            name=f"Own {name}",
+            description=f"This object, and instances of it, have their own {name.lower()} in all line sets",
             update=redraw,
-        ),
-        "crease_angle": FloatProperty(
-            name="Crease Angle",
-            description="Least angle between the normals of two faces that makes their edge a crease; less: more lines",
-            subtype="ANGLE",
-            default=math.radians(30.0),
-            min=0.0,
-            max=math.pi,
-            update=redraw,
-        ),
-    }
+        )
+        found[property_name(definition, parameter)] = parameter_property(parameter, name=name)
+    return found
 
 
 _registered = []

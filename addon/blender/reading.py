@@ -3,8 +3,7 @@
 
 from dataclasses import dataclass
 
-from .. import emphasis, native, pipeline, style_parts
-from ..backend import cpu
+from .. import catalogue, native, pipeline, style_parts
 from ..stages import Notes
 from . import color_sources, notes, properties, scene, surfaces
 
@@ -29,7 +28,7 @@ class Reader:
     def read(self, depsgraph, chosen, viewport=None):
         """`viewport`: the SpaceView3D whose local view counts, or None."""
         core = native.load()
-        with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+        with_marks = catalogue.read_edge_marks(chosen.line_sets)
         noted = notes.Gathering(core, self._colors, chosen)
         found = scene.gather(depsgraph, self._surfaces, with_marks=with_marks, viewport=viewport, notes=noted)
         placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
@@ -39,8 +38,7 @@ class Reader:
 def focus_of_pixels(read, view, focus, scale):
     """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; or None: all is in
     focus. `read`: what was Read, None where focus is a place in the image."""
-    core = native.load()
-    seen = scene.seen(core, view).smaller(scale)
-    placed, tracer, noted = (read.placed, cpu.trace(read.placed, seen), read.notes) if read else (None, None, Notes())
-    frame = pipeline.Frame(placed, seen, tracer, None, None, depth_scale=1, probes=1, notes=noted)
-    return emphasis.of_pixels(frame, style_parts.Style(focus=focus), core.Cancel())
+    seen = scene.seen(native.load(), view).smaller(scale)
+    placed, noted = (read.placed, read.notes) if read else (None, Notes())
+    chosen = style_parts.Style(focus=focus)
+    return pipeline.frame(placed, seen, chosen, None, pipeline.options(), notes=noted).focus_of_pixels()

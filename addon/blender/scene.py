@@ -30,7 +30,7 @@ class Snapshot:
     owners: list  # n tuples of full names: the object's, and that of what made an instance of it
     importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
     shown: np.ndarray  # (n,) uint32, bits of the registry: the kinds of lines that the objects show
-    crease_angle: np.ndarray  # (n,) float64 degrees of the objects' own, NaN: none
+    own_values: list  # per parameter of own_lines.parameters(): (n,) float64 of the objects' own, NaN: none
 
 
 class _Gathering:
@@ -118,7 +118,7 @@ class _Gathering:
         self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, *self.own(obj)))
 
     def own(self, obj):
-        """An object's priority, kinds of lines and angle of creases, asked of what it is a copy of (see `_usage`)."""
+        """An object's priority, and lines of its own accord, asked of what it is a copy of (see `_usage`)."""
         if obj.name_full not in self.known_own:
             settings = obj.original.evaluated_get(self.depsgraph).fovea
             self.known_own[obj.name_full] = (settings.priority, *own_lines.of(settings))
@@ -132,8 +132,8 @@ class _Gathering:
 
     def snapshot(self, matrices, persistent):
         """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
-        columns = zip(*self.rows) if self.rows else ((),) * 9
-        steps, surface, names, usage, objects, owners, importance, shown, crease_angle = columns
+        columns = zip(*self.rows) if self.rows else ((),) * 8
+        steps, surface, names, usage, objects, owners, importance, shown, *own_values = columns
         chosen = np.array(steps, np.intp)
         return Snapshot(
             self.surfaces,
@@ -146,7 +146,7 @@ class _Gathering:
             list(owners),
             np.array(importance, np.float32),
             np.array(shown, np.uint32),
-            np.array(crease_angle, np.float64),
+            [np.array(values, np.float64) for values in own_values],
         )
 
 

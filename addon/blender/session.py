@@ -17,7 +17,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from .. import native, pipeline, style
+from .. import catalogue, native, pipeline, style
 from . import camera, color_sources, kept, methods, near_frames, notes, properties, scene, surfaces
 from .problem import CannotDraw
 
@@ -106,7 +106,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
     start, core = time.perf_counter(), native.load()
     cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core, refit=depsgraph.mode == "VIEWPORT"))
-    with_marks = any("edge_mark" in line_set.kinds for line_set in chosen.line_sets)
+    with_marks = catalogue.read_edge_marks(chosen.line_sets)
     colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
     colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
     noted = notes.Gathering(core, colors_cache, chosen)
@@ -141,7 +141,7 @@ def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
-    options = pipeline.Options(visibility=visibility, **asked, **methods.quality(settings))
+    options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
     with _watched(engine, cancel):
         try:
@@ -174,7 +174,8 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
         engine.update_stats("Fovea", f"frame {depsgraph.scene.frame_current}: {stage}")
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
-    return pipeline.shown_lines(found.placed, seen, chosen, backend, options, **beside)
+    frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
+    return frame.shown_lines() if frame.thins() else None
 
 
 @contextmanager

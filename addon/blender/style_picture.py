@@ -29,8 +29,7 @@ def draw(style):
     seen = scene.seen(core, View(world_to_view, clip, size, size, False, near, far, size / HEIGHT))
     paper = replace(style.paper, transparent=False)
     chosen = replace(style, focus=LOOK, paper=paper)
-    told = {"colors": sources, "progress": lambda *_: None, "cancel": core.Cancel()}
-    image = pipeline.draw(placed, seen, chosen, cpu.Backend(), pipeline.Options(), **told).combined
+    image = pipeline.draw(placed, seen, chosen, cpu.Backend(), pipeline.options(), colors=sources).combined
     small = image[..., :3].reshape(SIZE, OVERSIZE, SIZE, OVERSIZE, 3).mean(axis=(1, 3))
     return np.round(255 * _encoded(np.clip(small, 0, 1))).astype(np.uint8)
 

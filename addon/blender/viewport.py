@@ -9,7 +9,7 @@ the region is drawn.
 
 import time
 import weakref
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
 import bpy
 import numpy as np
@@ -32,7 +32,7 @@ class _Wanted:
     key: tuple
     view: object  # stages.View
     scene: changes.Scene
-    options: pipeline.Options
+    options: object  # native Options
     backend: object
 
 
@@ -121,7 +121,7 @@ class Viewport:
         self.playing = context.screen.is_animation_playing
         scene = self.changes.read(engine, depsgraph, context.space_data)
         backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
-        options = pipeline.Options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
+        options = pipeline.options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
         key = (scene.version, _seen(view), options, backend.name)
         if self.wanted is None or self.wanted.key != key:
             self.wanted = _Wanted(key, view, scene, options, backend)
@@ -211,7 +211,7 @@ def _made(wanted, quality, tell, cancel):
     chosen = budget.QUALITIES[quality]
     style = budget.simplified(wanted.scene.style, chosen)
     outlines = budget.outlines(wanted.scene.style, chosen)
-    options = replace(budget.coarser(wanted.options, chosen), outlines=outlines)
+    options = budget.coarser(wanted.options, chosen).replace(outlines=outlines)
     seen = scene.seen(native.load(), wanted.view).smaller(chosen.scale)
     image = session.draw(wanted.scene.gathered, seen, style, wanted.backend, options, tell, cancel)
     return _Picture(wanted, quality, image)

@@ -14,8 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 import bpy
 import draw
 import ending
-from bl_ext.user_default.fovea import native, pipeline, visibility
-from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea import native, pipeline
 from command import draw_options
 
 from bench import quality
@@ -23,23 +22,19 @@ from bench import quality
 METHODS = ((1, 1), (1, 2), (4, 2), (9, 1), (9, 2), (16, 2), (16, 3))  # probes, depth scale
 
 
-class BothWays(visibility.Exact):
-    """Exact visibility, which on its way compares sampled visibility with it."""
-
-    def __init__(self, scene):
-        self.scene, self.rows = scene, []
-
-    def runs(self, frame, backend, cancel):
-        runs = cpu.exact(frame, cancel)
-        truth = quality.Truth(native.load(), frame, runs)
-        for probes, scale in METHODS:
-            start = time.perf_counter()
-            depth = native.load().draw_depth(frame.scene, frame.view, scale)
-            seen = native.load().sampled_visibility(frame.clipped, depth, probes)
-            ms = round(1000 * (time.perf_counter() - start))
-            row = {"scene": self.scene, "probes": probes, "depth_scale": scale, "ms": ms}
-            self.rows.append({**row, **truth.compare(seen)})
-        return runs, None
+def compared(scene, frame):
+    """A row for each way to sample: how far it agrees with the exact visibility of a native Frame."""
+    core, rows = native.load(), []
+    frame.see()
+    truth = quality.Truth(core, frame, frame.visible)
+    for probes, scale in METHODS:
+        start = time.perf_counter()
+        depth = core.draw_depth(frame.scene, frame.view, scale)
+        seen = core.sampled_visibility(frame.clipped, depth, probes)
+        ms = round(1000 * (time.perf_counter() - start))
+        row = {"scene": scene, "probes": probes, "depth_scale": scale, "ms": ms}
+        rows.append({**row, **truth.compare(seen)})
+    return rows
 
 
 def main(out, *words):
@@ -49,9 +44,19 @@ def main(out, *words):
     draw.set_camera(bpy.context.scene, options)
     draw.set_drawing(bpy.context.scene, options)
     bpy.context.scene.fovea.visibility = "EXACT"
-    pipeline.METHODS["exact"] = both_ways = BothWays(options.scene)
-    bpy.ops.render.render()
-    Path(out).write_text(json.dumps(both_ways.rows))
+    rows, frame = [], pipeline.frame
+
+    def judged(*scene, **beside):
+        made = frame(*scene, **beside)
+        rows.extend(compared(options.scene, made))
+        return made
+
+    pipeline.frame = judged
+    try:
+        bpy.ops.render.render()
+    finally:
+        pipeline.frame = frame
+    Path(out).write_text(json.dumps(rows))
 
 
 if __name__ == "__main__":

@@ -31,7 +31,9 @@ def lines(target, words):
 def parse(words):
     parser = argparse.ArgumentParser("fovea lines")
     parser.add_argument("model", type=Path, metavar="MODEL.obj")
-    parser.add_argument("--definition", required=True, metavar="NAME")
+    drawn = parser.add_mutually_exclusive_group(required=True)
+    drawn.add_argument("--definition", metavar="NAME")
+    drawn.add_argument("--style", metavar="NAME|FILE", help="with --visible: the lines of a style")
     parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
     parser.add_argument("--param", action="append", type=quantities.assignment, default=[], metavar="NAME=VALUE")
@@ -50,27 +52,45 @@ def parse(words):
     eyes = [f"--eye={value}" for word, value in zip(words, words[1:]) if word == "--eye"]
     others = [word for before, word in zip(["", *words], words) if "--eye" not in (before, word)]
     options = parser.parse_args(eyes + others)
-    if options.hidden and not options.visible:
-        parser.error("--hidden goes with --visible")
+    for name in ("hidden", "style"):
+        if getattr(options, name) and not options.visible:
+            parser.error(f"--{name} goes with --visible")
+    if options.style and options.hidden:
+        parser.error("--hidden goes with --definition: a style says itself what it draws of hidden lines")
     return options
 
 
 def extract(native, options):
     """The arrays of the file, counts of what was skipped in the model, and how curvature was estimated, if it was."""
-    style = importlib.import_module("addon.style")
-    definitions, given = native.line_definitions(), dict(options.param)
-    kinds = {options.definition: style.parameters(options.definition, given, "definition", definitions)}
+    pipeline, definitions = importlib.import_module("addon.pipeline"), native.line_definitions()
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
-    tracer, view_to_object = _look(native, surface, polygons.positions, options)
-    paths = native.extract_paths(tracer, [(kinds, options.corner_angle)])
+    scene, view, view_to_object = _look(native, surface, polygons.positions, options)
+    chosen = _style(options, definitions)
+    frame = pipeline.frame(scene, view, chosen, native.CpuBackend(), pipeline.options())
+    frame.find()
     if options.visible:
-        arrays = importlib.import_module("addon.line_arrays").seen(paths, tracer, view_to_object, options.hidden)
+        arrays = importlib.import_module("addon.line_arrays").seen(frame, view_to_object)
     else:
-        arrays = _whole(paths, surface, polygons.positions, view_to_object)
-    del arrays["path"]  # one model, one definition: its number tells nothing that path_id does not
-    return arrays | {"definition": np.array(options.definition)}, surface.report, surface.fields_reason
+        arrays = _whole(frame.paths, surface, polygons.positions, view_to_object)
+    del arrays["path"]  # of one model: its number tells nothing that path_id does not
+    arrays |= {"definition": np.array(options.definition)} if options.definition else {}
+    return arrays, surface.report, surface.fields_reason
+
+
+def _style(options, definitions):
+    """The Style whose lines are asked for."""
+    style = importlib.import_module("addon.style")
+    if options.definition:
+        given = {
+            options.definition: style.parameters(options.definition, dict(options.param), "definition", definitions)
+        }
+        lines_of = importlib.import_module("addon.pipeline").style_of_lines
+        return lines_of(given, options.corner_angle, options.hidden)
+    if options.style in style.names():
+        return style.load(options.style, definitions)
+    return style.read(options.style, definitions)
 
 
 def _output(text):
@@ -108,7 +128,8 @@ def _surface(native, name, polygons):
 
 
 def _look(native, surface, positions, options):
-    """The model alone in a scene, as a camera sees it; and the way back from the view."""
+    """(native Scene of the model alone, native View of it, the way back from the view). The picture is as one of
+    Blender's of this height: its pixels are as many reference pixels."""
     usage = native.DRAW | native.OCCLUDE
     scene = native.Scene(
         [surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8)
@@ -116,7 +137,8 @@ def _look(native, surface, positions, options):
     # Lines as such are found wherever they are: a wide frame holds more of a model that is near.
     fov = options.fov if options.visible or options.fov else 90.0
     seen_from = eye.view(positions, options.eye, options.ortho, options.size, fov)
-    return native.Tracer(scene, native.View(*seen_from)), np.linalg.inv(seen_from[0])
+    view = native.View(*seen_from, reference_scale=options.size[1] / 1080)
+    return scene, view, np.linalg.inv(seen_from[0])
 
 
 def _whole(paths, surface, positions, view_to_object):

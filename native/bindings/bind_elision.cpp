@@ -2,6 +2,7 @@
 // Priorities, ranks and line elision: the cpu reference, and what the gpu backend's passes read.
 #include <pybind11/stl.h>
 
+#include <fovea/draw/backend.h>
 #include <fovea/elision/elide.h>
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
@@ -12,12 +13,6 @@
 
 namespace fovea::bindings {
 namespace {
-
-/// Runs on their way through elision: what both backends draw and read.
-struct Elision {
-    OwnBands own;
-    Bands bands;
-};
 
 std::shared_ptr<Elision> prepare(const ClippedPaths& clipped, const Runs& runs, const Arg<Index>& rank_of_run,
                                  const Arg<float>& half_width_px, float reach_px) {

@@ -8,7 +8,6 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "bindings/values.h"
 
 namespace fovea::bindings {
 namespace {
@@ -59,14 +58,15 @@ auto column(const Value& value) {
 
 Pieces find_curves(const Surface& surface, const std::string& name, const py::dict& given,
                    const std::array<double, 3>& eye, bool orthographic) {
-    const LineDefinition& definition = *line_definitions()[definition_index(name)];
-    check(definition.find && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
+    const LineDefinition& definition = definition_called(name);
+    const auto* rule = std::get_if<CurveRule>(&definition.rule);
+    check(rule && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
     const Values values = values_of(definition, given.cast<std::map<std::string, double>>());
     py::gil_scoped_release release;
     SurfaceView seen{.surface = surface};
     seen.eye_obj = {eye[0], eye[1], eye[2]};
     seen.orthographic = orthographic;
-    return {definition.find(seen, values)};
+    return {rule->find(seen, values)};
 }
 
 }  // namespace

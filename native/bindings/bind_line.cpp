@@ -6,7 +6,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
-#include "bindings/values.h"
+#include "bindings/line_filters.h"
 
 namespace fovea::bindings {
 namespace {
@@ -15,20 +15,53 @@ const char* scope_name(Scope scope) {
     return scope == Scope::surface ? "surface" : scope == Scope::view ? "view" : "scene";
 }
 
+const char* unit_name(Unit unit) {
+    switch (unit) {
+        case Unit::degrees:
+            return "degrees";
+        case Unit::pixels:
+            return "pixels";
+        case Unit::boolean:
+            return "bool";
+        case Unit::none:
+            break;
+    }
+    return "";
+}
+
+py::list parameters_of(const LineDefinition& definition) {
+    py::list parameters;
+    for (const Parameter& p : definition.parameters)
+        parameters.append(py::dict(py::arg("name") = p.name, py::arg("label") = p.label, py::arg("default") = p.value,
+                                   py::arg("min") = p.low, py::arg("max") = p.high, py::arg("unit") = unit_name(p.unit),
+                                   py::arg("meaning") = p.meaning, py::arg("per_object") = p.per == Per::object));
+    return parameters;
+}
+
+/// {definition: {parameter: value}} that drafts draw instead.
+py::dict stand_ins_of(const LineDefinition& definition) {
+    py::dict result;
+    for (const StandIn& stand_in : definition.stand_ins) {
+        py::dict values;
+        for (const auto& [name, value] : stand_in.values) values[name] = value;
+        result[stand_in.definition->name] = values;
+    }
+    return result;
+}
+
 py::list definitions() {
     py::list result;
     for (const LineDefinition* definition : line_definitions()) {
-        py::list parameters;
-        for (const Parameter& p : definition->parameters)
-            parameters.append(py::dict(py::arg("name") = p.name, py::arg("label") = p.label,
-                                       py::arg("default") = p.value, py::arg("min") = p.low, py::arg("max") = p.high,
-                                       py::arg("unit") = p.unit, py::arg("meaning") = p.meaning));
-        result.append(py::dict(py::arg("name") = definition->name, py::arg("label") = definition->label,
-                               py::arg("scope") = scope_name(definition->scope), py::arg("source") = definition->source,
-                               py::arg("description") = definition->description, py::arg("parameters") = parameters,
-                               py::arg("default") = definition->on_by_default,
-                               py::arg("in_image") = definition->find_in_image != nullptr,
-                               py::arg("view_dependent") = definition->scope >= Scope::view));
+        const LineDefinition* twin = definition->smooth_twin;
+        result.append(py::dict(
+            py::arg("name") = definition->name, py::arg("label") = definition->label,
+            py::arg("scope") = scope_name(definition->scope), py::arg("source") = definition->source,
+            py::arg("description") = definition->description, py::arg("parameters") = parameters_of(*definition),
+            py::arg("in_image") = std::holds_alternative<ImageRule>(definition->rule),
+            py::arg("view_dependent") = definition->scope >= Scope::view,
+            py::arg("importance") = definition->importance, py::arg("slow") = definition->slow,
+            py::arg("stand_ins") = stand_ins_of(*definition), py::arg("smooth_twin") = twin ? twin->name : nullptr,
+            py::arg("reads_edge_marks") = definition->reads_edge_marks));
     }
     return result;
 }
@@ -47,23 +80,6 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
     return set;
 }
 
-template <typename T>
-std::vector<T> numbers(const py::handle& given) {
-    const auto array = py::array_t < T, py::array::c_style | py::array::forcecast > ::ensure(given);
-    check(array && array.ndim() == 1, "filters of line sets are flat arrays of numbers");
-    return {array.data(), array.data() + array.size()};
-}
-
-/// (mask of each placement, masks), or None: all materials.
-MaterialFilter material_filter(const py::handle& given) {
-    MaterialFilter filter;
-    if (given.is_none()) return filter;
-    const auto pair = given.cast<py::tuple>();
-    filter.row = numbers<Index>(pair[0]);
-    for (const auto& mask : pair[1].cast<py::sequence>()) filter.masks.push_back(numbers<std::uint8_t>(mask));
-    return filter;
-}
-
 std::vector<LineSet> line_sets(const py::sequence& sets) {
     std::vector<LineSet> result;
     for (const auto& item : sets) {
@@ -75,7 +91,17 @@ std::vector<LineSet> line_sets(const py::sequence& sets) {
     return result;
 }
 
-/// {definition: {parameter: a value per placement}}.
+}  // namespace
+
+MaterialFilter material_filter(const py::handle& given) {
+    MaterialFilter filter;
+    if (given.is_none()) return filter;
+    const auto pair = given.cast<py::tuple>();
+    filter.row = numbers<Index>(pair[0]);
+    for (const auto& mask : pair[1].cast<py::sequence>()) filter.masks.push_back(numbers<std::uint8_t>(mask));
+    return filter;
+}
+
 std::vector<OwnLines::Parameter> own_parameters(const py::dict& given) {
     std::vector<OwnLines::Parameter> result;
     for (const auto& [name, values] : given) {
@@ -90,20 +116,6 @@ std::vector<OwnLines::Parameter> own_parameters(const py::dict& given) {
         }
     }
     return result;
-}
-
-}  // namespace
-
-Values values_of(const LineDefinition& definition, std::map<std::string, double> given) {
-    Values values;
-    for (const Parameter& p : definition.parameters) {
-        const auto it = given.find(p.name);
-        values.push_back(it == given.end() ? p.value : it->second);
-        if (it != given.end()) given.erase(it);
-    }
-    check(given.empty(),
-          std::string(definition.name) + ": unknown parameter '" + (given.empty() ? "" : given.begin()->first) + "'");
-    return values;
 }
 
 void bind_line(py::module_& m) {

@@ -19,4 +19,5 @@ PYBIND11_MODULE(_native, m) {
     bind_stroke(m);
     bind_spine(m);
     bind_color(m);
+    bind_draw(m);
 }

@@ -97,10 +97,15 @@ def view_of(width=320, height=200, orthographic=False, eye=(5, -6, 2.5), near=0.
     return core.View(world_to_view, clip, width, height, orthographic, near, far)
 
 
-def frame_of(scene, view, depth_scale=2, probes=1, sample_step=1.0, line_style=None):
-    """A Frame ready for a backend's `visibility`."""
-    never, line_style = core.Cancel(), line_style or style.load("pen_and_ink")
-    tracer = cpu.trace(scene, view)
-    paths = cpu.extract(tracer, line_style, never)
-    clipped = cpu.project(paths, tracer, line_style, sample_step, 1.0, never)
-    return pipeline.Frame(scene, view, tracer, paths, clipped, depth_scale, probes)
+def frame_of(scene, view, line_style=None, *, backend=None, **options):
+    """A Frame ready for a backend's `visibility`: its lines are found. By default they are those of pen_and_ink, with a
+    sample at every pixel, which the segment atlas looks at once."""
+    asked = pipeline.options(**{"visibility": "atlas", "probes": 1, "sample_step": 1.0, **options})
+    frame = pipeline.frame(scene, view, line_style or style.load("pen_and_ink"), backend or cpu.Backend(), asked)
+    frame.find()
+    return frame
+
+
+def exact_runs(frame):
+    """Visible Runs of a Frame's lines, by rays."""
+    return core.exact_visibility(frame.clipped, frame.paths, frame.tracer)

@@ -3,15 +3,26 @@
 
 import numpy as np
 import pytest
-from native_frames import box, core, cpu, frame_of, moved, room, scene_of, view_of
+from native_frames import box, core, cpu, exact_runs, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 
 def seen(orthographic=False, size=(480, 300)):
     """A Frame, its visible Runs and their ranks."""
     frame = frame_of(room(), view_of(*size, orthographic))
-    runs = cpu.exact(frame, core.Cancel())
-    return frame, runs, cpu.ranks(frame, runs, cpu.priorities(frame))
+    runs = exact_runs(frame)
+    return frame, runs, ranks_of(frame, runs)
+
+
+def ranks_of(frame, runs):
+    priority = core.path_priorities(frame.paths, frame.scene, frame.view)
+    return core.rank_runs(frame.clipped, runs, priority, frame.paths.ids)
+
+
+def left(backend, frame, runs, ranks, half_width, **options):
+    """(samples,) what elision leaves of Runs."""
+    elision = core.Elision(frame.clipped, runs, ranks, half_width, 12.0)
+    return elision.opacities(frame.clipped, backend.elide(frame, elision), **options)
 
 
 def widths(frame, half_width):
@@ -27,7 +38,7 @@ def widths(frame, half_width):
 def test_gpu_and_cpu_leave_the_same(orthographic, half_width):
     frame, runs, ranks = seen(orthographic)
     half = widths(frame, half_width)
-    on_gpu, on_cpu = (b.elide(frame, runs, ranks, half) for b in (part("backend.gpu").Backend(), cpu.Backend()))
+    on_gpu, on_cpu = (left(b, frame, runs, ranks, half) for b in (part("backend.gpu").Backend(), cpu.Backend()))
     assert on_gpu.dtype == np.float32 and on_gpu.shape == (frame.clipped.samples,)
     assert np.mean(np.abs(on_gpu - on_cpu) <= 0.02) > 0.995
     assert on_cpu.min() >= 0 and on_cpu.max() == 1
@@ -40,19 +51,19 @@ def test_gpu_and_cpu_leave_the_same(orthographic, half_width):
 def test_the_same_in_tiles_and_batches(batch_samples):
     frame, runs, ranks = seen()
     half, backend = widths(frame, 3.0), part("backend.gpu").Backend()
-    whole = backend.elide(frame, runs, ranks, half)
+    whole = left(backend, frame, runs, ranks, half)
     backend.most_side, backend.batch_samples = 200, batch_samples
-    assert np.mean(np.abs(backend.elide(frame, runs, ranks, half) - whole) <= 0.001) > 0.999
+    assert np.mean(np.abs(left(backend, frame, runs, ranks, half) - whole) <= 0.001) > 0.999
 
 
 @pytest.mark.gpu
 def test_hidden_runs_give_way_on_both():
     frame, visible, _ = seen()
     runs = core.with_hidden(frame.clipped, visible, frame.paths)
-    ranks, half = cpu.ranks(frame, runs, cpu.priorities(frame)), widths(frame, 4.0)
+    ranks, half = ranks_of(frame, runs), widths(frame, 4.0)
     hidden = runs.invisibility > 0
     assert ranks[hidden].max() < ranks[~hidden].min()
-    on_gpu, on_cpu = (b.elide(frame, runs, ranks, half) for b in (part("backend.gpu").Backend(), cpu.Backend()))
+    on_gpu, on_cpu = (left(b, frame, runs, ranks, half) for b in (part("backend.gpu").Backend(), cpu.Backend()))
     assert np.mean(np.abs(on_gpu - on_cpu) <= 0.02) > 0.995
 
 
@@ -60,30 +71,27 @@ def test_hidden_runs_give_way_on_both():
 @pytest.mark.parametrize("backend", [cpu.Backend, lambda: part("backend.gpu").Backend()])
 def test_nothing_to_elide(backend):
     frame = frame_of(scene_of([(box(), moved((0, 0, 900)))]), view_of())
-    runs = cpu.exact(frame, core.Cancel())
-    ranks = cpu.ranks(frame, runs, cpu.priorities(frame))
-    assert backend().elide(frame, runs, ranks, widths(frame, 3.0)).shape == (0,)
+    runs = exact_runs(frame)
+    assert left(backend(), frame, runs, ranks_of(frame, runs), widths(frame, 3.0)).shape == (0,)
 
 
 def test_what_no_runs_lie_on_is_not_asked_how_wide_it_wants_to_be():
     frame, runs, ranks = seen()
-    at, path = cpu.samples_with_runs(frame.clipped, runs)
-    assert 0 < len(at) < frame.clipped.samples and np.all(np.diff(at) > 0)
-    np.testing.assert_array_equal(path, cpu.path_of_samples(frame.clipped)[at])
+    points = np.diff(frame.clipped.offsets.astype(int))
+    piece = np.repeat(np.repeat(np.arange(len(points)), points), frame.clipped.sample_count)
+    elsewhere = ~np.isin(piece, runs.piece)
+    assert 0 < elsewhere.sum() < frame.clipped.samples
     half = widths(frame, None)
-    elsewhere = np.setdiff1d(np.arange(len(half)), at)
-    other = half.copy()
-    other[elsewhere] = 0
-    left, the_same = (cpu.Backend().elide(frame, runs, ranks, each) for each in (half, other))
-    np.testing.assert_array_equal(left, the_same)
-    assert np.all(left[elsewhere] == 1)
+    found, the_same = (left(cpu.Backend(), frame, runs, ranks, each) for each in (half, np.where(elsewhere, 0, half)))
+    np.testing.assert_array_equal(found, the_same)
+    assert np.all(found[elsewhere] == 1)
 
 
 def test_wider_bands_leave_less_and_cut_leaves_nothing_faint():
     frame, runs, ranks = seen()
-    left = [cpu.Backend().elide(frame, runs, ranks, widths(frame, w)).mean() for w in (0.0, 2.0, 5.0, 12.0)]
-    assert left == sorted(left, reverse=True) and left[0] > 0.95 and left[-1] < 0.9
-    cut = cpu.Backend().elide(frame, runs, ranks, widths(frame, 5.0), cut=0.5)
+    stays = [left(cpu.Backend(), frame, runs, ranks, widths(frame, w)).mean() for w in (0.0, 2.0, 5.0, 12.0)]
+    assert stays == sorted(stays, reverse=True) and stays[0] > 0.95 and stays[-1] < 0.9
+    cut = left(cpu.Backend(), frame, runs, ranks, widths(frame, 5.0), cut=0.5)
     assert np.all((cut == 0) | (cut >= 0.5)) and 0 < np.mean(cut == 0) < 1
 
 
@@ -91,14 +99,14 @@ def test_what_the_caller_says_of_objects_counts():
     frame, _, _ = seen()
     objects = np.zeros(41, np.float32)
     objects[7] = 1
-    priority = cpu.priorities(frame, {"object": 5}, objects)
+    weights = core.PriorityWeights(object=5)
+    priority = core.path_priorities(frame.paths, frame.scene, frame.view, weights, objects)
     placement = np.asarray(frame.paths.placement)
     assert priority[placement == 7].min() > priority[placement != 7].max()
 
 
 def test_a_cancelled_call_stops():
     frame, runs, ranks = seen()
-    cancel = core.Cancel()
-    cancel.cancel()
+    frame.cancel.cancel()
     with pytest.raises(core.Cancelled):
-        cpu.Backend().elide(frame, runs, ranks, widths(frame, 3.0), cancel)
+        left(cpu.Backend(), frame, runs, ranks, widths(frame, 3.0))

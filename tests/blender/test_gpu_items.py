@@ -3,16 +3,15 @@
 
 import numpy as np
 import pytest
-from native_frames import ball, box, core, cpu, frame_of, moved, room, scene_of, view_of
+from native_frames import ball, box, core, cpu, exact_runs, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 
 def frame(scale, layers, view=None, scene=None):
-    made = frame_of(scene or room(), view or view_of(480, 300), scale)
-    return part("pipeline").Frame(*(getattr(made, name) for name in NAMES), layers)
+    asked = {"visibility": "item_buffer", "depth_scale": scale, "layers": layers}
+    return frame_of(scene or room(), view or view_of(480, 300), **asked)
 
 
-NAMES = ("scene", "view", "tracer", "paths", "clipped", "depth_scale", "probes")
 LOW, HIGH = (1, 1), (3, 3)
 
 
@@ -21,7 +20,7 @@ LOW, HIGH = (1, 1), (3, 3)
 @pytest.mark.parametrize("scale, layers", [LOW, (2, 2), HIGH])
 def test_gpu_and_cpu_see_the_same(orthographic, scale, layers):
     seen = frame(scale, layers, view_of(480, 300, orthographic))
-    on_gpu, on_cpu = (backend.item_visibility(seen) for backend in (part("backend.gpu").Backend(), cpu.Backend()))
+    on_gpu, on_cpu = (backend.visibility(seen) for backend in (part("backend.gpu").Backend(), cpu.Backend()))
     assert on_gpu.dtype == np.float32 and on_gpu.shape == (seen.clipped.samples,)
     assert np.mean(on_gpu == on_cpu) > 0.995
     assert 0.2 < np.mean(on_cpu) < 0.9
@@ -31,16 +30,16 @@ def test_gpu_and_cpu_see_the_same(orthographic, scale, layers):
 @pytest.mark.parametrize("batch_samples", [1 << 22, 3000])
 def test_the_same_in_tiles_and_batches(batch_samples):
     seen, backend = frame(2, 3), part("backend.gpu").Backend()
-    whole = backend.item_visibility(seen)
+    whole = backend.visibility(seen)
     backend.most_side, backend.batch_samples = 300, batch_samples
-    assert len(backend.layouts(seen)) > 3
-    assert np.mean(backend.item_visibility(seen) == whole) > 0.998
+    assert len(seen.layouts(300)) > 3
+    assert np.mean(backend.visibility(seen) == whole) > 0.998
 
 
 def agreement(scale, layers):
     seen = frame(scale, layers, view_of(960, 600))
-    exact = core.samples_from_runs(seen.clipped, cpu.exact(seen, core.Cancel())) >= 0.5
-    return np.mean((cpu.Backend().item_visibility(seen) >= 0.5) == exact)
+    exact = core.samples_from_runs(seen.clipped, exact_runs(seen)) >= 0.5
+    return np.mean((cpu.Backend().visibility(seen) >= 0.5) == exact)
 
 
 def test_more_layers_and_texels_come_nearer_to_exact():
@@ -53,8 +52,8 @@ def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
     """Edges of a box that are seen past a ball, away from where it begins to hide them."""
     scene = scene_of([(box((2, 0.8, 1.5)), moved((0, 1.5, 0))), (ball(), moved((0, -2, 0)))])
     seen = frame(scale, layers, view_of(480, 300, eye=(1, -8, 2)), scene)
-    exact = core.samples_from_runs(seen.clipped, cpu.exact(seen, core.Cancel()))
-    value = cpu.Backend().item_visibility(seen)
+    exact = core.samples_from_runs(seen.clipped, exact_runs(seen))
+    value = cpu.Backend().visibility(seen)
     edges = np.zeros(len(exact), bool)
     for start, count in zip(seen.clipped.sample_start, seen.clipped.sample_count, strict=True):
         edges[start : start + count] = count > 40  # of the box: the ball's segments are short
@@ -68,9 +67,9 @@ def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
 def test_lines_without_occluders_that_do_not_cross_are_all_seen(backend):
     scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW])
     seen = frame(*HIGH, view_of(480, 300), scene)
-    assert np.mean(backend().item_visibility(seen) == 1) > 0.99
+    assert np.mean(backend().visibility(seen) == 1) > 0.99
 
 
 def test_nothing_to_see():
     seen = frame(*LOW, scene=scene_of([(box(), moved((0, 0, 900)))]))
-    assert cpu.Backend().item_visibility(seen).shape == (0,)
+    assert cpu.Backend().visibility(seen).shape == (0,)

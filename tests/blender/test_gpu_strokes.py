@@ -3,20 +3,14 @@
 
 import numpy as np
 import pytest
-from native_frames import core, cpu, frame_of, hills, room, scene_of, style, view_of
+from native_frames import core, cpu, exact_runs, frame_of, hills, pipeline, room, scene_of, style, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
 
-Textures, stages = part("textures").Textures, part("stages")
-
-
-class NoTextures:
-    native = ()
-
 
 def on_gpu(strokes, pens, textures, view):
-    return part("backend.gpu").Backend().draw(strokes, pens, textures, view)
+    return part("backend.gpu").Backend().draw_strokes(strokes, pens, textures, view)
 
 
 def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0, path_px=0.0):
@@ -38,11 +32,10 @@ def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0, path_px
 @pytest.mark.parametrize("name", style.names())
 def test_every_style(name):
     chosen, view = style.load(name), view_of(480, 300)
-    frame = frame_of(room(), view, sample_step=2.0, line_style=chosen)
-    textures = Textures(chosen)
-    pens = cpu.pens_of(chosen, textures, 1.0)
-    strokes = cpu.shape(frame, cpu.exact(frame, core.Cancel()), chosen, pens)
-    drawn, reference = (backend(strokes, pens, textures, view) for backend in (on_gpu, cpu.Backend().draw))
+    drawn, reference = (
+        pipeline.draw(room(), view, chosen, backend, pipeline.options()).lines
+        for backend in (part("backend.gpu").Backend(), cpu.Backend())
+    )
     assert drawn.shape == reference.shape == (300, 480, 4) and drawn.dtype == np.float32
     assert reference[..., 3].mean() > 0.01
     assert np.abs(drawn - reference).max() < 0.02
@@ -58,14 +51,12 @@ def test_caps_and_textures(cap, textured):
         for i in range(2)
     ]
 
-    class TwoTextures:
-        native = [core.PenTexture(ink), core.PenTexture(ink[:, ::-1].copy())]
-
+    textures = [core.PenTexture(ink), core.PenTexture(ink[:, ::-1].copy())]
     view = view_of(160, 100)
     for number in range(2):
         stroke = straight(number)
-        drawn = on_gpu(stroke, pens, TwoTextures, view)
-        np.testing.assert_allclose(drawn, core.raster(stroke, pens, TwoTextures.native, 160, 100), atol=0.01)
+        drawn = on_gpu(stroke, pens, textures, view)
+        np.testing.assert_allclose(drawn, core.raster(stroke, pens, textures, 160, 100), atol=0.01)
         assert 0.5 < drawn[..., 3].max() <= 0.8001
 
 
@@ -73,16 +64,13 @@ def test_caps_and_textures(cap, textured):
 def test_textures_anchored_to_the_path(path_px):
     """Within an octave, at its ends, for paths shorter than the texture and much longer than what is seen of them."""
     ink = np.random.default_rng(1).uniform(0.2, 1, (5, 40)).astype(np.float32)
-
-    class OneTexture:
-        native = [core.PenTexture(ink)]
-
+    textures = [core.PenTexture(ink)]
     stretch = {"width_px": 6, "texture_length_px": 31, "texture": 0}
     stroke, drawn = straight(1, path_px=path_px), {}
     for anchor in ("screen", "path"):
         pens = [core.Pen(), core.Pen(**stretch, texture_anchor=anchor)]
-        drawn[anchor] = on_gpu(stroke, pens, OneTexture, view_of(160, 100))
-        np.testing.assert_allclose(drawn[anchor], core.raster(stroke, pens, OneTexture.native, 160, 100), atol=0.01)
+        drawn[anchor] = on_gpu(stroke, pens, textures, view_of(160, 100))
+        np.testing.assert_allclose(drawn[anchor], core.raster(stroke, pens, textures, 160, 100), atol=0.01)
     # Eight repetitions of 31 pixels are the one case in which both are the same.
     assert (np.abs(drawn["path"] - drawn["screen"]).max() < 0.01) == (path_px == 248.0)
 
@@ -100,7 +88,7 @@ def test_later_strokes_lie_over_earlier_ones():
         2,
     )
     view = view_of(160, 100)
-    drawn = on_gpu(both, pens, NoTextures, view)
+    drawn = on_gpu(both, pens, [], view)
     np.testing.assert_allclose(drawn, core.raster(both, pens, [], 160, 100), atol=0.01)
     crossed = drawn[(drawn[..., 0] > 0.3) & (drawn[..., 2] > 0.3)]
     assert len(crossed) > 4 and np.allclose(np.median(crossed, 0), (0.48, 0, 0.4, 0.88), atol=0.01)
@@ -110,13 +98,14 @@ def test_strokes_that_thin_and_fade_with_strength():
     """Lines of a hilly surface whose strength varies, by pens that use it in every way."""
     kinds = {"suggestive_contour": {}, "suggestive_highlight": {}, "ridge": {}}
     chosen, view = style.Style(line_sets=(style.LineSet(kinds=kinds, least_length=0),)), view_of(320, 200)
-    frame = frame_of(scene_of([(hills(), np.eye(4))]), view, line_style=chosen)
-    visible = cpu.exact(frame, core.Cancel())
+    frame = frame_of(scene_of([(hills(), np.eye(4))]), view, chosen)
+    visible = exact_runs(frame)
+    first_pen = np.zeros(len(visible), np.uint32)
     pictures = []
     for share in (0.0, 0.5, 1.0):
         pens = [core.Pen(width_px=7.0, strength_width=share)]
-        strokes = cpu.shape(frame, visible, chosen, pens)
-        drawn = on_gpu(strokes, pens, NoTextures, view)
+        strokes = core.tessellate(frame.clipped, visible, first_pen, frame.paths.strength, pens)
+        drawn = on_gpu(strokes, pens, [], view)
         off = np.abs(drawn - core.raster(strokes, pens, [], 320, 200)).max(axis=2)
         # Where a wide stroke folds, either may give single pixels to the neighbouring triangle.
         assert off.mean() < 1e-4 and (off > 0.02).sum() <= 4 and off.max() < 0.1
@@ -130,22 +119,20 @@ def test_strokes_on_their_way_out_of_focus():
     """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
     chosen = style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),))
     view = view_of(320, 200)
-    frame = frame_of(room(), view, line_style=chosen)
+    frame = frame_of(room(), view, chosen)
     ink = np.random.default_rng(2).uniform(0.2, 1, (5, 40)).astype(np.float32)
-
-    class OneTexture:
-        native = [core.PenTexture(ink)]
-
+    textures = [core.PenTexture(ink)]
     pens = [
         core.Pen(color=(1, 0, 0), width_px=5, away=1),
         core.Pen(color=(0, 0, 1), width_px=2, opacity=0.5, texture=0, texture_length_px=31),
     ]
     focus = core.Focus(False, [(100, 100, 0, 20, 150)])
-    felt = stages.Emphasis(focus=core.focus_of_samples(frame.clipped, focus))
-    strokes = cpu.shape(frame, cpu.exact(frame, core.Cancel()), chosen, pens, None, felt)
+    visible, falloff = exact_runs(frame), core.focus_of_samples(frame.clipped, focus)
+    first_pen = np.zeros(len(visible), np.uint32)
+    strokes = core.tessellate(frame.clipped, visible, first_pen, frame.paths.strength, pens, focus=falloff)
     assert np.ptp(strokes.mix) > 0.9 and np.ptp(strokes.half_width) > 1
-    drawn = on_gpu(strokes, pens, OneTexture, view)
-    off = np.abs(drawn - core.raster(strokes, pens, OneTexture.native, 320, 200)).max(axis=2)
+    drawn = on_gpu(strokes, pens, textures, view)
+    off = np.abs(drawn - core.raster(strokes, pens, textures, 320, 200)).max(axis=2)
     assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
     assert drawn[..., 0].max() > 0.9 and drawn[..., 2].max() > 0.3
 
@@ -155,4 +142,4 @@ def test_no_strokes():
     none = core.Strokes(
         empty.reshape(0, 2), empty.reshape(0, 4), empty, empty, np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32)
     )
-    assert not on_gpu(none, [core.Pen()], NoTextures, view_of(8, 6)).any()
+    assert not on_gpu(none, [core.Pen()], [], view_of(8, 6)).any()

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import box, core, cpu, frame_of, moved, room, scene_of, view_of
+from native_frames import box, core, cpu, exact_runs, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
@@ -58,7 +58,7 @@ def edges_reach(packed, off):
 @pytest.mark.parametrize("orthographic", [False, True])
 @pytest.mark.parametrize("scale, probes", [(1, 1), (2, 1), (1, 4), (2, 4), (2, 9), (2, 16), (3, 16)])
 def test_visibility(orthographic, scale, probes):
-    frame = frame_of(room(), view_of(orthographic=orthographic), scale, probes)
+    frame = frame_of(room(), view_of(orthographic=orthographic), depth_scale=scale, probes=probes)
     on_gpu, on_cpu = both(frame)
     assert on_gpu.dtype == np.float32 and on_gpu.shape == (frame.clipped.samples,)
     assert np.mean(on_gpu == on_cpu) > 0.999
@@ -67,7 +67,7 @@ def test_visibility(orthographic, scale, probes):
 
 def test_agrees_with_exact_visibility():
     frame = frame_of(room(), view_of(960, 600))
-    exact = core.samples_from_runs(frame.clipped, cpu.exact(frame, core.Cancel()))
+    exact = core.samples_from_runs(frame.clipped, exact_runs(frame))
     assert np.mean((gpu_backend().visibility(frame) >= 0.5) == (exact >= 0.5)) > 0.97
 
 
@@ -95,10 +95,10 @@ def test_nothing_hides_in_front_of_the_near_plane():
 @pytest.mark.parametrize("side", [200, 390])
 def test_pictures_larger_than_textures_are_looked_at_in_tiles(orthographic, side):
     """A texel's plane is the same whichever tile shows it, but for the rounding of corners to 1/256 texel."""
-    frame, backend = frame_of(room(), view_of(orthographic=orthographic), 2, 4), gpu_backend()
+    frame, backend = frame_of(room(), view_of(orthographic=orthographic), probes=4), gpu_backend()
     whole = backend.visibility(frame)
     backend.most_side = side
-    layouts = backend.layouts(frame)
+    layouts = frame.layouts(side)
     assert len(layouts) > 3 and max(max(layout.width, layout.height) for layout in layouts) <= side
     tiled = backend.visibility(frame)
     assert np.mean(tiled == whole) > 0.9995 and np.abs(tiled - whole).mean() < 1e-4
@@ -106,12 +106,13 @@ def test_pictures_larger_than_textures_are_looked_at_in_tiles(orthographic, side
 
 
 def test_the_cpu_looks_in_tiles_too():
-    frame, backend = frame_of(room(), view_of(), 2, 4), cpu.Backend()
-    whole, lines = backend.visibility(frame), backend.item_visibility(frame)
+    frames = [frame_of(room(), view_of(), visibility=method, probes=4) for method in ("atlas", "item_buffer")]
+    backend = cpu.Backend()
+    looks, lines = map(backend.visibility, frames)
     backend.most_side = 200
-    assert len(backend.layouts(frame)) > 3
-    assert np.mean(backend.visibility(frame) == whole) > 0.9999
-    assert np.mean(backend.item_visibility(frame) == lines) > 0.9995
+    assert len(frames[0].layouts(200)) > 3
+    assert np.mean(backend.visibility(frames[0]) == looks) > 0.9999
+    assert np.mean(backend.visibility(frames[1]) == lines) > 0.9995
 
 
 @pytest.mark.parametrize("make", [gpu_backend, cpu.Backend])

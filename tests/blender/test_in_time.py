@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 from bench.focus import coherence, world
 
-emphasis, near_frames, session = part("emphasis"), part("blender.near_frames"), part("blender.session")
+near_frames, session = part("blender.near_frames"), part("blender.session")
 FRAMES = range(1, 6)
 
 
@@ -103,7 +103,7 @@ def test_the_scene_is_left_at_its_frame(fence, tmp_path, monkeypatch):
         asked.append(fence.frame_current)
         raise ValueError("ink ran out")
 
-    monkeypatch.setattr(session.pipeline, "shown_lines", broken)
+    monkeypatch.setattr(session.pipeline, "frame", broken)
     with pytest.raises(RuntimeError, match="ink ran out"):
         at(fence, 3, tmp_path)
     assert asked == [1] and fence.frame_current == 3 and fence.frame_subframe == 0
@@ -156,24 +156,25 @@ def test_other_frames_are_asked_only_where_they_count(fence, tmp_path, monkeypat
 
 
 @pytest.mark.parametrize("backend", ["CPU", "GPU"])
-def test_lines_come_and_go_more_slowly(fence, tmp_path, monkeypatch, backend):
+def test_lines_come_and_go_more_slowly(fence, tmp_path, backend):
     if backend == "GPU" and part("blender.preferences").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     fence.fovea.backend = backend
-    thinned, kept = emphasis.thinned, []
+    kept, pipeline = [], part("pipeline")
 
-    def keeping(felt, frame, runs, style, *others):
-        found = thinned(felt, frame, runs, style, *others)
-        kept.append(coherence.on_paths(world.Drawn(None, frame.view, style, frame, runs, None, None, found)))
-        return found
+    def drawn_lines(frame):
+        """Places on the lines of a picture, of which the pipeline made the last Frame."""
+        made = []
+        with world.kept_results(pipeline, "frame", made):
+            at(fence, frame, tmp_path)
+        return coherence.on_paths(world.Drawn(None, made[-1].view, None, made[-1], made[-1].shown))
 
-    monkeypatch.setattr(emphasis, "thinned", keeping)
     largest = {}
     for frames in (0, 1, 3):
         set_elision(fence, "frames", frames)
         kept.clear()
         for frame in FRAMES:
-            at(fence, frame, tmp_path)
+            kept.append(drawn_lines(frame))
         changes = [coherence.changes(a, b, math.inf)[0] for a, b in zip(kept, kept[1:])]
         largest[frames] = max(found.max() for found in changes)
         assert min(len(found) for found in changes) > 500

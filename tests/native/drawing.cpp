@@ -107,11 +107,8 @@ Kinds bit_of(const char* definition) { return Kinds(1 << definition_index(defini
 LineSet line_set(const std::vector<const char*>& names, double corner_degrees) {
     LineSet set;
     set.corner_angle_rad = glm::radians(corner_degrees);
-    for (const char* name : names) {
-        LineKind kind{definition_index(name), {}};
-        for (const Parameter& p : line_definitions()[kind.definition]->parameters) kind.values.push_back(p.value);
-        set.kinds.push_back(kind);
-    }
+    for (const char* name : names)
+        set.kinds.push_back({definition_index(name), default_values(definition_called(name))});
     return set;
 }
 

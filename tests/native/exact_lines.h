@@ -6,9 +6,9 @@
 
 #include <fovea/field/fields.h>
 #include <fovea/field/view_curvature.h>
-#include <fovea/line/registry.h>
 
 #include "exact_curves.h"
+#include "rules.h"
 
 namespace fovea::analytic {
 
@@ -30,12 +30,6 @@ struct Eye {
     }
 };
 
-inline Values defaults(const std::string& name) {
-    Values values;
-    for (const Parameter& p : line_definitions()[definition_index(name)]->parameters) values.push_back(p.value);
-    return values;
-}
-
 /// One definition with its thresholds: what is zero, and what is kept (the least of all conditions, positive).
 struct ExactLine {
     using Field = std::function<Along(const CurvatureD&, const SeenOf<double>&)>;
@@ -52,7 +46,7 @@ inline ExactLine exact_line(const std::string& name, const Values& values, doubl
     const double unit = 1.0 / feature_size, squared = unit * unit;
     const double sign = name.find("valley") != std::string::npos || name == "suggestive_highlight" ? -1.0 : 1.0;
     const auto value = [&](const char* parameter, double otherwise) {
-        const auto& all = line_definitions()[definition_index(name)]->parameters;
+        const auto& all = definition_called(name).parameters;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (all[i].name == std::string(parameter)) return values[i];
         return otherwise;

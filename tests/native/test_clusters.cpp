@@ -11,6 +11,7 @@
 #include <fovea/line/seen_vertices.h>
 
 #include "analytic.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -151,18 +152,16 @@ TEST(Clusters, WhatIsPassedOverHoldsNoLine) {
     for (const Mesh& mesh : all_meshes()) {
         const auto surface = mesh.surface();
         for (const LineDefinition* definition : line_definitions()) {
-            if (!definition->find || definition->scope != Scope::view) continue;
-            Values values, none_at_all;
-            for (const Parameter& p : definition->parameters) {
-                values.push_back(p.value);
-                none_at_all.push_back(p.low);
-            }
+            const auto* rule = std::get_if<CurveRule>(&definition->rule);
+            if (!rule || definition->scope != Scope::view) continue;
+            Values none_at_all;
+            for (const Parameter& p : definition->parameters) none_at_all.push_back(p.low);
             for (const Eye& eye : eyes())
-                for (const Values& v : {values, none_at_all}) {
+                for (const Values& v : {default_values(*definition), none_at_all}) {
                     SurfaceView seen = view_of(*surface, eye);
-                    const Curves found = definition->find(seen, v);
+                    const Curves found = rule->find(seen, v);
                     seen.pass_over = false;
-                    ASSERT_TRUE(same(found, definition->find(seen, v)))
+                    ASSERT_TRUE(same(found, rule->find(seen, v)))
                         << definition->name << " on " << mesh.name << " from (" << eye.at.x << ", " << eye.at.y << ", "
                         << eye.at.z << ")";
                     lines += !found.empty();
@@ -177,7 +176,6 @@ TEST(Clusters, LinesAreThoseOfAllVertices) {
     const auto surface = waves({.n = 64, .irregular = true}).mesh.surface();
     const auto fields = fields_of(*surface);
     const float unit = 1.0f / (fields->feature_size * fields->feature_size);
-    const LineDefinition& definition = *line_definitions()[definition_index("suggestive_contour")];
     for (const Eye& eye : eyes()) {
         const SurfaceView seen = view_of(*surface, eye);
         const auto at = [&](Index v) { return see_vertex(seen, fields->curvature[v], v); };
@@ -192,7 +190,7 @@ TEST(Clusters, LinesAreThoseOfAllVertices) {
         };
         const Curves all = trace_zero_set(
             *surface, front, [&](Index v) { return radial(fields->curvature[v], at(v)).scaled; }, margin, strength);
-        const Curves found = definition.find(seen, {0.01, 1.0, 0.0});
+        const Curves found = rule_of<CurveRule>("suggestive_contour").find(seen, {0.01, 1.0, 0.0});
         ASSERT_EQ(found.size(), all.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
             EXPECT_EQ(found[i].triangle, all[i].triangle);

@@ -7,6 +7,7 @@
 
 #include "analytic.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -25,11 +26,9 @@ SurfaceView seen_from(const Surface& surface, const dvec3& eye, bool orthographi
 
 /// With default parameters, but for the first when `threshold` is given.
 Curves find(const Surface& surface, const char* name, const dvec3& towards = dvec3(.8, .5, 1), double threshold = -1) {
-    const LineDefinition& definition = *line_definitions()[definition_index(name)];
-    Values values;
-    for (const Parameter& p : definition.parameters) values.push_back(p.value);
+    Values values = defaults(name);
     if (threshold >= 0) values[0] = threshold;
-    return definition.find(seen_from(surface, glm::normalize(towards), true), values);
+    return rule_of<CurveRule>(name).find(seen_from(surface, glm::normalize(towards), true), values);
 }
 
 /// Away from the border of a grid over [-1, 1]^2, where neighbourhoods are one-sided.

@@ -8,6 +8,7 @@
 
 #include "analytic.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::drawing;
@@ -42,7 +43,7 @@ double length_of(const CurveChains& chains) {
 }
 
 CurveChains curves(const Surface& surface, const char* name, const std::vector<std::pair<const char*, double>>& given) {
-    const LineDefinition& definition = *line_definitions()[definition_index(name)];
+    const LineDefinition& definition = definition_called(name);
     Values values;
     for (const Parameter& p : definition.parameters) {
         values.push_back(p.value);
@@ -52,7 +53,7 @@ CurveChains curves(const Surface& surface, const char* name, const std::vector<s
     SurfaceView seen{.surface = surface};
     seen.eye_obj = glm::normalize(dvec3(.8, .5, 1));
     seen.orthographic = true;
-    return curves_of(definition, seen, values);
+    return curves_of(rule_of<CurveRule>(name), seen, values);
 }
 
 }  // namespace
@@ -168,8 +169,7 @@ TEST(Hysteresis, ApparentRidgesAndValleysAreAllThereIs) {
     seen.orthographic = true;
     const auto found = [&](double ridges, double valleys) {
         std::set<Index> triangles;
-        const auto& definition = *line_definitions()[definition_index("apparent_ridge")];
-        for (const CurvePiece& piece : definition.find(seen, {.005, 1, 0, ridges, valleys}))
+        for (const CurvePiece& piece : rule_of<CurveRule>("apparent_ridge").find(seen, {.005, 1, 0, ridges, valleys}))
             triangles.insert(piece.triangle);
         return triangles;
     };

@@ -21,7 +21,7 @@ namespace {
 /// A definition with its defaults, but for those given by name.
 LineSet with(const char* name, const std::map<std::string, double>& changes) {
     LineSet set = line_set({name});
-    const auto& parameters = line_definitions()[set.kinds[0].definition]->parameters;
+    const auto& parameters = definition_called(name).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
         if (const auto it = changes.find(parameters[i].name); it != changes.end()) set.kinds[0].values[i] = it->second;
     return set;

@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include "intersections.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::intersections;
@@ -134,12 +135,12 @@ TEST(Intersection, IsTheSameWithOneThreadAndMany) {
 }
 
 TEST(Intersection, IsFoundOnceForAllViewsAndForWhatMovesTogether) {
-    const LineDefinition& definition = *line_definitions()[definition_index("intersection")];
+    const SceneRule& rule = rule_of<SceneRule>("intersection");
     const auto ball = sphere(20).surface(), brick = box().surface();
     const auto find = [&](dmat4 first, dmat4 second) {
         const Scene scene({{ball, first, 1}, {brick, second, 2}});
         const std::vector<Index> drawn = {0, 1};
-        const auto found = definition.find_in_scene(scene, drawn, {1, 0}, Cancel());
+        const auto found = rule.find(scene, drawn, {1, 0}, Cancel());
         return found.size() == 1 ? found[0].curves : nullptr;
     };
     const dmat4 motion = moved({3, -2, 1}) * turned(1.3, {1, 2, 3}), apart = moved({0.5, 0.5, 0.5});
@@ -153,7 +154,7 @@ TEST(Intersection, IsFoundOnceForAllViewsAndForWhatMovesTogether) {
     const Scene instances(
         {{ball, dmat4(1.0), 1}, {brick, apart, 2}, {ball, moved({9, 0, 0}), 3}, {brick, moved({9, 0, 0}) * apart, 4}});
     const std::vector<Index> all = {0, 1, 2, 3};
-    const auto pairs = definition.find_in_scene(instances, all, {1, 0}, Cancel());
+    const auto pairs = rule.find(instances, all, {1, 0}, Cancel());
     ASSERT_EQ(pairs.size(), 2u);
     EXPECT_EQ(pairs[0].curves, once);
     EXPECT_EQ(pairs[1].curves, once);
@@ -166,7 +167,7 @@ TEST(Intersection, IsFoundOnceForAllViewsAndForWhatMovesTogether) {
 }
 
 TEST(Intersection, OfHeapedInstancesIsWithOtherObjectsOnly) {
-    const LineDefinition& definition = *line_definitions()[definition_index("intersection")];
+    const SceneRule& rule = rule_of<SceneRule>("intersection");
     const auto leaf = box().surface(), ground = grid(3, 9).surface();
     const auto pairs = [&](Index leaves) {
         std::vector<Placement> placements = {{ground, dmat4(1.0), 100}};
@@ -174,7 +175,7 @@ TEST(Intersection, OfHeapedInstancesIsWithOtherObjectsOnly) {
         std::vector<Index> drawn(placements.size());
         std::iota(drawn.begin(), drawn.end(), Index(0));
         std::size_t with_ground = 0, with_leaves = 0;
-        for (const SceneCurves& part : definition.find_in_scene(Scene(placements), drawn, {1, 0}, Cancel())) {
+        for (const SceneCurves& part : rule.find(Scene(placements), drawn, {1, 0}, Cancel())) {
             if (part.curves->pieces.empty()) continue;
             ++(part.placement == 0 || part.other == 0 ? with_ground : with_leaves);
         }
@@ -185,12 +186,12 @@ TEST(Intersection, OfHeapedInstancesIsWithOtherObjectsOnly) {
 }
 
 TEST(Intersection, ThatNobodyAsksForIsLetGoOf) {
-    const LineDefinition& definition = *line_definitions()[definition_index("intersection")];
+    const SceneRule& rule = rule_of<SceneRule>("intersection");
     const auto ball = sphere(8).surface(), brick = box().surface();
     const auto find = [&](double shift) {
         const Scene scene({{ball, dmat4(1.0), 1}, {brick, moved({0.5, 0.5, shift}), 2}});
         const std::vector<Index> drawn = {0, 1};
-        return definition.find_in_scene(scene, drawn, {1, 0}, Cancel()).at(0).curves;
+        return rule.find(scene, drawn, {1, 0}, Cancel()).at(0).curves;
     };
     const std::weak_ptr<const KeptCurves> first = find(0.5);
     for (int frame = 0; frame < 10; ++frame) find(0.4);

@@ -70,7 +70,7 @@ Match compare(const Body& body, const Case& of, bool orthographic, double reach 
     const Eye eye{(orthographic ? 1.0 : 5.0) * (of.low ? low : oblique), orthographic};
     const double feature_size = fields_of(*body.surface)->feature_size;
     const ExactCurves exact = exact_curves(body.grid, exact_line(of.name, of.values(), feature_size), eye);
-    const Curves found = line_definitions()[definition_index(of.name)]->find(eye.view(*body.surface), of.values());
+    const Curves found = rule_of<CurveRule>(of.name).find(eye.view(*body.surface), of.values());
     const Match m =
         match(body.sample, segments_of(found), exact, body.edge, reach, [&](const dvec3& p) { return body.inner(p); });
     report(of.label(), body, orthographic, m);
@@ -126,8 +126,7 @@ std::vector<Case> cases_of(const std::string& name) {
 
 double found_length(const Surface& surface, const char* name, double first = -1.0) {
     const Case of{.name = name, .first = first};
-    return length(
-        segments_of(line_definitions()[definition_index(name)]->find(Eye{oblique}.view(surface), of.values())));
+    return length(segments_of(rule_of<CurveRule>(name).find(Eye{oblique}.view(surface), of.values())));
 }
 
 /// A circle around z.
@@ -150,7 +149,7 @@ TEST_P(BodyLines, LineAccuracy) {
     const Body& body = body_of(name, irregular);
     for (const Case& of : cases_of(name))
         for (const bool orthographic : {true, false}) {
-            if (!orthographic && line_definitions()[definition_index(of.name)]->scope == Scope::surface) continue;
+            if (!orthographic && definition_called(of.name).scope == Scope::surface) continue;
             SCOPED_TRACE(std::string(of.name) + (orthographic ? ", orthographic" : ", perspective"));
             const Match m = compare(body, of, orthographic);
             EXPECT_GT(m.exact, 0.3);
@@ -196,8 +195,9 @@ TEST(LineAccuracy, DemarcatingCurvesOfATorusAreTwoCircles) {
         const double cosine = -1.0 / 1.2, z = 0.4 * std::sqrt(1 - cosine * cosine);
         ExactCurves exact = circle(1 + 0.4 * cosine, z);
         for (const ExactSegment& s : circle(1 + 0.4 * cosine, -z)) exact.push_back(s);
-        const Curves found = line_definitions()[definition_index("demarcating_curve")]->find(
-            Eye{oblique}.view(*body.surface), Case{.name = "demarcating_curve", .first = .001}.values());
+        const Curves found =
+            rule_of<CurveRule>("demarcating_curve")
+                .find(Eye{oblique}.view(*body.surface), Case{.name = "demarcating_curve", .first = .001}.values());
         const Match m =
             match(body.sample, segments_of(found), exact, body.edge, 1.0, [](const dvec3&) { return true; });
         report("demarcating_curve .001", body, true, m);
@@ -224,8 +224,7 @@ TEST(LineAccuracy, SuggestiveContoursSurviveNoise) {
             const Values values = defaults("suggestive_contour");
             const ExactCurves exact =
                 exact_curves(clean.grid, exact_line("suggestive_contour", values, feature_size), eye);
-            const Curves found =
-                line_definitions()[definition_index("suggestive_contour")]->find(eye.view(*surface), values);
+            const Curves found = rule_of<CurveRule>("suggestive_contour").find(eye.view(*surface), values);
             const Match m = match(clean.sample, segments_of(found), exact, clean.edge, 2.0,
                                   [&](const dvec3& p) { return clean.inner(p); });
             report("suggestive_contour, noise", clean, orthographic, m);

@@ -7,6 +7,7 @@
 
 #include "curve_match.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -62,7 +63,7 @@ std::vector<Change> changes() {
 /// A wavy surface, and what cuts it: a box with materials and marks, or, for curves of the smooth surface that a mesh
 /// stands for, an ellipsoid. A box stands for none: of its three faces, a corner takes the normal of the first.
 std::vector<Mesh> bodies(const LineDefinition& definition) {
-    if (definition.find)
+    if (has_rule<CurveRule>(definition))
         return {analytic::waves({.n = 96, .irregular = true}).mesh,
                 analytic::ellipsoid(4, true, dvec3(.5, .3, .4)).mesh};
     Mesh cube = box(vec3(-.4f), vec3(.3f));
@@ -77,8 +78,8 @@ Values values_of(const LineDefinition& definition) {
     Values values;
     for (const Parameter& p : definition.parameters) {
         const std::string name = p.name;
-        const bool on_surface = definition.find && definition.select;
-        values.push_back(name == "threshold"              ? (definition.find_in_image ? 1.0 : 0.25) * p.value
+        const bool on_surface = has_rule<CurveRule>(definition);
+        values.push_back(name == "threshold"              ? (has_rule<ImageRule>(definition) ? 1.0 : 0.25) * p.value
                          : on_surface && name == "low"    ? 1.0
                          : on_surface && name == "length" ? 0.0
                                                           : p.value);
@@ -89,7 +90,7 @@ Values values_of(const LineDefinition& definition) {
 /// The bodies of a definition after a change; made once, as surfaces keep their fields.
 const std::vector<Placement>& changed(const LineDefinition& definition, const Change& change) {
     static std::map<std::pair<bool, std::string>, std::vector<Placement>> made;
-    std::vector<Placement>& placements = made[{bool(definition.find), change.name}];
+    std::vector<Placement>& placements = made[{has_rule<CurveRule>(definition), change.name}];
     if (!placements.empty()) return placements;
     for (Mesh mesh : bodies(definition)) {
         mesh = reordered(mesh, change.shuffle, change.mirror);

@@ -37,7 +37,7 @@ Mesh folded(double degrees) {
 TEST(Lines, TheRegistryFindsDefinitionsByName) {
     std::set<std::string> names;
     for (const LineDefinition* definition : line_definitions()) {
-        EXPECT_EQ(line_definitions()[definition_index(definition->name)], definition);
+        EXPECT_EQ(&definition_called(definition->name), definition);
         EXPECT_TRUE(names.insert(definition->name).second) << definition->name << " twice";
         for (const Parameter& p : definition->parameters) EXPECT_TRUE(p.low <= p.value && p.value <= p.high) << p.name;
     }

@@ -8,6 +8,7 @@
 
 #include "analytic.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::analytic;
@@ -125,7 +126,7 @@ TEST_P(PlacedLines, AreThoseOfTheBakedSurface) {
     LineSet set = line_set({GetParam()->name});
     if (std::string(GetParam()->name) == "crease") set.kinds[0].values[0] = 5.0;
     // Without hysteresis, whose yes or no to a whole line may hang on the last digit.
-    for (std::size_t i = 0; GetParam()->find && GetParam()->select && i < GetParam()->parameters.size(); ++i) {
+    for (std::size_t i = 0; has_rule<CurveRule>(*GetParam()) && i < GetParam()->parameters.size(); ++i) {
         const std::string parameter = GetParam()->parameters[i].name;
         if (parameter == "low") set.kinds[0].values[i] = 1.0;
         if (parameter == "length") set.kinds[0].values[i] = 0.0;

@@ -70,17 +70,13 @@ TEST(Priority, EveryTermLiesBetweenNothingAndAll) {
 }
 
 TEST(Priority, OutlinesBeforeCreasesBeforeLinesOnSmoothSurfaces) {
-    const auto of = [](const char* name) { return kind_priority(definition_index(name)); };
+    const auto of = [](const char* name) { return definition_called(name).importance; };
     EXPECT_GT(of("silhouette"), of("contour"));
     EXPECT_GT(of("contour"), of("border"));
     EXPECT_GT(of("border"), of("crease"));
     EXPECT_GT(of("crease"), of("intersection"));
     EXPECT_GT(of("intersection"), of("suggestive_contour"));
     EXPECT_GT(of("suggestive_contour"), of("isophote"));
-    for (Index i = 0; i < line_definitions().size(); ++i) {
-        EXPECT_GT(kind_priority(i), 0.0);
-        EXPECT_LE(kind_priority(i), 1.0);
-    }
 }
 
 TEST(Priority, APathOfSeveralKindsHasTheirMeanByLength) {
@@ -88,7 +84,7 @@ TEST(Priority, APathOfSeveralKindsHasTheirMeanByLength) {
     const Kinds crease = drawing::bit_of("crease"), silhouette = drawing::bit_of("silhouette");
     w.paths.kinds[0] = crease | silhouette;
     w.paths.kinds[1] = crease;
-    EXPECT_NEAR(priorities(w, only_kind)[0], (1.0 + 3.0 * kind_priority(definition_index("crease"))) / 4.0, 1e-6);
+    EXPECT_NEAR(priorities(w, only_kind)[0], (1.0 + 3.0 * definition_called("crease").importance) / 4.0, 1e-6);
     w.paths.strength[0] = 0.0f;
     EXPECT_NEAR(priorities(w, only_strength)[0], (0.5 + 3.0) / 4.0, 1e-6);
     w.paths.strength[2] = std::numeric_limits<float>::quiet_NaN();

@@ -10,6 +10,7 @@
 
 #include "analytic.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -34,12 +35,6 @@ LineSet every(const Values& values, Index definition) {
     set.corner_angle_rad = 1.0;
     set.kinds.push_back({definition, values});
     return set;
-}
-
-Values defaults(const LineDefinition& definition) {
-    Values values;
-    for (const Parameter& p : definition.parameters) values.push_back(p.value);
-    return values;
 }
 
 /// Marks, materials and borders, smooth parts and hard edges, two surfaces that cut each other, and one far below.
@@ -120,9 +115,9 @@ void expect_sound(const Found& found, const std::string& name) {
         }
         EXPECT_TRUE(!paths.closed[p] || paths.points_obj[begin] == paths.points_obj[end - 1]) << name;
         // Lines of the scene need not lie on one surface.
-        if (!surface || line_definitions()[definition_index(name)]->scope == Scope::scene) continue;
+        if (!surface || definition_called(name).scope == Scope::scene) continue;
         // Pieces of no length, in slivers, are left out of lines on two surfaces.
-        const bool with_gaps = line_definitions()[definition_index(name)]->find_in_scene;
+        const bool with_gaps = has_rule<SceneRule>(definition_called(name));
         for (Index i = begin; i + 1 < end; ++i) {
             ASSERT_LT(paths.place[i], surface->place_count()) << name;
             ASSERT_TRUE(i + 2 >= end || with_gaps || touch(*surface, paths.place[i], paths.place[i + 1])) << name;
@@ -194,18 +189,19 @@ TEST_P(Definition, SaysWhatItIs) {
         EXPECT_GT(std::string(p.label).size(), 1u);
         EXPECT_GT(std::string(p.meaning).size(), 10u);
     }
+    EXPECT_TRUE(definition.importance > 0.0 && definition.importance <= 1.0) << definition.importance;
     for (Index other = 0; other < line_definitions().size(); ++other)
         EXPECT_TRUE(other == index || line_definitions()[other]->name != name);
 }
 
 TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
     for (const View& view : {corner_view, orthographic({6, -5, 4}, {0, 0, 0}, 8), perspective({0, 0, 7}, {0, 0, 0})}) {
-        const Found all(small_scene(), view, every(defaults(definition), index));
+        const Found all(small_scene(), view, every(default_values(definition), index));
         expect_sound(all, name);
-        const Found again(small_scene(), view, every(defaults(definition), index));
+        const Found again(small_scene(), view, every(default_values(definition), index));
         expect_same(all.paths, again.paths, name);
         tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-        const Found alone(small_scene(), view, every(defaults(definition), index));
+        const Found alone(small_scene(), view, every(default_values(definition), index));
         expect_same(all.paths, alone.paths, name);
     }
 }
@@ -213,7 +209,7 @@ TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
 TEST_P(Definition, FindsSomethingWhenItsParametersAllowIt) {
     Index count = 0;
     for (const bool least : {false, true}) {
-        Values values = defaults(definition);
+        Values values = default_values(definition);
         for (std::size_t p = 0; least && p < values.size(); ++p) values[p] = definition.parameters[p].low;
         count += Found(small_scene(), corner_view, every(values, index)).paths.count();
     }
@@ -221,15 +217,16 @@ TEST_P(Definition, FindsSomethingWhenItsParametersAllowIt) {
 }
 
 TEST_P(Definition, EndsPiecesOnTheSidesThatTheyName) {
-    if (!definition.find || definition.scope == Scope::scene) return;  // not pieces of curves on a surface
+    const auto* rule = std::get_if<CurveRule>(&definition.rule);
+    if (!rule || definition.scope == Scope::scene) return;  // not pieces of curves on a surface
     const auto surface = analytic::waves({.n = 40, .irregular = true}).mesh.surface();
     const auto sides = triangle_sides(*surface);
     SurfaceView seen{.surface = *surface};
     seen.eye_obj = dvec3(5, -4, 4);
-    Values values = defaults(definition);
+    Values values = default_values(definition);
     if (!values.empty()) values[0] = definition.parameters[0].low;
     std::map<std::pair<Index, Index>, std::vector<vec3>> at_side;
-    for (const CurvePiece& piece : definition.find(seen, values))
+    for (const CurvePiece& piece : rule->find(seen, values))
         for (int k = 0; k < 2; ++k) {
             if (piece.side[k] == none) continue;
             const glm::uvec3& own = sides->of_triangle[piece.triangle];
@@ -252,7 +249,8 @@ TEST(Registry, AllDefinitionsAtOnce) {
     // Several that ask the same new surface for the same fields, on many threads.
     LineSet all;
     for (Index d = 0; d < line_definitions().size(); ++d)
-        if (!line_definitions()[d]->find_in_image) all.kinds.push_back({d, defaults(*line_definitions()[d])});
+        if (!has_rule<ImageRule>(*line_definitions()[d]))
+            all.kinds.push_back({d, default_values(*line_definitions()[d])});
     Paths first;
     for (int run = 0; run < 20; ++run) {
         const Found found(small_scene(), corner_view, {all});
@@ -265,24 +263,24 @@ TEST(Registry, AllDefinitionsAtOnce) {
 TEST_P(Definition, TakesExtremesOfItsParameters) {
     static const std::vector<Placement> scene = small_scene();  // whose surfaces keep their fields
     View view = corner_view;
-    if (definition.find_in_image) {  // which costs by the pixel
+    if (has_rule<ImageRule>(definition)) {  // which costs by the pixel
         view.width /= 2;
         view.height /= 2;
     }
     for (std::size_t p = 0; p < definition.parameters.size(); ++p)
         for (const double extreme : {definition.parameters[p].low, definition.parameters[p].high}) {
-            Values values = defaults(definition);
+            Values values = default_values(definition);
             values[p] = extreme;
             expect_sound(Found(scene, view, every(values, index)), name);
         }
 }
 
 TEST_P(Definition, TakesDegenerateMeshes) {
-    Values least = defaults(definition);
+    Values least = default_values(definition);
     for (std::size_t p = 0; p < least.size(); ++p) least[p] = definition.parameters[p].low;
     for (const Mesh& mesh : degenerate_meshes()) {
         const Placement placed = place(mesh);
-        for (const Values& values : {defaults(definition), least})
+        for (const Values& values : {default_values(definition), least})
             // The last looks along a face, from a vertex.
             for (View view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
@@ -293,9 +291,10 @@ TEST_P(Definition, TakesDegenerateMeshes) {
             }
     }
     // Two of a kind in one place, and a scene of nothing.
-    expect_sound(Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(defaults(definition), index)),
-                 name);
-    EXPECT_EQ(Found({}, corner_view, every(defaults(definition), index)).paths.count(), 0u);
+    expect_sound(
+        Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(default_values(definition), index)),
+        name);
+    EXPECT_EQ(Found({}, corner_view, every(default_values(definition), index)).paths.count(), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Definition, testing::Range(Index(0), Index(line_definitions().size())),

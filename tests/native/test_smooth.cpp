@@ -10,6 +10,7 @@
 
 #include "analytic.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 
@@ -103,8 +104,7 @@ TEST(Smooth, TheExactPlaceOfSmoothContoursStays) {
         SurfaceView seen{.surface = *surface};
         seen.eye_obj = low;
         seen.orthographic = true;
-        const auto& definition = *line_definitions()[definition_index("smooth_contour")];
-        const CurveChains chains = curves_of(definition, seen, {0});
+        const CurveChains chains = curves_of(rule_of<CurveRule>("smooth_contour"), seen, {0});
         std::vector<double> distances;
         for (const vec3& p : chains.point) {
             if (std::max(std::abs(p.x), std::abs(p.y)) > 0.95f) continue;
@@ -127,8 +127,7 @@ TEST(Smooth, ContoursLieOnTheSphereThatTheMeshStandsFor) {
     SurfaceView seen{.surface = *surface};
     seen.eye_obj = glm::normalize(dvec3(3, -4, 2));
     seen.orthographic = true;
-    const auto& definition = *line_definitions()[definition_index("smooth_contour")];
-    const CurveChains chains = curves_of(definition, seen, {1});
+    const CurveChains chains = curves_of(rule_of<CurveRule>("smooth_contour"), seen, {1});
     ASSERT_EQ(chains.rows.count(), 1u);
     EXPECT_TRUE(chains.closed[0]);
     const double sagitta = 1.0 - std::cos(M_PI / 24);  // of the mesh's sides

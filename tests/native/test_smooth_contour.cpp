@@ -10,6 +10,7 @@
 
 #include "analytic.h"
 #include "drawing.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::drawing;
@@ -22,7 +23,7 @@ CurveChains contour_of(const Surface& surface, double end_at_cusps) {
     SurfaceView seen{.surface = surface};
     seen.eye_obj = oblique;
     seen.orthographic = true;
-    return curves_of(*line_definitions()[definition_index("smooth_contour")], seen, {end_at_cusps});
+    return curves_of(rule_of<CurveRule>("smooth_contour"), seen, {end_at_cusps});
 }
 
 /// Kinds of all segments of a drawing, and the triangles of each line set's curves.

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from native_core import core
 
-from addon import budget, pipeline, style
+from addon import budget, catalogue, pipeline, style
 
 
 def cost(quality):
@@ -92,7 +92,7 @@ def test_simplified_styles_draw_the_same_sets_with_the_same_pens(name):
         assert [s.pen for s in simple.line_sets] == [s.pen for s in full.line_sets]
         assert simple.paper == full.paper and simple.color == full.color
         if not quality.definitions:
-            assert not {kind for s in simple.line_sets for kind in s.kinds} & budget.SLOW
+            assert not any(catalogue.by_name()[kind]["slow"] for s in simple.line_sets for kind in s.kinds)
 
 
 def test_what_stands_for_an_outline_is_told_from_what_is_drawn_anyway():
@@ -108,7 +108,7 @@ def test_what_stands_for_an_outline_is_told_from_what_is_drawn_anyway():
 
 
 def test_options_never_get_finer():
-    options = pipeline.Options(probes=4, depth_scale=1)
+    options = pipeline.options(probes=4, depth_scale=1)
     for quality in budget.QUALITIES:
         coarse = budget.coarser(options, quality)
         assert coarse.probes <= 4 and coarse.depth_scale == 1

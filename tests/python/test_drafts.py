@@ -29,14 +29,13 @@ def bumps():
 def drawn(line_sets, quality=None, placements=()):
     """(H, W) alpha of lines, final or as a quality draws them."""
     chosen = replace(style.load("plain"), line_sets=line_sets)
-    options, placed = pipeline.Options(), bumps()
+    options, placed = pipeline.options(), bumps()
     if quality:
-        options = replace(budget.coarser(options, quality), outlines=budget.outlines(chosen, quality))
+        options = budget.coarser(options, quality).replace(outlines=budget.outlines(chosen, quality))
         chosen = budget.simplified(chosen, quality)
     seen = view((0, -14, 4), (0, 0, 0), size=(480, 270))
     notes = stages.Notes(filters=stages.LineFilters(placements))
-    beside = {"notes": notes, "progress": lambda *_: None, "cancel": core.Cancel()}
-    return pipeline.draw(placed, seen, chosen, cpu.Backend(), options, **beside).lines[..., 3]
+    return pipeline.draw(placed, seen, chosen, cpu.Backend(), options, notes=notes).lines[..., 3]
 
 
 def apart(a, b):
@@ -103,7 +102,7 @@ def dimmed(model, quality=None, effects=focus.Effects(**DIMMED)):
         effects=effects,
         focus=focus.Focus(model, **PLACES[model]),
     )
-    options, seen, placed = pipeline.Options(), view((0, -14, 4), (0, 0, 0), size=(480, 270)), bumps()
+    options, seen, placed = pipeline.options(), view((0, -14, 4), (0, 0, 0), size=(480, 270)), bumps()
     if quality:
         options, chosen = budget.coarser(options, quality), budget.simplified(chosen, quality)
         seen = seen.smaller(quality.scale)
@@ -111,8 +110,7 @@ def dimmed(model, quality=None, effects=focus.Effects(**DIMMED)):
     painted = {"seen": [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]}
     sources = color.Sources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3)
     beside = {"colors": sources, "notes": stages.Notes(painted=painted, objects=(("Ball",), ("Cube",), ("Pair",)))}
-    beside |= {"progress": lambda *_: None, "cancel": core.Cancel()}
-    return pipeline.draw(placed, seen, chosen, cpu.Backend(), replace(options, with_focus=True), **beside)
+    return pipeline.draw(placed, seen, chosen, cpu.Backend(), options.replace(with_focus=True), **beside)
 
 
 def halves(image):

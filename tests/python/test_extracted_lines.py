@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea lines` on shapes whose lines are known."""
 
+import json
+
 import numpy as np
 import pytest
 from command import lines
@@ -105,6 +107,19 @@ def test_a_cube_from_a_corner_shows_nine_of_its_twelve_edges(extract):
     assert np.all(np.diff(everything["offsets"]) >= 2) and everything["offsets"][-1] == len(everything["points"])
     assert {len(everything[name]) for name in ("closed", "path_id", "invisibility")} == {12}
     assert {len(everything[name]) for name in ("points", "px", "arc_px", "strength", "kinds")} == {24}
+
+
+def test_the_lines_of_a_style_are_those_of_its_sets_and_say_what_elision_leaves(extract, tmp_path):
+    sets = [{"kinds": {"contour": {}, "crease": {}}, "least_length": 0, "pen": {"spacing": 60}, "hidden": [{}]}]
+    file, words = tmp_path / "style.json", ("--eye", "3,4,5", "--visible", "--size", "320x320")
+    for enabled in (False, True):
+        file.write_text(json.dumps({"schema": 1, "line_sets": sets, "elision": {"enabled": enabled}}))
+        found = extract("--style", str(file), *words)
+        assert len(rounded(found)) == 12 and np.count_nonzero(found["invisibility"]) == 3
+        assert found["shown"].shape == found["invisibility"].shape and np.all(found["shown"] >= 0)
+        assert np.all(found["shown"] == 1) != enabled
+    with pytest.raises(SystemExit):
+        extract("--style", str(file), "--eye", "3,4,5")
 
 
 def rounded(found):

@@ -11,7 +11,9 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 # A native folder includes itself and those before it.
-NATIVE = "base raster mesh field scene image line path project visibility runs focus elision stroke color".split()
+NATIVE = (
+    "base raster mesh field scene image line style path project visibility runs focus elision stroke color draw".split()
+)
 
 # Header -> where it may be included.
 LIBRARIES = {
@@ -48,25 +50,21 @@ PARTS = {
     "style": "color elision focus style stages",
     "style_mix": "stages style",
     "color": "style",
-    "papers": "backend/cpu",
     "catalogue": "native",
     "line_arrays": "native",
-    "textures": "backend/cpu style stages",
     "still_life": "",
     "curve_fit": "",
-    "backend/cpu": "native stages",
-    "backend/gpu": "backend/cpu backend/gpu native stages",
-    "visibility": "backend/cpu",
-    "emphasis": "backend/cpu stages",
-    "pipeline": "backend/cpu emphasis papers stages style textures visibility",
-    "budget": "focus",
-    "blender": "blender backend budget catalogue color curve_fit elision emphasis focus line_arrays native pipeline "
-    "stages still_life style style_mix textures",
+    "backend/cpu": "native",
+    "backend/gpu": "backend/gpu native stages",
+    "pipeline": "native stages style style_parts style_values",
+    "budget": "catalogue focus",
+    "blender": "blender backend budget catalogue color curve_fit elision focus line_arrays native pipeline stages "
+    "still_life style style_mix",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(backend/(cpu\w*|gpu\w*)|catalogue|line_arrays|"
+    r"addon/(backend/(cpu|gpu\w*)|catalogue|line_arrays|pipeline|"
     r"blender/(api|drawn_lines|preferences|reading|scene|session|style_picture|viewport))\.py"
 )
 

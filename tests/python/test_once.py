@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several stages of a picture ask for is made once, and is the same as if each made its own."""
+"""Passes that several stages of a picture share are as if each had been made alone."""
 
 import json
 
@@ -7,57 +7,40 @@ import numpy as np
 import pytest
 from native_core import box, core, scene, view
 
-from addon import emphasis, pipeline, stages, style
-from addon.backend import cpu, cpu_focus
+from addon import pipeline, stages, style
+from addon.backend import cpu
 
 AWAY = {"pen": {"width": 3}, "pen_away": {"width": 3, "opacity": 0.1}}
 
 
-@pytest.fixture
-def asked(monkeypatch):
-    """How often each of the two is made."""
-    counted = {}
-    for module, name in ((cpu, "depth_image"), (cpu_focus, "focus_of")):
-        old = getattr(module, name)
-
-        def counting(*words, name=name, old=old):
-            counted[name] = counted.get(name, 0) + 1
-            return old(*words)
-
-        monkeypatch.setattr(module, name, counting)
-    return counted
-
-
-def drawn(model, **options):
+def frame(model, **options):
     matrices = np.array([np.eye(4), np.eye(4)])
     matrices[0][0, 3], matrices[1][0, 3] = -2, 2
     placed, seen = scene([box().surface()] * 2, matrices), view((0, -12, 3), (0, 0, 0))
     focus = {"model": model, "points": [{"object": "A", "at": [-2, 0, 0], "near": 0.5, "far": 3}]}
-    sets = [{"lines": {"contour": {}, "crease": {}}, **AWAY}]
+    sets = [{"kinds": {"contour": {}, "crease": {}}, **AWAY}]
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": sets, "focus": focus}))
-    beside = {"notes": stages.Notes(objects=(("A",), ("B",))), "progress": lambda *_: None, "cancel": core.Cancel()}
-    image = pipeline.draw(placed, seen, chosen, cpu.Backend(), pipeline.Options(**options), **beside)
-    frame = pipeline.Frame(placed, seen, core.Tracer(placed, seen), None, None, 1, 1, notes=beside["notes"])
-    return image, frame, chosen
+    notes = stages.Notes(objects=(("A",), ("B",)))
+    return pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), notes=notes)
+
+
+def passes(model, **options):
+    made = frame(model, **options)
+    made.picture()
+    return made.passes()
 
 
 @pytest.mark.parametrize("model", ["object", "scene"])
-def test_focus_and_depth_are_made_once(asked, model):
-    image, _, _ = drawn(model, with_depth=True, with_focus=True)
-    assert asked == {"depth_image": 1, "focus_of": 1}
-    assert image.focus.min() < 0.5 and image.focus.max() == 1
-
-
-def test_what_nobody_asks_for_is_not_made(asked):
-    drawn("none")
-    assert asked == {}
+def test_depth_and_focus_drawn_with_a_picture_are_those_made_alone(model):
+    together = passes(model, with_depth=True, with_focus=True)
+    alone = frame(model)
+    assert together["focus"].min() < 0.5 and together["focus"].max() == 1
+    np.testing.assert_array_equal(together["focus"], alone.focus_of_pixels())
+    np.testing.assert_array_equal(together["depth"], core.depth_image(core.Tracer(alone.scene, alone.view)))
 
 
 @pytest.mark.parametrize("model", ["object", "scene"])
-def test_they_are_as_if_made_apart(model):
-    image, frame, chosen = drawn(model, with_depth=True, with_focus=True)
-    np.testing.assert_array_equal(image.depth, core.depth_image(frame.tracer))
-    np.testing.assert_array_equal(image.focus, emphasis.of_pixels(frame, chosen, core.Cancel()))
-    lines_alone, _, _ = drawn(model)
-    assert lines_alone.depth is None and lines_alone.focus is None
-    np.testing.assert_array_equal(image.lines, lines_alone.lines)
+def test_a_picture_without_passes_has_the_same_lines(model):
+    with_passes, lines_alone = passes(model, with_depth=True, with_focus=True), passes(model)
+    assert lines_alone["depth"] is None and lines_alone["focus"] is None
+    np.testing.assert_array_equal(with_passes["lines"], lines_alone["lines"])

@@ -112,6 +112,15 @@ def test_a_style_may_name_every_definition_with_every_parameter():
 
 
 @pytest.mark.parametrize("name", DEFINITIONS)
+def test_what_stands_for_a_slow_definition_in_drafts_is_a_quick_one_with_parameters_that_it_has(name):
+    stand_ins = DEFINITIONS[name]["stand_ins"]
+    assert not stand_ins or DEFINITIONS[name]["slow"]
+    for other, values in stand_ins.items():
+        assert not DEFINITIONS[other]["slow"]
+        assert set(values) <= {parameter["name"] for parameter in DEFINITIONS[other]["parameters"]}
+
+
+@pytest.mark.parametrize("name", DEFINITIONS)
 def test_every_definition_says_what_it_is(name):
     definition = DEFINITIONS[name]
     assert name.isidentifier() and name == name.lower()

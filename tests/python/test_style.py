@@ -6,7 +6,6 @@ import json
 import pytest
 
 from addon import focus, style
-from addon.style_parts import UNCOUNTED
 
 DEFINITIONS = [
     {"name": "contour", "parameters": []},
@@ -89,14 +88,12 @@ def test_pens_out_of_focus_are_as_those_in_focus_but_for_what_is_given():
     assert line_set.pen_away == style.Pen(width=1.5, opacity=0.4, texture="pencil", taper=4.0)
     assert (line_set.overshoot_away, line_set.hidden[0].pen_away.width) == (9.0, 0.5)
     assert [pen.width for pen in read.pens()] == [3, 1, 1.5, 0.5]
-    assert read.away() == {0: 2, 1: 3}
     assert style.parse(style.dump(read)) == read
 
 
 def test_what_has_no_pen_out_of_focus_has_none():
     plain = style.parse(json.dumps(minimal()))
     assert plain.line_sets[0].pen_away is None
-    assert (plain.away(), plain.has_away()) == ({}, False)
 
 
 def test_focus_and_its_effects_survive():
@@ -125,23 +122,6 @@ def test_elision_over_frames_survives():
 def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
     plain = style.parse(json.dumps(minimal())).line_sets[0]
     assert (plain.hidden, plain.overshoot, plain.halo) == ((), 0.0, 0.0)
-
-
-def test_pens_and_their_ranges():
-    ranges = [style.Hidden(style.Pen(width=3.0), 1, 2), style.Hidden(style.Pen(width=4.0), 5)]
-    sets = (style.LineSet(pen=style.Pen(width=1.0), hidden=tuple(ranges)), style.LineSet(pen=style.Pen(width=2.0)))
-    both = style.Style(line_sets=sets)
-    assert [pen.width for pen in both.pens()] == [1, 2, 3, 4]
-    assert both.pen_ranges() == [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 2, 2), (0, 5, UNCOUNTED, 3)]
-
-
-@pytest.mark.parametrize(
-    "ranges, counted",
-    [([], 0), ([(1, None)], 1), ([(1, 1)], 2), ([(1, 2), (3, None)], 3), ([(4, None)], 4), ([(2, 5)], 6)],
-)
-def test_surfaces_are_counted_as_far_as_pens_tell_them_apart(ranges, counted):
-    hidden = tuple(style.Hidden(first=first, last=last) for first, last in ranges)
-    assert style.Style(line_sets=(style.LineSet(), style.LineSet(hidden=hidden))).counted() == counted
 
 
 @pytest.mark.parametrize(

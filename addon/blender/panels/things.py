@@ -3,8 +3,8 @@
 
 import bpy
 
-from .. import session, style_data
-from ..own_lines import switchable
+from .. import own_lines, session, style_data
+from ..line_kinds import property_name
 from .common import FoveaPanel
 
 
@@ -40,13 +40,14 @@ def _draw_own_lines(layout, settings, drawn, has_lines):
     column = layout.column()
     column.active = has_lines
     column.prop(settings, "priority")
-    creases = "crease" in drawn and (not settings.own_kinds or settings.kinds.crease)
-    row = layout.row(align=True, heading="Crease Angle")
-    row.active = has_lines and creases
-    row.prop(settings, "own_crease_angle", text="")
-    angle = row.row(align=True)
-    angle.active = settings.own_crease_angle
-    angle.prop(settings, "crease_angle", text="")
+    for definition, parameter in own_lines.parameters():
+        name, own = definition["name"], own_lines.switch_name(definition, parameter)
+        row = layout.row(align=True, heading=own_lines.label(definition, parameter))
+        row.active = has_lines and name in drawn and (not settings.own_kinds or getattr(settings.kinds, name))
+        row.prop(settings, own, text="")
+        value = row.row(align=True)
+        value.active = getattr(settings, own)
+        value.prop(settings, property_name(definition, parameter), text="")
     header, body = layout.panel("fovea_own_kinds", default_closed=True)
     header.active = has_lines
     header.use_property_split = False
@@ -54,7 +55,7 @@ def _draw_own_lines(layout, settings, drawn, has_lines):
     if body:
         body.active = has_lines and settings.own_kinds
         body.use_property_split = False
-        for definition in switchable():
+        for definition in own_lines.switchable():
             row = body.row()
             row.active = definition["name"] in drawn
             row.prop(settings.kinds, definition["name"])

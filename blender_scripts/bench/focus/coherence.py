@@ -13,7 +13,7 @@ from collections import deque
 from dataclasses import dataclass, replace
 
 import numpy as np
-from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea import native
 
 from . import reproject
 
@@ -121,7 +121,8 @@ def match(before, after):
 
 def of_view(drawn):
     """{elision: (H, W) ink of the lines that change with the view}: soft, hard, and none."""
-    path = cpu.path_of_samples(drawn.frame.clipped)
+    clipped = drawn.frame.clipped
+    path = np.repeat(np.repeat(clipped.path, np.diff(clipped.offsets)), clipped.sample_count)
     turning = (np.asarray(drawn.frame.paths.of_view)[path] != 0).astype(np.float32)
     shown = drawn.shown
     return {
@@ -180,12 +181,18 @@ class InTime:
 
     def see(self, drawn):
         """The first and the last so many are not handed on."""
-        self._known.append((replace(drawn, image=None), cpu.shown_lines(drawn.frame, drawn.parts, drawn.shown)))
+        self._known.append((replace(drawn, image=None), shown_lines(drawn.frame, drawn.shown)))
         if len(self._known) == self._known.maxlen:
             here, lines = self._known[self.frames]
             near = [(k - self.frames, known) for k, (_, known) in enumerate(self._known) if k != self.frames]
-            shown = cpu.smoothed_in_time(here.shown, lines, near, self.frames) if near else here.shown
-            self.watch.see(replace(here, felt=replace(here.felt, shown=shown)))
+            smooth = native.load().smoothed_in_time
+            self.watch.see(replace(here, shown=smooth(here.shown, lines, near, self.frames) if near else here.shown))
+
+
+def shown_lines(frame, shown):
+    """The native ShownLines of a Frame of whose lines elision leaves so much at each sample."""
+    view, made = frame.view, native.load().ShownLines
+    return made(frame.clipped, frame.paths, frame.scene, frame.runs, shown, view.width, view.height)
 
 
 def rows(scene, alone, smoothed, of_view):

@@ -4,8 +4,7 @@
 from dataclasses import replace
 
 import numpy as np
-from bl_ext.user_default.fovea import focus
-from bl_ext.user_default.fovea.backend import cpu_focus
+from bl_ext.user_default.fovea import focus, native
 
 from . import reproject
 from .world import named_style
@@ -98,8 +97,8 @@ class Stage:
 
     def focus_of_pixels(self, drawn):
         """(H, W) f of the lines there: of the nearest surface around, as lines lie on its border."""
-        found = cpu_focus.focus_of(drawn.style.focus, drawn.frame)
-        return cpu_focus.focus_of_pixels(drawn.frame.view, self.points.distance, found)
+        focus_at = native.load().focus_of_pixels
+        return focus_at(drawn.frame.view, self.points.distance, drawn.frame.focus_function)
 
     def busiest(self, count):
         """The places with most lines, all in focus."""

@@ -6,11 +6,10 @@ from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import catalogue, emphasis, focus, native, pipeline, style
+from bl_ext.user_default.fovea import catalogue, focus, native, pipeline, style
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from bl_ext.user_default.fovea.stages import LineFilters
-from bl_ext.user_default.fovea.textures import Textures
 
 from .places import places_of
 
@@ -22,43 +21,34 @@ class Drawn:
     image: object
     view: object  # stages.View
     style: object
-    frame: object
-    runs: object
-    pens: list
-    samples: object
-    felt: object  # Emphasis
-    parts: object = None  # the Runs that elision thinned: before haloes and overshoot
-
-    @property
-    def shown(self):
-        """(samples,) what elision leaves."""
-        return np.ones(self.frame.clipped.samples, np.float32) if self.felt.shown is None else self.felt.shown
+    frame: object  # native Frame
+    shown: np.ndarray  # (samples,) what elision leaves
 
     def places(self):
-        return places_of(self.frame.clipped, self.runs, self.shown, self.view)
+        return places_of(self.frame.clipped, self.frame.drawn, self.shown, self.view)
 
     def ink(self, shown):
         """(H, W) coverage by strokes of which elision leaves so much."""
-        textures = Textures(self.style)
-        felt = replace(self.felt, shown=shown)
-        strokes = cpu.shape(self.frame, self.runs, self.style, self.pens, self.samples, felt)
-        return cpu.Backend().draw(strokes, self.pens, textures, self.frame.view)[..., 3]
+        frame, view = self.frame, self.frame.view
+        strokes = frame.strokes_with(shown)
+        return native.load().raster(strokes, frame.pens, frame.textures, view.width, view.height)[..., 3]
 
 
 class World:
     """What a render handed to `pipeline.draw`."""
 
-    def __init__(self, draw, placed, view, options, given):
-        self._draw, self._placed, self.view, self._options, self._given = draw, placed, view, options, given
+    def __init__(self, placed, view, options, given):
+        self._placed, self.view, self._options, self._given = placed, view, options, given
 
     def draw(self, style_, view=None, backend=None):
         """Drawn, in a Style, from a stages.View or the scene's own."""
-        view, kept, thinned = view or self.view, [], []
+        view, kept = view or self.view, []
         seen = scene.seen(native.load(), view)
-        with kept_calls(cpu, "shape", kept), kept_calls(emphasis, "thinned", thinned):
-            image = self._draw(self._placed, seen, style_, backend or cpu.Backend(), self._options, **self._given)
-        (frame, runs, _, pens, samples, felt, *_), _ = kept[-1]
-        return Drawn(image, view, style_, frame, runs, pens, samples, felt, thinned[-1][0][2] if thinned else runs)
+        with kept_results(pipeline, "frame", kept):
+            image = pipeline.draw(self._placed, seen, style_, backend or cpu.Backend(), self._options, **self._given)
+        (frame,) = kept
+        shown = np.ones(frame.clipped.samples, np.float32) if frame.shown is None else frame.shown
+        return Drawn(image, view, style_, frame, shown)
 
 
 def measure(work, size, named="watercolor"):
@@ -69,7 +59,7 @@ def measure(work, size, named="watercolor"):
         pipeline.draw = draw
         # Styles drawn here have other line sets than the scene's, and none is for some lines alone.
         given["notes"] = replace(given["notes"], filters=LineFilters())
-        outcome.append(work(World(draw, placed, views[-1], replace(options, with_depth=True), given)))
+        outcome.append(work(World(placed, views[-1], options.replace(with_depth=True), given)))
         return draw(placed, seen, plain(), backend, options, **given)
 
     render = bpy.context.scene.render
@@ -92,13 +82,13 @@ def measure(work, size, named="watercolor"):
 
 
 @contextmanager
-def kept_calls(module, name, kept):
-    """Appends (arguments, result) of every call of a module's function."""
+def kept_results(module, name, kept):
+    """Appends the result of every call of a module's function."""
     function = getattr(module, name)
 
-    def call(*arguments):
-        kept.append((arguments, function(*arguments)))
-        return kept[-1][1]
+    def call(*arguments, **named):
+        kept.append(function(*arguments, **named))
+        return kept[-1]
 
     setattr(module, name, call)
     try:

@@ -5,11 +5,11 @@ A pass that draws is waited for. Neither paper nor the read-back of the picture 
 
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
-from bl_ext.user_default.fovea import native, pipeline, visibility
-from bl_ext.user_default.fovea.backend import cpu, gpu
+from bl_ext.user_default.fovea import native, pipeline
+from bl_ext.user_default.fovea.backend import gpu
 
 from .plain_lines import PlainLines
 
@@ -59,29 +59,8 @@ def make(name, world, style, options):
     if name == "OGL":
         return OpenGL(world, style, options)
     probes, scale, layers = QUALITY.get(name, (1, 1, 1))
-    options = replace(options, visibility="recorded", probes=probes, depth_scale=scale, layers=layers)
-    return Method(visibility.METHODS[KINDS[name[:2]]], world, style, options)
-
-
-class Recorder:
-    """A method of the pipeline that keeps what went through it; in all else it is that method."""
-
-    def __init__(self, method):
-        self.method = method
-
-    def __getattr__(self, name):
-        return getattr(self.method, name)
-
-    def runs(self, frame, backend, cancel):
-        with passes(backend) as self.inside:
-            self.frame, (self.found, samples) = frame, self.method.runs(frame, backend, cancel)
-        return self.found, samples
-
-    def draw(self, frame, backend, strokes, pens, textures):
-        with passes(backend) as drawn:
-            picture = self.method.draw(frame, backend, strokes, pens, textures)
-        self.drawn = {name: ms for name, ms in drawn.items() if name != "read"}
-        return picture
+    asked = options.replace(visibility=KINDS[name[:2]], probes=probes, depth_scale=scale, layers=layers)
+    return Method(world, style, asked)
 
 
 @contextmanager
@@ -95,32 +74,30 @@ def passes(backend):
 
 
 class Method:
-    def __init__(self, method, world, style, options):
-        self.recorder, self.world, self.style, self.options = Recorder(method), world, style, options
-        self.backend = gpu.Backend()
-        self.cancel = native.load().Cancel()
+    def __init__(self, world, style, options):
+        self.world, self.style, self.options, self.backend = world, style, options, gpu.Backend()
 
     def frame(self, view):
-        seen, recorder = self.world.seen(view), self.recorder
-        pipeline.METHODS["recorded"] = recorder
-        image = pipeline.draw(
-            self.world.placed, seen, self.style, self.backend, self.options, progress=silent, cancel=self.cancel
-        )
-        whole = image.statistics["stages"]
+        made = pipeline.frame(self.world.placed, self.world.seen(view), self.style, self.backend, self.options)
+        with passes(self.backend) as inside:
+            made.see()
+        with passes(self.backend) as drawn:
+            made.ink()
+        whole = made.stages
         stages = {name: whole[name] for name in ("bvh", "lines", "project")}
-        stages |= recorder.inside or {"visibility": whole["visibility"]}
-        rest = whole["visibility"] - sum(recorder.inside.values()) if recorder.inside else 0.0
+        stages |= inside or {"visibility": whole["visibility"]}
+        rest = whole["visibility"] - sum(inside.values()) if inside else 0.0
         stages |= {"runs": rest + whole["runs"], "shape": whole["shape"]}
-        for name, ms in recorder.drawn.items():
-            stages[name] = stages.get(name, 0.0) + ms
-        clipped = recorder.frame.clipped
-        return Frame(stages, self.world.placed, recorder.frame.paths, clipped, self.samples(), view.orthographic)
+        for name, ms in drawn.items():
+            if name != "read":
+                stages[name] = stages.get(name, 0.0) + ms
+        return Frame(stages, self.world.placed, made.paths, made.clipped, self.samples(made), view.orthographic)
 
-    def samples(self):
+    def samples(self, frame):
         """What was found visible. The spine test finds nothing before it draws: what its looks at the samples would say."""
-        if self.recorder.method.name == "spine":
-            return self.backend.visibility(self.recorder.frame)
-        return native.load().samples_from_runs(self.recorder.frame.clipped, self.recorder.found)
+        if self.options.visibility == "spine":
+            return self.backend.visibility(frame)
+        return native.load().samples_from_runs(frame.clipped, frame.visible)
 
 
 class OpenGL:
@@ -129,21 +106,16 @@ class OpenGL:
     def __init__(self, world, style, options):
         self.world, self.style, self.options = world, style, options
         self.plain = PlainLines(world.placed, world.object_to_world)
-        self.cancel = native.load().Cancel()
 
     def frame(self, view):
-        seen, stages = self.world.seen(view), {}
-        with timed(stages, "bvh"):
-            tracer = cpu.trace(self.world.placed, seen)
-        with timed(stages, "lines"):
-            paths = cpu.extract(tracer, self.style, self.cancel)
+        made = pipeline.frame(self.world.placed, self.world.seen(view), self.style, None, self.options)
+        made.find()
+        stages = {name: made.stages[name] for name in ("bvh", "lines")}
         with timed(stages, "upload"):
-            self.plain.upload(paths)
+            self.plain.upload(made.paths)
         with timed(stages, "draw"):
             self.plain.draw(view.view_to_clip @ view.world_to_view, view.width, view.height)
-        scale = view.reference_scale
-        clipped = cpu.project(paths, tracer, self.style, self.options.sample_step * scale, scale, self.cancel)
-        return Frame(stages, self.world.placed, paths, clipped, None, view.orthographic)
+        return Frame(stages, self.world.placed, made.paths, made.clipped, None, view.orthographic)
 
 
 @contextmanager
@@ -151,7 +123,3 @@ def timed(stages, name):
     start = time.perf_counter()
     yield
     stages[name] = 1000 * (time.perf_counter() - start)
-
-
-def silent(*_progress):
-    pass

@@ -9,6 +9,9 @@
 
 namespace fovea {
 
+/// Pixels: of an image so high, pixels are reference pixels.
+inline constexpr double reference_height = 1080.0;
+
 /// Camera and image. View space: eye at the origin, looking along -z, x right, y up. Clip space as in OpenGL.
 /// Pixels: origin at the lower left corner of the drawn region, y up, pixel centres at .5.
 struct View {

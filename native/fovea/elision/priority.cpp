@@ -13,38 +13,13 @@
 namespace fovea {
 namespace {
 
-constexpr double edges = 0.5, smooth_surface_lines = 0.25;
-
-struct NamedValue {
-    std::string_view definition;
-    double value;
-};
-constexpr NamedValue kind_values[] = {
-    {"silhouette", 1.0},     {"smooth_silhouette", 1.0},
-    {"contour", 0.7},        {"smooth_contour", 0.7},
-    {"edge_mark", 0.65},     {"border", 0.6},
-    {"crease", 0.5},         {"material_boundary", 0.4},
-    {"intersection", 0.4},   {"suggestive_contour", 0.3},
-    {"apparent_ridge", 0.3}, {"topographic", 0.1},
-    {"isophote", 0.1},
-};
-
-/// Value of each definition.
-const std::vector<double>& kind_table() {
-    static const std::vector<double> table = [] {
-        std::vector<double> values;
-        for (Index i = 0; i < line_definitions().size(); ++i) values.push_back(kind_priority(i));
-        return values;
-    }();
-    return table;
-}
-
-/// Value of the most important of some kinds.
-double value_of(Kinds kinds) {
-    double value = 0.0;
-    for (Index i = 0; i < kind_table().size(); ++i)
-        if (kinds >> i & 1) value = std::max(value, kind_table()[i]);
-    return value;
+/// Importance of the most important of some kinds.
+double importance_of(Kinds kinds) {
+    const auto& all = line_definitions();
+    double importance = 0.0;
+    for (Index i = 0; i < all.size(); ++i)
+        if (kinds >> i & 1) importance = std::max(importance, all[i]->importance);
+    return importance;
 }
 
 /// Also for what is not a number.
@@ -98,7 +73,7 @@ class Terms {
         const dmat4 to_view = placed ? view_.world_to_view * to_world : dmat4(1.0);
         Along sum;
         Kinds kinds = 0;
-        double value = 0.0;
+        double importance = 0.0;
         dvec3 before(0.0);
         for (Index i = paths_.rows.begin(p); i < paths_.rows.end(p); ++i) {
             const dvec3 here(to_world * dvec4(paths_.points_obj[i], 1.0));
@@ -106,13 +81,13 @@ class Terms {
                 const Index from = i - 1;
                 if (i == paths_.rows.begin(p) + 1 || paths_.kinds[from] != kinds) {
                     kinds = paths_.kinds[from];
-                    value = value_of(kinds);
+                    importance = importance_of(kinds);
                 }
                 const dvec3 middle = (dvec3(paths_.points_obj[from]) + dvec3(paths_.points_obj[i])) * 0.5;
                 const double strength = (in_unit(paths_.strength[from]) + in_unit(paths_.strength[i])) * 0.5;
                 const double share = glm::distance(before, here);
                 if (share > 0.0)
-                    sum.add(share, {0.0, value, strength, (paint(p, from) + paint(p, i)) * 0.5,
+                    sum.add(share, {0.0, importance, strength, (paint(p, from) + paint(p, i)) * 0.5,
                                     -(to_view * dvec4(middle, 1.0)).z});
             }
             before = here;
@@ -142,13 +117,6 @@ void check_weights(const PriorityWeights& w, bool painted) {
 }
 
 }  // namespace
-
-double kind_priority(Index definition) {
-    const LineDefinition& line = *line_definitions().at(definition);
-    for (const NamedValue& known : kind_values)
-        if (known.definition == line.name) return known.value;
-    return line.trace ? edges : smooth_surface_lines;
-}
 
 double scene_radius(const Scene& scene) {
     constexpr double far = std::numeric_limits<double>::infinity();

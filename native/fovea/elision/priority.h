@@ -14,7 +14,7 @@ namespace fovea {
 struct PriorityWeights {
     /// l / (l + radius / 10) of a path of length l in space: long lines are walls and outlines, short ones details.
     double length = 1.0;
-    /// kind_priority, the mean along the path: outlines before creases before lines on smooth surfaces.
+    /// LineDefinition::importance, the mean along the path: outlines before creases before lines on smooth surfaces.
     double kind = 1.0;
     /// Mean strength along the path.
     double strength = 0.25;
@@ -25,10 +25,6 @@ struct PriorityWeights {
     /// What the artist has painted, the mean along the path.
     double painted = 1.0;
 };
-
-/// How important lines of a definition are, in [0,1], by its index in the registry. Definitions that the table does not
-/// name are as important as edges (`trace`) or as lines on smooth surfaces are.
-double kind_priority(Index definition);
 
 /// Radius of a sphere in space around the placements that are drawn; 0 where there are none.
 double scene_radius(const Scene& scene);

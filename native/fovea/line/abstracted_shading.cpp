@@ -9,6 +9,17 @@
 namespace fovea {
 namespace {
 
+struct AbstractedShading : ImageValues {
+    bool valleys, ridges;
+};
+
+const auto parameters =
+    image_parameters<AbstractedShading>(0.05, "How far the tone rises beside a line from which lines are drawn", 4.0)
+        .with({{&AbstractedShading::valleys, "valleys", "Valleys", true, "Lines along thin dark areas"},
+               {&AbstractedShading::ridges, "ridges", "Ridges", false, "Lines along thin light areas"}});
+
+constexpr double white = 1.0;  // of the background: on it, the outline of a round shape is a thin dark area
+
 struct Node {
     vec2 direction;  // in which the tone bends most
     float slope;     // along it
@@ -30,7 +41,7 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
     constexpr float least_cosine = 0.7f;
     const Lattice& lattice = tone.lattice();
     const Array<Node> nodes = look(tone, sign);
-    const auto low = static_cast<float>(values.low);
+    const auto low = static_cast<float>(values.low_threshold());
     const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
         const auto deep = [&](int k) { return nodes[triangle.node[k]].depth > low; };
         if (!deep(0) && !deep(1) && !deep(2)) return;
@@ -55,25 +66,16 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
     return lift(frame, *tone.shaded, collect_in_lattice(lattice, emit));
 }
 
-Curves find(const FrameView& frame, const Values& given) {
-    const ImageValues values(given, 1.0);  // on white, the outline of a round shape is a thin dark area
-    const bool valleys = given[image_values] != 0.0, ridges = given[image_values + 1] != 0.0;
-    const auto tone = smooth_tone(frame, values);
+Curves find(const FrameView& frame, const AbstractedShading& values) {
+    const auto tone = smooth_tone(frame, values, white);
     Curves curves;
-    if (valleys) curves = trace(frame, *tone, values, 1.0f);
-    if (!ridges) return curves;
+    if (values.valleys) curves = trace(frame, *tone, values, 1.0f);
+    if (!values.ridges) return curves;
     for (CurvePiece piece : trace(frame, *tone, values, -1.0f)) {
         piece.level = 1;
         curves.push_back(piece);
     }
     return curves;
-}
-
-std::vector<Parameter> parameters() {
-    auto all = image_parameters(0.05, "How far the tone rises beside a line from which lines are drawn", 4.0);
-    all.push_back({"valleys", "Valleys", 1.0, 0.0, 1.0, "bool", "Lines along thin dark areas"});
-    all.push_back({"ridges", "Ridges", 0.0, 0.0, 1.0, "bool", "Lines along thin light areas"});
-    return all;
 }
 
 }  // namespace
@@ -85,9 +87,10 @@ const LineDefinition abstracted_shading = {
     .source = "Lee, Markosian, Lee & Hughes 2007",
     .description = "Thin dark areas of the shaded scene, and thin light ones, as lines",
     .scope = Scope::scene,
-    .parameters = parameters(),
-    .on_by_default = false,
-    .find_in_image = find,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = ImageRule{parameters.of(find)},
+    .slow = true,
 };
 
 }  // namespace fovea

@@ -16,20 +16,22 @@ constexpr float contour_near = 0.1f;
 /// What view_curvature keeps n . v from.
 constexpr float least_facing = 1e-3f;
 
-std::vector<Parameter> parameters() {
-    auto all = threshold_parameters(
-        0.1, 0.5, 3.0,
-        "Squared view-dependent curvature that a line reaches somewhere, in units of 1 / feature size squared");
-    all.push_back({"ridges", "Ridges", 1, 0, 1, "bool", "Draw lines where the surface bulges across them"});
-    all.push_back({"valleys", "Valleys", 1, 0, 1, "bool", "Draw lines where the surface is hollow across them"});
-    return all;
-}
+struct ApparentRidge : ThresholdValues {
+    bool ridges, valleys;
+};
 
-Curves find(const SurfaceView& seen, const Values& values) {
+const auto parameters =
+    threshold_parameters<ApparentRidge>(
+        0.1, 0.5, 3.0,
+        "Squared view-dependent curvature that a line reaches somewhere, in units of 1 / feature size squared")
+        .with({{&ApparentRidge::ridges, "ridges", "Ridges", true, "Draw lines where the surface bulges across them"},
+               {&ApparentRidge::valleys, "valleys", "Valleys", true,
+                "Draw lines where the surface is hollow across them"}});
+
+Curves find(const SurfaceView& seen, const ApparentRidge& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
-    const bool ridges = values[3] != 0.0, valleys = values[4] != 0.0;
     // Nothing appears more curved than it is by more than 1 / n . v.
     struct Glance {
         SeenOf<float> seen;
@@ -66,7 +68,7 @@ Curves find(const SurfaceView& seen, const Values& values) {
                           [&](Index triangle, const auto&, const auto& at, auto& out) {
                               const Triangle& t = surface.triangles[triangle];
                               const bool bulges = at(t.x).bend + at(t.y).bend + at(t.z).bend >= 0.0f;
-                              if (bulges ? !ridges : !valleys) return;
+                              if (bulges ? !values.ridges : !values.valleys) return;
                               append_maximum(
                                   surface, *sides, triangle, [&](Index v) { return at(v).uphill; }, 0.0f,
                                   [&](Index v) { return at(v).margin; }, fading(thresholds), out);
@@ -82,10 +84,9 @@ const LineDefinition apparent_ridge = {
     .source = "Judd, Durand & Adelson 2007",
     .description = "Where the surface bends most as the viewer sees it",
     .scope = Scope::view,
-    .parameters = parameters(),
-    .on_by_default = false,
-    .find = find,
-    .select = select_by_threshold<2>,
+    .importance = 0.3,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
 };
 
 }  // namespace fovea

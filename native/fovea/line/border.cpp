@@ -6,7 +6,7 @@
 namespace fovea {
 namespace {
 
-void trace(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return surface.edge_rows.size(e) == 1; });
 }
@@ -20,9 +20,8 @@ const LineDefinition border = {
     .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",
     .description = "Where an open surface ends: edges with one face",
     .scope = Scope::surface,
-    .parameters = {},
-    .on_by_default = true,
-    .trace = trace,
+    .importance = 0.6,
+    .rule = EdgeRule{mark},
 };
 
 }  // namespace fovea

@@ -11,7 +11,7 @@
 namespace fovea {
 namespace {
 
-void trace(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     mark_edges(surface.edges.size(), bit, kinds, [&](Index e) {
         const Index begin = surface.edge_rows.begin(e), end = surface.edge_rows.end(e);
@@ -27,16 +27,16 @@ void trace(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kind
 
 }  // namespace
 
-extern const LineDefinition contour;
+extern const LineDefinition contour, smooth_contour;
 const LineDefinition contour = {
     .name = "contour",
     .label = "Contour",
     .source = "Cole 2009, section 2.2; Benard & Hertzmann 2019",
     .description = "Where a surface turns away from the viewer: edges between front and back faces",
     .scope = Scope::view,
-    .parameters = {},
-    .on_by_default = true,
-    .trace = trace,
+    .importance = 0.7,
+    .rule = EdgeRule{mark},
+    .smooth_twin = &smooth_contour,
 };
 
 }  // namespace fovea

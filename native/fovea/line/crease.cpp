@@ -10,14 +10,23 @@
 namespace fovea {
 namespace {
 
-void trace(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
+struct Crease {
+    double angle;
+    bool sharp_marks;
+};
+
+const Parameters<Crease> parameters{
+    {&Crease::angle, "angle", "Angle", 30.0, 0.0, 180.0, Unit::degrees,
+     "Least angle between the normals of the two faces", Per::object},
+    {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"}};
+
+void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
-    const auto limit = static_cast<float>(std::cos(glm::radians(values[0])));
-    const bool sharp_marks = values[1] != 0.0;
+    const auto limit = static_cast<float>(std::cos(glm::radians(values.angle)));
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
         const Index begin = surface.edge_rows.begin(e), count = surface.edge_rows.size(e);
         if (count < 2) return false;
-        if (count > 2 || (sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
+        if (count > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
         const EdgeSide a = surface.edge_sides[begin], b = surface.edge_sides[begin + 1];
         const vec3 na(surface.facet_plane[a.facet()]), nb(surface.facet_plane[b.facet()]);
         // Neighbours that disagree about which side is out: turn one of them around.
@@ -35,10 +44,9 @@ const LineDefinition crease = {
     .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",
     .description = "Where two faces meet at an angle, and edges marked sharp",
     .scope = Scope::surface,
-    .parameters = {{"angle", "Angle", 30.0, 0.0, 180.0, "degrees", "Least angle between the normals of the two faces"},
-                   {"sharp_marks", "Sharp Marks", 1.0, 0.0, 1.0, "bool", "Draw edges marked sharp as creases, too"}},
-    .on_by_default = true,
-    .trace = trace,
+    .importance = 0.5,
+    .parameters = parameters,
+    .rule = EdgeRule{parameters.of(mark)},
 };
 
 }  // namespace fovea

@@ -8,18 +8,20 @@
 
 namespace fovea {
 
-inline std::vector<Parameter> crest_parameters() {
-    auto parameters =
-        threshold_parameters(0.1, 0.5, 6.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
-    parameters.push_back(
-        {"sharpness", "Sharpness", 0.002, 0.0, 100.0, "",
-         "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"});
-    return parameters;
+struct CrestValues : ThresholdValues {
+    double sharpness;
+};
+
+inline Parameters<CrestValues> crest_parameters() {
+    return threshold_parameters<CrestValues>(0.1, 0.5, 6.0,
+                                             "Curvature that a line reaches somewhere, in units of 1 / feature size")
+        .with({{&CrestValues::sharpness, "sharpness", "Sharpness", 0.002, 0.0, 100.0, Unit::none,
+                "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"}});
 }
 
 /// Maxima of sign k1, where it is positive. Where curvature hardly changes across a line, on tubes, spheres and tori,
 /// there is no crest but noise: the sharpness.
-inline Curves find_crests(const SurfaceView& seen, const Values& values, float sign) {
+inline Curves find_crests(const SurfaceView& seen, const CrestValues& values, float sign) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const double unit = 1.0 / fields->feature_size;
@@ -34,7 +36,7 @@ inline Curves find_crests(const SurfaceView& seen, const Values& values, float s
         return sign * c.C[0] * c.e1;
     };
     return trace_maxima(
-        surface, same_kind, uphill, static_cast<float>(values[3] * unit * unit * unit),
+        surface, same_kind, uphill, static_cast<float>(values.sharpness * unit * unit * unit),
         [&](Index v) { return k1(v) - thresholds.low; }, fading(thresholds));
 }
 

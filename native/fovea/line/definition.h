@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line definition: a named, stateless rule that finds lines on a surface seen from a view.
-// To add one: a file in this folder that ends with a LineDefinition constant, and one line in registry.cpp.
+// A line definition: a named, stateless rule that finds lines on a surface, in a scene or in its image.
+// To add one: a file in this folder that ends with a LineDefinition constant, one line in registry.cpp, and one page in
+// addon/docs/lines. All that others must know of it are members of the constant.
 #pragma once
 
+#include <functional>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fovea/base/parallel.h>
 #include <fovea/base/view.h>
 #include <fovea/line/curves.h>
+#include <fovea/line/parameter.h>
 #include <fovea/mesh/surface.h>
 #include <fovea/scene/tracer.h>
 
 namespace fovea {
-
-/// A number the artist may set. Declared here once; panels, files and the command line read it from the registry.
-struct Parameter {
-    const char* name;
-    const char* label;
-    double value;  ///< default
-    double low, high;
-    const char* unit;  ///< "degrees", "" for a plain number, "bool" for a switch
-    const char* meaning;
-};
-
-/// Values of a definition's parameters, in the order they are declared.
-using Values = std::vector<double>;
 
 /// A surface as one placement of it is seen. Its space is that of the object where the placement keeps angles, else the
 /// stretched one of mesh/stretch.h, so that definitions never see a scale that is uneven.
@@ -65,32 +57,72 @@ enum class Scope {
     scene,       ///< also what lies around and behind it
 };
 
+struct LineDefinition;
+
+/// Lines along edges: sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is one.
+struct EdgeRule {
+    std::function<void(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds)> mark;
+};
+
+/// What curves across triangles are, which decides what becomes of them once they are chained (path/curves_of.h).
+enum class CurveType {
+    level_set,  ///< of a quantity: all of them are lines
+    feature,    ///< of the surface's shape: not where they double a contour, nor the spurs at their ends
+    contour,    ///< on the smooth surface that the mesh stands for, not on its flat triangles, which hide them in part
+};
+
+/// Lines across triangles. A rule that depends on the view says which clusters of triangles cannot hold a line
+/// (line/seen_cluster.h) and what it needs to know of a vertex of the others; line/cluster_trace.h does the rest.
+struct CurveRule {
+    CurveType type;
+    std::function<Curves(const SurfaceView& seen, const Values& values)> find;
+    /// Which stretches of chained pieces are lines.
+    std::function<Selection(const Surface& surface, const Values& values)> select = [](const Surface&, const Values&) {
+        return Selection{};
+    };
+    /// The definition of which this one finds some of the pieces: whichever line set comes first has them.
+    const LineDefinition* part_of = nullptr;
+};
+
+/// Lines across triangles of the whole scene: those of the placements that are drawn.
+struct SceneRule {
+    std::function<std::vector<SceneCurves>(const Scene& scene, In<Index> drawn, const Values& values,
+                                           const Cancel& cancel)>
+        find;
+};
+
+/// Lines in the image, once per frame. Points in view space; triangles and sides are those of a lattice.
+struct ImageRule {
+    std::function<Curves(const FrameView& frame, const Values& values)> find;
+};
+
+/// What drafts draw where a definition is left out of them: another one, with some of its parameters by name.
+struct StandIn {
+    const LineDefinition* definition;
+    std::vector<std::pair<const char*, double>> values = {};
+};
+
 struct LineDefinition {
     const char* name;  ///< the id used everywhere
     const char* label;
     const char* source;  ///< paper or common knowledge, with its section
     const char* description;
     Scope scope;
-    std::vector<Parameter> parameters;
-    bool on_by_default;
-    /// Lines along edges: sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is
-    /// one.
-    void (*trace)(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) = nullptr;
-    /// Lines across triangles, instead. One that depends on the view says which clusters of triangles cannot hold it
-    /// (line/seen_cluster.h) and what it needs to know of a vertex of the others; line/cluster_trace.h does the rest.
-    Curves (*find)(const SurfaceView& seen, const Values& values) = nullptr;
-    /// Lines in the image, instead: once per frame. Points in view space; triangles and sides are those of a lattice.
-    Curves (*find_in_image)(const FrameView& frame, const Values& values) = nullptr;
-    /// Of such lines, which chains of pieces stay; null: all.
-    Selection (*select)(const Surface& surface, const Values& values) = nullptr;
-    /// Such lines are where the smooth surface is that the mesh stands for, not on its flat triangles: there contours
-    /// are seen from the side.
-    bool on_smooth_surface = false;
-    /// The definition of which this one finds some of the pieces: whichever line set comes first has them.
-    const LineDefinition* part_of = nullptr;
-    /// Lines across triangles of the whole scene, instead: those of the placements that are drawn.
-    std::vector<SceneCurves> (*find_in_scene)(const Scene& scene, In<Index> drawn, const Values& values,
-                                              const Cancel& cancel) = nullptr;
+    double importance;  ///< in (0, 1]: of lines that crowd each other the more important one stays (elision/priority.h)
+    std::vector<Parameter> parameters = {};
+    std::variant<EdgeRule, CurveRule, SceneRule, ImageRule> rule;
+    /// The same line of the smooth surface, which goes before this one of the mesh where both are drawn.
+    const LineDefinition* smooth_twin = nullptr;
+    bool slow = false;                    ///< takes long to find for each view: drafts leave it out
+    std::vector<StandIn> stand_ins = {};  ///< in drafts, where they are the outer boundary of their object
+    bool reads_edge_marks = false;        ///< of Freestyle, which are read from Blender only where they are asked for
 };
+
+/// Of all its parameters.
+inline Values default_values(const LineDefinition& definition) {
+    Values values;
+    for (const Parameter& parameter : definition.parameters) values.push_back(parameter.value);
+    return values;
+}
 
 }  // namespace fovea

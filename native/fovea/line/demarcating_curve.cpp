@@ -13,6 +13,9 @@
 namespace fovea {
 namespace {
 
+const auto parameters = threshold_parameters<ThresholdValues>(
+    0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
+
 constexpr float least_cosine = 0.70710678f;
 /// Share of the strongest change of curvature from which a direction is about as good.
 constexpr float tied = 0.9f;
@@ -45,7 +48,7 @@ bool agree(const Fields& fields, const Triangle& t, Corner (&corners)[3]) {
            glm::dot(corners[2].along, corners[0].along) > least_cosine;
 }
 
-Curves find(const SurfaceView& seen, const Values& values) {
+Curves find(const SurfaceView& seen, const ThresholdValues& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
@@ -76,11 +79,9 @@ const LineDefinition demarcating_curve = {
     .source = "Kolomenkin, Shimshoni & Tal 2008",
     .description = "Where a valley turns into a ridge: inflections of the strongest change of curvature",
     .scope = Scope::surface,
-    .parameters = threshold_parameters(
-        0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared"),
-    .on_by_default = false,
-    .find = find,
-    .select = select_by_threshold<2>,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
 };
 
 }  // namespace fovea

@@ -6,9 +6,16 @@
 namespace fovea {
 namespace {
 
-void trace(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
+struct EdgeMark {
+    bool seams;
+};
+
+const Parameters<EdgeMark> parameters{
+    {&EdgeMark::seams, "seams", "Seams", false, "Draw edges marked as UV seams, too"}};
+
+void mark(const SurfaceView& seen, const EdgeMark& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
-    const int wanted = mark_edge | (values[0] != 0.0 ? mark_seam : 0);
+    const int wanted = mark_edge | (values.seams ? mark_seam : 0);
     mark_edges(surface.mesh_edges, bit, kinds,
                [&](Index e) { return (surface.edge_marks[e] & wanted) != 0 && surface.edge_rows.size(e) > 0; });
 }
@@ -22,9 +29,10 @@ const LineDefinition edge_mark = {
     .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",
     .description = "Edges marked by hand (Freestyle edge marks)",
     .scope = Scope::surface,
-    .parameters = {{"seams", "Seams", 0.0, 0.0, 1.0, "bool", "Draw edges marked as UV seams, too"}},
-    .on_by_default = true,
-    .trace = trace,
+    .importance = 0.65,
+    .parameters = parameters,
+    .rule = EdgeRule{parameters.of(mark)},
+    .reads_edge_marks = true,
 };
 
 }  // namespace fovea

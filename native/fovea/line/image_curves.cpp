@@ -15,18 +15,19 @@ namespace {
 constexpr int reach = 8;
 constexpr double least_length = 5.0 * steps_per_sigma;
 
-SmoothTone make_tone(const FrameView& frame, const ImageValues& values, std::shared_ptr<const ShadedBuffer> shaded) {
+SmoothTone make_tone(const FrameView& frame, bool outline, double background,
+                     std::shared_ptr<const ShadedBuffer> shaded) {
     SmoothTone tone{std::move(shaded), {}};
     const ShadedBuffer& buffer = *tone.shaded;
     const Lattice& lattice = buffer.lattice;
     Buffer lit = buffer.tone;
-    const auto background = static_cast<float>(values.outline ? values.background : 0.0);
-    parallel_for(lit.size(), [&](std::size_t i) { lit[i] += background * (1.0f - buffer.coverage[i]); });
+    const auto beyond = static_cast<float>(outline ? background : 0.0);
+    parallel_for(lit.size(), [&](std::size_t i) { lit[i] += beyond * (1.0f - buffer.coverage[i]); });
     // Less the variance of the square that a node stands for.
     const double sigma = std::sqrt(steps_per_sigma * steps_per_sigma - 1.0 / 12.0);
     tone.value = gaussian(lit, lattice.width, lattice.height, sigma);
     frame.cancel.poll();
-    if (values.outline) return tone;
+    if (outline) return tone;
     constexpr float least_share = 0.01f;
     const Buffer share = gaussian(buffer.coverage, lattice.width, lattice.height, sigma);
     parallel_for(share.size(), [&](std::size_t i) {
@@ -56,24 +57,16 @@ Index nearest_surface(const ShadedBuffer& shaded, const vec2& place) {
 
 }  // namespace
 
-std::vector<Parameter> image_parameters(double threshold, const char* meaning, double sigma) {
-    return {{"threshold", "Threshold", threshold, 0.0, 1.0, "", meaning},
-            {"low", "Low", 0.4, 0.0, 1.0, "", "Share of the threshold down to which a line goes on, fading"},
-            {"sigma", "Sigma", sigma, 1.0, 50.0, "pixels", "Width of the smoothing, in pixels of a picture 1080 high"},
-            {"outline", "Outline", 1.0, 0.0, 1.0, "bool", "Also lines of the outline, against a light background"},
-            {"light_right", "Light Right", 0.0, -180.0, 180.0, "degrees", "Direction of the light, to the right"},
-            {"light_up", "Light Up", 0.0, -90.0, 90.0, "degrees", "Direction of the light, upwards from the viewer"}};
-}
-
-std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values) {
+std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values, double background) {
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-    const std::uint64_t key = hash_numbers(bits(values.sigma), bits(values.lamp.right), bits(values.lamp.up));
-    return frame.shared.get<SmoothTone>(hash_numbers(key, values.outline, bits(values.background)), [&] {
+    const Lamp lamp = values.lamp();
+    const std::uint64_t key = hash_numbers(bits(values.sigma), bits(lamp.right), bits(lamp.up));
+    return frame.shared.get<SmoothTone>(hash_numbers(key, values.outline, bits(background)), [&] {
         auto shaded = frame.shared.get<ShadedBuffer>(key, [&] {
             const Lattice lattice = lattice_over(frame.tracer.view(), values.sigma / steps_per_sigma, reach);
-            return shade(frame.tracer, lattice, values.lamp, frame.cancel);
+            return shade(frame.tracer, lattice, lamp, frame.cancel);
         });
-        return make_tone(frame, values, std::move(shaded));
+        return make_tone(frame, values.outline, background, std::move(shaded));
     });
 }
 

@@ -15,30 +15,40 @@ inline constexpr double steps_per_sigma = 2.0;
 
 /// The parameters that come first in all of them.
 struct ImageValues {
-    double high, low;  ///< thresholds
-    double sigma;      ///< reference pixels
+    double threshold;
+    double low;    ///< share of the threshold
+    double sigma;  ///< reference pixels
     bool outline;
-    Lamp lamp;
-    double background;  ///< tone of what lies beyond the outline
-    ImageValues(const Values& values, double background_tone)
-        : high(values[0]),
-          low(values[0] * values[1]),
-          sigma(values[2]),
-          outline(values[3] != 0.0),
-          lamp{values[4], values[5]},
-          background(background_tone) {}
-};
-inline constexpr int image_values = 6;
-std::vector<Parameter> image_parameters(double threshold, const char* meaning, double sigma);
+    double light_right, light_up;  ///< degrees
 
-/// The shaded scene under a Gaussian. With `outline` it stands on its background; else what lies beyond its outline
-/// takes no part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within reach it is NaN.
+    double low_threshold() const { return threshold * low; }
+    Lamp lamp() const { return {light_right, light_up}; }
+};
+
+/// The parameters of P, an ImageValues. `meaning` is that of the threshold.
+template <typename P>
+Parameters<P> image_parameters(double threshold, const char* meaning, double sigma) {
+    return {{&P::threshold, "threshold", "Threshold", threshold, 0.0, 1.0, Unit::none, meaning},
+            {&P::low, "low", "Low", 0.4, 0.0, 1.0, Unit::none,
+             "Share of the threshold down to which a line goes on, fading"},
+            {&P::sigma, "sigma", "Sigma", sigma, 1.0, 50.0, Unit::pixels,
+             "Width of the smoothing, in pixels of a picture 1080 high"},
+            {&P::outline, "outline", "Outline", true, "Also lines of the outline, against a light background"},
+            {&P::light_right, "light_right", "Light Right", 0.0, -180.0, 180.0, Unit::degrees,
+             "Direction of the light, to the right"},
+            {&P::light_up, "light_up", "Light Up", 0.0, -90.0, 90.0, Unit::degrees,
+             "Direction of the light, upwards from the viewer"}};
+}
+
+/// The shaded scene under a Gaussian. With `outline` it stands on a background of the given tone; else what lies beyond
+/// its outline takes no part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within
+/// reach it is NaN.
 struct SmoothTone {
     std::shared_ptr<const ShadedBuffer> shaded;
     Buffer value;
     const Lattice& lattice() const { return shaded->lattice; }
 };
-std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values);
+std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values, double background);
 
 /// Nodes near the border of the lattice, where nothing is known.
 inline constexpr int lattice_border = fit_reach;
@@ -73,7 +83,8 @@ Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
 template <typename Measure>
 void append_in_lattice(const Lattice& lattice, const LatticeTriangle& triangle, const ZeroCrossing (&ends)[2],
                        const Measure& measure, const ImageValues& values, std::vector<CurvePiece>& out) {
-    const auto low = static_cast<float>(values.low), range = static_cast<float>(values.high - values.low);
+    const auto low = static_cast<float>(values.low_threshold()),
+               range = static_cast<float>(values.threshold - values.low_threshold());
     const auto place = [&](Index node) { return vec3(lattice_place(lattice, node), 0.0f); };
     const auto strength = [&](float above) { return above >= range ? 1.0f : std::max(above, 0.0f) / range; };
     append_trimmed(place, triangle.number, ends, [&](std::uint32_t v) { return measure(v) - low; }, strength, out);

@@ -10,6 +10,8 @@
 namespace fovea {
 namespace {
 
+const auto parameters = image_parameters<ImageValues>(0.3, "Contrast of a sharp edge from which lines are drawn", 2.0);
+
 /// Of the background: the outline has all contrast that a threshold may ask for, also where the surface is white.
 constexpr double beyond_white = 2.0;
 
@@ -28,12 +30,11 @@ Array<Node> look(const SmoothTone& tone) {
     });
 }
 
-Curves find(const FrameView& frame, const Values& given) {
-    const ImageValues values(given, beyond_white);
-    const auto tone = smooth_tone(frame, values);
+Curves find(const FrameView& frame, const ImageValues& values) {
+    const auto tone = smooth_tone(frame, values, beyond_white);
     const Lattice& lattice = tone->lattice();
     const Array<Node> nodes = look(*tone);
-    const auto low = static_cast<float>(values.low);
+    const auto low = static_cast<float>(values.low_threshold());
     const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
         const Node* n[3] = {&nodes[triangle.node[0]], &nodes[triangle.node[1]], &nodes[triangle.node[2]]};
         if (!(n[0]->contrast > low || n[1]->contrast > low || n[2]->contrast > low)) return;
@@ -64,9 +65,10 @@ const LineDefinition image_edge = {
     .source = "Canny 1986; Cole 2009, section 3.2.2",
     .description = "Where the tone of the shaded scene changes fastest",
     .scope = Scope::scene,
-    .parameters = image_parameters(0.3, "Contrast of a sharp edge from which lines are drawn", 2.0),
-    .on_by_default = false,
-    .find_in_image = find,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = ImageRule{parameters.of(find)},
+    .slow = true,
 };
 
 }  // namespace fovea

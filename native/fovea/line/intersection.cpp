@@ -21,6 +21,14 @@
 namespace fovea {
 namespace {
 
+struct Intersection {
+    bool between, within;
+};
+
+const Parameters<Intersection> parameters{
+    {&Intersection::between, "between", "Between Objects", true, "Where two objects pass through each other"},
+    {&Intersection::within, "within", "Within Objects", true, "Where an object passes through itself"}};
+
 /// Frames for which crossings that nobody asks for are kept.
 constexpr std::uint64_t kept_frames = 16;
 
@@ -107,11 +115,11 @@ Array<std::uint8_t> heaped_placements(const Scene& scene, In<Index> drawn,
     return heaped;
 }
 
-std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, bool between, bool within) {
+std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersection& values) {
     std::vector<Pair> pairs;
-    if (within)
+    if (values.within)
         for (const Index placement : drawn) pairs.push_back({placement, placement});
-    if (!between) return pairs;
+    if (!values.between) return pairs;
     const auto overlaps = overlapping_placements(scene, drawn);
     const Array<std::uint8_t> heaped = heaped_placements(scene, drawn, overlaps);
     for (const auto& [i, j] : overlaps) {
@@ -144,10 +152,10 @@ std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair
     return curves;
 }
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Values& values, const Cancel& cancel) {
+std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Intersection& values, const Cancel& cancel) {
     static std::atomic<std::uint64_t> frames{0};
     const std::uint64_t frame = ++frames;
-    const std::vector<Pair> pairs = pairs_of(scene, drawn, values[0] != 0.0, values[1] != 0.0);
+    const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
     std::vector<std::shared_ptr<const KeptPairs>> stores(pairs.size());
     std::vector<SceneCurves> found(pairs.size());
     std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;  // the first pair that lacks each
@@ -178,10 +186,9 @@ const LineDefinition intersection = {
     .source = "Saito & Takahashi 1990; Edelsbrunner & Mücke 1990, Simulation of Simplicity",
     .description = "Where surfaces pass through each other; not where they only touch",
     .scope = Scope::placements,
-    .parameters = {{"between", "Between Objects", 1.0, 0.0, 1.0, "bool", "Where two objects pass through each other"},
-                   {"within", "Within Objects", 1.0, 0.0, 1.0, "bool", "Where an object passes through itself"}},
-    .on_by_default = false,
-    .find_in_scene = find,
+    .importance = 0.4,
+    .parameters = parameters,
+    .rule = SceneRule{parameters.of(find)},
 };
 
 }  // namespace fovea

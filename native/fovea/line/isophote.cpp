@@ -9,9 +9,16 @@
 namespace fovea {
 namespace {
 
-Curves find(const SurfaceView& seen, const Values& values) {
+struct Isophote {
+    int count;
+};
+
+const Parameters<Isophote> parameters{{&Isophote::count, "count", "Count", 10, 1, 100,
+                                       "How many lines from the contour, left out, to what faces the viewer"}};
+
+Curves find(const SurfaceView& seen, const Isophote& values) {
     const auto fields = fields_of(seen.surface);
-    const int count = std::max(1, static_cast<int>(values[0]));
+    const int count = std::max(1, values.count);
     const auto sample = [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; };
     const Levels levels{0.0f, 1.0f / float(count), count};
     const auto none_in = [&](const SeenCluster& cluster) { return levels.none_in(cluster.facing()); };
@@ -27,10 +34,10 @@ const LineDefinition isophote = {
     .source = "Cole 2009, section 2.2",
     .description = "Lines of equal shading by a lamp at the eye",
     .scope = Scope::view,
-    .parameters = {{"count", "Count", 10.0, 1.0, 100.0, "",
-                    "How many lines from the contour, left out, to what faces the viewer"}},
-    .on_by_default = false,
-    .find = find,
+    .importance = 0.1,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::level_set, parameters.of(find)},
+    .slow = true,
 };
 
 }  // namespace fovea

@@ -10,7 +10,10 @@
 namespace fovea {
 namespace {
 
-Curves find(const SurfaceView& seen, const Values& values) {
+const auto parameters = threshold_parameters<ThresholdValues>(
+    0.05, 0.5, 2.0, "Gradient of n . v that a line reaches somewhere, in units of 1 / feature size");
+
+Curves find(const SurfaceView& seen, const ThresholdValues& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 1);
@@ -44,11 +47,9 @@ const LineDefinition laplacian_line = {
     .source = "Zhang et al. 2009",
     .description = "Where shading by a lamp at the eye turns from bright to dark most quickly",
     .scope = Scope::view,
-    .parameters = threshold_parameters(0.05, 0.5, 2.0,
-                                       "Gradient of n . v that a line reaches somewhere, in units of 1 / feature size"),
-    .on_by_default = false,
-    .find = find,
-    .select = select_by_threshold<1>,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<1>)},
 };
 
 }  // namespace fovea

@@ -6,7 +6,7 @@
 namespace fovea {
 namespace {
 
-void trace(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     const auto material = [&](Index side) {
         return surface.polygon_material[surface.facet_polygon[surface.edge_sides[side].facet()]];
@@ -28,9 +28,8 @@ const LineDefinition material_boundary = {
     .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",
     .description = "Where two materials meet on a surface",
     .scope = Scope::surface,
-    .parameters = {},
-    .on_by_default = false,
-    .trace = trace,
+    .importance = 0.4,
+    .rule = EdgeRule{mark},
 };
 
 }  // namespace fovea

@@ -10,17 +10,18 @@
 
 namespace fovea {
 
-inline std::vector<Parameter> principal_highlight_parameters() {
-    return threshold_parameters(0.04, 0.5, 3.0,
-                                "Difference of the squared curvatures times n . v that a line reaches somewhere, in "
-                                "units of 1 / feature size squared");
+inline Parameters<ThresholdValues> principal_highlight_parameters() {
+    return threshold_parameters<ThresholdValues>(
+        0.04, 0.5, 3.0,
+        "Difference of the squared curvatures times n . v that a line reaches somewhere, in "
+        "units of 1 / feature size squared");
 }
 
 /// Zeros of v . e1 where sign k1 is positive and (k1^2 - k2^2) n . v above the threshold, which is so on the side that
 /// faces the viewer alone. e1 has no sign: in each triangle the corners follow the one of greatest |k1|. Triangles
 /// whose corners disagree about its line by more than 45 degrees have no line, nor have those with a corner that is
 /// nearly as curved along e2 (an umbilic, or where e1 and e2 change places): there e1 is noise.
-inline Curves find_principal_highlights(const SurfaceView& seen, const Values& values, float sign) {
+inline Curves find_principal_highlights(const SurfaceView& seen, const ThresholdValues& values, float sign) {
     constexpr float least_cosine = 0.70710678f, greatest_ratio = 0.98f;  // of |k2| and |k1|
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);

@@ -7,6 +7,15 @@
 #include <fovea/line/principal_highlight.h>
 
 namespace fovea {
+namespace {
+
+const auto parameters = principal_highlight_parameters();
+
+Curves find(const SurfaceView& seen, const ThresholdValues& values) {
+    return find_principal_highlights(seen, values, 1.0f);
+}
+
+}  // namespace
 
 extern const LineDefinition principal_highlight_ridge;
 const LineDefinition principal_highlight_ridge = {
@@ -15,10 +24,9 @@ const LineDefinition principal_highlight_ridge = {
     .source = "DeCarlo & Rusinkiewicz 2007",
     .description = "The shine of a ridge: where it is turned most towards the viewer across itself",
     .scope = Scope::view,
-    .parameters = principal_highlight_parameters(),
-    .on_by_default = false,
-    .find = [](const SurfaceView& seen, const Values& values) { return find_principal_highlights(seen, values, 1.0f); },
-    .select = select_by_threshold<2>,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
 };
 
 }  // namespace fovea

@@ -1,53 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/line/registry.h>
 
+#include <algorithm>
+
 #include <fovea/base/check.h>
+
+// In the order of their bits in Kinds; each is a constant in the file of its name.
+// clang-format off
+#define FOVEA_LINE_DEFINITIONS(define) \
+    define(contour)                    \
+    define(silhouette)                 \
+    define(crease)                     \
+    define(border)                     \
+    define(material_boundary)          \
+    define(edge_mark)                  \
+    define(smooth_contour)             \
+    define(smooth_silhouette)          \
+    define(suggestive_contour)         \
+    define(suggestive_highlight)       \
+    define(principal_highlight_ridge)  \
+    define(principal_highlight_valley) \
+    define(ridge)                      \
+    define(valley)                     \
+    define(apparent_ridge)             \
+    define(demarcating_curve)          \
+    define(laplacian_line)             \
+    define(parabolic)                  \
+    define(zero_mean_curvature)        \
+    define(isophote)                   \
+    define(topographic)                \
+    define(intersection)               \
+    define(image_edge)                 \
+    define(abstracted_shading)
+// clang-format on
 
 namespace fovea {
 
-extern const LineDefinition contour, silhouette, crease, border, material_boundary, edge_mark, smooth_contour,
-    smooth_silhouette, suggestive_contour, suggestive_highlight, principal_highlight_ridge, principal_highlight_valley,
-    ridge, valley, apparent_ridge, demarcating_curve, laplacian_line, parabolic, zero_mean_curvature, isophote,
-    topographic, intersection, image_edge, abstracted_shading;
+#define FOVEA_DECLARE(name) extern const LineDefinition name;
+FOVEA_LINE_DEFINITIONS(FOVEA_DECLARE)
 
+#define FOVEA_ADDRESS(name) &name,
 const std::vector<const LineDefinition*>& line_definitions() {
-    static const std::vector<const LineDefinition*> all = {
-        &contour,
-        &silhouette,
-        &crease,
-        &border,
-        &material_boundary,
-        &edge_mark,
-        &smooth_contour,
-        &smooth_silhouette,
-        &suggestive_contour,
-        &suggestive_highlight,
-        &principal_highlight_ridge,
-        &principal_highlight_valley,
-        &ridge,
-        &valley,
-        &apparent_ridge,
-        &demarcating_curve,
-        &laplacian_line,
-        &parabolic,
-        &zero_mean_curvature,
-        &isophote,
-        &topographic,
-        &intersection,
-        &image_edge,
-        &abstracted_shading,
-    };
+    static const std::vector<const LineDefinition*> all = {FOVEA_LINE_DEFINITIONS(FOVEA_ADDRESS)};
     return all;
 }
 
-Kinds smooth_contours() {
-    static const Kinds bits = [] {
-        Kinds all = 0;
-        for (Index i = 0; i < line_definitions().size(); ++i)
-            if (line_definitions()[i]->on_smooth_surface) all |= Kinds(1) << i;
-        return all;
-    }();
+namespace {
+
+/// Bits of the definitions for which is_one(LineDefinition) holds.
+template <typename IsOne>
+Kinds kinds_that(const IsOne& is_one) {
+    Kinds bits = 0;
+    for (Index i = 0; i < line_definitions().size(); ++i)
+        if (is_one(*line_definitions()[i])) bits |= Kinds(1) << i;
     return bits;
+}
+
+bool is_smooth_contour(const LineDefinition& definition) {
+    const auto* curves = std::get_if<CurveRule>(&definition.rule);
+    return curves && curves->type == CurveType::contour;
+}
+
+/// Whether a definition finds all contours, not some of another's.
+bool is_whole_contour(const LineDefinition& definition) {
+    return is_smooth_contour(definition) && !std::get<CurveRule>(definition.rule).part_of;
+}
+
+}  // namespace
+
+Kinds smooth_contours() {
+    static const Kinds bits = kinds_that(is_smooth_contour);
+    return bits;
+}
+
+Kinds contours() {
+    static const Kinds bits = smooth_contours() | kinds_that([](const LineDefinition& definition) {
+                                  return definition.smooth_twin && is_whole_contour(*definition.smooth_twin);
+                              });
+    return bits;
+}
+
+Kinds kind_of(const LineDefinition& definition) {
+    return kinds_that([&](const LineDefinition& other) { return &other == &definition; });
 }
 
 Index definition_index(std::string_view name) {
@@ -59,6 +93,19 @@ Index definition_index(std::string_view name) {
     }
     check(false, "no line definition is called '" + std::string(name) + "'; there are: " + known);
     return none;
+}
+
+const LineDefinition& definition_called(std::string_view name) { return *line_definitions()[definition_index(name)]; }
+
+Values values_of(const LineDefinition& definition, const std::map<std::string, double>& given) {
+    Values values = default_values(definition);
+    for (const auto& [name, value] : given) {
+        const auto known = std::ranges::find_if(definition.parameters, [&](const auto& p) { return p.name == name; });
+        check(known != definition.parameters.end(),
+              std::string(definition.name) + ": unknown parameter '" + name + "'");
+        values[known - definition.parameters.begin()] = value;
+    }
+    return values;
 }
 
 }  // namespace fovea

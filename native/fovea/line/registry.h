@@ -2,6 +2,7 @@
 // The list of line definitions.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,19 @@ const std::vector<const LineDefinition*>& line_definitions();
 
 /// Index of a definition; throws std::invalid_argument, listing the known names, for an unknown one.
 Index definition_index(std::string_view name);
+const LineDefinition& definition_called(std::string_view name);
 
-/// Bits of the definitions that lie on the smooth surface: its contours.
+/// Parameters of a definition by their names, in its order and with defaults filled in. Throws std::invalid_argument
+/// for an unknown name.
+Values values_of(const LineDefinition& definition, const std::map<std::string, double>& given);
+
+/// The bit of a definition.
+Kinds kind_of(const LineDefinition& definition);
+
+/// Bits of the definitions of contours of the smooth surface.
 Kinds smooth_contours();
+
+/// Bits of those, and of what finds all contours of the mesh.
+Kinds contours();
 
 }  // namespace fovea

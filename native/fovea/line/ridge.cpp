@@ -6,6 +6,13 @@
 #include <fovea/line/crest.h>
 
 namespace fovea {
+namespace {
+
+const auto parameters = crest_parameters();
+
+Curves find(const SurfaceView& seen, const CrestValues& values) { return find_crests(seen, values, 1.0f); }
+
+}  // namespace
 
 extern const LineDefinition ridge;
 const LineDefinition ridge = {
@@ -14,10 +21,9 @@ const LineDefinition ridge = {
     .source = "Ohtake, Belyaev & Seidel 2004",
     .description = "Crests of convex parts: where curvature is greatest across the line",
     .scope = Scope::surface,
-    .parameters = crest_parameters(),
-    .on_by_default = false,
-    .find = [](const SurfaceView& seen, const Values& values) { return find_crests(seen, values, 1.0f); },
-    .select = select_by_threshold<1>,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<1>)},
 };
 
 }  // namespace fovea

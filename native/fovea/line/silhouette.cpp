@@ -11,7 +11,7 @@
 
 namespace fovea {
 
-extern const LineDefinition contour, border;
+extern const LineDefinition silhouette, contour, border, smooth_silhouette;
 
 namespace {
 
@@ -71,26 +71,27 @@ class Beyond {
     const bool mirrored_;
 };
 
-void trace(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
+void mark(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
     Array<Kinds> candidates(seen.surface.edges.size(), 0);
-    contour.trace(seen, values, 1, candidates);
-    border.trace(seen, values, 1, candidates);
+    for (const LineDefinition* outline : {&contour, &border})
+        std::get<EdgeRule>(outline->rule).mark(seen, values, 1, candidates);
     const Beyond beyond(seen);
     mark_edges(candidates.size(), bit, kinds, [&](Index e) { return candidates[e] && beyond.is_outer(e); });
 }
 
 }  // namespace
 
-extern const LineDefinition silhouette;
 const LineDefinition silhouette = {
     .name = "silhouette",
     .label = "Silhouette",
     .source = "Isenberg et al. 2003, A Developer's Guide to Silhouette Algorithms",
     .description = "The outer boundary of an object, against the background or another object",
     .scope = Scope::scene,
-    .parameters = {},
-    .on_by_default = false,
-    .trace = trace,
+    .importance = 1.0,
+    .rule = EdgeRule{mark},
+    .smooth_twin = &smooth_silhouette,
+    .slow = true,
+    .stand_ins = {{&contour}, {&border}},
 };
 
 }  // namespace fovea

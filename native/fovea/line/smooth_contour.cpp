@@ -11,6 +11,13 @@
 namespace fovea {
 namespace {
 
+struct SmoothContour {
+    bool end_at_cusps;
+};
+
+const Parameters<SmoothContour> parameters{{&SmoothContour::end_at_cusps, "end_at_cusps", "End at Cusps", true,
+                                            "Leave out what a closed surface hides of its own contour behind a cusp"}};
+
 /// Strength where the radial curvature is zero, and how fast it grows with it, in units of 1 / feature size. Between 0
 /// and 1 it says how sure the sign is, so that noise does not break a contour.
 constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
@@ -33,11 +40,11 @@ Solid solid(const Surface& surface) {
     return {volume > 0.0};
 }
 
-bool hides_its_own(const Surface& surface, const Values& values) {
-    return values[0] != 0.0 && surface.cache().get<Solid>(0, [&] { return solid(surface); })->yes;
+bool hides_its_own(const Surface& surface, const SmoothContour& values) {
+    return values.end_at_cusps && surface.cache().get<Solid>(0, [&] { return solid(surface); })->yes;
 }
 
-Curves find(const SurfaceView& seen, const Values& values) {
+Curves find(const SurfaceView& seen, const SmoothContour& values) {
     if (!hides_its_own(seen.surface, values)) return find_smooth_contour(seen, [](Index) { return 1.0f; });
     const auto fields = fields_of(seen.surface);
     return find_smooth_contour(seen, [&](Index v) {
@@ -47,7 +54,7 @@ Curves find(const SurfaceView& seen, const Values& values) {
     });
 }
 
-Selection select(const Surface& surface, const Values& values) {
+Selection select(const Surface& surface, const SmoothContour& values) {
     if (!hides_its_own(surface, values)) return {};
     return {.level = at_cusp, .depth = surely, .reach = at_cusp + surely, .uniform = true};
 }
@@ -61,12 +68,9 @@ const LineDefinition smooth_contour = {
     .source = "Hertzmann & Zorin 2000, section 4; Cole 2009, section 2.2",
     .description = "The contour of the smooth surface that a mesh stands for, across its faces",
     .scope = Scope::view,
-    .parameters = {{"end_at_cusps", "End at Cusps", 1, 0, 1, "bool",
-                    "Leave out what a closed surface hides of its own contour behind a cusp"}},
-    .on_by_default = false,
-    .find = find,
-    .select = select,
-    .on_smooth_surface = true,
+    .importance = 0.7,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::contour, parameters.of(find), parameters.of(select)},
 };
 
 }  // namespace fovea

@@ -30,11 +30,14 @@ Curves find(const SurfaceView& seen, const Values&) {
     return pieces;
 }
 
+/// Smoothed along the contour, the answer of a single ray that slipped is outvoted.
+Selection select(const Surface&, const Values&) {
+    return {.level = 0.5f, .reach = 0.5f, .whole = true, .uniform = true};
+}
+
 }  // namespace
 
-extern const LineDefinition smooth_contour;
-
-extern const LineDefinition smooth_silhouette;
+extern const LineDefinition smooth_silhouette, smooth_contour;
 const LineDefinition smooth_silhouette = {
     .name = "smooth_silhouette",
     .label = "Smooth Silhouette",
@@ -43,15 +46,10 @@ const LineDefinition smooth_silhouette = {
         "The outer boundary of the smooth surface that a mesh stands for, "
         "against the background or another object",
     .scope = Scope::scene,
-    .parameters = {},
-    .on_by_default = false,
-    .find = find,
-    // Smoothed along the contour, the answer of a single ray that slipped is outvoted.
-    .select = [](const Surface&, const Values&) -> Selection {
-        return {.level = 0.5f, .reach = 0.5f, .whole = true, .uniform = true};
-    },
-    .on_smooth_surface = true,
-    .part_of = &smooth_contour,
+    .importance = 1.0,
+    .rule = CurveRule{CurveType::contour, find, select, &smooth_contour},
+    .slow = true,
+    .stand_ins = {{&smooth_contour, {{"end_at_cusps", 0.0}}}},
 };
 
 }  // namespace fovea

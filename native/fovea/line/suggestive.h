@@ -8,16 +8,16 @@
 
 namespace fovea {
 
-inline std::vector<Parameter> suggestive_parameters(double threshold) {
-    return threshold_parameters(threshold, 0.5, 2.0,
-                                "Strength that a line reaches somewhere: tan(theta) D_W k_r, "
-                                "in units of 1 / feature size squared");
+inline Parameters<ThresholdValues> suggestive_parameters(double threshold) {
+    return threshold_parameters<ThresholdValues>(threshold, 0.5, 2.0,
+                                                 "Strength that a line reaches somewhere: tan(theta) D_W k_r, "
+                                                 "in units of 1 / feature size squared");
 }
 
 /// Zeros of the radial curvature where it rises along the view (sign 1) or falls (sign -1) by more than the threshold:
 /// tan(theta) D_W k_r, on the side that faces the viewer; near contours, where it grows beyond all bounds, it is kept
 /// finite.
-inline Curves find_suggestive(const SurfaceView& seen, const Values& values, float sign) {
+inline Curves find_suggestive(const SurfaceView& seen, const ThresholdValues& values, float sign) {
     constexpr float least_facing = 0.05f;  // n . v
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);

@@ -6,6 +6,13 @@
 #include <fovea/line/suggestive.h>
 
 namespace fovea {
+namespace {
+
+const auto parameters = suggestive_parameters(0.01);
+
+Curves find(const SurfaceView& seen, const ThresholdValues& values) { return find_suggestive(seen, values, 1.0f); }
+
+}  // namespace
 
 extern const LineDefinition suggestive_contour;
 const LineDefinition suggestive_contour = {
@@ -14,10 +21,9 @@ const LineDefinition suggestive_contour = {
     .source = "DeCarlo et al. 2003; DeCarlo, Finkelstein & Rusinkiewicz 2004",
     .description = "Where a contour would first appear if the viewer moved a little",
     .scope = Scope::view,
-    .parameters = suggestive_parameters(0.01),
-    .on_by_default = false,
-    .find = [](const SurfaceView& seen, const Values& values) { return find_suggestive(seen, values, 1.0f); },
-    .select = select_by_threshold<2>,
+    .importance = 0.3,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
 };
 
 }  // namespace fovea

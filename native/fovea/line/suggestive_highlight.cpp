@@ -6,6 +6,13 @@
 #include <fovea/line/suggestive.h>
 
 namespace fovea {
+namespace {
+
+const auto parameters = suggestive_parameters(0.02);
+
+Curves find(const SurfaceView& seen, const ThresholdValues& values) { return find_suggestive(seen, values, -1.0f); }
+
+}  // namespace
 
 extern const LineDefinition suggestive_highlight;
 const LineDefinition suggestive_highlight = {
@@ -15,10 +22,9 @@ const LineDefinition suggestive_highlight = {
     .description =
         "Where the surface is turned most towards the viewer along the view: the bright partner of suggestive contours",
     .scope = Scope::view,
-    .parameters = suggestive_parameters(0.02),
-    .on_by_default = false,
-    .find = [](const SurfaceView& seen, const Values& values) { return find_suggestive(seen, values, -1.0f); },
-    .select = select_by_threshold<2>,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
 };
 
 }  // namespace fovea

@@ -7,12 +7,19 @@
 
 namespace fovea {
 
-/// The parameters, in this order; more may follow. `meaning` says what is measured, and its unit.
-inline std::vector<Parameter> threshold_parameters(double threshold, double low, double length, const char* meaning) {
-    return {{"threshold", "Threshold", threshold, 0.0, 100.0, "", meaning},
-            {"low", "Low Threshold", low, 0.0, 1.0, "",
+struct ThresholdValues {
+    double threshold;
+    double low;     ///< share of the threshold
+    double length;  ///< in units of the feature size
+};
+
+/// The parameters of P, a ThresholdValues. `meaning` says what is measured, and its unit.
+template <typename P>
+Parameters<P> threshold_parameters(double threshold, double low, double length, const char* meaning) {
+    return {{&P::threshold, "threshold", "Threshold", threshold, 0.0, 100.0, Unit::none, meaning},
+            {&P::low, "low", "Low Threshold", low, 0.0, 1.0, Unit::none,
              "Share of the threshold above which a line goes on that reaches the threshold somewhere"},
-            {"length", "Length", length, 0.0, 1000.0, "",
+            {&P::length, "length", "Length", length, 0.0, 1000.0, Unit::none,
              "Least length of a line as strong as the threshold, in units of the feature size; "
              "a stronger one may be shorter"}};
 }
@@ -21,11 +28,11 @@ inline std::vector<Parameter> threshold_parameters(double threshold, double low,
 struct Thresholds {
     float high, low, fade;
 
-    /// Values of threshold_parameters, of a measure in units of 1 / feature size or (`power` 2) its square.
-    Thresholds(const Surface& surface, const Values& values, int power) {
+    /// Of a measure in units of 1 / feature size or (`power` 2) its square.
+    Thresholds(const Surface& surface, const ThresholdValues& values, int power) {
         const double size = fields_of(surface)->feature_size, unit = 1.0 / (power == 2 ? size * size : size);
-        high = static_cast<float>(values[0] * unit);
-        low = static_cast<float>(values[0] * values[1] * unit);
+        high = static_cast<float>(values.threshold * unit);
+        low = static_cast<float>(values.threshold * values.low * unit);
         fade = 0.5f * high;
     }
 
@@ -33,12 +40,12 @@ struct Thresholds {
     float strength(float above) const { return above > 0.0f ? above / (above + fade) : 0.0f; }
 };
 
-/// LineDefinition::select of such a definition.
+/// CurveRule::select of such a definition.
 template <int power>
-Selection select_by_threshold(const Surface& surface, const Values& values) {
+Selection select_by_threshold(const Surface& surface, const ThresholdValues& values) {
     const Thresholds t(surface, values, power);
     const float reach = t.high > t.low ? t.strength(t.high - t.low) : 0.0f;
-    return {.reach = reach, .least = values[2] * fields_of(surface)->feature_size};
+    return {.reach = reach, .least = values.length * fields_of(surface)->feature_size};
 }
 
 /// Strength as trace_zero_set and trace_maxima ask for it.

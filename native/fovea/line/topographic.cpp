@@ -8,7 +8,14 @@
 namespace fovea {
 namespace {
 
-Curves find(const SurfaceView& seen, const Values& values) {
+struct Topographic {
+    int count;
+};
+
+const Parameters<Topographic> parameters{
+    {&Topographic::count, "count", "Count", 20, 1, 200, "How many lines over the depth of the object"}};
+
+Curves find(const SurfaceView& seen, const Topographic& values) {
     const dmat4& m = seen.object_to_view;
     const auto depth_of = [&](const vec3& p) { return -(m * dvec4(dvec3(p), 1.0)).z; };
     const auto sample = [&](Index v) { return static_cast<float>(depth_of(seen.surface.positions[v])); };
@@ -16,7 +23,7 @@ Curves find(const SurfaceView& seen, const Values& values) {
     const dvec3 row(m[0][2], m[1][2], m[2][2]);
     const double middle = -(glm::dot(row, dvec3(seen.surface.center)) + m[3][2]);
     const double reach = glm::length(row) * seen.surface.radius;
-    const int count = std::max(1, static_cast<int>(values[0]));
+    const int count = std::max(1, values.count);
     const double step = 2.0 * reach / (count + 1);
     const Levels levels{static_cast<float>(middle - reach), static_cast<float>(step), count};
     const auto none_in = [&](const SeenCluster& cluster) {
@@ -36,9 +43,10 @@ const LineDefinition topographic = {
     .source = "Cole 2009, section 2.2",
     .description = "Lines of equal distance along the view, like those of a map",
     .scope = Scope::view,
-    .parameters = {{"count", "Count", 20.0, 1.0, 200.0, "", "How many lines over the depth of the object"}},
-    .on_by_default = false,
-    .find = find,
+    .importance = 0.1,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::level_set, parameters.of(find)},
+    .slow = true,
 };
 
 }  // namespace fovea

@@ -8,15 +8,16 @@
 
 namespace fovea {
 
-inline std::vector<Parameter> zero_curvature_parameters() {
-    return threshold_parameters(0.02, 0.5, 2.0,
-                                "Curvature that a line reaches somewhere, in units of 1 / feature size");
+inline Parameters<ThresholdValues> zero_curvature_parameters() {
+    return threshold_parameters<ThresholdValues>(
+        0.02, 0.5, 2.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
 }
 
 /// Where curvature(Curvature) is zero and |k1| above the threshold. Asked of the difference of k1 and k2: |k1| has a
 /// crease where they are opposite. `share`: what |k1| is of it on the line.
 template <typename Measure>
-Curves find_zero_curvature(const SurfaceView& seen, const Values& values, float share, const Measure& curvature) {
+Curves find_zero_curvature(const SurfaceView& seen, const ThresholdValues& values, float share,
+                           const Measure& curvature) {
     const auto fields = fields_of(seen.surface);
     const Thresholds thresholds(seen.surface, values, 1);
     const auto all = [](Index) { return true; };

@@ -8,7 +8,9 @@
 namespace fovea {
 namespace {
 
-Curves find(const SurfaceView& seen, const Values& values) {
+const auto parameters = zero_curvature_parameters();
+
+Curves find(const SurfaceView& seen, const ThresholdValues& values) {
     return find_zero_curvature(seen, values, 0.5f, [](const Curvature& c) { return c.k1 + c.k2; });
 }
 
@@ -21,10 +23,9 @@ const LineDefinition zero_mean_curvature = {
     .source = "Cole 2009, section 2.2",
     .description = "Where a surface bends as much one way as the other",
     .scope = Scope::surface,
-    .parameters = zero_curvature_parameters(),
-    .on_by_default = false,
-    .find = find,
-    .select = select_by_threshold<1>,
+    .importance = 0.25,
+    .parameters = parameters,
+    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<1>)},
 };
 
 }  // namespace fovea

@@ -8,17 +8,21 @@
 
 namespace fovea {
 
-CurveChains curves_of(const LineDefinition& definition, const SurfaceView& seen, const Values& values,
-                      In<std::uint8_t> near) {
-    CurveChains chains = chain_curves(definition.find(seen, values));
+CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near) {
+    CurveChains chains = chain_curves(rule.find(seen, values));
     smooth(chains, seen.surface);
-    if (definition.on_smooth_surface) {
-        lift(chains, seen.surface, fields_of(seen.surface)->curvature);
-    } else if (definition.select) {
-        if (!near.empty()) chains = without_doubles(chains, seen.surface, near);
-        chains = without_hooks(chains, seen.surface);
+    switch (rule.type) {
+        case CurveType::level_set:
+            return chains;
+        case CurveType::contour:
+            lift(chains, seen.surface, fields_of(seen.surface)->curvature);
+            break;
+        case CurveType::feature:
+            if (!near.empty()) chains = without_doubles(chains, seen.surface, near);
+            chains = without_hooks(chains, seen.surface);
+            break;
     }
-    return definition.select ? select_stretches(chains, definition.select(seen.surface, values)) : chains;
+    return select_stretches(chains, rule.select(seen.surface, values));
 }
 
 }  // namespace fovea

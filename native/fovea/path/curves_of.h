@@ -7,9 +7,9 @@
 
 namespace fovea {
 
-/// Found, chained, smoothed, freed of hooks and of what runs along a contour (`near` of doubles.h; empty: nothing) and
-/// selected.
-CurveChains curves_of(const LineDefinition& definition, const SurfaceView& seen, const Values& values,
-                      In<std::uint8_t> near = {});
+/// Found, chained and smoothed. Contours are then projected to the smooth surface; features lose the hooks at their
+/// ends and what runs along a contour (`near` of doubles.h; empty: nothing). Of both, the stretches that the rule
+/// selects.
+CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near = {});
 
 }  // namespace fovea

@@ -59,8 +59,8 @@ void mark_long_stretches(const CurveChains& chains, Index chain, const Surface& 
 
 }  // namespace
 
-CurveChains Claims::claim(const LineDefinition& definition, CurveChains chains) {
-    Array<std::uint8_t>& taken = taken_[definition.part_of ? definition.part_of : &definition];
+CurveChains Claims::claim(const CurveRule& rule, CurveChains chains) {
+    Array<std::uint8_t>& taken = taken_[rule.part_of ? &std::get<CurveRule>(rule.part_of->rule) : &rule];
     if (!taken.empty()) chains = without_triangles(chains, taken);
     taken.resize(surface_.triangles.size(), 0);
     for (Index triangle : chains.triangle) taken[triangle] = 1;

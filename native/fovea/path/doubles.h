@@ -13,12 +13,12 @@ namespace fovea {
 class Claims {
    public:
     explicit Claims(const Surface& surface) : surface_(surface) {}
-    /// Those of `chains` that nobody has yet, which `definition` has from now on.
-    CurveChains claim(const LineDefinition& definition, CurveChains chains);
+    /// Those of `chains` that nobody has yet, which the rule's definition has from now on.
+    CurveChains claim(const CurveRule& rule, CurveChains chains);
 
    private:
     const Surface& surface_;
-    std::map<const LineDefinition*, Array<std::uint8_t>> taken_;  // per triangle, by what the definitions are part of
+    std::map<const CurveRule*, Array<std::uint8_t>> taken_;  // per triangle, by what the definitions are part of
 };
 
 /// Per vertex: 1 within two triangles of where the smooth surface turns away from the viewer. `without`: 1 on triangles

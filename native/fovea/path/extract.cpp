@@ -52,7 +52,8 @@ bool any_marks_edges(const std::vector<PlacedSet>& sets, bool of_surface) {
     for (const PlacedSet& set : sets)
         for (const LineKind& kind : set.kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
-            if (definition.trace && (definition.scope == Scope::surface) == of_surface) return true;
+            if (std::holds_alternative<EdgeRule>(definition.rule) && (definition.scope == Scope::surface) == of_surface)
+                return true;
         }
     return false;
 }
@@ -79,9 +80,11 @@ SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement,
 /// Lines of the view that a contour would double.
 bool any_beside_contours(Kinds asked) {
     const auto& all = line_definitions();
-    for (Index i = 0; i < all.size(); ++i)
-        if ((asked >> i & 1) && all[i]->scope != Scope::surface && all[i]->select && !all[i]->on_smooth_surface)
+    for (Index i = 0; i < all.size(); ++i) {
+        const auto* rule = std::get_if<CurveRule>(&all[i]->rule);
+        if ((asked >> i & 1) && all[i]->scope != Scope::surface && rule && rule->type == CurveType::feature)
             return true;
+    }
     return false;
 }
 
@@ -102,9 +105,9 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
     Cache& cache = seen.surface.cache();
     PlacementPaths paths;
     Array<std::uint8_t> near, hard;
-    const Kinds asked = asked_of(sets), contours = smooth_contours() | Kinds(1) << definition_index("contour");
-    if (view_dependent && (asked & contours) && (doubled_edges(asked) || any_beside_contours(asked)))
-        near = near_smooth_contour(seen, triangles_without(seen.surface, sets, contours));
+    const Kinds asked = asked_of(sets);
+    if (view_dependent && (asked & contours()) && (doubled_edges(asked) || any_beside_contours(asked)))
+        near = near_smooth_contour(seen, triangles_without(seen.surface, sets, contours()));
     if (any_marks_edges(sets, false)) {
         auto [edges, hard_ones] = find_edges(seen, sets, sets_hash, true, near);
         paths.edges = std::make_shared<const EdgePaths>(std::move(edges));
@@ -177,7 +180,7 @@ void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths
         [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
         [&](std::size_t c) { return hash_numbers(id, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
-    if (slot.of_view && line_definitions()[found.definition]->on_smooth_surface)
+    if (slot.of_view && (smooth_contours() >> found.definition & 1))
         std::fill_n(paths.of_view.begin() + slot.path, chains.rows.count(), ends_at_cusps);
     parallel_for(chains.point.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;

@@ -2,7 +2,6 @@
 #include <fovea/path/find_curves.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include <fovea/base/parallel.h>
 #include <fovea/path/curves_of.h>
@@ -19,12 +18,12 @@ void to_object(const dmat3& stretch, Array<vec3>& points) {
 
 /// A definition across triangles with its values: found once, whoever has its lines.
 struct Job {
-    const LineDefinition* definition;
+    const CurveRule* rule;
     Values values;
 };
 
-/// Which of a job's lines a line set has; in the order of the sets. A silhouette of mesh edges stands for the smooth
-/// one, which is found for nobody then.
+/// Which of a job's lines a line set has; in the order of the sets. Of smooth contours, a silhouette of mesh edges has
+/// those that its smooth twin would have, which is found for nobody then.
 struct Share {
     std::size_t job;
     Index line_set, number;  // of the definition; none: for nobody
@@ -35,11 +34,11 @@ struct Plan {
     std::vector<Job> jobs;
     std::vector<Share> shares;
 
-    std::size_t job(const LineDefinition* definition, const Values& values) {
-        const auto same = [&](const Job& job) { return job.definition == definition && job.values == values; };
+    std::size_t job(const CurveRule* rule, const Values& values) {
+        const auto same = [&](const Job& job) { return job.rule == rule && job.values == values; };
         const auto found = std::find_if(jobs.begin(), jobs.end(), same);
         const auto place = static_cast<std::size_t>(found - jobs.begin());
-        if (found == jobs.end()) jobs.push_back({definition, values});
+        if (found == jobs.end()) jobs.push_back({rule, values});
         return place;
     }
 };
@@ -51,6 +50,13 @@ bool is_taken(const std::vector<PlacedSet>& sets, std::size_t s, Index definitio
                        [&](const PlacedSet& set) { return set.has(definition) && has(set); });
 }
 
+/// The rule of a definition's smooth twin where that finds some of the curves of another one; else null.
+const CurveRule* smooth_part(const LineDefinition& definition) {
+    if (!definition.smooth_twin) return nullptr;
+    const auto* rule = std::get_if<CurveRule>(&definition.smooth_twin->rule);
+    return rule && rule->part_of ? rule : nullptr;
+}
+
 Plan plan_of(const std::vector<PlacedSet>& sets, bool of_surface) {
     Plan plan;
     const Kinds asked = asked_of(sets);
@@ -58,15 +64,15 @@ Plan plan_of(const std::vector<PlacedSet>& sets, bool of_surface) {
         for (const LineKind& kind : sets[s].kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const bool all = sets[s].materials.empty();
-            if (!of_surface && definition.name == std::string_view("silhouette") && (asked & smooth_contours())) {
-                const LineDefinition* smooth = line_definitions()[definition_index("smooth_silhouette")];
-                plan.shares.push_back({plan.job(smooth, {}), s, none, all});
-            }
-            if (!definition.find || (definition.scope == Scope::surface) != of_surface) continue;
+            const CurveRule* twin = smooth_part(definition);
+            if (!of_surface && twin && (asked & smooth_contours()))
+                plan.shares.push_back({plan.job(twin, default_values(*definition.smooth_twin)), s, none, all});
+            const auto* rule = std::get_if<CurveRule>(&definition.rule);
+            if (!rule || (definition.scope == Scope::surface) != of_surface) continue;
             if (is_taken(sets, s, kind.definition, [](const PlacedSet& set) { return set.materials.empty(); }))
                 continue;
             const bool some = is_taken(sets, s, kind.definition, [](const PlacedSet&) { return true; });
-            plan.shares.push_back({plan.job(&definition, kind.values), s, kind.definition, all && !some});
+            plan.shares.push_back({plan.job(rule, kind.values), s, kind.definition, all && !some});
         }
     return plan;
 }
@@ -88,9 +94,9 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
     const Plan plan = plan_of(sets, of_surface);
     std::vector<CurveChains> chains(plan.jobs.size());
     const auto find = [&](std::size_t i) {
-        const LineDefinition& definition = *plan.jobs[i].definition;
-        chains[i] = curves_of(definition, seen, plan.jobs[i].values, near);
-        if (definition.on_smooth_surface && !hard.empty())
+        const CurveRule& rule = *plan.jobs[i].rule;
+        chains[i] = curves_of(rule, seen, plan.jobs[i].values, near);
+        if (rule.type == CurveType::contour && !hard.empty())
             chains[i] = without_doubles(chains[i], seen.surface, hard, 1);
     };
     // What is kept with the surface is found under the lock of its cache, which all definitions ask: one by one then.
@@ -101,9 +107,9 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
     std::vector<FoundCurves> found;
     Claims claims(seen.surface);
     for (const Share& share : plan.shares) {
-        const LineDefinition& definition = *plan.jobs[share.job].definition;
+        const CurveRule& rule = *plan.jobs[share.job].rule;
         CurveChains part = part_of(chains[share.job], share, sets, seen.surface);
-        if (definition.on_smooth_surface) part = claims.claim(definition, std::move(part));
+        if (rule.type == CurveType::contour) part = claims.claim(rule, std::move(part));
         if (share.number == none) continue;
         if (seen.surface.source()) to_object(seen.surface.stretch(), part.point);
         found.push_back({static_cast<std::uint8_t>(share.line_set), share.number,
@@ -121,10 +127,11 @@ std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, 
         for (const LineKind& kind : sets[s].kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const Kinds bit = Kinds(1) << kind.definition;
-            if (!definition.find_in_image || !sets[s].is_for_all() || (done & bit)) continue;
+            const auto* in_image = std::get_if<ImageRule>(&definition.rule);
+            if (!in_image || !sets[s].is_for_all() || (done & bit)) continue;
             done |= bit;
             const FrameView frame{tracer, cancel, shared};
-            CurveChains chains = chain_curves(definition.find_in_image(frame, kind.values));
+            CurveChains chains = chain_curves(in_image->find(frame, kind.values));
             found.push_back({static_cast<std::uint8_t>(s), kind.definition,
                              std::make_shared<const CurveChains>(std::move(chains))});
         }

@@ -23,8 +23,9 @@ struct StaticLines {
 void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
     for (const LineKind& kind : set.kinds) {
         const LineDefinition& definition = *line_definitions()[kind.definition];
-        if (definition.trace && (definition.scope == Scope::surface) == of_surface)
-            definition.trace(seen, kind.values, Kinds(1) << kind.definition, kinds);
+        const auto* edges = std::get_if<EdgeRule>(&definition.rule);
+        if (edges && (definition.scope == Scope::surface) == of_surface)
+            edges->mark(seen, kind.values, Kinds(1) << kind.definition, kinds);
     }
     if (set.materials.empty()) return;
     const auto wanted = [&](int material) { return set.has_material(material); };
@@ -132,10 +133,9 @@ Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& l
 }  // namespace
 
 Kinds doubled_edges(Kinds asked) {
-    const auto bit = [](const char* name) { return Kinds(1) << definition_index(name); };
     Kinds doubled = 0;
-    if (asked & bit("smooth_contour")) doubled |= bit("contour");
-    if (asked & bit("smooth_silhouette")) doubled |= bit("silhouette");
+    for (const LineDefinition* definition : line_definitions())
+        if (definition->smooth_twin && (asked & kind_of(*definition->smooth_twin))) doubled |= kind_of(*definition);
     return doubled;
 }
 

@@ -15,7 +15,7 @@ struct EdgePaths {
     Array<std::uint8_t> kept_free, seen_free;  // per chain: FreeEnds
 };
 
-/// Contours of mesh edges whose smooth counterpart is asked for, too.
+/// Definitions of mesh edges whose smooth twin is asked for.
 Kinds doubled_edges(Kinds asked);
 
 /// With those of this view, or only those that hold for all. Also, per vertex, `hard` of doubles.h. `near`: of

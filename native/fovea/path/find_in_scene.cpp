@@ -70,9 +70,10 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
         for (const LineKind& kind : sets[s].kinds) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const Kinds bit = Kinds(1) << kind.definition;
-            if (!definition.find_in_scene || (done & bit)) continue;
+            const auto* rule = std::get_if<SceneRule>(&definition.rule);
+            if (!rule || (done & bit)) continue;
             if (sets[s].is_for_all()) done |= bit;
-            for (const SceneCurves& part : definition.find_in_scene(scene, drawn, kind.values, cancel)) {
+            for (const SceneCurves& part : rule->find(scene, drawn, kind.values, cancel)) {
                 if (part.curves->pieces.empty()) continue;
                 if (!own.shows(part.placement, kind.definition) || !own.shows(part.other, kind.definition)) continue;
                 const Surface& first = *scene.placements[part.placement].surface;

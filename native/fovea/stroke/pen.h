@@ -2,15 +2,11 @@
 // A pen: how a stroke looks.
 #pragma once
 
-#include <fovea/base/types.h>
+#include <fovea/style/style.h>
 
 namespace fovea {
 
-/// Where a texture stays in zooms. On the screen: one repetition is as long as the pen says, and slides along the path;
-/// on the path: it keeps its places there, in octaves (fragment.h): for grain; dashes turn grey while they divide.
-enum class Anchor : std::uint8_t { screen, path };
-
-enum class Cap : std::uint8_t { butt, round };
+using style::Anchor, style::Cap;
 
 /// Grey image of ink in [0,1], rows across the stroke (first row = left side of the way), columns along it, repeated.
 struct PenTexture {

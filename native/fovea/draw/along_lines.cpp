@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/draw/along_lines.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
+#include <fovea/focus/transfer.h>
+
+namespace fovea {
+namespace {
+
+constexpr float most_density = 4.0f;  // times as dense as pens say, where a map is white
+
+/// Calls visit(sample, path) for the samples of pieces that runs lie on.
+template <typename Visit>
+void each_sample_with_runs(const ClippedPaths& clipped, const Runs& runs, const Visit& visit) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const Index piece = runs.piece[r];
+        if (r > 0 && runs.piece[r - 1] == piece) continue;
+        const auto first = [&](Index q) {
+            return q < clipped.pieces.count() ? clipped.sample_start[clipped.pieces.begin(q)] : clipped.samples;
+        };
+        for (Index s = first(piece); s < first(piece + 1); ++s) visit(s, clipped.path[piece]);
+    }
+}
+
+float answer(const std::optional<Transfer>& transfer, In<float> values, Index sample) {
+    return transfer && !values.empty() ? (*transfer)(values[sample]) : 0.0f;
+}
+
+std::optional<Transfer> if_any(const style::Transfer& transfer) {
+    return transfer.strength == 0.0 ? std::nullopt : std::optional(transfer_of(transfer));
+}
+
+}  // namespace
+
+std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides) {
+    check(overrides.line_sets.empty() || overrides.line_sets.size() == style.line_sets.size(),
+          "overrides: expected filters for each line set");
+    std::vector<LineSet> sets;
+    for (const style::LineSet& given : style.line_sets) {
+        LineSet set;
+        set.corner_angle_rad = glm::radians(given.corner_angle);
+        if (style.effects.lines != style::Mode::none)
+            for (const auto& [name, parameters] : given.kinds) {
+                const Index definition = definition_index(name);
+                set.kinds.push_back({definition, values_of(*line_definitions()[definition], parameters)});
+            }
+        if (!overrides.line_sets.empty()) {
+            set.placements = overrides.line_sets[sets.size()].placements;
+            set.materials = overrides.line_sets[sets.size()].materials;
+        }
+        sets.push_back(std::move(set));
+    }
+    return sets;
+}
+
+Array<float> by_path(const Paths& paths, double scale, const std::vector<double>& of_set) {
+    Array<float> amounts(paths.count());
+    for (Index p = 0; p < paths.count(); ++p) amounts[p] = float(of_set[paths.line_set[p]] * scale);
+    return amounts;
+}
+
+Array<float> by_view(const Paths& paths, double of_view, double other) {
+    Array<float> amounts(paths.count());
+    for (Index p = 0; p < paths.count(); ++p) amounts[p] = float(paths.of_view[p] ? of_view : other);
+    return amounts;
+}
+
+Array<double> lengths_in_frame(const Paths& paths, const ClippedPaths& clipped) {
+    Array<double> lengths(paths.count(), 0.0);
+    for (Index q = 0; q < clipped.pieces.count(); ++q)
+        lengths[clipped.path[q]] += clipped.arc_px[clipped.pieces.end(q) - 1] - clipped.arc_px[clipped.pieces.begin(q)];
+    return lengths;
+}
+
+Transfer transfer_of(const style::Transfer& transfer) {
+    std::vector<vec2> curve(transfer.curve.begin(), transfer.curve.end());
+    return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve);
+}
+
+Array<float> half_width_px(const style::Style& style, const Paths& paths, const ClippedPaths& clipped, const Runs& runs,
+                           const Density& density, double scale) {
+    std::vector<float> near, away;
+    for (const style::LineSet& set : style.line_sets) {
+        near.push_back(float(set.pen.spacing));
+        away.push_back(float((set.pen_away ? *set.pen_away : set.pen).spacing));
+    }
+    const auto by_focus = if_any(style.effects.density), by_distance = if_any(style.distance.density);
+    const auto wanted = [](In<float> map, Index sample) {
+        return map.empty() ? 1.0f : std::pow(most_density, 2.0f * map[sample] - 1.0f);
+    };
+    Array<float> half_width(clipped.samples, 0.0f);
+    each_sample_with_runs(clipped, runs, [&](Index s, Index path) {
+        const Index set = paths.line_set[path];
+        const float mix = both(answer(by_focus, density.focus, s), answer(by_distance, density.distance, s));
+        const float spacing = near[set] + (away[set] - near[set]) * mix;
+        half_width[s] = float(0.5 * scale) * spacing / (wanted(density.painted, s) * wanted(density.mapped, s));
+    });
+    return half_width;
+}
+
+}  // namespace fovea

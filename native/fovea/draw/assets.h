@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pen textures and papers that ship: gray PNG files by name.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <fovea/color/paper.h>
+#include <fovea/stroke/pen.h>
+
+namespace fovea {
+
+/// Reads each file once; may be asked from many threads.
+class Assets {
+   public:
+    struct Texture {
+        PenTexture ink;
+        double length_in_widths;  ///< of one repetition
+    };
+
+    /// A folder with the folders `textures` (with textures.json: {name: {"length_in_widths": number}}) and `papers`.
+    explicit Assets(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// Null: solid. White is full ink. Throws std::invalid_argument, naming the file, where it cannot be read.
+    std::shared_ptr<const Texture> texture(const std::string& name) const;
+    /// Widths of the pen that one repetition covers; 1 where nothing says so.
+    double texture_length(const std::string& name) const;
+    /// Null: smooth. White is high. Throws as `texture`.
+    std::shared_ptr<const PaperTexture> paper(const std::string& name) const;
+
+   private:
+    std::filesystem::path file(const char* kind, const std::string& name) const;
+    const std::map<std::string, double>& lengths() const;
+
+    std::filesystem::path folder_;
+    mutable std::mutex mutex_;
+    mutable std::map<std::string, double> lengths_;
+    mutable std::map<std::string, std::shared_ptr<const Texture>> textures_;
+    mutable std::map<std::string, std::shared_ptr<const PaperTexture>> papers_;
+};
+
+}  // namespace fovea

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference backend.
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/draw/depth_layouts.h>
+#include <fovea/draw/frame.h>
+#include <fovea/elision/elide.h>
+#include <fovea/stroke/raster.h>
+#include <fovea/visibility/item_buffer.h>
+#include <fovea/visibility/sampled.h>
+#include <fovea/visibility/spine.h>
+
+namespace fovea {
+namespace {
+
+/// look(depth buffer) for each tile of a frame's depth buffer; no two of them are there at once.
+template <typename Look>
+void each_tile(const Frame& frame, int most_side, int overlap_px, const Look& look) {
+    const std::vector<RasterMesh> meshes = depth_meshes(*frame.job.scene, frame.job.view, DepthOptions().margin);
+    for (DepthBuffer& layout : depth_layouts(frame, most_side, overlap_px))
+        look(draw_depth_into(std::move(layout), frame.job.view, meshes, &frame.cancel()));
+}
+
+template <typename T>
+void add(Array<T>& sum, const Array<T>& more) {
+    if (sum.empty()) sum.assign(more.size(), T(0.0f));
+    parallel_for(sum.size(), [&](std::size_t i) { sum[i] += more[i]; });
+}
+
+}  // namespace
+
+std::vector<DepthBuffer> depth_layouts(const Frame& frame, int most_side, int overlap_px) {
+    const int probes_px = static_cast<int>(std::ceil(8.0 * std::max(1.0, frame.scale())));
+    return depth_tiles(frame.job.view, {.scale = frame.job.options.depth_scale}, most_side, probes_px + overlap_px);
+}
+
+int strokes_reach_px(const Strokes& strokes) {
+    const auto widest = std::ranges::max_element(strokes.half_width);
+    return widest == strokes.half_width.end() ? 0 : static_cast<int>(std::ceil(2.0f * *widest));
+}
+
+Array<float> CpuBackend::visibility(const Frame& frame) {
+    const ClippedPaths& clipped = *frame.clipped;
+    const bool by_items = frame.job.options.visibility == Visibility::item_buffer;
+    Array<float> sum;
+    each_tile(frame, most_side, 0, [&](const DepthBuffer& depth) {
+        if (by_items) {
+            add(sum, item_visibility(clipped, depth, {.layers = frame.job.options.layers}, &frame.cancel()));
+        } else {
+            const OwnSides sides = own_sides(clipped, *frame.job.scene, frame.job.view);
+            add(sum, sampled_visibility(clipped, sides, depth, {.probes = frame.job.options.probes}, &frame.cancel()));
+        }
+    });
+    return sum;
+}
+
+Array<vec2> CpuBackend::elide(const Frame& frame, const Elision& elision) {
+    const View& view = frame.job.view;
+    return crowding(elision.own, draw_priorities(elision.bands, view.width, view.height, &frame.cancel()),
+                    &frame.cancel());
+}
+
+Array<vec4> CpuBackend::draw(const Frame& frame) {
+    const View& view = frame.job.view;
+    Array<vec4> image;
+    if (frame.job.options.visibility != Visibility::spine) {
+        raster(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, image);
+        return image;
+    }
+    const OwnSides sides = own_sides(*frame.clipped, *frame.job.scene, view);
+    each_tile(frame, most_side, strokes_reach_px(*frame.strokes), [&](const DepthBuffer& depth) {
+        const SpineTest spine(*frame.clipped, sides, depth, {.probes = frame.job.options.probes});
+        Array<vec4> part;
+        raster(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, part, &spine);
+        add(image, part);
+    });
+    return image;
+}
+
+}  // namespace fovea

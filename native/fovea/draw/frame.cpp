@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/draw/frame.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include <fovea/color/map.h>
+#include <fovea/draw/along_lines.h>
+#include <fovea/draw/outlined.h>
+#include <fovea/elision/opacity.h>
+#include <fovea/elision/priority.h>
+#include <fovea/elision/rank.h>
+#include <fovea/path/extract.h>
+#include <fovea/project/project.h>
+#include <fovea/runs/beside_visible.h>
+#include <fovea/runs/filters.h>
+#include <fovea/runs/invisibility.h>
+#include <fovea/runs/short_hidden.h>
+#include <fovea/stroke/tessellate.h>
+#include <fovea/visibility/exact.h>
+#include <fovea/visibility/spine.h>
+
+namespace fovea {
+namespace {
+
+constexpr double stub = 12.0;        // reference pixels; what elision leaves of a line in shorter pieces goes, too
+constexpr double hands_over = 12.0;  // reference pixels before its end that a line begins to hand over to another
+
+Array<float> inverted(Array<float> values) {
+    for (float& value : values) value = 1.0f - value;
+    return values;
+}
+
+}  // namespace
+
+Frame::Frame(Job given) : job(std::move(given)) {}
+
+/// Whether a step is still to be taken.
+bool Frame::begin(Step step) {
+    if (done_ >= step) return false;
+    done_ = step;
+    return true;
+}
+
+void Frame::stage(const char* name, double share, const std::function<void()>& body) {
+    if (job.progress) job.progress(share_, name);
+    const auto start = std::chrono::steady_clock::now();
+    body();
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    stages.emplace_back(name, took.count());
+    share_ += share;
+}
+
+void Frame::find() {
+    if (!begin(Step::find)) return;
+    stage("bvh", 0.2, [&] { rays(); });
+    stage("lines", 0.1, [&] {
+        const std::vector<LineSet> sets = line_sets_of(job.style, job.overrides);
+        paths =
+            std::make_shared<Paths>(extract_paths(*job.scene, job.view, sets, *tracer, cancel(), job.overrides.lines));
+    });
+    stage("project", 0.15, [&] {
+        ProjectOptions options{.sample_step_px = job.options.sample_step * scale()};
+        for (const auto& set : job.style.line_sets) options.least_length_px.push_back(set.least_length * scale());
+        clipped = std::make_shared<ClippedPaths>(project(*paths, *job.scene, job.view, options, cancel()));
+    });
+}
+
+void Frame::see() {
+    find();
+    if (!begin(Step::see)) return;
+    stage("visibility", 0.25, [&] { visible = std::make_shared<Runs>(visible_runs()); });
+}
+
+Runs Frame::visible_runs() {
+    switch (job.options.visibility) {
+        case Visibility::atlas:
+            samples = job.backend->visibility(*this);
+            return runs_from_samples(*clipped, samples);
+        case Visibility::item_buffer:  // where lines share texels, samples in part are not seen in part
+            return runs_from_samples(*clipped, job.backend->visibility(*this));
+        case Visibility::spine:
+            return whole_pieces(*clipped);
+        default:
+            return exact_visibility(*clipped, *paths, *tracer, cancel());
+    }
+}
+
+void Frame::filter() {
+    see();
+    if (!begin(Step::filter)) return;
+    stage("runs", 0.05, [&] {
+        const Options& o = job.options;
+        // Samples only say whether something hides a line, not how often.
+        const Index counted = job.style.counted();
+        const Index levels = o.visibility == Visibility::exact ? counted : std::min(counted, Index(1));
+        const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
+        const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
+        Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
+        if (levels > 0) {
+            // Lines of the image lie on no surface, and nothing hides them.
+            Array<std::uint8_t> always_seen(paths->count());
+            for (Index p = 0; p < paths->count(); ++p) always_seen[p] = paths->placement[p] == none;
+            found = without_beside_visible(*clipped, with_hidden(*clipped, found, always_seen), o.beside * scale());
+            const Array<float> least = by_view(*paths, o.fold * scale(), o.least_hidden * scale());
+            found = without_short_hidden(*clipped, found, least);
+            if (levels > 1) found = count_invisibility(*clipped, *paths, *tracer, found, levels, cancel());
+        }
+        runs = std::make_shared<Runs>(std::move(found));
+        focus = focus_along_lines();
+        distance = distance_along_lines();
+    });
+}
+
+void Frame::thin() {
+    filter();
+    if (!begin(Step::thin) || !thins()) return;
+    stage("elision", 0.05, [&] {
+        const style::Elision& elision = job.style.elision;
+        const float cut = float(elision.cut);
+        if (job.near.empty()) {
+            shown = left(cut);
+            return;
+        }
+        shown = left(0.0f);
+        const ShownLines now =
+            fovea::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
+        std::vector<FrameNear> near;
+        for (const auto& [away, lines] : job.near) near.push_back({away, *lines});
+        shown = smoothed_in_time(shown, now, near, elision.frames);
+        for (float& opacity : shown)
+            if (opacity < cut) opacity = 0.0f;
+    });
+}
+
+void Frame::ink() {
+    thin();
+    if (!begin(Step::ink)) return;
+    stage("shape", 0.05, [&] {
+        Runs found = with_ends();
+        pens = pens_of(job.style, *job.assets, scale());
+        if (job.options.outlines.empty())
+            pen_of_run_ = pens_of_runs(*clipped, found, paths->line_set, pens.ranges);
+        else
+            std::tie(found, pen_of_run_) = outlined(*this, found);
+        drawn = std::make_shared<Runs>(std::move(found));
+        strokes = std::make_shared<Strokes>(strokes_with(shown));
+    });
+    stage("strokes", 0.1, [&] { passes.lines = job.backend->draw(*this); });
+}
+
+Strokes Frame::strokes_with(In<float> opacity) const {
+    const style::Effects& effects = job.style.effects;
+    Emphasis emphasis;
+    emphasis.focus = focus;
+    emphasis.distance = distance;
+    emphasis.shown = opacity;
+    emphasis.color = transfer_of(effects.color);
+    emphasis.texture = transfer_of(effects.texture);
+    emphasis.width = transfer_of(effects.width);
+    emphasis.opacity = transfer_of(effects.opacity);
+    emphasis.distance_width = transfer_of(job.style.distance.width);
+    emphasis.distance_opacity = transfer_of(job.style.distance.opacity);
+    return tessellate(*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis, paths->id);
+}
+
+/// Runs as strokes are made of them: cut back where they pass behind others, contours drawn on to where other lines go
+/// on, and all beyond their ends. Short lines overshoot by at most a quarter of their length, as a hand would.
+Runs Frame::with_ends() const {
+    std::vector<double> halos, near, away;
+    for (const style::LineSet& set : job.style.line_sets) {
+        halos.push_back(set.halo);
+        near.push_back(set.overshoot);
+        away.push_back(set.overshoot_away.value_or(set.overshoot));
+    }
+    const Runs shorter = halo(*clipped, *runs, by_path(*paths, scale(), halos), paths->of_view);
+    const Runs joined = meet_ends(*clipped, shorter, paths->of_view, paths->placement, job.options.meet * scale());
+    const Array<double> lengths = lengths_in_frame(*paths, *clipped);
+    const auto reach = [&](const std::vector<double>& of_set) {
+        Array<float> amounts = by_path(*paths, scale(), of_set);
+        for (std::size_t p = 0; p < amounts.size(); ++p)
+            amounts[p] = float(std::min(double(amounts[p]), lengths[p] / 4.0));
+        return amounts;
+    };
+    const style::Transfer& answer = job.style.effects.overshoot;
+    if (focus.empty() || answer.strength == 0.0) return overshoot(*clipped, joined, reach(near));
+    Array<float> mix(focus.size());
+    std::ranges::transform(focus, mix.begin(), transfer_of(answer));
+    return overshoot(*clipped, joined, reach(near), reach(away), mix);
+}
+
+bool Frame::thins() const { return job.style.elision.enabled && job.options.visibility != Visibility::spine; }
+
+std::string Frame::visibility_in_words() const {
+    const Options& o = job.options;
+    const auto by = [&](int looks, const char* what) {
+        return std::to_string(looks) + " " + what + " x " + std::to_string(o.depth_scale);
+    };
+    switch (o.visibility) {
+        case Visibility::atlas:
+            return "segment atlas, " + by(o.probes, "probes");
+        case Visibility::spine:
+            return "spine test, " + by(o.probes, "probes");
+        case Visibility::item_buffer:
+            return "item buffer, " + by(o.layers, "layers");
+        default:
+            return "exact";
+    }
+}
+
+ShownLines Frame::shown_lines() {
+    filter();
+    return fovea::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
+}
+
+/// Per atlas sample: what elision leaves of the runs in this frame.
+Array<float> Frame::left(float cut) {
+    const style::Elision& e = job.style.elision;
+    const std::size_t placements = job.scene->placements.size();
+    const auto painted = [&](const std::string& attribute) {
+        return attribute.empty() ? Array<float>()
+                                 : values_on_paths(*paths, *job.scene, job.overrides.painted_as(attribute, placements));
+    };
+    const Array<float> priority_paint = painted(e.priority_attribute), density_paint = painted(e.density_attribute);
+    const PriorityWeights weights{e.length, e.kind,   e.strength,
+                                  e.depth,  e.object, e.priority_attribute.empty() ? 0.0 : e.painted};
+    const Array<float> priorities =
+        path_priorities(*paths, *job.scene, job.view, weights, job.overrides.importance, priority_paint);
+    const Array<Index> ranks = rank_runs(*clipped, *runs, priorities, paths->id);
+
+    Density density{focus, distance, {}, {}};
+    Array<float> painted_density, mapped;
+    if (!density_paint.empty()) painted_density = values_of_samples(*clipped, density_paint);
+    if (job.overrides.density_map) mapped = map_of_samples(*clipped, job.view, *job.overrides.density_map);
+    density.painted = painted_density;
+    density.mapped = mapped;
+    const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
+
+    Elision elision;
+    elision.own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
+    elision.bands = draw_bands(*clipped, *runs, ranks, elision.own);
+    const Array<vec2> crowding = job.backend->elide(*this, elision);
+    const ElisionOptions options{float(e.fade_from), cut, stub * scale()};
+    return elision_opacities(*clipped, elision.own, elision_scores(elision.own, crowding), options);
+}
+
+Array<float> Frame::focus_along_lines() {
+    const style::Style& style = job.style;
+    if (!style.has_away()) return {};
+    if (style.effects.lines == style::Mode::uniform)
+        return Array<float>(clipped->samples, float(style.effects.uniform));
+    if (!style.focus.active()) return {};
+    if (style.focus.model != style::FocusModel::painted) return focus_of_samples(*clipped, focus_function());
+    const Painted painted = job.overrides.painted_as(style.focus.attribute, job.scene->placements.size());
+    return inverted(values_of_samples(*clipped, values_on_paths(*paths, *job.scene, painted)));
+}
+
+Array<float> Frame::distance_along_lines() const {
+    const style::Distance& d = job.style.distance;
+    const double strongest = std::max({d.width.strength, d.opacity.strength, d.density.strength});
+    if (strongest == 0.0 || !job.style.has_away()) return {};
+    return distance_of_samples(*clipped, float(d.near), float(d.far));
+}
+
+}  // namespace fovea

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/draw/pens.h>
+
+#include <map>
+
+#include <fovea/base/view.h>
+
+namespace fovea {
+namespace {
+
+constexpr Index uncounted = 255;  // more surfaces than are ever counted
+
+std::vector<PenRange> ranges_of(const style::Style& style) {
+    std::vector<PenRange> ranges;
+    for (Index set = 0; set < style.line_sets.size(); ++set) ranges.push_back({set, 0, 0, set});
+    for (Index set = 0; set < style.line_sets.size(); ++set)
+        for (const style::Hidden& hidden : style.line_sets[set].hidden)
+            ranges.push_back({set, Index(hidden.first), hidden.last ? Index(*hidden.last) : uncounted,
+                              static_cast<Index>(ranges.size())});
+    return ranges;
+}
+
+}  // namespace
+
+double width_px(const style::Style& style, const style::Pen& pen, double scale) {
+    switch (pen.width_unit) {
+        case style::WidthUnit::pixels:
+            return pen.width;
+        case style::WidthUnit::millimetres:
+            return pen.width * (reference_height * scale / style.paper.height_mm);
+        default:
+            return pen.width * scale;
+    }
+}
+
+Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
+    const std::vector<style::PenPair> pairs = style.pen_pairs();
+    std::vector<const style::Pen*> all;
+    for (const auto& pair : pairs) all.push_back(pair.pen);
+    for (const auto& pair : pairs)
+        if (pair.away) all.push_back(pair.away);
+    Pens found;
+    found.ranges = ranges_of(style);
+    std::map<std::string, Index> numbers;  // in the order of their names
+    for (const style::Pen* pen : all)
+        if (assets.texture(pen->texture)) numbers[pen->texture];
+    for (auto& [name, number] : numbers) {
+        number = static_cast<Index>(found.textures.size());
+        found.textures.push_back(assets.texture(name)->ink);
+    }
+    for (const style::Pen* pen : all) {
+        const double width = width_px(style, *pen, scale);
+        Pen made;
+        made.color = vec3(pen->color);
+        made.opacity = float(pen->opacity);
+        made.width_px = float(width);
+        made.texture_length_px = float(pen->length_scale * assets.texture_length(pen->texture) * width);
+        made.anchor = pen->texture_anchor;
+        made.cap = pen->cap;
+        made.taper_px = float(pen->taper * scale);
+        made.strength_width = float(pen->strength_width);
+        made.wobble_px = float(pen->wobble * scale);
+        made.wobble_length_px = float(pen->wobble_length * scale);
+        made.seed = static_cast<Index>(pen->seed);
+        made.pressure = float(pen->pressure);
+        if (const auto texture = numbers.find(pen->texture); texture != numbers.end()) made.texture = texture->second;
+        found.pens.push_back(made);
+    }
+    Index away = static_cast<Index>(pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].away) found.pens[i].away = away++;
+    return found;
+}
+
+}  // namespace fovea

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A frame's pixels: what lies under the lines, and the passes.
+#include <algorithm>
+
+#include <fovea/color/effects.h>
+#include <fovea/color/painted_image.h>
+#include <fovea/draw/along_lines.h>
+#include <fovea/draw/focus_function.h>
+#include <fovea/draw/frame.h>
+#include <fovea/scene/seen.h>
+#include <fovea/stroke/compose.h>
+#include <fovea/visibility/depth_image.h>
+
+namespace fovea {
+namespace {
+
+Shading shading_of(style::Shading shading) {
+    switch (shading) {
+        case style::Shading::smooth:
+            return Shading::smooth;
+        case style::Shading::toon:
+            return Shading::toon;
+        default:
+            return Shading::flat;
+    }
+}
+
+/// How much of an effect each pixel has: up to `most`.
+Array<float> amounts(const style::Transfer& transfer, In<float> focus, float most = 1.0f) {
+    const Transfer answer = transfer_of(transfer);
+    Array<float> result(focus.size());
+    parallel_for(focus.size(), [&](std::size_t i) { result[i] = most * answer(focus[i]); });
+    return result;
+}
+
+/// Values of a view's pixels from those of the same in fewer pixels: of the nearest.
+Array<float> magnified(const Array<float>& image, const View& fewer, const View& view) {
+    const auto nearest = [](int i, int size, int of) { return int((i + 0.5) * of / size); };
+    Array<float> result(std::size_t(view.width) * view.height);
+    parallel_for(view.height, [&](std::size_t y) {
+        const float* row = &image[std::size_t(nearest(int(y), view.height, fewer.height)) * fewer.width];
+        for (int x = 0; x < view.width; ++x) result[y * view.width + x] = row[nearest(x, view.width, fewer.width)];
+    });
+    return result;
+}
+
+}  // namespace
+
+void Frame::picture() {
+    ink();
+    if (!begin(Step::picture)) return;
+    if (job.colors && job.style.has_color())
+        stage("color", 0.05, [&] {
+            const style::Color& color = job.style.color;
+            const ColorSources& from = *job.colors;
+            const LayerOptions options{shading_of(color.shading), color.bands};
+            passes.color = color_layer(*tracer, from.surfaces, from.lights, from.world, options, cancel());
+            if (color.desaturation != 0.0)
+                desaturate(passes.color, Array<float>(passes.color.size(), float(color.desaturation)));
+        });
+    stage("focus", 0.05, [&] {
+        if (job.options.with_focus || colors_answer()) passes.focus = focus_of_pixels();
+        if (!passes.color.empty()) focus_colors();
+    });
+    stage("paper", 0.05, [&] { put_on_paper(); });
+    if (job.options.with_depth)
+        stage("depth", 0.05, [&] {
+            depth();
+            passes.depth = std::move(depth_);
+        });
+}
+
+/// Whether the color layer needs the focus of each pixel.
+bool Frame::colors_answer() const {
+    const style::Effects& e = job.style.effects;
+    const double strongest = std::max({e.desaturation.strength, e.fade.strength, e.blur.strength});
+    return !passes.color.empty() && e.colors == style::Mode::emphasized && strongest > 0.0 && job.style.focus.active();
+}
+
+void Frame::focus_colors() {
+    const style::Effects& e = job.style.effects;
+    Array<float> uniform;
+    if (e.colors == style::Mode::uniform) uniform.assign(passes.color.size(), float(e.uniform));
+    const In<float> at = uniform.empty() ? In<float>(passes.focus) : In<float>(uniform);
+    if (at.empty()) return;
+    if (e.desaturation.strength != 0.0) desaturate(passes.color, amounts(e.desaturation, at));
+    const auto& background = job.style.color.background;
+    if (e.fade.strength != 0.0)
+        fade(passes.color, amounts(e.fade, at), background ? std::optional(vec3(*background)) : std::nullopt);
+    if (e.blur.strength != 0.0) blur(passes.color, job.view.width, amounts(e.blur, at, float(e.blur_radius * scale())));
+}
+
+void Frame::put_on_paper() {
+    const style::Paper& paper = job.style.paper;
+    const Array<float> holdout = holdout_image(*tracer, cancel());
+    const auto texture = job.assets->paper(paper.texture);
+    if (passes.color.empty() && !texture)
+        return compose(passes.lines, vec3(paper.color), paper.transparent, holdout, passes.combined);
+    PaperOptions options;
+    options.color = vec3(paper.color);
+    options.transparent = paper.transparent;
+    if (!passes.color.empty() && job.style.color.background) options.background = vec3(*job.style.color.background);
+    options.layer_opacity = float(job.style.color.opacity);
+    options.texel_px = float(paper.scale * scale());
+    options.tooth = float(paper.tooth);
+    options.granulation = float(paper.granulation);
+    options.tint = float(paper.tint);
+    on_paper(passes.lines, passes.color, holdout, job.view, texture.get(), options, passes.combined);
+}
+
+Array<float> Frame::focus_of_pixels() {
+    const style::Focus& focus = job.style.focus;
+    if (!focus.active()) return {};
+    if (job.options.focus_step > 1 && focus.model != style::FocusModel::image) return focus_of_fewer_pixels();
+    if (focus.model == style::FocusModel::painted) {
+        const Painted painted = job.overrides.painted_as(focus.attribute, job.scene->placements.size());
+        Array<float> image = painted_image(rays(), painted, cancel());
+        parallel_for(image.size(), [&](std::size_t i) { image[i] = 1.0f - image[i]; });
+        return image;
+    }
+    if (focus.model == style::FocusModel::image)
+        return fovea::focus_of_pixels(job.view, Array<float>(std::size_t(job.view.width) * job.view.height, 0.0f),
+                                      focus_function());
+    return fovea::focus_of_pixels(job.view, depth(), focus_function());
+}
+
+/// Focus evaluated at pixels so many apart; those between are as the nearest of them.
+Array<float> Frame::focus_of_fewer_pixels() {
+    Job coarse{.scene = job.scene, .view = smaller(job.view, 1.0 / job.options.focus_step), .style = {}};
+    coarse.style.focus = job.style.focus;
+    coarse.overrides = job.overrides;
+    coarse.cancel = job.cancel;
+    Frame fewer(std::move(coarse));
+    // Focus in the scene does not depend on the pixels, and takes time to make.
+    if (job.style.focus.model != style::FocusModel::painted) fewer.focus_ = focus_function();
+    return magnified(fewer.focus_of_pixels(), fewer.job.view, job.view);
+}
+
+const Tracer& Frame::rays() {
+    if (!tracer) tracer = std::make_shared<Tracer>(*job.scene, job.view);
+    return *tracer;
+}
+
+const Array<float>& Frame::depth() {
+    if (depth_.empty()) depth_ = depth_image(rays(), cancel());
+    return depth_;
+}
+
+const Focus& Frame::focus_function() {
+    if (!focus_) focus_ = fovea::focus_function(job.style.focus, job.scene.get(), job.view, job.overrides.objects);
+    return *focus_;
+}
+
+}  // namespace fovea

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters of a line definition. Outside of its file they are numbers with names, which panels, style files and the
+// command line read from the registry; its functions take them as a struct. Both are declared in one place.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <fovea/base/check.h>
+
+namespace fovea {
+
+enum class Unit { none, degrees, pixels, boolean };
+
+/// Who may give a parameter a value of its own: a line set, or each object, too.
+enum class Per { line_set, object };
+
+/// A number the artist may set.
+struct Parameter {
+    const char* name;
+    const char* label;
+    double value;  ///< default
+    double low, high;
+    Unit unit;
+    const char* meaning;
+    Per per = Per::line_set;
+};
+
+/// Values of a definition's parameters, in the order they are declared.
+using Values = std::vector<double>;
+
+/// A parameter, and the member of a definition's struct P that holds it: a number, a whole number or a switch.
+template <typename P>
+struct ParameterOf {
+    std::variant<double P::*, int P::*, bool P::*> member;
+    Parameter declared;
+
+    ParameterOf(double P::* to, const char* name, const char* label, double value, double low, double high, Unit unit,
+                const char* meaning, Per per = Per::line_set)
+        : member(to), declared{name, label, value, low, high, unit, meaning, per} {}
+    ParameterOf(int P::* to, const char* name, const char* label, int value, int low, int high, const char* meaning)
+        : member(to), declared{name, label, double(value), double(low), double(high), Unit::none, meaning} {}
+    ParameterOf(bool P::* to, const char* name, const char* label, bool value, const char* meaning)
+        : member(to), declared{name, label, value ? 1.0 : 0.0, 0.0, 1.0, Unit::boolean, meaning} {}
+};
+
+/// All parameters of a definition.
+template <typename P>
+class Parameters {
+   public:
+    Parameters(std::initializer_list<ParameterOf<P>> all) : all_(all) {}
+
+    /// With others after them.
+    Parameters with(std::initializer_list<ParameterOf<P>> more) const {
+        Parameters result = *this;
+        result.all_.insert(result.all_.end(), more.begin(), more.end());
+        return result;
+    }
+
+    /// As the registry lists them.
+    operator std::vector<Parameter>() const {
+        std::vector<Parameter> declared;
+        for (const ParameterOf<P>& parameter : all_) declared.push_back(parameter.declared);
+        return declared;
+    }
+
+    P read(const Values& values) const {
+        check(values.size() == all_.size(), "a line definition with " + std::to_string(all_.size()) +
+                                                " parameters was given " + std::to_string(values.size()) + " values");
+        P result{};
+        for (std::size_t i = 0; i < all_.size(); ++i)
+            std::visit([&](auto member) { result.*member = converted<decltype(result.*member)>(values[i]); },
+                       all_[i].member);
+        return result;
+    }
+
+    /// A function of a P, among others, as the registry calls it: with Values in its place.
+    template <typename Function>
+    auto of(Function function) const {
+        return [function, parameters = *this](auto&&... given) { return function(parameters.passed(given)...); };
+    }
+
+   private:
+    template <typename To>
+    static auto converted(double value) {
+        using Number = std::remove_reference_t<To>;
+        if constexpr (std::is_same_v<Number, bool>)
+            return value != 0.0;
+        else
+            return static_cast<Number>(value);
+    }
+
+    P passed(const Values& values) const { return read(values); }
+    template <typename Other>
+    Other& passed(Other& other) const {
+        return other;
+    }
+
+    std::vector<ParameterOf<P>> all_;
+};
+
+}  // namespace fovea
