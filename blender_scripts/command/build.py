@@ -47,6 +47,8 @@ def _options(target, sanitize):
     options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_COLOR_DIAGNOSTICS=OFF"]
     options.append(f"-DFOVEA_SANITIZE={'ON' if sanitize else 'OFF'}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")
+    # A user's own compiler may warn of what nobody has seen: that must not keep Fovea from being built.
+    options.append(f"-DCMAKE_COMPILE_WARNING_AS_ERROR={'ON' if target.is_suite else 'OFF'}")
     if target.python_include:
         options.append(f"-DPython_INCLUDE_DIR={target.python_include}")
     if shutil.which("ccache"):
