@@ -2,7 +2,7 @@
 // Line definitions by name: what they find, and the defaults of their parameters.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include <fovea/line/registry.h>
 
@@ -10,7 +10,7 @@ namespace fovea {
 
 /// rule_of<CurveRule>("ridge").find(seen, values)
 template <typename Rule>
-const Rule& rule_of(const std::string& definition) {
+const Rule& rule_of(std::string_view definition) {
     return std::get<Rule>(definition_called(definition).rule);
 }
 
