@@ -2,6 +2,7 @@
 // Line definitions by name: what they find, and the defaults of their parameters.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <fovea/line/registry.h>
