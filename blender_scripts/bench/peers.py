@@ -78,7 +78,8 @@ def main(words, blender, environment, shared: Path | None) -> int:
     rows = []
     for spec in options.scenes:
         for renderer in options.renderers:
-            print(f"fovea: {spec}, {renderer}", file=sys.stderr, flush=True)
+            place = f"{len(rows) + 1} of {len(options.scenes) * len(options.renderers)}"
+            print(f"fovea: {spec}, {renderer} ({place})", file=sys.stderr, flush=True)
             asked = {
                 "scene": spec, "renderer": renderer, "size": options.size, "shared": str(shared or ""),
                 "repeats": options.repeats,

@@ -32,7 +32,7 @@ def core(target):
     The same objects as those of the module: ccache has them."""
     folder = target.work / "core"
     with target.lock():
-        options = ["--preset", "release", "-S", _source(target), "-B", folder, *_compiling()]
+        options = ["--preset", "release", "-S", _source(target), "-B", folder, *_compiling(target)]
         target.run("configuring the core", ["cmake", *options])
         _make(target, "building the core", folder, "--target", "fovea_core", "fovea_tool")
     return folder
@@ -64,7 +64,7 @@ def _source(target):
 
 
 def _options(target, sanitize):
-    options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling()]
+    options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling(target)]
     options.append(f"-DFOVEA_SANITIZE={'address,undefined' if sanitize else ''}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")
     options.append("-DFOVEA_TOOL=OFF")
@@ -73,8 +73,11 @@ def _options(target, sanitize):
     return options
 
 
-def _compiling():
+def _compiling(target):
     options = ["-DCMAKE_COLOR_DIAGNOSTICS=OFF"]
+    # The compiler of Debian's stable release stays; another one may warn of what nobody has seen, and that must not keep
+    # Fovea from being built.
+    options.append(f"-DCMAKE_COMPILE_WARNING_AS_ERROR={'ON' if target.name == 'trixie' else 'OFF'}")
     if shutil.which("ccache"):
         options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
     return options

@@ -13,9 +13,8 @@ from .target import PROJECT, say, tail
 
 CPP = ("native", "tests/native")  # folders of all C++ files
 RULES = ("tests/python/test_layering.py", "tests/python/test_licenses.py")  # tests that only read the sources
-# A place in a file and what is wrong there, as compilers and ruff tell it; a file that ruff would write otherwise.
+# A place in a file and what is wrong there, as compilers and ruff tell it.
 PLACE = re.compile(r"(?P<file>[^\s:]+):\d+:\d+: (?!note: ).+")
-OTHERWISE = re.compile(r"Would reformat: (?P<file>.+)")
 
 
 @dataclass(frozen=True)
@@ -58,11 +57,11 @@ def holds(target, check, fix):
 
 
 def of_python():
-    lint, form = ["ruff", "check", "--no-cache"], ["ruff", "format", "--no-cache"]
+    lint, form, concise = ["ruff", "check", "--no-cache"], ["ruff", "format", "--no-cache"], "--output-format=concise"
     rules = [sys.executable, "-m", "pytest", "-q", "--no-header", *RULES]
     return [
-        Check("lint of Python", [*lint, "--output-format=concise"], PLACE, fix=[*lint, "--fix"]),
-        Check("format of Python", [*form, "--check"], OTHERWISE, files_alone=True, fix=form),
+        Check("lint of Python", [*lint, concise], PLACE, fix=[*lint, "--fix"]),
+        Check("format of Python", [*form, "--check", concise], PLACE, files_alone=True, fix=form),
         Check("rules of imports, includes and licenses", rules),
     ]
 

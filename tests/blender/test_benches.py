@@ -151,8 +151,7 @@ def test_a_slow_renderer_draws_one_frame_of_a_scene(tmp_path, monkeypatch, is_sl
     worker.main(asked)
     record = json.loads(out.read_text())
     assert (len(record["first"]), len(record["moved"])) == (first, moved) and record["triangles"] > 0
-    # Beside the frames of the scene, whatever is compiled is compiled for a tiny picture, or in a cold round.
-    assert drawn.count(100) == (1 if is_slow else 8) and len(drawn) == (2 if is_slow else 8)
+    assert drawn == [100] * (1 if is_slow else 8)  # percent of the picture's size; others have a cold round, too
 
 
 def test_of_the_renderers_freestyle_alone_is_slow():

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <fovea/line/registry.h>
 
@@ -10,7 +11,7 @@ namespace fovea {
 
 /// rule_of<CurveRule>("ridge").find(seen, values)
 template <typename Rule>
-const Rule& rule_of(const std::string& definition) {
+const Rule& rule_of(std::string_view definition) {
     return std::get<Rule>(definition_called(definition).rule);
 }
 

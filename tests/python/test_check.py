@@ -73,7 +73,8 @@ def test_a_bad_source_is_found_and_mended(suite, monkeypatch, capfd, name):
     bad.parent.mkdir(parents=True)
     bad.write_text(text)
     assert check.check(suite(name), []) == 1
-    assert f"    {said}" in capfd.readouterr().err and bad.read_text() == text
+    told = capfd.readouterr().err
+    assert f"    {said}" in told and told.count(f"    {file}\n") == 1 and bad.read_text() == text
     assert check.check(suite(name), ["--fix"]) == 0 and bad.read_text() != text
     assert check.check(suite(name), []) == 0
 

@@ -147,7 +147,11 @@ def test_the_rules_hold():
     [
         ("native/fovea/mesh/planted.cpp", "#include <fovea/line/segments.h>", "which comes after it"),
         ("native/fovea/line/planted.cpp", "#include <pybind11/numpy.h>", "allowed only in native/bindings/"),
-        ("native/fovea/visibility/planted.cpp", "#include <embree4/rtcore.h>", "allowed only in native/fovea/scene/bvh"),
+        (
+            "native/fovea/visibility/planted.cpp",
+            "#include <embree4/rtcore.h>",
+            "allowed only in native/fovea/scene/bvh",
+        ),
         ("native/fovea/color/planted.cpp", "#include <tool/model.h>", "which comes after it"),
         ("native/tool/planted.cpp", "#include <bindings/bind.h>", "which comes after it"),
         ("native/fovea/base/planted.cpp", "#include <nlohmann/json.hpp>", "allowed only in native/(tool/"),

@@ -36,16 +36,16 @@ struct Job {
     std::shared_ptr<const Scene> scene;
     View view;
     style::Style style;
-    Options options;
-    Overrides overrides;
-    std::shared_ptr<const Assets> assets;
-    std::shared_ptr<Backend> backend;
-    std::optional<ColorSources> colors;  ///< none: no color layer, whatever the style says
+    Options options = {};
+    Overrides overrides = {};
+    std::shared_ptr<const Assets> assets = {};
+    std::shared_ptr<Backend> backend = {};
+    std::optional<ColorSources> colors = {};  ///< none: no color layer, whatever the style says
     /// Other frames for elision smoothed in time: how many frames later each is, and what it shows.
-    std::vector<std::pair<int, std::shared_ptr<const ShownLines>>> near;
+    std::vector<std::pair<int, std::shared_ptr<const ShownLines>>> near = {};
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Hears the share that is done before each stage, in [0, 1], and the stage's name.
-    std::function<void(double, const std::string&)> progress;
+    std::function<void(double, const std::string&)> progress = {};
 };
 
 /// Passes of width x height pixels, bottom row first, scene-linear and premultiplied; empty: not asked for, or nothing.

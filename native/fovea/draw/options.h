@@ -36,7 +36,7 @@ struct Options {
     double least_hidden = 6.0;  ///< reference pixels; shorter hidden parts between visible ones are left out
     /// Drafts: what of a line set's lines is not the outer boundary goes to the next set that wants it. Hidden parts
     /// have no pens then.
-    Outlines outlines;
+    Outlines outlines = {};
     int focus_step = 1;       ///< drafts: pixels between those whose focus is evaluated for the colors under the lines
     bool with_depth = false;  ///< also make the depth pass
     bool with_focus = false;  ///< and that of focus, where the style has one

@@ -71,9 +71,14 @@ class Parameters {
         check(values.size() == all_.size(), "a line definition with " + std::to_string(all_.size()) +
                                                 " parameters was given " + std::to_string(values.size()) + " values");
         P result{};
-        for (std::size_t i = 0; i < all_.size(); ++i)
-            std::visit([&](auto member) { result.*member = converted<decltype(result.*member)>(values[i]); },
-                       all_[i].member);
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const auto write = [&](auto member) {
+                using Number = std::remove_reference_t<decltype(result.*member)>;
+                // A struct has no member larger than itself; of those that it cannot have, gcc warns.
+                if constexpr (sizeof(Number) <= sizeof(P)) result.*member = converted<Number>(values[i]);
+            };
+            std::visit(write, all_[i].member);
+        }
         return result;
     }
 
@@ -84,9 +89,8 @@ class Parameters {
     }
 
    private:
-    template <typename To>
-    static auto converted(double value) {
-        using Number = std::remove_reference_t<To>;
+    template <typename Number>
+    static Number converted(double value) {
         if constexpr (std::is_same_v<Number, bool>)
             return value != 0.0;
         else

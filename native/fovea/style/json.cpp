@@ -88,6 +88,12 @@ void read(const Json& json, std::optional<T>& value, const std::string& where) {
     if (!json.is_null() && !json.is_string()) read(json, value.emplace(), where);
 }
 
+/// Asked for by a function: compilers may look for the member in every record otherwise.
+template <Record S>
+const Pen& pen_in_focus(const S& record) {
+    return record.pen;
+}
+
 template <Record S>
 void read(const Json& json, S& record, const std::string& where) {
     check(json.is_object(), where + " must be a JSON object");
@@ -97,7 +103,7 @@ void read(const Json& json, S& record, const std::string& where) {
         // What is not given of a pen out of focus is as in focus.
         if constexpr (std::is_same_v<V, std::optional<Pen>>)
             if (found->is_object()) {
-                (record.*field.member).emplace(record.pen);
+                (record.*field.member).emplace(pen_in_focus(record));
                 return read(*found, *(record.*field.member), where + "." + field.name);
             }
         read(*found, record.*field.member, where + "." + field.name);
