@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core as a program: reads a model and prints its statistics.
+// The core as a program: reads a model, draws it, and prints its statistics.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <tool/options.h>
@@ -14,7 +14,16 @@ int main(int count, char** words) {
     try {
         limit_threads(options.threads);
         const tool::Model model = tool::read_model(options.model);
-        const nlohmann::ordered_json found = tool::statistics(model, options.camera, options.lines);
+        const style::Style style =
+            options.style.empty() ? tool::style_of(options.lines) : tool::read_style(options.style);
+        Frame frame = tool::frame_of(model, options.camera, style, options.assets);
+        if (options.output.empty()) {
+            frame.see();
+        } else {
+            frame.picture();
+            tool::write_png(frame, options.output);
+        }
+        const nlohmann::ordered_json found = tool::statistics(model, frame);
         // Names of files need not be UTF-8.
         std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     } catch (const std::exception& problem) {

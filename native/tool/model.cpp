@@ -6,65 +6,17 @@
 #include <limits>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
-#include <fovea/mesh/ears.h>
-#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/polygon_surface.h>
 
 namespace fovea::tool {
 namespace {
 
 constexpr std::size_t most_elements = std::size_t(none / 4);  // what a surface holds
 
-/// Larger polygons are left to be cut as a fan: cutting ears takes time with the square of their corners.
-constexpr int most_corners = 1 << 14;
-
-struct NgonTriangles {
-    std::vector<glm::ivec3> vertices;
-    std::vector<int> polygon;
-};
-
-/// Triangles of the polygons with more than four corners.
-NgonTriangles ngon_triangles(const Model& model) {
-    std::vector<std::vector<Triangle>> cut(model.polygon_count());
-    const auto corners_of = [&](std::size_t f) { return model.polygon_offsets[f + 1] - model.polygon_offsets[f]; };
-    parallel_for(
-        cut.size(),
-        [&](std::size_t f) {
-            if (corners_of(f) <= 4 || corners_of(f) > most_corners) return;
-            std::vector<vec3> corners;
-            for (int c = model.polygon_offsets[f]; c < model.polygon_offsets[f + 1]; ++c)
-                corners.push_back(model.positions[model.corner_verts[c]]);
-            cut[f] = cut_ears(corners);
-        },
-        64);
-    NgonTriangles all;
-    for (std::size_t f = 0; f < cut.size(); ++f) {
-        const int* verts = model.corner_verts.data() + model.polygon_offsets[f];
-        for (const Triangle& t : cut[f]) {
-            all.vertices.push_back({verts[t.x], verts[t.y], verts[t.z]});
-            all.polygon.push_back(int(f));
-        }
-    }
-    return all;
-}
-
 }  // namespace
 
 std::shared_ptr<Surface> Model::surface() const {
-    const PolygonEdges edges = polygon_edges(polygon_offsets, corner_verts);
-    const NgonTriangles ngons = ngon_triangles(*this);
-    return std::make_shared<Surface>(name, MeshArrays{positions,
-                                                      edges.edge_verts,
-                                                      corner_verts,
-                                                      edges.corner_edges,
-                                                      polygon_offsets,
-                                                      ngons.vertices,
-                                                      ngons.polygon,
-                                                      material,
-                                                      {},
-                                                      {},
-                                                      {},
-                                                      {}});
+    return polygon_surface(name, positions, corner_verts, polygon_offsets, material);
 }
 
 void refuse(const std::string& file, const char* unit, std::size_t place, const std::string& what) {

@@ -30,11 +30,14 @@ void take_size(const std::string& text, Camera& camera) {
 Options parse(int count, char** words) {
     Options options;
     CLI::App app(
-        "Finds the lines of a model (OBJ or PLY) without Blender and prints, as JSON, what it is made of, how "
-        "many lines it has and how long each stage takes.");
+        "Draws a model (OBJ or PLY) without Blender and prints, as JSON, what it is made of, how many lines it has "
+        "and how long each stage takes.");
     app.add_option("model", options.model, "an .obj or .ply file")->required();
     app.add_option("--lines", options.lines, "line definitions by name, with commas between them, or all")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->excludes(app.add_option("--style", options.style, "a style file, which says itself what its lines are"));
+    app.add_option("--assets", options.assets, "the folder with the textures and papers that the style names");
+    app.add_option("-o,--output", options.output, "draws the model: a PNG file");
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { take_size(text, options.camera); },
         "of the picture, WIDTHxHEIGHT (1920x1080)");

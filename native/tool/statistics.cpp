@@ -1,39 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tool/statistics.h>
 
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include <fovea/path/extract.h>
-#include <fovea/project/project.h>
-#include <fovea/visibility/exact.h>
+#include <fovea/line/registry.h>
 
 namespace fovea::tool {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// Times stages, one after the other.
-class Clock {
-   public:
-    template <typename Stage>
-    auto time(const char* name, const Stage& stage) {
-        const auto start = std::chrono::steady_clock::now();
-        auto result = stage();
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-        milliseconds[name] = std::round(taken.count() * 1e3) / 1e3;
-        return result;
-    }
-    ordered_json milliseconds;
-};
-
-LineSet line_set(const std::vector<std::string>& names) {
-    LineSet set;
-    for (const std::string& name : names)
-        set.kinds.push_back({definition_index(name), default_values(definition_called(name))});
-    return set;
-}
 
 ordered_json of(const Broken& broken) {
     ordered_json counts{{"count", broken.count}};
@@ -55,19 +31,22 @@ ordered_json of(const Surface& surface) {
             {"inconsistent_edges", report.inconsistent_edges}};
 }
 
-/// Per definition asked for, how many paths are of its kind, at least in part, and of how many segments in all.
-ordered_json of(const Paths& paths, const LineSet& set) {
+/// Per definition that the style asks for, how many paths are of its kind, at least in part, and of how many segments
+/// in all.
+ordered_json of(const Paths& paths, const style::Style& style) {
     ordered_json counts = ordered_json::object();
-    for (const LineKind& kind : set.kinds) {
-        std::size_t found = 0, segments = 0;
-        for (Index p = 0; p < paths.count(); ++p) {
-            const std::size_t before = segments;
-            for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i)
-                segments += paths.kinds[i] >> kind.definition & 1;
-            found += segments > before;
+    for (const style::LineSet& set : style.line_sets)
+        for (const auto& [name, parameters] : set.kinds) {
+            const Index definition = definition_index(name);
+            std::size_t found = 0, segments = 0;
+            for (Index p = 0; p < paths.count(); ++p) {
+                const std::size_t before = segments;
+                for (Index i = paths.rows.begin(p); i + 1 < paths.rows.end(p); ++i)
+                    segments += paths.kinds[i] >> definition & 1;
+                found += segments > before;
+            }
+            counts[name] = {{"paths", found}, {"segments", segments}};
         }
-        counts[line_definitions()[kind.definition]->name] = {{"paths", found}, {"segments", segments}};
-    }
     return counts;
 }
 
@@ -88,21 +67,17 @@ std::vector<std::string> default_lines() {
     return names;
 }
 
-ordered_json statistics(const Model& model, const Camera& camera, const std::vector<std::string>& lines) {
-    const LineSet set = line_set(lines);
-    const Cancel cancel;
-    Clock clock;
-    const auto surface = clock.time("surface", [&] { return model.surface(); });
-    const Scene scene(std::vector<Placement>{{.surface = surface, .id = 1}});
-    const View view = view_of(model.positions, camera, model.y_up);
-    const auto tracer = clock.time("rays", [&] { return std::make_unique<Tracer>(scene, view); });
-    const Paths paths = clock.time("lines", [&] { return extract_paths(scene, view, {set}, *tracer, cancel); });
-    const ClippedPaths clipped = clock.time("project", [&] { return project(paths, scene, view, {}, cancel); });
-    const Runs runs = clock.time("visibility", [&] { return exact_visibility(clipped, paths, *tracer, cancel); });
-    return {
-        {"model", model.name},       {"broken", {{"vertices", of(model.vertices)}, {"polygons", of(model.polygons)}}},
-        {"surface", of(*surface)},   {"lines", of(paths, set)},
-        {"view", of(clipped, runs)}, {"milliseconds", clock.milliseconds}};
+ordered_json statistics(const Model& model, const Frame& frame) {
+    ordered_json milliseconds;
+    for (const auto& [stage, ms] : frame.stages) milliseconds[stage] = std::round(ms * 1e3) / 1e3;
+    ordered_json found{{"model", model.name},
+                       {"broken", {{"vertices", of(model.vertices)}, {"polygons", of(model.polygons)}}},
+                       {"surface", of(*frame.job.scene->placements[0].surface)},
+                       {"lines", of(*frame.paths, frame.job.style)},
+                       {"view", of(*frame.clipped, *frame.visible)}};
+    if (frame.strokes) found["strokes"] = frame.strokes->count;
+    found["milliseconds"] = milliseconds;
+    return found;
 }
 
 }  // namespace fovea::tool

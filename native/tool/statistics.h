@@ -3,16 +3,15 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <tool/camera.h>
-#include <tool/model.h>
+#include <tool/drawing.h>
 
 namespace fovea::tool {
 
 /// Names of the line definitions that are found along edges, and quickly.
 std::vector<std::string> default_lines();
 
-/// Elements of the model and of its surface, paths and pixels of each of the definitions, all with their defaults, and
-/// milliseconds per stage. Throws std::invalid_argument for a definition that does not exist.
-nlohmann::ordered_json statistics(const Model& model, const Camera& camera, const std::vector<std::string>& lines);
+/// Elements of the model and of its surface; of a frame of it whose lines are seen (Frame::see), paths of each
+/// definition that its style asks for, pixels, strokes if it has them, and milliseconds per stage.
+nlohmann::ordered_json statistics(const Model& model, const Frame& frame);
 
 }  // namespace fovea::tool

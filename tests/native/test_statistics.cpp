@@ -19,10 +19,16 @@ namespace {
 
 tool::Model cube() { return tool::read_obj("cube.obj", cube_obj()); }
 
+nlohmann::ordered_json statistics(const tool::Model& model, const std::vector<std::string>& lines) {
+    Frame frame = tool::frame_of(model, {}, tool::style_of(lines));
+    frame.see();
+    return tool::statistics(model, frame);
+}
+
 }  // namespace
 
 TEST(Statistics, OfACubeInAGeneralViewItHasTwelveCreasesAndAContourOfSixEdges) {
-    const auto found = tool::statistics(cube(), {}, {"contour", "crease", "border"});
+    const auto found = statistics(cube(), {"contour", "crease", "border"});
     EXPECT_EQ(found["model"], "cube");
     EXPECT_EQ(found["surface"]["vertices"], 8);
     EXPECT_EQ(found["surface"]["polygons"], 6);
@@ -34,26 +40,26 @@ TEST(Statistics, OfACubeInAGeneralViewItHasTwelveCreasesAndAContourOfSixEdges) {
     EXPECT_EQ(found["lines"]["border"]["paths"], 0);
     EXPECT_LT(found["view"]["visible_px"], found["view"]["px"]);
     EXPECT_EQ(found["broken"]["polygons"], nlohmann::ordered_json({{"count", 0}}));
-    for (const char* stage : {"surface", "rays", "lines", "project", "visibility"})
+    for (const char* stage : {"bvh", "lines", "project", "visibility"})
         EXPECT_GE(found["milliseconds"][stage], 0.0) << stage;
 }
 
 TEST(Statistics, EveryDefinitionCanBeAskedForAndAnUnknownOneIsRefused) {
     std::vector<std::string> names;
     for (const LineDefinition* definition : line_definitions()) names.push_back(definition->name);
-    EXPECT_EQ(tool::statistics(cube(), {}, names)["lines"].size(), names.size());
-    EXPECT_NE(refused([] { tool::statistics(cube(), {}, {"moustache"}); }).find("moustache"), std::string::npos);
+    EXPECT_EQ(statistics(cube(), names)["lines"].size(), names.size());
+    EXPECT_NE(refused([] { statistics(cube(), {"moustache"}); }).find("moustache"), std::string::npos);
 }
 
 TEST(Statistics, BrokenElementsAreCountedWithTheFirstOfThem) {
-    const auto found = tool::statistics(tool::read_obj("a.obj", cube_obj() + "f 1 2 99\nf 1\n"), {}, {"contour"});
+    const auto found = statistics(tool::read_obj("a.obj", cube_obj() + "f 1 2 99\nf 1\n"), {"contour"});
     EXPECT_EQ(found["broken"]["polygons"]["count"], 2);
     EXPECT_EQ(found["surface"]["polygons"], 6);
 }
 
 TEST(Statistics, AModelWithoutPolygonsOrSizeHasNoLines) {
     for (const char* text : {"v 1 2 3\n", "v nan 0 0\nf 1 1 1\n", "v 5 5 5\nf 1 1 1\n"})
-        EXPECT_EQ(tool::statistics(tool::read_obj("a.obj", text), {}, {"contour"})["view"]["visible_runs"], 0) << text;
+        EXPECT_EQ(statistics(tool::read_obj("a.obj", text), {"contour"})["view"]["visible_runs"], 0) << text;
 }
 
 TEST(CameraBeforeAModel, ShowsAllOfItAndTouchesTheMarginOnTwoSides) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <tool/drawing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <fovea/base/check.h>
+#include <fovea/color/png_bytes.h>
+#include <fovea/style/json.h>
+
+namespace fovea::tool {
+namespace {
+
+std::uint8_t encoded(float linear) {
+    const float x = std::clamp(linear, 0.0f, 1.0f);
+    const float srgb = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    return static_cast<std::uint8_t>(std::lround(255.0f * srgb));
+}
+
+}  // namespace
+
+style::Style style_of(const std::vector<std::string>& lines) {
+    style::Style style;
+    style.line_sets[0].least_length = 0.0;
+    for (const std::string& name : lines) {
+        definition_index(name);
+        style.line_sets[0].kinds.emplace_back(name, style::Parameters());
+    }
+    return style;
+}
+
+style::Style read_style(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    check(stream.good(), file.string() + " cannot be read");
+    try {
+        return style::read_style(text.str());
+    } catch (const std::invalid_argument& problem) {
+        throw std::invalid_argument(file.string() + ": " + problem.what());
+    }
+}
+
+Frame frame_of(const Model& model, const Camera& camera, const style::Style& style,
+               const std::filesystem::path& assets) {
+    Job job;
+    job.scene = std::make_shared<Scene>(std::vector<Placement>{{.surface = model.surface(), .id = 1}});
+    job.view = view_of(model.positions, camera, model.y_up);
+    job.style = style;
+    job.assets = std::make_shared<Assets>(assets);
+    job.backend = std::make_shared<CpuBackend>();
+    return Frame(std::move(job));
+}
+
+void write_png(const Frame& frame, const std::filesystem::path& file) {
+    const View& view = frame.job.view;
+    Array<std::uint8_t> rgb(3 * frame.passes.combined.size());
+    parallel_for(frame.passes.combined.size(), [&](std::size_t i) {
+        const vec4& pixel = frame.passes.combined[i];
+        for (int c = 0; c < 3; ++c) rgb[3 * i + c] = encoded(pixel[c] + 1.0f - pixel.a);
+    });
+    const std::string bytes = png_bytes(rgb, view.width, view.height);
+    std::filesystem::path part = file;
+    part += ".part";
+    std::ofstream stream(part, std::ios::binary);
+    stream.write(bytes.data(), std::streamsize(bytes.size()));
+    stream.close();
+    std::error_code failed;
+    if (stream) std::filesystem::rename(part, file, failed);
+    const bool written = stream && !failed;
+    if (!written) std::filesystem::remove(part, failed);
+    check(written, file.string() + " could not be written");
+}
+
+}  // namespace fovea::tool

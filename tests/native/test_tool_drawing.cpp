@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tool draws.
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <tool/drawing.h>
+#include <tool/read_obj.h>
+
+#include <fovea/stroke/texture_file.h>
+
+#include "model_files.h"
+#include "refused.h"
+
+using namespace fovea;
+using namespace fovea::model_files;
+
+namespace {
+
+struct Folder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("fovea-drawing-" + std::to_string(getpid()));
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() { std::filesystem::remove_all(path); }
+};
+
+}  // namespace
+
+TEST(ToolDrawing, OfACubeIsInkOnWhitePaperInAFileOfThePicturesSize) {
+    const Folder folder;
+    Frame frame = tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = 200, .height = 120},
+                                 tool::style_of({"contour", "crease"}));
+    frame.picture();
+    tool::write_png(frame, folder.path / "cube.png");
+    const PenTexture seen = read_texture((folder.path / "cube.png").string());
+    EXPECT_EQ(seen.width, 200);
+    EXPECT_EQ(seen.height, 120);
+    std::size_t white = 0, black = 0;
+    for (const float value : seen.ink) {
+        white += value > 0.99f;
+        black += value < 0.3f;
+    }
+    EXPECT_GT(white, seen.ink.size() * 8 / 10);
+    EXPECT_GT(black, 100u);
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "cube.png.part"));
+}
+
+TEST(ToolDrawing, WhatCannotBeWrittenOrReadIsNamed) {
+    const Folder folder;
+    Frame frame = tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = 32, .height = 32},
+                                 tool::style_of({"contour"}));
+    frame.picture();
+    const auto nowhere = folder.path / "missing" / "cube.png";
+    EXPECT_NE(refused([&] { tool::write_png(frame, nowhere); }).find("missing"), std::string::npos);
+    EXPECT_NE(refused([&] { tool::read_style(folder.path / "none.json"); }).find("none.json"), std::string::npos);
+    std::ofstream(folder.path / "broken.json") << R"({"paper": {"tooth": "sharp"}, "line_sets": [{}]})";
+    EXPECT_NE(refused([&] { tool::read_style(folder.path / "broken.json"); }).find("paper.tooth"), std::string::npos);
+}
