@@ -60,6 +60,11 @@ py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
         "replace", [](const S& record, const py::kwargs& given) { return with(record, given); },
         "The same with other values.");
     bound.def("__eq__", [](const S& a, const S& b) { return a == b; }, py::is_operator());
+    bound.def("__hash__", [](const S& record) {
+        py::list values;
+        style::for_each_field<S>([&](const auto& field) { values.append(value_to(record.*field.member)); });
+        return py::hash(py::repr(values));
+    });
     style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
         bound.def_property_readonly(field.name,
                                     [member = field.member](const S& record) { return value_to(record.*member); });

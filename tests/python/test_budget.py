@@ -107,6 +107,16 @@ def test_what_stands_for_an_outline_is_told_from_what_is_drawn_anyway():
     assert budget.outlines(in_one, draft) == ()
 
 
+def test_options_of_the_same_numbers_are_the_same():
+    one, same, other = (pipeline.options(probes=probes) for probes in (4, 4, 9))
+    assert one == same and hash(one) == hash(same)
+    assert one != other and len({one, same, other, other.replace(probes=4)}) == 2
+    with pytest.raises(TypeError, match="there is no 'probe'"):
+        pipeline.options(probe=4)
+    with pytest.raises(ValueError, match="visibility is 'sharp'; it can be: exact, atlas"):
+        pipeline.options(visibility="sharp")
+
+
 def test_options_never_get_finer():
     options = pipeline.options(probes=4, depth_scale=1)
     for quality in budget.QUALITIES:
