@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The viewport in a real window while engines, shadings and the add-on come and go."""
 
+from statistics import mean
+
 
 def test_switching_engines_keeps_no_memory(play):
     found = play("switching")
     memory = found["memory"]
-    # The first rounds load what is loaded once; what is freed is not always given back at once.
-    assert min(memory[15:]) - min(memory[3:8]) < 20, memory
+    # The first rounds load what is loaded once; what is freed is given back sooner or later, by 30 MB from round to round.
+    assert mean(memory[15:]) - mean(memory[3:8]) < 20, memory
     assert found["calm"]
 
 
