@@ -19,10 +19,7 @@ std::shared_ptr<Elision> prepare(const ClippedPaths& clipped, const Runs& runs, 
     const auto ranks = borrow<Index>(rank_of_run, "ranks");
     const auto half_width = borrow<float>(half_width_px, "half_width_px");
     py::gil_scoped_release release;
-    auto elision = std::make_shared<Elision>();
-    elision->own = own_bands(clipped, runs, ranks, half_width, reach_px);
-    elision->bands = draw_bands(clipped, runs, ranks, elision->own);
-    return elision;
+    return std::make_shared<Elision>(elision_of(clipped, runs, ranks, half_width, reach_px));
 }
 
 py::array crowding_of(const Elision& elision, int width, int height, const Cancel* cancel) {

@@ -228,10 +228,7 @@ paths with an end that touches no other line are left out.)");
     m.def(
         "with_hidden",
         [](const ClippedPaths& clipped, const Runs& visible, const Paths& paths) {
-            // Lines of the image lie on no surface, and nothing hides them.
-            Array<std::uint8_t> always_seen(paths.count());
-            for (Index p = 0; p < paths.count(); ++p) always_seen[p] = paths.placement[p] == none;
-            return std::make_shared<Runs>(with_hidden(clipped, visible, always_seen));
+            return std::make_shared<Runs>(with_hidden(clipped, visible, paths));
         },
         py::arg("clipped"), py::arg("visible"), py::arg("paths"),
         "Visible runs and what lies between them, of invisibility 1.");

@@ -152,6 +152,24 @@ TEST(Frame, CanBeCancelledBeforeItsLinesAreFound) {
     job.cancel = cancel;
     Frame frame(std::move(job));
     EXPECT_THROW(frame.picture(), Cancelled);
+    EXPECT_THROW(frame.see(), Cancelled) << "a step that did not end is not taken for done";
+    cancel->requested = false;
+    frame.picture();
+    Frame fresh(job_of(with_hidden_lines));
+    fresh.picture();
+    EXPECT_EQ(frame.passes.combined, fresh.passes.combined);
+}
+
+TEST(Frame, WithoutWhatAStepNeedsIsRefused) {
+    Job job = job_of(with_hidden_lines);
+    job.backend = nullptr;
+    Frame lines_alone(std::move(job));
+    lines_alone.find();
+    EXPECT_THROW(lines_alone.strokes_with({}), std::invalid_argument);
+    EXPECT_THROW(lines_alone.see(), std::invalid_argument);
+    Job nowhere = job_of(with_hidden_lines);
+    nowhere.scene = nullptr;
+    EXPECT_THROW(Frame(std::move(nowhere)).find(), std::invalid_argument);
 }
 
 TEST(Frame, TexturesAreThoseOfTheFolderAndNamesLeadOutOfNone) {

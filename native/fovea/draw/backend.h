@@ -17,6 +17,14 @@ struct Elision {
     Bands bands;
 };
 
+/// Arguments as of own_bands.
+inline Elision elision_of(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
+                          float reach_px) {
+    OwnBands own = own_bands(clipped, runs, ranks, half_width_px, reach_px);
+    Bands bands = draw_bands(clipped, runs, ranks, own);
+    return {std::move(own), std::move(bands)};
+}
+
 /// Three verbs over a Frame whose earlier members are filled. `CpuBackend` is the reference and draws the same picture
 /// on every machine; others may need a context, and are called on the thread that draws.
 class Backend {

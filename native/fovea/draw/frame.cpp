@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include <fovea/base/check.h>
 #include <fovea/color/map.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/draw/outlined.h>
@@ -35,13 +36,6 @@ Array<float> inverted(Array<float> values) {
 
 Frame::Frame(Job given) : job(std::move(given)) {}
 
-/// Whether a step is still to be taken.
-bool Frame::begin(Step step) {
-    if (done_ >= step) return false;
-    done_ = step;
-    return true;
-}
-
 void Frame::stage(const char* name, double share, const std::function<void()>& body) {
     if (job.progress) job.progress(share_, name);
     const auto start = std::chrono::steady_clock::now();
@@ -52,7 +46,7 @@ void Frame::stage(const char* name, double share, const std::function<void()>& b
 }
 
 void Frame::find() {
-    if (!begin(Step::find)) return;
+    if (has(Step::find)) return;
     stage("bvh", 0.2, [&] { rays(); });
     stage("lines", 0.1, [&] {
         const std::vector<LineSet> sets = line_sets_of(job.style, job.overrides);
@@ -64,12 +58,15 @@ void Frame::find() {
         for (const auto& set : job.style.line_sets) options.least_length_px.push_back(set.least_length * scale());
         clipped = std::make_shared<ClippedPaths>(project(*paths, *job.scene, job.view, options, cancel()));
     });
+    done_ = Step::find;
 }
 
 void Frame::see() {
     find();
-    if (!begin(Step::see)) return;
+    if (has(Step::see)) return;
+    check(job.backend != nullptr, "frame: there is no backend");
     stage("visibility", 0.25, [&] { visible = std::make_shared<Runs>(visible_runs()); });
+    done_ = Step::see;
 }
 
 Runs Frame::visible_runs() {
@@ -88,7 +85,7 @@ Runs Frame::visible_runs() {
 
 void Frame::filter() {
     see();
-    if (!begin(Step::filter)) return;
+    if (has(Step::filter)) return;
     stage("runs", 0.05, [&] {
         const Options& o = job.options;
         // Samples only say whether something hides a line, not how often.
@@ -98,10 +95,7 @@ void Frame::filter() {
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
         if (levels > 0) {
-            // Lines of the image lie on no surface, and nothing hides them.
-            Array<std::uint8_t> always_seen(paths->count());
-            for (Index p = 0; p < paths->count(); ++p) always_seen[p] = paths->placement[p] == none;
-            found = without_beside_visible(*clipped, with_hidden(*clipped, found, always_seen), o.beside * scale());
+            found = without_beside_visible(*clipped, with_hidden(*clipped, found, *paths), o.beside * scale());
             const Array<float> least = by_view(*paths, o.fold * scale(), o.least_hidden * scale());
             found = without_short_hidden(*clipped, found, least);
             if (levels > 1) found = count_invisibility(*clipped, *paths, *tracer, found, levels, cancel());
@@ -110,32 +104,36 @@ void Frame::filter() {
         focus = focus_along_lines();
         distance = distance_along_lines();
     });
+    done_ = Step::filter;
 }
 
 void Frame::thin() {
     filter();
-    if (!begin(Step::thin) || !thins()) return;
-    stage("elision", 0.05, [&] {
-        const style::Elision& elision = job.style.elision;
-        const float cut = float(elision.cut);
-        if (job.near.empty()) {
-            shown = left(cut);
-            return;
-        }
-        shown = left(0.0f);
-        const ShownLines now =
-            fovea::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
-        std::vector<FrameNear> near;
-        for (const auto& [away, lines] : job.near) near.push_back({away, *lines});
-        shown = smoothed_in_time(shown, now, near, elision.frames);
-        for (float& opacity : shown)
-            if (opacity < cut) opacity = 0.0f;
-    });
+    if (has(Step::thin)) return;
+    if (thins())
+        stage("elision", 0.05, [&] {
+            const style::Elision& elision = job.style.elision;
+            const float cut = float(elision.cut);
+            if (job.near.empty()) {
+                shown = left(cut);
+                return;
+            }
+            shown = left(0.0f);
+            const ShownLines now =
+                fovea::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
+            std::vector<FrameNear> near;
+            for (const auto& [away, lines] : job.near) near.push_back({away, *lines});
+            shown = smoothed_in_time(shown, now, near, elision.frames);
+            for (float& opacity : shown)
+                if (opacity < cut) opacity = 0.0f;
+        });
+    done_ = Step::thin;
 }
 
 void Frame::ink() {
     thin();
-    if (!begin(Step::ink)) return;
+    if (has(Step::ink)) return;
+    check(job.assets != nullptr, "frame: there are no assets");
     stage("shape", 0.05, [&] {
         Runs found = with_ends();
         pens = pens_of(job.style, *job.assets, scale());
@@ -147,9 +145,11 @@ void Frame::ink() {
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });
     stage("strokes", 0.1, [&] { passes.lines = job.backend->draw(*this); });
+    done_ = Step::ink;
 }
 
 Strokes Frame::strokes_with(In<float> opacity) const {
+    check(drawn != nullptr, "frame: its strokes are not made yet");
     const style::Effects& effects = job.style.effects;
     Emphasis emphasis;
     emphasis.focus = focus;
@@ -236,9 +236,7 @@ Array<float> Frame::left(float cut) {
     density.mapped = mapped;
     const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
 
-    Elision elision;
-    elision.own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
-    elision.bands = draw_bands(*clipped, *runs, ranks, elision.own);
+    const Elision elision = elision_of(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
     const Array<vec2> crowding = job.backend->elide(*this, elision);
     const ElisionOptions options{float(e.fade_from), cut, stub * scale()};
     return elision_opacities(*clipped, elision.own, elision_scores(elision.own, crowding), options);

@@ -111,7 +111,7 @@ class Frame {
 
    private:
     enum class Step { none, find, see, filter, thin, ink, picture };
-    bool begin(Step step);
+    bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
     Runs visible_runs();
     Runs with_ends() const;

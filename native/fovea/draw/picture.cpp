@@ -2,6 +2,7 @@
 // A frame's pixels: what lies under the lines, and the passes.
 #include <algorithm>
 
+#include <fovea/base/check.h>
 #include <fovea/color/effects.h>
 #include <fovea/color/painted_image.h>
 #include <fovea/draw/along_lines.h>
@@ -48,7 +49,7 @@ Array<float> magnified(const Array<float>& image, const View& fewer, const View&
 
 void Frame::picture() {
     ink();
-    if (!begin(Step::picture)) return;
+    if (has(Step::picture)) return;
     if (job.colors && job.style.has_color())
         stage("color", 0.05, [&] {
             const style::Color& color = job.style.color;
@@ -68,6 +69,7 @@ void Frame::picture() {
             depth();
             passes.depth = std::move(depth_);
         });
+    done_ = Step::picture;
 }
 
 /// Whether the color layer needs the focus of each pixel.
@@ -137,6 +139,7 @@ Array<float> Frame::focus_of_fewer_pixels() {
 }
 
 const Tracer& Frame::rays() {
+    check(job.scene != nullptr, "frame: there is no scene");
     if (!tracer) tracer = std::make_shared<Tracer>(*job.scene, job.view);
     return *tracer;
 }

@@ -125,4 +125,10 @@ Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8
     return all;
 }
 
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, const Paths& paths) {
+    Array<std::uint8_t> always_seen(paths.count());
+    for (Index p = 0; p < paths.count(); ++p) always_seen[p] = paths.placement[p] == none;
+    return with_hidden(clipped, visible, always_seen);
+}
+
 }  // namespace fovea

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fovea/base/types.h>
+#include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
 
 namespace fovea {
@@ -44,5 +45,8 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 /// Visible runs and what lies between them, hidden by 1 surface or more. Pieces of paths with `always_seen` set (one
 /// entry per path of Paths) have no hidden parts.
 Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen);
+
+/// The same, where lines of the image have none: they lie on no surface, and nothing hides them.
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, const Paths& paths);
 
 }  // namespace fovea
