@@ -19,9 +19,10 @@ def load():
         module = importlib.import_module("._native", __package__)
     except ImportError as error:
         raise Unavailable(_explain(error)) from error
-    # A process keeps the native code that it has loaded, whatever is installed over it.
+    # A process keeps the native code that it has loaded, whatever is installed over it and however often the module is
+    # imported anew; code that keeps no notes is of a version before them.
     file = _file_of(module)
-    if vars(module).setdefault("loaded_from", file) != file:
+    if vars(module).get("notes", {"loaded_from": None}).setdefault("loaded_from", file) != file:
         raise Unavailable("Fovea has been updated while Blender was running; start Blender again")
     return module
 

@@ -2,11 +2,15 @@
 """What the user hears when the native module cannot be used."""
 
 import importlib
+import os
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from addon import native as loader
 
 LOADER = Path(__file__).parents[2] / "addon" / "native.py"
 
@@ -48,16 +52,45 @@ def test_a_module_that_does_not_load(package):
 
 
 def test_a_module_that_loads(package):
-    (package / "_native.py").write_text("answer = 42")
+    (package / "_native.py").write_text("answer, notes = 42, {}")
     assert importlib.import_module("without_native.native").load().answer == 42
 
 
 def test_a_module_that_was_replaced_while_it_was_loaded(package):
-    (package / "_native.py").write_text("answer = 42")
+    (package / "_native.py").write_text("answer, notes = 42, {}")
     native = importlib.import_module("without_native.native")
     assert native.load() is native.load() and native.problem() == ""
-    (package / "_native.py").write_text("answer = 'newer'")
+    (package / "_native.py").write_text("answer, notes = 'newer', {}")
     assert "start Blender again" in complaint()
     # The add-on's own modules are new after an update, the native one is still the old one.
     del sys.modules["without_native.native"]
     assert "start Blender again" in complaint()
+
+
+def test_code_that_keeps_no_notes_is_of_an_older_version(package):
+    (package / "_native.py").write_text("answer = 42")
+    assert "start Blender again" in complaint()
+
+
+UPDATE = """
+import importlib, os, shutil, sys
+from pathlib import Path
+folder = Path(sys.argv[1])
+importlib.import_module(f"{folder.name}.native").load()
+# As Blender updates an extension: its modules are forgotten, its files are new ones.
+file = next(folder.glob("_native.*"))
+shutil.copy(file, folder / "newer")
+os.replace(folder / "newer", file)
+for name in [name for name in sys.modules if name.startswith(folder.name)]:
+    del sys.modules[name]
+print(importlib.import_module(f"{folder.name}.native").problem())
+"""
+
+
+def test_the_native_module_replaced_while_it_was_loaded(package):
+    """In a process of its own: one process loads native code once."""
+    shutil.copy(loader.load().__file__, package)
+    words = [sys.executable, "-c", UPDATE, str(package)]
+    environment = {**os.environ, "PYTHONPATH": str(package.parent)}
+    told = subprocess.run(words, env=environment, capture_output=True, text=True, check=True).stdout
+    assert "start Blender again" in told
