@@ -5,10 +5,9 @@ While a view moves, each draw should keep within a budget. What the stages cost 
 that one knows what a quality will cost before it is drawn.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from . import catalogue
-from .focus import OFF
 
 ENOUGH = 1.25  # times the least that any quality costs: what is nearly as fast and better looking is taken
 MARGIN = 0.8  # of the budget: a better quality must keep within it, so that qualities do not alternate
@@ -60,13 +59,13 @@ def simplified(style, quality):
     """A Style as a quality draws it."""
     sets = style.line_sets
     if not quality.hidden:
-        sets = tuple(replace(s, hidden=(), halo=0.0, overshoot=0.0, overshoot_away=None) for s in sets)
+        sets = tuple(s.replace(hidden=(), halo=0.0, overshoot=0.0, overshoot_away=None) for s in sets)
     if not quality.definitions:
         drawn = {kind for s in sets for kind in s.kinds}
-        sets = tuple(replace(s, kinds=_quick(s.kinds, drawn)) for s in sets)
-    effects = style.effects if quality.blur else replace(style.effects, blur=OFF)
-    elision = replace(style.elision, enabled=style.elision.enabled and quality.elision)
-    return replace(style, line_sets=sets, effects=effects, elision=elision)
+        sets = tuple(s.replace(kinds=_quick(s.kinds, drawn)) for s in sets)
+    effects = style.effects if quality.blur else style.effects.replace(blur=style.effects.blur.replace(strength=0.0))
+    elision = style.elision.replace(enabled=style.elision.enabled and quality.elision)
+    return style.replace(line_sets=sets, effects=effects, elision=elision)
 
 
 def _quick(kinds, drawn):

@@ -6,8 +6,6 @@ from pathlib import Path
 
 from . import native, style
 from .stages import Image, Notes
-from .style_parts import Hidden, LineSet, Style
-from .style_values import MOST_SURFACES
 
 FOLDER = Path(__file__).parent  # with the textures and papers that ship
 
@@ -20,14 +18,14 @@ def options(**given):
 def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, near=(), progress=None, cancel=None):
     """A native Frame: one picture of a native Scene as a native View sees it, in a Style, none of it made yet.
 
-    `asked`: native Options. `notes`: what the artist says of the scene's placements. `colors`: the color.Sources of the
+    `asked`: native Options. `notes`: what the artist says of the scene's placements. `colors`: the ColorSources of the
     scene, where the style has a color layer. `near`: where `frames_near` asks for them, pairs of how many frames later
     another is and its native ShownLines. `progress(share, stage)` is called before each stage."""
     core = native.load()
     return core.Frame(
         scene,
         view,
-        core.Style(style.dump(chosen)),
+        chosen,
         options=asked,
         assets=_assets(core),
         backend=backend,
@@ -42,9 +40,10 @@ def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, ne
 def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
     """A Style of one line set, {definition: {parameter: value}}: every line of it, however short, and with `with_hidden`
     what surfaces hide, told apart by how many."""
-    many = MOST_SURFACES
-    hidden = (Hidden(last=many - 1), Hidden(first=many)) if with_hidden else ()
-    return Style(line_sets=(LineSet(kinds=kinds, corner_angle=corner_angle, least_length=0.0, hidden=hidden),))
+    many = style.MOST_SURFACES
+    hidden = (style.Hidden(last=many - 1), style.Hidden(first=many)) if with_hidden else ()
+    lines = style.LineSet(kinds=kinds, corner_angle=corner_angle, least_length=0.0, hidden=hidden)
+    return style.Style(line_sets=(lines,))
 
 
 def draw(scene, view, chosen, backend, asked, **beside):

@@ -29,27 +29,6 @@ class View:
 
 
 @dataclass(frozen=True)
-class Pen:
-    """How a stroke looks; lengths in reference pixels (image height / 1080), colour scene-linear."""
-
-    color: tuple = (0.0, 0.0, 0.0)
-    opacity: float = 1.0
-    width: float = 2.0
-    texture: str = "solid"  # a file of addon/textures, without .png
-    length_scale: float = 1.0  # stretches the texture along the stroke
-    cap: str = "round"  # round, butt
-    taper: float = 0.0  # length of the thinning ends
-    strength_width: float = 0.0  # how far weak lines are thin instead of pale
-    wobble: float = 0.0  # how far the pen strays from its line
-    wobble_length: float = 60.0  # in waves of this length
-    seed: float = 0.0  # of that hand
-    pressure: float = 0.0  # how much thinner strokes are at their ends than in the middle
-    spacing: float = 6.0  # how near two lines that go alongside may be where elision thins them
-    width_unit: str = "reference"  # or pixels of the image, or millimetres on the style's paper; of the width alone
-    texture_anchor: str = "screen"  # or path: in zooms it keeps its places along the path; for grain
-
-
-@dataclass(frozen=True)
 class LineFilters:
     """Which lines n placements have. Materials are a pair: (n,) uint32 mask of each placement, and a list of masks,
     uint8 by the number of the material on its surface, 0: its faces have no lines; None: all have."""
@@ -70,6 +49,15 @@ class Notes:
     objects: tuple = ()  # n tuples of names: of the object, and of what made an instance of it
     density_map: object = None  # native ColorTexture over the camera's frame; None: there is none
     filters: LineFilters = LineFilters()
+
+
+@dataclass(frozen=True)
+class ColorSources:
+    """Where the colors of a scene come from, in native handles."""
+
+    surfaces: list  # a SurfaceColor or None per placement
+    lights: list = field(default_factory=list)  # native Lights; none: one at the eye
+    world: tuple = (0.0, 0.0, 0.0)  # radiance of the sky
 
 
 @dataclass(frozen=True)

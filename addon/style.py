@@ -1,35 +1,44 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Styles as JSON: files of the folder `styles`, each named as its style; what a style is made of: style_parts.py.
+"""Styles and their files: JSON of the folder `styles`, each named as its style.
 
-What has a wrong type or value is refused with a sentence that names it. What this version does not know is kept, and
-written again; `remark` says what it is, so that a misspelt key does not go unnoticed.
+What a style is made of, what each part may be and how files are read and written is the core's (native/fovea/style):
+`Style`, `LineSet`, `Pen` and the other records are names of this module. What has a wrong type or value is refused with
+a sentence that names it. What this version does not know is kept, and written again; `remark` says what it is, so that
+a misspelt key does not go unnoticed.
 """
 
 import json
-from dataclasses import fields, is_dataclass, replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 
-from . import color, elision, style_json
-from .focus import MOST_NAME, parse_distance, parse_effects, parse_focus
-from .stages import Pen
-from .style_parts import FILTERS, Hidden, LineSet, Paper, Style
-from .style_values import MOST_SURFACES, RANGES, StyleError, check_keys, check_range, check_text, finite, one_of, record
+from . import catalogue, native
 
-SCHEMA = 1
 FOLDER = Path(__file__).parent / "styles"
 TEXTURES = Path(__file__).parent / "textures"
 PAPERS = Path(__file__).parent / "papers"
 DEFAULT = "pen_and_ink"
-
-CHOICES = {  # field of a pen: what it can be
-    "cap": ("round", "butt"),
-    "width_unit": ("reference", "pixels", "millimetres"),
-    "texture_anchor": ("screen", "path"),
-}
+LARGEST = 1 << 20  # bytes that are read of a file: the core takes no more
 MOST_TOLD = 8  # unknown fields that are named
-PARTS = ("schema", "paper", "color", "elision", "focus", "effects", "distance", "line_sets")
+MOST_WORDS = 500  # characters of what is told about a style: files may hold anything
+
+# Of a LineSet: what each is called where it is turned round.
+FILTERS = {"collection": "outside", "object": "other_objects", "material": "other_materials"}
+
+
+class StyleError(ValueError):
+    """What is wrong with a style, in one sentence for its author."""
+
+    def __init__(self, text):
+        short = text if len(text) <= MOST_WORDS else f"{text[: MOST_WORDS - 100]} ... {text[-90:]}"
+        super().__init__("".join(c if c.isprintable() else " " for c in short))
+
+
+def __getattr__(name):
+    """The core's records of styles. native.Unavailable where there is no core."""
+    if name.startswith("__"):
+        raise AttributeError(name)
+    return getattr(native.load().style, name)
 
 
 def names():
@@ -50,175 +59,105 @@ def papers():
     return ("none", *sorted(path.stem for path in PAPERS.glob("*.png")))
 
 
-def load(name, definitions=None):
-    """The style of that name; `definitions` as in `parse`."""
+def load(name):
+    """The style of that name."""
     if name not in names():
         raise StyleError(f"there is no style '{name}'; there are: {', '.join(names())}")
-    return read(FOLDER / f"{name}.json", definitions)
+    return read(FOLDER / f"{name}.json")
 
 
-def read(path, definitions=None):
+def read(path):
     """The style in a file, which may be anyone's."""
-    return parse(style_json.read(path), definitions)
+    try:
+        with open(path, "rb") as file:
+            data = file.read(LARGEST + 4)  # a byte order mark does not count
+    except (OSError, ValueError) as error:
+        raise StyleError(f"the style {str(path)!r} cannot be read: {error}") from error
+    try:
+        return parse(data.decode("utf-8-sig"))
+    except UnicodeDecodeError as error:
+        if len(data) > LARGEST:
+            raise StyleError("the style has more than 1 MB: that is no style") from error
+        raise StyleError(f"the style is not text in UTF-8: byte {error.start} is not") from error
 
 
-def parse(text, definitions=None):
-    """A style from JSON. `definitions`: those of the catalogue, to check lines and parameters against, or None."""
-    data = style_json.parse(text)
-    check_keys(data, PARTS, "the style")
-    _check_schema(data.get("schema"))
-    sets = data.get("line_sets", [])
-    if not isinstance(sets, list) or not sets:
-        raise StyleError("line_sets must be a list of at least one line set")
-    found = Style(
-        paper=_paper(data.get("paper", {}), "paper"),
-        line_sets=tuple(_line_set(entry, f"line_sets[{i}]", definitions) for i, entry in enumerate(sets)),
-        focus=parse_focus(data.get("focus", {}), "focus"),
-        effects=parse_effects(data.get("effects", {}), "effects"),
-        distance=parse_distance(data.get("distance", {}), "distance"),
-        color=color.parse(data.get("color", {}), "color"),
-        elision=elision.parse(data.get("elision", {}), "elision"),
-    )
-    return replace(found, kept=tuple(style_json.unknown(data)))
-
-
-def _check_schema(schema):
-    if isinstance(schema, bool) or not isinstance(schema, int) or schema < 1:
-        raise StyleError(f"schema is {schema!r}, not the number of a schema: 1 to {SCHEMA}")
-    if schema > SCHEMA:
-        raise StyleError(f"schema is {schema}: a newer version of Fovea wrote the style, this one reads up to {SCHEMA}")
+def parse(text, _definitions=None):
+    """A style from JSON. What older scripts say beside it, which line definitions there are, is known to the core."""
+    try:
+        # Half a character is no UTF-8, and refused as such.
+        return native.load().style.Style.read(text.encode("utf-8", "surrogatepass"), textures(), papers())
+    except ValueError as error:
+        raise StyleError(str(error)) from error
 
 
 def dump(style):
     """The JSON of a style; `parse` gives the same style back."""
-    data = {"schema": SCHEMA, **_plain(style)}
-    for path, value in style.kept:
-        style_json.put(data, path, value)
-    return json.dumps(data, indent=2) + "\n"
+    return style.written()
 
 
-def remark(style, definitions=()):
+def parameters(definition, values, where):
+    """{parameter: value} of one line definition, checked. StyleError says what is wrong; `where` is what it calls it."""
+    try:
+        return native.load().style.parameters(definition, values, where)
+    except ValueError as error:
+        raise StyleError(str(error)) from error
+
+
+def field(record, name):
+    """What is declared of a member of one of the core's records: a dict, see native/bindings/bind_style.cpp."""
+    return next(field for field in record.fields if field["name"] == name)
+
+
+def check(record, name, value, where):
+    """StyleError where a number cannot be that of a member of one of the core's records; `where` is what it is called."""
+    declared = field(record, name)
+    least, most = declared["min"], declared["max"]
+    if not least <= value <= most:
+        raise StyleError(f"{where} is {value:g}, outside {least:g} to {most:g}")
+
+
+def unknown(style):
+    """The dotted names of what is kept without being known."""
+    return tuple(_dotted(path) for path, _ in style.kept)
+
+
+def remark(style):
     """A sentence about what a style has that is not known, each with the known name it resembles; None: nothing."""
     if not style.kept:
         return None
-    plain, told = _plain(style), []
+    plain, told = json.loads(dump(style.replace(kept=()))), []
     for *where, key in (path for path, _ in style.kept[:MOST_TOLD]):
-        beside = set(style_json.at(plain, where) or ())
+        beside = set(_at(plain, where))
         if where[-1:] == ["kinds"]:
-            beside |= {definition["name"] for definition in definitions}
+            beside |= set(catalogue.by_name())
         if where[-2:-1] == ["kinds"]:
-            beside |= {p["name"] for d in definitions if d["name"] == where[-1] for p in d["parameters"]}
+            beside |= {parameter["name"] for parameter in catalogue.by_name()[where[-1]]["parameters"]}
         near = get_close_matches(key, sorted(beside), 1)
-        told.append(style_json.dotted((*where, key)) + (f" (is it {near[0]}?)" if near else ""))
+        told.append(_dotted((*where, key)) + (f" (is it {near[0]}?)" if near else ""))
     more = f" and {len(style.kept) - MOST_TOLD} more" if len(style.kept) > MOST_TOLD else ""
     return f"The style has fields that this version does not know and leaves alone: {', '.join(told)}{more}"
 
 
-def _plain(value):
-    """A style or a part of it as JSON has it."""
-    if isinstance(value, Hidden):
-        return {"from": value.first, "to": value.last, "pen": _plain(value.pen), "pen_away": _plain(value.pen_away)}
-    if is_dataclass(value):
-        return {f.name: _plain(getattr(value, f.name)) for f in fields(value) if f.name != "kept"}
-    if isinstance(value, dict):
-        return {key: _plain(part) for key, part in value.items()}
-    return [_plain(part) for part in value] if isinstance(value, tuple) else value
+def _at(data, path):
+    """What is at a path, or nothing."""
+    try:
+        for step in path:
+            data = data[step]
+    except (KeyError, IndexError, TypeError):
+        return ()
+    return data or ()
+
+
+def _dotted(path):
+    """A path as a reader of the file would write it: line_sets[0].pen.width."""
+    return "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path).removeprefix(".")
 
 
 def dashed(pen):
     """A pen for hidden parts of the lines that `pen` draws."""
     least = 0.1 if pen.width_unit == "millimetres" else 1.0
     shape = {"texture": "dashes", "length_scale": 1.5, "cap": "butt"}
-    return Pen(pen.color, 0.75 * pen.opacity, max(0.6 * pen.width, least), width_unit=pen.width_unit, **shape)
-
-
-def _line_set(data, where, definitions):
-    check_keys(data, {f.name for f in fields(LineSet)}, where)
-    own = ("kinds", *FILTERS, "pen", "pen_away", "hidden", "overshoot_away")
-    plain = {key: value for key, value in data.items() if key not in own}
-    kinds = data.get("kinds", {})
-    if not isinstance(kinds, dict):
-        raise StyleError(f"{where}.kinds must map lines to their parameters")
-    if definitions is not None:
-        check_keys(kinds, [definition["name"] for definition in definitions], f"{where}.kinds")
-    checked = {name: parameters(name, values, f"{where}.kinds", definitions) for name, values in kinds.items()}
-    pen, hidden = _pen(data.get("pen", {}), f"{where}.pen"), _hidden(data.get("hidden", []), f"{where}.hidden")
-    away, overshoot = _pen_away(data, pen, where), data.get("overshoot_away")
-    if overshoot is not None:
-        overshoot = check_range(overshoot, RANGES["overshoot"], f"{where}.overshoot_away")
-    checked_set = record(LineSet, plain, where)
-    names = {key: check_text(data.get(key, ""), f"{where}.{key}", MOST_NAME) for key in FILTERS}
-    found = {"kinds": checked, "hidden": hidden, "overshoot_away": overshoot, **names}
-    return replace(checked_set, pen=pen, pen_away=away, **found)
-
-
-def _pen_away(data, pen, where):
-    """The pen out of focus: as the one in focus but for what is given; None where nothing is."""
-    given = data.get("pen_away")
-    if given is None:
-        return None
-    check_keys(given, {f.name for f in fields(Pen)}, f"{where}.pen_away")
-    return _pen(_plain(pen) | given, f"{where}.pen_away")
-
-
-def _paper(data, where):
-    paper = record(Paper, data, where)
-    if paper.texture not in papers():
-        raise StyleError(f"{where}.texture is '{paper.texture}'; there are: {', '.join(papers())}")
-    return paper
-
-
-def _pen(data, where):
-    pen = record(Pen, data, where)
-    for name, known in CHOICES.items():
-        one_of(getattr(pen, name), known, f"{where}.{name}")
-    if pen.texture not in textures():
-        raise StyleError(f"{where}.texture is '{pen.texture}'; there are: {', '.join(textures())}")
-    return pen
-
-
-def _hidden(data, where):
-    """The pens of a line set's hidden parts, in the order of their ranges, into which `data` is brought, too."""
-    if not isinstance(data, list):
-        raise StyleError(f"{where} must be a list of pens with ranges of invisibility")
-    found = []
-    for i, entry in enumerate(data):
-        here = f"{where}[{i}]"
-        check_keys(entry, {"from", "to", "pen", "pen_away"}, here)
-        first, last = _surfaces(entry.get("from", 1), f"{here}.from"), entry.get("to")
-        if last is not None and _surfaces(last, f"{here}.to") < first:
-            raise StyleError(f"{here}.to is {last}, less than {here}.from, which is {first}")
-        pen = _pen(entry.get("pen", {}), f"{here}.pen")
-        found.append(Hidden(pen, first, last, _pen_away(entry, pen, here)))
-    order = sorted(range(len(found)), key=lambda i: found[i].first)
-    found, data[:] = [found[i] for i in order], [data[i] for i in order]
-    for before, after in zip(found, found[1:]):
-        if before.last is None or before.last >= after.first:
-            raise StyleError(f"{where}: two ranges hold what {after.first} surfaces hide")
-    return tuple(found)
-
-
-def _surfaces(value, where):
-    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= MOST_SURFACES:
-        raise StyleError(f"{where} is {value!r}, not a number of surfaces from 1 to {MOST_SURFACES}")
-    return value
-
-
-def parameters(name, values, where, definitions):
-    """The parameters given for one line definition, checked, as floats; switches may be true and false."""
-    if not isinstance(values, dict):
-        raise StyleError(f"{where}.{name} must map parameters to numbers")
-    known = None
-    if definitions is not None:
-        parameters_of = {d["name"]: {p["name"]: p for p in d["parameters"]} for d in definitions}
-        if name not in parameters_of:
-            raise StyleError(f"{where}: there is no line '{name}'; there are: {', '.join(parameters_of)}")
-        known = parameters_of[name]
-        check_keys(values, known, f"{where}.{name}")
-    return {key: _parameter(value, known and known[key], f"{where}.{name}.{key}") for key, value in values.items()}
-
-
-def _parameter(value, known, where):
-    if isinstance(value, bool) and (known is None or known["unit"] == "bool"):
-        return float(value)
-    return check_range(value, (known["min"], known["max"]), where) if known else finite(value, where)
+    width = max(0.6 * pen.width, least)
+    return __getattr__("Pen")(
+        color=pen.color, opacity=0.75 * pen.opacity, width=width, width_unit=pen.width_unit, **shape
+    )

@@ -5,13 +5,13 @@ import sys
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, focus, style
+from bl_ext.user_default.fovea import catalogue, style
 from bl_ext.user_default.fovea.blender import (
     focus_settings,
     line_kinds,
     style_data,
+    style_groups,
     style_read,
-    style_words,
     style_write,
 )
 from mathutils import Vector
@@ -123,7 +123,7 @@ def set_parameters(held, given):
         name, dot, parameter = words.partition(".")
         if not dot:
             raise ValueError(f"--param {words}: a parameter is named DEFINITION.NAME")
-        checked = style.parameters(name, {parameter: value}, "definition", catalogue.definitions())
+        checked = style.parameters(name, {parameter: value}, "definition")
         if name not in style_data.drawn_kinds(held):
             raise ValueError(f"--param {words}: {name} is not drawn; name it in --lines")
         for line_set in held.line_sets:
@@ -135,13 +135,16 @@ def set_hidden(held, options):
     dashes = style.dashed(style_read.pen(held.line_sets[-1].pen))
     if (options.hidden or options.hidden_by) and not any(line_set.hidden for line_set in held.line_sets):
         for line_set in held.line_sets:
-            style_write.write_hidden(line_set.hidden.add(), style.Hidden(dashes))
+            style_write.write_hidden(line_set.hidden.add(), style.Hidden(pen=dashes))
     for line_set in held.line_sets:
         if options.hidden_by and line_set.hidden:
+            for number in options.hidden_by:
+                style.check(style.Hidden, "first", number or 1, "--hidden-by")
             line_set.hidden[0].first, line_set.hidden[0].last = options.hidden_by[0], options.hidden_by[1] or 0
         for name in ("halo", "overshoot"):
             given = getattr(options, name)
             if given is not None:
+                style.check(style.LineSet, name, given, f"--{name}")
                 setattr(line_set, name, given)
 
 
@@ -150,16 +153,16 @@ def set_focus(scene, options):
     if options.focus:
         focus_settings.set_focus(fovea, focus_of(scene, options.focus, options.focus_radii))
     if options.focus_painted:
-        focus_settings.set_focus(fovea, focus.Focus("painted", attribute=options.focus_painted))
+        focus_settings.set_focus(fovea, style.Focus(model="painted", attribute=options.focus_painted))
 
 
 def set_effects(effects, options):
     """Lets only those answer that are asked for."""
-    known = style_words.EFFECTS
+    known = style_groups.transfers(style.Effects)
     unknown = sorted(set(options.effects or ()) - set(known))
     if unknown:
         raise ValueError(f"there is no effect '{unknown[0]}'; there are: {', '.join(known)}")
-    for name in known.keys() - set(options.effects or known):
+    for name in set(known) - set(options.effects or known):
         getattr(effects, name).strength = 0.0
     for what in ("lines", "colors"):
         if options.uniform in (what, "both"):
@@ -174,10 +177,16 @@ def focus_of(scene, where, radii):
         if where not in scene.objects:
             raise ValueError(f"--focus {where}: there is no such object in the scene")
         at = tuple(scene.objects[where].matrix_world.translation)
-        return focus.Focus("object", (focus.Point(at, *(radii or focus_radii(scene, at)), where),))
+        return place("object", at, radii or focus_radii(scene, at), where)
     if len(where) == 2:
-        return focus.Focus("image", (focus.Point((*where, 0.0), *(radii or (0.1, 0.6))),))
-    return focus.Focus("scene", (focus.Point(where, *(radii or focus_radii(scene, where))),))
+        return place("image", (*where, 0.0), radii or (0.1, 0.6))
+    return place("scene", where, radii or focus_radii(scene, where))
+
+
+def place(model, at, radii, name=""):
+    """A Focus on one place."""
+    near, far = radii
+    return style.Focus(model=model, points=(style.FocusPlace(at=at, near=near, far=far, object=name),))
 
 
 def focus_radii(scene, place):

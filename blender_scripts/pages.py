@@ -9,7 +9,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import focus, native
+from bl_ext.user_default.fovea import native, style
 from bl_ext.user_default.fovea.blender import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -63,7 +63,7 @@ def stage(name, path):
 
 def plot(name, path):
     """(N, N) of a transfer function over focus: a frame with quarters in grey, the curve in black."""
-    transfer = focus.parse_transfer(pages.TRANSFERS[name], name, focus.Transfer())
+    transfer = style.Transfer(**pages.TRANSFERS[name])
     size, margin, fine = pages.PLOT, 0.06, 8
     place = np.arange(size * fine) / (size * fine - 1) * (1 + 2 * margin) - margin  # 0 and 1: the frame
     answer = native.load().Transfer(transfer.start, transfer.end, transfer.strength, list(transfer.curve))

@@ -78,7 +78,7 @@ def lines(
     sharper than corner_angle (degrees).
     """
     core = native.load()
-    kinds = {definition: style.parameters(definition, parameters, "lines", catalogue.definitions())}
+    kinds = {definition: style.parameters(definition, parameters, "lines")}
     depsgraph = depsgraph or bpy.context.evaluated_depsgraph_get()
     snapshot, view = _snapshot(depsgraph), cameras.of_scene(depsgraph, camera)
     if objects is not None:

@@ -6,7 +6,7 @@ import weakref
 
 import numpy as np
 
-from .. import color
+from ..stages import ColorSources
 from . import color_nodes, kept, materials, shader_links
 from .color_corners import Corners
 from .color_images import ImageCache
@@ -20,7 +20,7 @@ class ColorCache:
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
         self.painted = {}  # the same of those that are painted, see notes.py
         self.used = 0
-        self.shown = weakref.WeakValueDictionary()  # color.Sources that were made with it, by their ids
+        self.shown = weakref.WeakValueDictionary()  # ColorSources that were made with it, by their ids
         kept.add_cache(self)
 
     def items(self, _needed):
@@ -72,8 +72,8 @@ class Gathering:
         self.lights.append(self._core.Light(data.type.lower(), matrix[:3, 3], -matrix[:3, 2], shade, *cone))
 
     def sources(self, scene, surface_of_placement):
-        """The color.Sources of a scene whose placements have these surfaces."""
-        made = color.Sources([self.surfaces[i] for i in surface_of_placement], self.lights, _world(scene))
+        """The ColorSources of a scene whose placements have these surfaces."""
+        made = ColorSources([self.surfaces[i] for i in surface_of_placement], self.lights, _world(scene))
         self._cache.shown[id(made)] = made
         return made
 

@@ -5,7 +5,7 @@ import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d
 from mathutils import Vector
 
-from .. import focus
+from .. import style
 
 RADII = {"IMAGE": ("focus_near", "focus_far"), "SCENE": ("focus_near_distance", "focus_far_distance")}
 RADII["OBJECT"] = RADII["SCENE"]
@@ -66,8 +66,8 @@ def key(scene, owner, name):
 
 def another(settings, model):
     """One more place, with the radii of the first."""
-    if len(settings.focus_points) + 1 >= focus.MOST_POINTS:
-        raise ValueError(f"There are {focus.MOST_POINTS} places to look at already, no more can be added")
+    if len(settings.focus_points) + 1 >= style.MOST_PLACES:
+        raise ValueError(f"There are {style.MOST_PLACES} places to look at already, no more can be added")
     place = settings.focus_points.add()
     for name in RADII[model]:
         setattr(place, name, getattr(settings, name))

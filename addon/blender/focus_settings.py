@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
 
-from .. import focus
+from .. import style
 from .property_kinds import attribute_name, redraw
 
 MODELS = [
@@ -54,9 +54,11 @@ def focus_of(settings):
     """The Focus that the properties describe."""
     model = settings.focus_model
     if model == "NONE":
-        return focus.Focus()
+        return style.Focus()
     attribute = settings.focus_attribute if model == "PAINTED" else ""
-    return focus.Focus(model.lower(), _points(settings), settings.focus_combine.lower(), attribute)
+    return style.Focus(
+        model=model.lower(), points=_points(settings), combine=settings.focus_combine.lower(), attribute=attribute
+    )
 
 
 def _points(settings):
@@ -73,7 +75,7 @@ def _point(place, model):
         at, near, far = tuple(at), place.focus_near_distance, place.focus_far_distance
         if source and model == "OBJECT":
             name = source.name_full
-    return focus.Point(tuple(float(v) for v in at), near, max(near, far), name)
+    return style.FocusPlace(at=tuple(float(v) for v in at), near=near, far=max(near, far), object=name)
 
 
 def _set_point(place, point, model):

@@ -5,8 +5,8 @@ import math
 
 import bpy
 
-from .. import style_parts
-from ..stages import REFERENCE_HEIGHT, Pen
+from .. import style
+from ..stages import REFERENCE_HEIGHT
 from . import properties, style_data
 
 # Freestyle's word for an edge type -> our lines.
@@ -38,7 +38,7 @@ def style_of(scene, layer):
         kinds = _kinds(line_set, settings)
         if kinds:
             sets.append(_line_set(line_set, kinds, scene))
-    return style_parts.Style(line_sets=tuple(sets)), told
+    return style.Style(line_sets=tuple(sets)), told
 
 
 def _kinds(line_set, settings):
@@ -53,13 +53,13 @@ def _line_set(line_set, kinds, scene):
     chosen = line_set.linestyle
     pen = _pen(chosen, scene)
     first, last = _range(line_set)
-    hidden = (style_parts.Hidden(pen, max(first, 1), last),) if last is None or last > 0 else ()
+    hidden = (style.Hidden(pen=pen, first=max(first, 1), last=last),) if last is None or last > 0 else ()
     least = chosen.length_min if chosen.use_length_min else 0.0
-    return style_parts.LineSet(
+    return style.LineSet(
         name=line_set.name,
         kinds=kinds,
         least_length=min(least * _pixel(scene), 1000.0),
-        pen=pen if first == 0 else Pen(opacity=0.0),
+        pen=pen if first == 0 else style.Pen(opacity=0.0),
         hidden=hidden,
     )
 
@@ -76,7 +76,7 @@ def _range(line_set):
 def _pen(chosen, scene):
     relative = scene.render.line_thickness_mode == "RELATIVE"
     width = chosen.thickness * (REFERENCE_HEIGHT / _RELATIVE_HEIGHT if relative else scene.render.line_thickness)
-    return Pen(
+    return style.Pen(
         color=tuple(chosen.color),
         opacity=chosen.alpha,
         width=width,

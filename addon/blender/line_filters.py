@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 
 from ..stages import LineFilters
-from ..style_parts import FILTERS
+from ..style import FILTERS
 from . import own_lines
 
 

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on the line sets of the scene's style, and on the hidden pens of the one that is edited."""
 
-from dataclasses import replace
-
 import bpy
 from bpy.props import EnumProperty
 
 from .. import style
-from ..style_parts import FILTERS, Hidden, LineSet
+from ..style import FILTERS
 from . import style_animation, style_data, style_read, style_write
 
 MOST = 64  # line sets of a style
-_FOR_ALL = {name: getattr(LineSet, name) for pair in FILTERS.items() for name in pair}  # as without filters
+_FOR_ALL = dict.fromkeys(FILTERS, "") | dict.fromkeys(FILTERS.values(), False)  # as without filters
 DIRECTIONS = (("UP", "Up", "Draws its lines before"), ("DOWN", "Down", "Draws what is left after"))
 
 
@@ -66,7 +64,7 @@ class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
     def act(self, held):
         source, place = edited(held), min(held.line_set_index, len(held.line_sets))
         like = style_read.line_set(source) if source else style.load("plain").line_sets[0]
-        _insert(held, replace(like, name=_free_name(held, "Lines"), hidden=(), **_FOR_ALL), place)
+        _insert(held, like.replace(name=_free_name(held, "Lines"), hidden=(), **_FOR_ALL), place)
 
 
 class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
@@ -81,7 +79,7 @@ class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
     def act(self, held):
         source = edited(held)
         kept, place = source.kept, held.line_set_index + 1
-        _insert(held, replace(style_read.line_set(source), name=_free_name(held, source.name)), place)
+        _insert(held, style_read.line_set(source).replace(name=_free_name(held, source.name)), place)
         held.line_sets[place].kept = kept
 
 
@@ -127,7 +125,7 @@ class FOVEA_OT_hidden_pen_add(_Edit, bpy.types.Operator):
         first = min(max(ends, default=0) + 1, style.MOST_SURFACES)
         for hidden in line_set.hidden:
             hidden.last = hidden.last or hidden.first  # those that went on for ever end where the new one begins
-        style_write.write_hidden(line_set.hidden.add(), Hidden(dashes, first))
+        style_write.write_hidden(line_set.hidden.add(), style.Hidden(pen=dashes, first=first))
         line_set.hidden_index = len(line_set.hidden) - 1
 
 

@@ -4,12 +4,9 @@
 Styles are datablocks of their own: style_data.py.
 """
 
-from dataclasses import replace
-
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
-from .. import style_mix
 from . import focus_settings, gpu_context, methods, own_lines, style_data, style_groups, style_read
 from .line_kinds import definitions  # noqa: F401 (part of what this module offers)
 from .property_kinds import redraw
@@ -22,10 +19,10 @@ def style_of(scene):
     tree, other = style_data.of(scene), scene.fovea.mixed_style
     chosen = style_read.read(tree) if tree else style_data.default()
     if scene.fovea.mix > 0.0 and style_data.is_style(other):
-        chosen = style_mix.mix(chosen, style_read.read(other), scene.fovea.mix)
+        chosen = chosen.mixed(style_read.read(other), scene.fovea.mix)
     transparent = chosen.paper.transparent or scene.render.film_transparent
-    paper = replace(chosen.paper, transparent=transparent)
-    return replace(chosen, paper=paper, focus=focus_settings.focus_of(scene.fovea))
+    paper = chosen.paper.replace(transparent=transparent)
+    return chosen.replace(paper=paper, focus=focus_settings.focus_of(scene.fovea))
 
 
 def density_map(scene):

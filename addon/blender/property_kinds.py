@@ -5,7 +5,7 @@ import zlib
 
 from bpy.props import StringProperty
 
-from ..style_values import MOST_ATTRIBUTE
+MOST_LETTERS = 63  # of the name of an attribute, in Blender
 
 
 def redraw(settings, _context):
@@ -19,7 +19,7 @@ def file_names(stems):
 
 
 def attribute_name(name, description, default=""):
-    return StringProperty(name=name, description=description, default=default, maxlen=MOST_ATTRIBUTE, update=redraw)
+    return StringProperty(name=name, description=description, default=default, maxlen=MOST_LETTERS, update=redraw)
 
 
 def neat(value):

@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass
 
-from .. import catalogue, native, pipeline, style_parts
+from .. import catalogue, native, pipeline, style
 from ..stages import Notes
 from . import color_sources, notes, properties, scene, surfaces
 
@@ -40,5 +40,5 @@ def focus_of_pixels(read, view, focus, scale):
     focus. `read`: what was Read, None where focus is a place in the image."""
     seen = scene.seen(native.load(), view).smaller(scale)
     placed, noted = (read.placed, read.notes) if read else (None, Notes())
-    chosen = style_parts.Style(focus=focus)
+    chosen = style.Style(focus=focus)
     return pipeline.frame(placed, seen, chosen, None, pipeline.options(), notes=noted).focus_of_pixels()

@@ -96,7 +96,7 @@ class Gathered:
 
     snapshot: scene.Snapshot
     placed: object  # native Scene
-    colors: object  # color.Sources, or None where there is no colour layer to draw
+    colors: object  # ColorSources, or None where there is no colour layer to draw
     notes: object  # stages.Notes
     changed: bool  # surfaces were made or moved for it
     seconds: float  # that reading it took
@@ -215,7 +215,7 @@ def _report_skipped(engine, built, remarks=()):
 
 def _report_unknown(engine, chosen):
     """Says once what a style has that nothing here reads."""
-    remark = style.remark(chosen, properties.definitions())
+    remark = style.remark(chosen)
     if remark and remark not in _remarked:
         _remarked.add(remark)
         engine.report({"INFO"}, remark)

@@ -8,8 +8,8 @@ between them as keep what is drawn to what Blender shows. Two points are a strai
 
 import math
 
+from .. import style
 from ..curve_fit import fewest
-from ..focus import MOST_CURVE_POINTS
 from .property_kinds import neat
 
 STRAIGHT = ((0.0, 0.0), (1.0, 1.0))
@@ -38,7 +38,7 @@ def read(tree, part, effect):
     for x, y in sorted((neat(_share(x)), neat(_share(y))) for x, y in points):
         if not found or x > found[-1][0] + APART:
             found.append((x, y))
-    found = tuple(found[:MOST_CURVE_POINTS])
+    found = tuple(found[: style.MOST_CURVE_POINTS])
     return () if found == STRAIGHT else found
 
 
@@ -83,7 +83,7 @@ def _fitted(mapping, curve):
     points = tuple((x, _share(found[x])) for x in sorted(found))
     kept = tuple(i for i, (x, _) in enumerate(points) if x in own)
     corners = tuple(i for i in kept if own[points[i][0]].handle_type == "VECTOR")
-    return [points[i] for i in fewest(points, kept[:MOST_CURVE_POINTS], corners, MOST_CURVE_POINTS)]
+    return [points[i] for i in fewest(points, kept[: style.MOST_CURVE_POINTS], corners, style.MOST_CURVE_POINTS)]
 
 
 def _share(value):

@@ -35,13 +35,13 @@ def new(name, wanted):
 
 def default():
     """The Style of scenes that point to none."""
-    return style.load(style.DEFAULT, definitions() or None)
+    return style.load(style.DEFAULT)
 
 
 def use(scene, wanted, name="Style"):
     """Makes a scene draw with a Style, or with the shipped one of a name, in a datablock of its own: its properties."""
     if isinstance(wanted, str):
-        wanted, name = style.load(wanted, definitions() or None), title(wanted)
+        wanted, name = style.load(wanted), title(wanted)
     assign(scene, new(name, wanted), wanted.focus)
     return scene.fovea.style.fovea
 

@@ -10,7 +10,6 @@ import bpy
 
 from .. import native, style
 from . import style_picture
-from .line_kinds import definitions
 from .preferences import ADDON, own
 
 _log = logging.getLogger(__package__)
@@ -48,10 +47,10 @@ def preferred():
 def load(name):
     """The Style of that name; StyleError says what is wrong."""
     if name in shipped_names():
-        return style.load(name, definitions() or None)
+        return style.load(name)
     if name not in user_names():
         raise style.StyleError(f"there is no style '{name}'; there are: {', '.join(names())}")
-    return style.read(user_folder() / f"{name}.json", definitions() or None)
+    return style.read(user_folder() / f"{name}.json")
 
 
 def file_name(title):

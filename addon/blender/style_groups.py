@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The PropertyGroups that hold a style, in a node tree: one for each of its dataclasses, made from their fields.
+"""The PropertyGroups that hold a style, in a node tree: one for each of the core's records, made from what is declared
+of their members (native/fovea/style).
 
-A number, word or switch that is added to a dataclass is a property here; style_words.py says how the panels tell it.
-What may be missing in a style (a pen out of focus, a background) has a switch beside it.
+A number, word or switch that is added to a record is a property here, with its label, range and unit. What may be
+missing in a style (a pen out of focus, a background) has a switch beside it. Without the core there are none.
 """
 
 import math
-from dataclasses import MISSING, fields
 
 import bpy
 from bpy.props import (
@@ -20,80 +20,92 @@ from bpy.props import (
     StringProperty,
 )
 
-from .. import style
-from ..color import Color
-from ..elision import Elision
-from ..focus import MOST_NAME, Distance, Effects, Transfer
-from ..stages import Pen
-from ..style_parts import FILTERS, Hidden, LineSet, Paper
-from ..style_values import MOST_ATTRIBUTE
-from . import line_kinds, style_words
+from .. import native, style
+from . import line_kinds
 from .property_kinds import file_names, redraw
 
-PARTS = {  # dataclass: what the words call it
-    Transfer: "transfer",
-    Pen: "pen",
-    Hidden: "hidden",
-    LineSet: "line_set",
-    Paper: "paper",
-    Color: "color",
-    Elision: "elision",
-    Effects: "effects",
-    Distance: "distance",
+PLAIN = ("switch", "number", "whole number", "choice", "text", "color")  # types of members that are one property
+ELSEWHERE = ("name", "first")  # members that are properties of another kind
+UNITS = {  # what of a property tells the unit
+    "": {"step": 10},
+    "share": {"subtype": "FACTOR"},
+    "reference pixels": {"subtype": "PIXEL"},
+    "scene": {"subtype": "DISTANCE"},
+    "millimeters": {"subtype": "DISTANCE_CAMERA"},
+    "light": {"subtype": "COLOR"},
+    "seed": {"precision": 0, "step": 100},
 }
-FILES = {"pen.texture": style.textures, "paper.texture": style.papers}
-NAMES = tuple(f"line_set.{name}" for name in FILTERS)  # of Blender's datablocks
+FILES = {"texture": style.textures, "paper": style.papers}
 AWAY = ("Pen out of Focus", "Lines out of focus are drawn with a pen of their own")
 
-_groups = {}  # dataclass: its group, once they are registered
+_groups = {}  # the core's record: its group, once they are registered
 _registered = []  # groups, in order
 
 
+def part(cls):
+    """The name of the property that holds a record of the core's, and of the group of curves of its effects."""
+    return cls.__name__.lower()
+
+
 def plain_fields(cls):
-    """(name, default) of the fields of a dataclass that are numbers, words, switches or colours."""
-    for f in fields(cls):
-        if f.default is not MISSING and f.default is not None and f.name not in ("name", "hidden", "curve"):
-            if not isinstance(f.default, (Pen, Transfer)) and not (cls is Hidden and f.name == "first"):
-                yield f.name, f.default
+    """What is declared of members of a record that are one property each, and never missing."""
+    fields = (f for f in cls.fields if f["type"] in PLAIN and f["default"] is not None)
+    return [f for f in fields if f["name"] not in ELSEWHERE]
 
 
 def transfers(cls):
-    """Names of the fields of a dataclass that are transfer functions."""
-    return [f.name for f in fields(cls) if isinstance(f.default, Transfer)]
+    """{name: what is declared} of the members of a record that are transfer functions."""
+    return {f["name"]: f for f in cls.fields if f["type"] == "transfer"}
 
 
-def _property(part, name, default):
-    """The property for a field."""
-    label, told, options = style_words.of(part, name)
-    text = {"name": label, "description": told, "update": redraw}
-    key = f"{part}.{name}"
-    if isinstance(default, bool):
+def grouped(cls):
+    """Names of the plain members of a record, by the groups that are declared, in their order; words that say what a
+    group's first is measured in or fixed to stand right after it."""
+    groups = {}
+    for field in plain_fields(cls):
+        groups.setdefault(field["group"], []).append(field)
+    return [
+        [f["name"] for f in (fields[0], *sorted(fields[1:], key=lambda f: f["type"] != "choice"))]
+        for fields in groups.values()
+    ]
+
+
+def _property(field):
+    """The property for a member."""
+    default, kind = field["default"], field["type"]
+    text = {"name": field["label"], "description": field["description"], "update": redraw}
+    limits = {"min": field["min"], "max": field["max"], "soft_max": field["soft_max"]}
+    if kind == "switch":
         return BoolProperty(default=default, **text)
-    if key in FILES:
-        return EnumProperty(items=file_names(FILES[key]()), default=default, **text)
-    if key in style_words.CHOICES:
-        return EnumProperty(items=style_words.CHOICES[key], default=default.upper(), **text)
-    if isinstance(default, str):
-        return StringProperty(default=default, maxlen=MOST_NAME if key in NAMES else MOST_ATTRIBUTE, **text)
-    if isinstance(default, tuple):
-        return FloatVectorProperty(default=default, **options, **text)
-    if isinstance(default, int):
-        return IntProperty(default=default, **options, **text)
-    if options.get("subtype") == "ANGLE":
-        return FloatProperty(default=math.radians(default), subtype="ANGLE", min=0.0, max=math.pi, **text)
-    return FloatProperty(default=default, **options, **text)
+    if field["names"] in FILES:
+        return EnumProperty(items=file_names(FILES[field["names"]]()), default=default, **text)
+    if kind == "choice":
+        items = [(name.upper(), label, told) for name, label, told in field["choices"]]
+        return EnumProperty(items=items, default=default.upper(), **text)
+    if kind == "text":
+        return StringProperty(default=default, maxlen=field["most_letters"], **text)
+    if kind == "color":
+        return FloatVectorProperty(default=default, size=3, **limits, **UNITS[field["unit"]], **text)
+    if kind == "whole number":
+        return IntProperty(default=default, **{key: int(value) for key, value in limits.items()}, **text)
+    if field["unit"] == "degrees":
+        return FloatProperty(
+            default=math.radians(default), subtype="ANGLE", min=0.0, max=math.radians(limits["max"]), **text
+        )
+    return FloatProperty(default=default, **limits, **UNITS[field["unit"]], **text)
 
 
 def _plain(cls):
-    return {name: _property(PARTS[cls], name, default) for name, default in plain_fields(cls)}
+    return {field["name"]: _property(field) for field in plain_fields(cls)}
 
 
-def _transfers(cls):
-    return {name: PointerProperty(type=_groups[Transfer]) for name in transfers(cls)}
+def _optional(cls, name, default):
+    """The property for a member that may be missing, and is `default` then."""
+    return _property(style.field(cls, name) | {"default": default})
 
 
 def _pens():
-    pen, (label, told) = _groups[Pen], AWAY
+    pen, (label, told) = _groups[style.Pen], AWAY
     return {
         "pen": PointerProperty(type=pen),
         "away": BoolProperty(name=label, description=told, update=redraw),
@@ -103,19 +115,8 @@ def _pens():
 
 def _color():
     label, told = "On Paper", "Where there is nothing, and where colors fade, the paper shows"
-    background = FloatVectorProperty(
-        name="Background",
-        description="Color behind everything, towards which colors fade",
-        subtype="COLOR",
-        size=3,
-        min=0.0,
-        soft_max=1.0,
-        max=1000.0,
-        default=(1.0, 1.0, 1.0),
-        update=redraw,
-    )
     on_paper = BoolProperty(name=label, description=told, default=True, update=redraw)
-    return {"on_paper": on_paper, "background": background}
+    return {"on_paper": on_paper, "background": _optional(style.Color, "background", (1.0, 1.0, 1.0))}
 
 
 def _elision():
@@ -124,37 +125,28 @@ def _elision():
     return {"density_image": image}
 
 
-def _surfaces(name, default, least):
-    label, told, _ = style_words.of("hidden", name)
-    limits = {"min": least, "max": style.MOST_SURFACES, "soft_max": 8}
-    return IntProperty(name=label, description=told, default=default, update=redraw, **limits)
-
-
 def _hidden():
-    return {**_pens(), "first": _surfaces("first", 1, 1), "last": _surfaces("last", 0, 0)}
+    first = style.field(style.Hidden, "first")
+    last = style.field(style.Hidden, "last") | {"default": 0, "min": 0, "type": "whole number"}
+    return {**_pens(), "first": _property(first), "last": _property(last)}
 
 
 def _line_set(kinds):
     return {
         **_pens(),
         "kinds": PointerProperty(type=kinds),
-        "overshoot_away": _property("line_set", "overshoot_away", 0.0),
-        "hidden": CollectionProperty(type=_groups[Hidden]),
+        "overshoot_away": _optional(style.LineSet, "overshoot_away", 0.0),
+        "hidden": CollectionProperty(type=_groups[style.Hidden]),
         "hidden_index": IntProperty(name="Hidden Pen", description="The hidden pen that is edited", min=0),
         "kept": StringProperty(options={"HIDDEN"}),
     }
 
 
 def _style():
-    parts = {PARTS[cls]: PointerProperty(type=_groups[cls]) for cls in (Paper, Color, Elision, Effects, Distance)}
+    parts = (style.Paper, style.Color, style.Elision, style.Effects, style.Distance)
     return {
-        "schema": IntProperty(options={"HIDDEN"}),
-        "untouched": StringProperty(options={"HIDDEN"}),
-        "source": StringProperty(options={"HIDDEN"}),  # its file name, now or once, among those that ship or are saved
-        "brought": StringProperty(options={"HIDDEN"}),  # the .blend file and the name that it was appended from
-        "kept": StringProperty(options={"HIDDEN"}),
-        **parts,
-        "line_sets": CollectionProperty(type=_groups[LineSet]),
+        **{part(cls): PointerProperty(type=_groups[cls]) for cls in parts},
+        "line_sets": CollectionProperty(type=_groups[style.LineSet]),
         "line_set_index": IntProperty(name="Line Set", description="The line set that is edited", min=0),
     }
 
@@ -167,21 +159,39 @@ def _add(name, told, annotations):
     return made
 
 
-def register():
-    """Puts a style in every node tree; `schema` is 0 where there is none."""
-    _groups[Transfer] = _add("FoveaTransfer", "A transfer function without its curve.", _plain(Transfer))
-    _groups[Pen] = _add("FoveaPen", "How strokes look.", _plain(Pen))
-    _groups[Hidden] = _add("FoveaHiddenPen", "How what surfaces hide is drawn.", _hidden())
+def _add_part(cls, name, more=None):
+    transfer = {name: PointerProperty(type=_groups[style.Transfer]) for name in transfers(cls)}
+    _groups[cls] = _add(name, cls.__doc__, _plain(cls) | transfer | (more or {}))
+
+
+def _add_parts():
+    _add_part(style.Transfer, "FoveaTransfer")
+    _add_part(style.Pen, "FoveaPen")
+    _add_part(style.Hidden, "FoveaHiddenPen", _hidden())
     kinds = line_kinds.group()
     bpy.utils.register_class(kinds)
     _registered.append(kinds)
-    _groups[LineSet] = _add("FoveaLineSet", "Lines drawn alike.", _plain(LineSet) | _line_set(kinds))
-    _groups[Paper] = _add("FoveaPaper", "The paper.", _plain(Paper))
-    _groups[Color] = _add("FoveaColor", "The colours under the lines.", _plain(Color) | _color())
-    _groups[Elision] = _add("FoveaElision", "Which of crowding lines stay.", _plain(Elision) | _elision())
-    for cls, told in ((Effects, "What answers to focus."), (Distance, "What answers to distance.")):
-        _groups[cls] = _add(f"Fovea{cls.__name__}", told, _plain(cls) | _transfers(cls))
-    bpy.types.NodeTree.fovea = PointerProperty(type=_add("FoveaStyle", "A style.", _style()))
+    _add_part(style.LineSet, "FoveaLineSet", _line_set(kinds))
+    _add_part(style.Paper, "FoveaPaper")
+    _add_part(style.Color, "FoveaColor", _color())
+    _add_part(style.Elision, "FoveaElision", _elision())
+    _add_part(style.Effects, "FoveaEffects")
+    _add_part(style.Distance, "FoveaDistance")
+
+
+def register():
+    """Puts a style in every node tree; `schema` is 0 where there is none."""
+    held = {
+        "schema": IntProperty(options={"HIDDEN"}),
+        "untouched": StringProperty(options={"HIDDEN"}),
+        "source": StringProperty(options={"HIDDEN"}),  # its file name, now or once, among those that ship or are saved
+        "brought": StringProperty(options={"HIDDEN"}),  # the .blend file and the name that it was appended from
+        "kept": StringProperty(options={"HIDDEN"}),
+    }
+    if not native.problem():
+        _add_parts()
+        held |= _style()
+    bpy.types.NodeTree.fovea = PointerProperty(type=_add("FoveaStyle", "A style.", held))
 
 
 def unregister():

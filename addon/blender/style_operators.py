@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on styles as wholes: made, applied, copied, read from files and written to them."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import bpy
@@ -10,7 +9,6 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from .. import style
 from . import focus_settings, style_animation, style_data, style_files, style_read
-from .line_kinds import definitions
 
 _items = {}  # kept for Blender, which does not keep what enums are made of
 
@@ -106,8 +104,8 @@ class FOVEA_OT_style_import(StyleOperator, bpy.types.Operator, ImportHelper):
     filter_glob: StringProperty(default="*.json", options={"HIDDEN"})
 
     def act(self, context):
-        found = style.read(self.filepath, definitions() or None)
-        remark = style.remark(found, definitions())
+        found = style.read(self.filepath)
+        remark = style.remark(found)
         if remark:
             self.report({"INFO"}, remark)
         style_data.use(context.scene, found, style_data.title(Path(self.filepath).stem) or "Style")
@@ -126,7 +124,7 @@ class FOVEA_OT_style_export(OnStyle, bpy.types.Operator, ExportHelper):
     def act(self, context):
         found = style_read.read(style_data.of(context.scene))
         if self.with_focus:
-            found = replace(found, focus=focus_settings.focus_of(context.scene.fovea))
+            found = found.replace(focus=focus_settings.focus_of(context.scene.fovea))
         style_files.write(self.filepath, found)
 
 

@@ -2,24 +2,21 @@
 """Thumbnails of styles: what each makes of a small scene of its own (still_life.py), drawn natively. Nothing of
 Blender's is touched, so that a thumbnail is the same whatever the file holds."""
 
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 
-from .. import color, native, pipeline, still_life
+from .. import native, pipeline, still_life, style
 from ..backend import cpu
-from ..focus import Focus, Point
-from ..stages import View
+from ..stages import ColorSources, View
 from . import scene
 
 SIZE = 256  # pixels along each side
 OVERSIZE = 2  # pixels that become one, along each axis: finer lines than so small a picture has room for
 HEIGHT = 480.0  # reference pixels that the picture is high: pens are as in a part of a whole picture
-LOOK = Focus("image", (Point((0.4, 0.45, 0.0), 0.1, 0.75),))  # so that what answers to focus is seen
 
 
-def draw(style):
+def draw(drawn):
     """(SIZE, SIZE, 3) uint8 sRGB, bottom row first: the thumbnail of a Style. native.Unavailable where nothing can be
     drawn."""
     core = native.load()
@@ -27,8 +24,7 @@ def draw(style):
     world_to_view, clip, near, far = still_life.view()
     size = OVERSIZE * SIZE
     seen = scene.seen(core, View(world_to_view, clip, size, size, False, near, far, size / HEIGHT))
-    paper = replace(style.paper, transparent=False)
-    chosen = replace(style, focus=LOOK, paper=paper)
+    chosen = drawn.replace(focus=_look(), paper=drawn.paper.replace(transparent=False))
     image = pipeline.draw(placed, seen, chosen, cpu.Backend(), pipeline.options(), colors=sources).combined
     small = image[..., :3].reshape(SIZE, OVERSIZE, SIZE, OVERSIZE, 3).mean(axis=(1, 3))
     return np.round(255 * _encoded(np.clip(small, 0, 1))).astype(np.uint8)
@@ -39,9 +35,14 @@ def png(pixels):
     return native.load().png_bytes(pixels)
 
 
+def _look():
+    """So that what answers to focus is seen."""
+    return style.Focus(model="image", points=(style.FocusPlace(at=(0.4, 0.45, 0.0), near=0.1, far=0.75),))
+
+
 @lru_cache(maxsize=1)
 def _scene(core):
-    """The native Scene and its color.Sources."""
+    """The native Scene and its ColorSources."""
     surfaces, colors = [], []
     for shape in still_life.shapes():
         edges, corner_edges = core.polygon_edges(shape.offsets, shape.corners)
@@ -53,7 +54,7 @@ def _scene(core):
     ids = np.arange(1, count + 1, dtype=np.uint64)
     placed = core.Scene(surfaces, np.arange(count, dtype=np.int32), places, ids, usage)
     sun = core.Light("sun", (0.0, 0.0, 0.0), still_life.SUN, (3.0, 3.0, 3.0))
-    return placed, color.Sources(colors, [sun], (0.25, 0.25, 0.25))
+    return placed, ColorSources(colors, [sun], (0.25, 0.25, 0.25))
 
 
 def _encoded(linear):

@@ -3,28 +3,23 @@
 
 import json
 import math
-from dataclasses import replace
 
-from ..color import Color
-from ..elision import Elision
-from ..focus import Distance, Effects, Focus, Transfer
-from ..stages import Pen
-from ..style_parts import Hidden, LineSet, Paper, Style
-from . import line_kinds, style_curves, style_words
+from .. import style
+from . import line_kinds, style_curves
 from .property_kinds import neat
-from .style_groups import PARTS, plain_fields, transfers
+from .style_groups import part, plain_fields, transfers
 
 LEAST_DEPTH = 1e-6  # between near and far
 
 
-def read(tree, focus=Focus()):
+def read(tree, focus=None):
     """The Style in a node tree; evaluated ones have the values of their frame. Where to look is the scene's."""
     held = tree.fovea
-    return Style(
-        paper=Paper(**_plain(held.paper, Paper)),
-        line_sets=tuple(line_set(group) for group in held.line_sets) or (LineSet(),),
-        focus=focus,
-        effects=Effects(**_plain(held.effects, Effects), **_transfers(tree, held.effects, Effects)),
+    return style.Style(
+        paper=style.Paper(**_plain(held.paper, style.Paper)),
+        line_sets=tuple(line_set(group) for group in held.line_sets) or (style.LineSet(),),
+        focus=focus or style.Focus(),
+        effects=style.Effects(**_plain(held.effects, style.Effects), **_transfers(tree, held.effects, style.Effects)),
         distance=_distance(tree, held.distance),
         color=_color(held.color),
         elision=_elision(held.elision),
@@ -33,48 +28,48 @@ def read(tree, focus=Focus()):
 
 
 def _plain(group, cls):
-    """{field: value} of what are plain properties."""
-    return {name: _value(group, PARTS[cls], name, default) for name, default in plain_fields(cls)}
+    """{member: value} of what are plain properties."""
+    return {field["name"]: _value(group, field) for field in plain_fields(cls)}
 
 
-def _value(group, part, name, default):
-    value = getattr(group, name)
-    if f"{part}.{name}" in style_words.CHOICES:
+def _value(group, field):
+    value = getattr(group, field["name"])
+    if field["type"] == "choice":
         return value.lower()
-    if isinstance(default, tuple):
+    if field["type"] == "color":
         return tuple(neat(v) for v in value)
-    if isinstance(default, float):
-        return neat(math.degrees(value) if style_words.of(part, name)[2].get("subtype") == "ANGLE" else value)
+    if field["type"] == "number":
+        return neat(math.degrees(value) if field["unit"] == "degrees" else value)
     return value
 
 
 def _transfers(tree, group, cls):
     found = {}
     for name in transfers(cls):
-        curve = style_curves.read(tree, PARTS[cls], name)
-        found[name] = Transfer(**_plain(getattr(group, name), Transfer), curve=curve)
+        curve = style_curves.read(tree, part(cls), name)
+        found[name] = style.Transfer(**_plain(getattr(group, name), style.Transfer), curve=curve)
     return found
 
 
 def _distance(tree, group):
-    found = Distance(**_plain(group, Distance), **_transfers(tree, group, Distance))
-    return found if found.far > found.near else replace(found, far=found.near + max(LEAST_DEPTH, 1e-6 * found.near))
+    found = style.Distance(**_plain(group, style.Distance), **_transfers(tree, group, style.Distance))
+    return found if found.far > found.near else found.replace(far=found.near + max(LEAST_DEPTH, 1e-6 * found.near))
 
 
 def _color(group):
     background = None if group.on_paper else tuple(neat(v) for v in group.background)
-    return Color(**_plain(group, Color), background=background)
+    return style.Color(**_plain(group, style.Color), background=background)
 
 
 def _elision(group):
     """Something must count: length does where nothing else would."""
-    found = Elision(**_plain(group, Elision))
-    return found if any(found.weights().values()) else replace(found, length=1.0)
+    found = style.Elision(**_plain(group, style.Elision))
+    return found if found.ranks() else found.replace(length=1.0)
 
 
 def pen(group):
     """The Pen of a pen's properties."""
-    return Pen(**_plain(group, Pen))
+    return style.Pen(**_plain(group, style.Pen))
 
 
 def _pens(group):
@@ -85,9 +80,9 @@ def _pens(group):
 
 def line_set(group):
     """The LineSet of a line set's properties."""
-    plain = _plain(group, LineSet)
+    plain = _plain(group, style.LineSet)
     overshoot = neat(group.overshoot_away) if group.away else None
-    return LineSet(
+    return style.LineSet(
         name=group.name,
         kinds=line_kinds.read(group.kinds),
         overshoot_away=None if overshoot == plain["overshoot"] else overshoot,
@@ -105,8 +100,8 @@ def _apart(pens):
         if found and (found[-1].last is None or found[-1].last >= group.first):
             before = found.pop()
             if before.first < group.first:
-                found.append(replace(before, last=group.first - 1))
-        found.append(Hidden(first=group.first, last=last, **_pens(group)))
+                found.append(before.replace(last=group.first - 1))
+        found.append(style.Hidden(first=group.first, last=last, **_pens(group)))
     return tuple(found)
 
 

@@ -5,27 +5,22 @@ import json
 import math
 
 from .. import style
-from ..color import Color
-from ..elision import Elision
-from ..focus import Distance, Effects, Transfer
-from ..stages import Pen
-from ..style_parts import LineSet, Paper
-from . import line_kinds, style_curves, style_words
-from .style_groups import PARTS, plain_fields, transfers
+from . import line_kinds, style_curves
+from .style_groups import part, plain_fields, transfers
 
 
 def write(tree, wanted):
     """Makes a node tree hold a Style, but for where to look, which is the scene's."""
     held = tree.fovea
     held.schema = style.SCHEMA
-    _write_plain(held.paper, wanted.paper, Paper)
-    _write_plain(held.color, wanted.color, Color)
+    _write_plain(held.paper, wanted.paper)
+    _write_plain(held.color, wanted.color)
     held.color.on_paper = wanted.color.background is None
     if wanted.color.background is not None:
         held.color.background = wanted.color.background
-    _write_plain(held.elision, wanted.elision, Elision)
-    for cls, value in ((Effects, wanted.effects), (Distance, wanted.distance)):
-        _write_transfers(tree, getattr(held, PARTS[cls]), value, cls)
+    _write_plain(held.elision, wanted.elision)
+    _write_transfers(tree, held.effects, wanted.effects)
+    _write_transfers(tree, held.distance, wanted.distance)
     held.line_sets.clear()
     for line_set in wanted.line_sets:
         write_line_set(held.line_sets.add(), line_set)
@@ -37,7 +32,7 @@ def write_line_set(group, wanted):
     """Makes a line set's properties those of a LineSet."""
     group.name = wanted.name
     line_kinds.write(group.kinds, wanted.kinds)
-    _write_plain(group, wanted, LineSet)
+    _write_plain(group, wanted)
     _write_pens(group, wanted)
     group.away = wanted.pen_away is not None or wanted.overshoot_away is not None
     group.overshoot_away = wanted.overshoot if wanted.overshoot_away is None else wanted.overshoot_away
@@ -53,27 +48,27 @@ def write_hidden(group, wanted):
 
 
 def _write_pens(group, wanted):
-    _write_plain(group.pen, wanted.pen, Pen)
-    _write_plain(group.pen_away, wanted.pen_away or wanted.pen, Pen)
+    _write_plain(group.pen, wanted.pen)
+    _write_plain(group.pen_away, wanted.pen_away or wanted.pen)
     group.away = wanted.pen_away is not None
 
 
-def _write_plain(group, wanted, cls):
-    for name, _ in plain_fields(cls):
-        value, part = getattr(wanted, name), PARTS[cls]
-        if f"{part}.{name}" in style_words.CHOICES:
+def _write_plain(group, wanted):
+    for field in plain_fields(type(wanted)):
+        value = getattr(wanted, field["name"])
+        if field["type"] == "choice":
             value = value.upper()
-        elif style_words.of(part, name)[2].get("subtype") == "ANGLE":
+        elif field["unit"] == "degrees":
             value = math.radians(value)
-        setattr(group, name, value)
+        setattr(group, field["name"], value)
 
 
-def _write_transfers(tree, group, wanted, cls):
-    _write_plain(group, wanted, cls)
-    for name in transfers(cls):
+def _write_transfers(tree, group, wanted):
+    _write_plain(group, wanted)
+    for name in transfers(type(wanted)):
         transfer = getattr(wanted, name)
-        _write_plain(getattr(group, name), transfer, Transfer)
-        style_curves.write(tree, PARTS[cls], name, transfer.curve)
+        _write_plain(getattr(group, name), transfer)
+        style_curves.write(tree, part(type(wanted)), name, transfer.curve)
 
 
 def _write_kept(held, kept):

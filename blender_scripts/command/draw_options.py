@@ -77,9 +77,9 @@ def _parser():
         metavar="A-B",
         help="of hidden lines, those that A to B surfaces hide: 1, 2-3, 4-",
     )
-    halo, overshoot = (quantities.within(*quantities.STYLE_RANGES[name], "pixels") for name in ("halo", "overshoot"))
-    add("--halo", type=halo, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
-    add("--overshoot", type=overshoot, metavar="PX", help="how far lines go on beyond their ends, alike")
+    pixels = quantities.finite("pixels")
+    add("--halo", type=pixels, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
+    add("--overshoot", type=pixels, metavar="PX", help="how far lines go on beyond their ends, alike")
     focus = parser.add_mutually_exclusive_group()
     where = "where to look: 0..1 from the left and the top, or in space, or an object's surface, by its name"
     focus.add_argument("--focus", type=quantities.focus, metavar="U,V|X,Y,Z|OBJECT", help=where)

@@ -37,7 +37,7 @@ def parse(words):
     parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
     parser.add_argument("--param", action="append", type=quantities.assignment, default=[], metavar="NAME=VALUE")
-    turn = quantities.within(*quantities.STYLE_RANGES["corner_angle"], "degrees")
+    turn = quantities.finite("degrees")
     parser.add_argument("--corner-angle", type=turn, default=60.0, metavar="DEG", help="paths end at sharper turns")
     parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic")
     parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
@@ -62,12 +62,12 @@ def parse(words):
 
 def extract(native, options):
     """The arrays of the file, counts of what was skipped in the model, and how curvature was estimated, if it was."""
-    pipeline, definitions = importlib.import_module("addon.pipeline"), native.line_definitions()
+    pipeline = importlib.import_module("addon.pipeline")
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
     scene, view, view_to_object = _look(native, surface, polygons.positions, options)
-    chosen = _style(options, definitions)
+    chosen = _style(options)
     frame = pipeline.frame(scene, view, chosen, native.CpuBackend(), pipeline.options())
     frame.find()
     if options.visible:
@@ -79,18 +79,17 @@ def extract(native, options):
     return arrays, surface.report, surface.fields_reason
 
 
-def _style(options, definitions):
+def _style(options):
     """The Style whose lines are asked for."""
     style = importlib.import_module("addon.style")
     if options.definition:
-        given = {
-            options.definition: style.parameters(options.definition, dict(options.param), "definition", definitions)
-        }
+        style.check(style.LineSet, "corner_angle", options.corner_angle, "--corner-angle")
+        given = {options.definition: style.parameters(options.definition, dict(options.param), "definition")}
         lines_of = importlib.import_module("addon.pipeline").style_of_lines
         return lines_of(given, options.corner_angle, options.hidden)
     if options.style in style.names():
-        return style.load(options.style, definitions)
-    return style.read(options.style, definitions)
+        return style.load(options.style)
+    return style.read(options.style)
 
 
 def _output(text):

@@ -5,17 +5,10 @@ user, when it is none or out of range."""
 import argparse
 import math
 import re
-import runpy
 
-from .target import PROJECT
-
-# Read without importing the add-on: which copy of it runs is chosen later.
-_STYLE_VALUES = runpy.run_path(str(PROJECT / "addon" / "style_values.py"))
-STYLE_RANGES = _STYLE_VALUES["RANGES"]  # {name: (least, most)}
-MOST_SURFACES = _STYLE_VALUES["MOST_SURFACES"]
 FRAME_SIDES = 4, 65536  # pixels, as Blender takes them
 LAST_FRAME = 1048574  # Blender's
-FAR = STYLE_RANGES["far"][1]  # from the origin
+FAR = 1e9  # from the origin
 
 
 def within(least, most, what):
@@ -25,6 +18,18 @@ def within(least, most, what):
         number = _float(text)
         if not least <= number <= most:
             raise argparse.ArgumentTypeError(f"'{text}' is not a number of {what} from {least:g} to {most:g}")
+        return number
+
+    return parse
+
+
+def finite(what):
+    """A parser of numbers of which the core knows the range; `what` they count, in plural."""
+
+    def parse(text):
+        number = _float(text)
+        if not math.isfinite(number):
+            raise argparse.ArgumentTypeError(f"'{text}' is not a number of {what}")
         return number
 
     return parse
@@ -54,10 +59,8 @@ def surfaces(text):
     """(first, last): A, A-B or A-, whose last is None."""
     found = re.fullmatch(r"([1-9]\d{0,8})(-(\d{0,9}))?", text)
     first, last = (int(found[1]), int(found[3] or 0) if found[2] else int(found[1])) if found else (1, -1)
-    if (last and last < first) or max(first, last) > MOST_SURFACES:
-        raise argparse.ArgumentTypeError(
-            f"'{text}' is not FIRST-LAST of up to {MOST_SURFACES} surfaces that hide a line"
-        )
+    if last and last < first:
+        raise argparse.ArgumentTypeError(f"'{text}' is not FIRST-LAST surfaces that hide a line")
     return first, last or None
 
 

@@ -20,6 +20,7 @@ void bind_in_time(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
 void bind_spine(pybind11::module_& m);
 void bind_color(pybind11::module_& m);
+void bind_style(pybind11::module_& m);
 void bind_draw(pybind11::module_& m);
 
 }  // namespace fovea::bindings

@@ -8,7 +8,6 @@
 #include <fovea/draw/frame.h>
 #include <fovea/draw/polylines.h>
 #include <fovea/elision/elide.h>
-#include <fovea/style/json.h>
 
 #include "bindings/bind.h"
 #include "bindings/line_filters.h"
@@ -178,9 +177,6 @@ void bind_backend(py::module_& m) {
 void bind_parts(py::module_& m) {
     bind_record<Options>(m, "Options",
                          "Numbers of the method that are not the style's; see native/fovea/draw/options.h.");
-    py::class_<style::Style>(m, "Style", "A style as the core reads it; see native/fovea/style/style.h.")
-        .def(py::init([](const std::string& json) { return style::read_style(json); }), py::arg("json"))
-        .def("has_color", &style::Style::has_color);
     py::class_<Assets, std::shared_ptr<Assets>>(m, "Assets", "Pen textures and papers that ship, by name.")
         .def(py::init<std::filesystem::path>(), py::arg("folder"));
     py::class_<ColorSources>(m, "ColorSources", "Where the colors of a scene come from.")

@@ -5,9 +5,11 @@
 
 #include <fovea/field/fields.h>
 #include <fovea/line/registry.h>
+#include <fovea/style/line_set.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/records.h"
 
 namespace fovea::bindings {
 namespace {
@@ -61,7 +63,7 @@ Pieces find_curves(const Surface& surface, const std::string& name, const py::di
     const LineDefinition& definition = definition_called(name);
     const auto* rule = std::get_if<CurveRule>(&definition.rule);
     check(rule && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
-    const Values values = values_of(definition, given.cast<std::map<std::string, double>>());
+    const Values values = values_of(definition, Member<style::Parameters>::from(given));
     py::gil_scoped_release release;
     SurfaceView seen{.surface = surface};
     seen.eye_obj = {eye[0], eye[1], eye[2]};

@@ -3,10 +3,12 @@
 #include <pybind11/stl.h>
 
 #include <fovea/path/extract.h>
+#include <fovea/style/line_set.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/line_filters.h"
+#include "bindings/records.h"
 
 namespace fovea::bindings {
 namespace {
@@ -74,7 +76,7 @@ LineSet line_set(const py::dict& kinds, double corner_angle_degrees) {
         LineKind kind;
         kind.definition = definition_index(name.cast<std::string>());
         const LineDefinition& definition = *line_definitions()[kind.definition];
-        kind.values = values_of(definition, given.cast<std::map<std::string, double>>());
+        kind.values = values_of(definition, Member<style::Parameters>::from(given));
         set.kinds.push_back(std::move(kind));
     }
     return set;

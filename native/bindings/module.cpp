@@ -19,8 +19,9 @@ PYBIND11_MODULE(_native, m) {
     bind_stroke(m);
     bind_spine(m);
     bind_color(m);
+    bind_style(m);
     bind_draw(m);
     // What Python notes about the loaded code. A module that is imported anew has only the attributes that it was made
     // with; this is the same dict then, too.
-    m.attr("notes") = py::dict();
+    m.attr("notes") = pybind11::dict();
 }

@@ -2,6 +2,7 @@
 // Records (style/field.h) as Python has them: keyword arguments, attributes, `replace`; enumerations by their names.
 #pragma once
 
+#include <optional>
 #include <pybind11/stl.h>
 
 #include <fovea/base/check.h>
@@ -11,27 +12,86 @@
 
 namespace fovea::bindings {
 
-template <typename V>
-V value_from(const py::handle& given, const char* name) {
-    if constexpr (std::is_enum_v<V>) {
+// A member as Python has it: enumerations by their names, lists and vectors as tuples, named values as dicts, so that
+// what a record holds does not change and compares by value.
+template <typename T>
+struct Member {
+    static T from(const py::handle& given) { return given.cast<T>(); }
+    static py::object to(const T& value) { return py::cast(value); }
+};
+
+template <typename Enum>
+    requires std::is_enum_v<Enum>
+struct Member<Enum> {
+    static Enum from(const py::handle& given) {
         const auto word = given.cast<std::string>();
         std::string known;
-        for (int i = 0; style::names_of<V>[i]; ++i) {
-            if (word == style::names_of<V>[i]) return static_cast<V>(i);
-            known += (i ? ", " : "") + std::string(style::names_of<V>[i]);
+        int i = 0;
+        for (const style::Choice& choice : style::choices_of<Enum>) {
+            if (word == choice.name) return static_cast<Enum>(i);
+            known += (i++ ? ", " : "") + std::string(choice.name);
         }
-        throw std::invalid_argument(std::string(name) + " is '" + word + "'; it can be: " + known);
-    } else {
-        return given.cast<V>();
+        throw std::invalid_argument("is '" + word + "'; it can be: " + known);
     }
-}
+    static py::object to(Enum value) { return py::str(style::choices_of<Enum>[static_cast<int>(value)].name); }
+};
 
-template <typename V>
-py::object value_to(const V& value) {
-    if constexpr (std::is_enum_v<V>)
-        return py::str(style::names_of<V>[static_cast<int>(value)]);
-    else
-        return py::cast(value);
+template <int N>
+struct Member<glm::vec<N, double>> {
+    using Vector = glm::vec<N, double>;
+    static Vector from(const py::handle& given) {
+        const auto numbers = given.cast<std::array<double, N>>();
+        Vector value;
+        for (int i = 0; i < N; ++i) value[i] = numbers[i];
+        return value;
+    }
+    static py::object to(const Vector& value) {
+        py::tuple numbers(N);
+        for (int i = 0; i < N; ++i) numbers[i] = value[i];
+        return numbers;
+    }
+};
+
+template <typename T>
+struct Member<std::optional<T>> {
+    static std::optional<T> from(const py::handle& given) {
+        return given.is_none() ? std::nullopt : std::optional(Member<T>::from(given));
+    }
+    static py::object to(const std::optional<T>& value) { return value ? Member<T>::to(*value) : py::none(); }
+};
+
+template <typename T>
+struct Member<std::vector<T>> {
+    static std::vector<T> from(const py::handle& given) {
+        std::vector<T> values;
+        for (const py::handle& each : given) values.push_back(Member<T>::from(each));
+        return values;
+    }
+    static py::object to(const std::vector<T>& values) {
+        py::tuple all(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) all[i] = Member<T>::to(values[i]);
+        return all;
+    }
+};
+
+template <typename T>
+struct Member<std::vector<std::pair<std::string, T>>> {
+    using Named = std::vector<std::pair<std::string, T>>;
+    static Named from(const py::handle& given) {
+        Named values;
+        for (const auto& [name, value] : given.cast<py::dict>())
+            values.emplace_back(name.cast<std::string>(), Member<T>::from(value));
+        return values;
+    }
+    static py::object to(const Named& values) {
+        py::dict named;
+        for (const auto& [name, value] : values) named[py::str(name)] = Member<T>::to(value);
+        return named;
+    }
+};
+
+[[noreturn]] inline void refuse_member(const char* name, const py::handle& given) {
+    throw py::type_error(std::string(name) + " cannot be " + std::string(py::str(py::repr(given))));
 }
 
 /// A record with some of its members set.
@@ -40,7 +100,13 @@ S with(S record, const py::kwargs& given) {
     std::size_t known = 0;
     style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
         if (!given.contains(field.name)) return;
-        record.*field.member = value_from<V>(given[field.name], field.name);
+        try {
+            record.*field.member = Member<V>::from(given[field.name]);
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(std::string(field.name) + " " + error.what());
+        } catch (const py::cast_error&) {
+            refuse_member(field.name, given[field.name]);
+        }
         ++known;
     });
     if (known < given.size())
@@ -60,14 +126,18 @@ py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
         "replace", [](const S& record, const py::kwargs& given) { return with(record, given); },
         "The same with other values.");
     bound.def("__eq__", [](const S& a, const S& b) { return a == b; }, py::is_operator());
-    bound.def("__hash__", [](const S& record) {
-        py::list values;
-        style::for_each_field<S>([&](const auto& field) { values.append(value_to(record.*field.member)); });
-        return py::hash(py::repr(values));
+    bound.def("__repr__", [name](const S& record) {
+        std::string text;
+        style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
+            const py::object value = Member<V>::to(record.*field.member);
+            text += (text.empty() ? "" : ", ") + std::string(field.name) + "=" + std::string(py::str(py::repr(value)));
+        });
+        return std::string(name) + "(" + text + ")";
     });
+    bound.def("__hash__", [](const py::object& record) { return py::hash(py::repr(record)); });
     style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
         bound.def_property_readonly(field.name,
-                                    [member = field.member](const S& record) { return value_to(record.*member); });
+                                    [member = field.member](const S& record) { return Member<V>::to(record.*member); });
     });
     return bound;
 }

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Base colours of every source, lights, and the colour layer in pictures and passes."""
 
-from dataclasses import replace
-
 import bpy
 import numpy as np
 import pytest
 from pictures import SIZE, box_scene, drawn, layered
 from the_addon import box_mesh, new_mesh, new_object, part
 
-session, color = part("blender.session"), part("color")
+session, style = part("blender.session"), part("style")
 
 
 @pytest.fixture
@@ -37,7 +35,7 @@ def colored(monkeypatch, paper=None, **values):
 
     def style_of(scene):
         found = original(scene)
-        return replace(found, color=color.Color(**values), paper=replace(found.paper, **(paper or {})))
+        return found.replace(color=style.Color(**values), paper=found.paper.replace(**(paper or {})))
 
     monkeypatch.setattr(session.properties, "style_of", style_of)
 

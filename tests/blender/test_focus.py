@@ -171,7 +171,7 @@ def test_a_style_chosen_in_the_panel_draws_as_its_file_says(row, name):
     use_style(row, name)
     chosen, file = properties.style_of(row), style.load(name)
     assert len(chosen.pens()) == len(file.pens())
-    assert [bool(away) for _, away in chosen.pen_pairs()] == [bool(away) for _, away in file.pen_pairs()]
+    assert [bool(s.pen_away) for s in chosen.line_sets] == [bool(s.pen_away) for s in file.line_sets]
     for field in ("start", "end", "strength"):
         for effect in ("width", "fade", "blur"):
             ours, theirs = (getattr(getattr(s.effects, effect), field) for s in (chosen, file))

@@ -11,7 +11,7 @@ from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
 places, gizmos, overlay = part("blender.focus_places"), part("blender.focus_gizmos"), part("blender.focus_overlay")
 operators, focus_pull = part("blender.focus_operators"), part("blender.focus_pull")
-camera, reading, focus = part("blender.camera"), part("blender.reading"), part("focus")
+camera, reading, style = part("blender.camera"), part("blender.reading"), part("style")
 
 
 @pytest.fixture
@@ -78,11 +78,11 @@ def test_adding_keeps_the_places_there_are(scene):
 
 
 def test_there_is_a_most_of_places(scene):
-    for step in range(focus.MOST_POINTS):
+    for step in range(style.MOST_PLACES):
         bpy.ops.fovea.pick_focus(location=(step, 0, 0), add=True)
-    assert len(places.places(scene.fovea)) == focus.MOST_POINTS
+    assert len(places.places(scene.fovea)) == style.MOST_PLACES
     assert bpy.ops.fovea.pick_focus(location=(9, 9, 9), add=True) == {"CANCELLED"}
-    assert len(places.places(scene.fovea)) == focus.MOST_POINTS
+    assert len(places.places(scene.fovea)) == style.MOST_PLACES
 
 
 def test_places_are_removed_with_what_animates_them(scene):

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The spine test: the gpu's picture is the cpu's, and both are the segment atlas's but for the ends of what is seen."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from native_frames import box, core, cpu, frame_of, moved, pipeline, room, scene_of, style, view_of
@@ -12,8 +10,8 @@ from the_addon import part
 def bare():
     """pen_and_ink, with the ends of lines where visibility has them."""
     base = style.load("pen_and_ink")
-    sets = tuple(replace(s, halo=0.0, overshoot=0.0, overshoot_away=None) for s in base.line_sets)
-    return replace(base, line_sets=sets, elision=replace(base.elision, enabled=False))
+    sets = tuple(s.replace(halo=0.0, overshoot=0.0, overshoot_away=None) for s in base.line_sets)
+    return base.replace(line_sets=sets, elision=base.elision.replace(enabled=False))
 
 
 def picture(scene, view, backend, visibility="spine", probes=9):

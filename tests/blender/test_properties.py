@@ -68,7 +68,7 @@ def test_fields_that_nothing_reads_are_told_once(scene):
     session, said = part("blender.session"), []
     engine = SimpleNamespace(report=lambda kinds, sentence: said.append((kinds, sentence)))
     words = '{"schema": 1, "line_sets": [{"kinds": {"contuor": {}, "crease": {"angel": 3}}, "pen": {"widht": 2}}]}'
-    chosen = style.parse(words, catalogue.definitions())
+    chosen = style.parse(words)
     session._forget()
     for _ in range(3):
         session._report_unknown(engine, chosen)

@@ -2,7 +2,6 @@
 """A style in a datablock: all of it goes in and comes out, is undone, keyed, driven, saved, appended and linked."""
 
 import json
-from dataclasses import replace
 
 import bpy
 import numpy as np
@@ -10,7 +9,7 @@ import pytest
 from pictures import box_scene, drawn, ink, pixels_of
 from the_addon import empty_scene, lines_of, own_style, part, use_style
 
-catalogue, focus, properties, style = part("catalogue"), part("focus"), part("blender.properties"), part("style")
+catalogue, properties, style = part("catalogue"), part("blender.properties"), part("style")
 style_curves, style_data = part("blender.style_curves"), part("blender.style_data")
 style_read = part("blender.style_read")
 
@@ -21,10 +20,10 @@ def scene():
 
 
 def told(chosen):
-    """A Style with every parameter of its lines, as datablocks have it."""
+    """A Style with every parameter of its lines, in the registry's order, as datablocks have it."""
     defaults = {d["name"]: {p["name"]: p["default"] for p in d["parameters"]} for d in catalogue.definitions()}
-    sets = (replace(s, kinds={k: defaults[k] | v for k, v in s.kinds.items()}) for s in chosen.line_sets)
-    return replace(chosen, line_sets=tuple(sets))
+    sets = (s.replace(kinds={k: defaults[k] | s.kinds[k] for k in defaults if k in s.kinds}) for s in chosen.line_sets)
+    return chosen.replace(line_sets=tuple(sets))
 
 
 def through(chosen):
@@ -34,7 +33,7 @@ def through(chosen):
 
 @pytest.mark.parametrize("name", style.names())
 def test_a_shipped_style_comes_out_as_it_went_in(scene, name):
-    chosen = style.load(name, catalogue.definitions())
+    chosen = style.load(name)
     assert through(chosen) == told(chosen)
 
 
@@ -42,18 +41,24 @@ def rich():
     """A Style with something in every field that may be missing."""
     crease = {"crease": {"angle": 33.0}}
     curve, pen = ((0.0, 0.125), (0.3, 0.9), (0.55, 0.2), (1.0, 1.0)), style.Pen(width=0.35, width_unit="millimetres")
-    bent = focus.Transfer(0.9, 0.1, 0.7, curve)
-    filters = ("Some of it.001", True, "Cup", True, "Glass.001", True)
-    hidden = (style.Hidden(pen, 1, 2, replace(pen, color=(3.0, 0.2, 0.1))), style.Hidden(style.Pen(cap="butt"), 4))
+    bent = style.Transfer(start=0.9, end=0.1, strength=0.7, curve=curve)
+    filters = {"collection": "Some of it.001", "outside": True, "object": "Cup", "other_objects": True}
+    filters |= {"material": "Glass.001", "other_materials": True}
+    numbers = {"corner_angle": 12.5, "least_length": 7.0, "overshoot": 3.0, "halo": 4.0, "overshoot_away": 9.0}
+    hidden = (
+        style.Hidden(pen=pen, first=1, last=2, pen_away=pen.replace(color=(3.0, 0.2, 0.1))),
+        style.Hidden(pen=style.Pen(cap="butt"), first=4),
+    )
+    pens = {"pen": pen, "pen_away": style.Pen(), "hidden": hidden}
     sets = (
-        style.LineSet("first", crease, *filters, 12.5, 7.0, 3.0, 4.0, 9.0, pen, style.Pen(), hidden),
-        style.LineSet("second", {}, overshoot_away=2.0),
+        style.LineSet(name="first", kinds=crease, **filters, **numbers, **pens),
+        style.LineSet(name="second", kinds={}, overshoot_away=2.0),
     )
     base = style.Style(paper=style.Paper(texture=style.papers()[-1], transparent=True, height_mm=148.0), line_sets=sets)
-    colored = replace(base, color=replace(base.color, shading="toon", bands=5, background=(0.1, 0.2, 0.3)))
-    effects = replace(base.effects, width=bent, blur=bent, colors="uniform", uniform=0.3)
-    thinned = replace(base.elision, enabled=True, density_attribute="dense", painted=2.5)
-    return replace(colored, effects=effects, distance=focus.Distance(2.0, 30.0, opacity=bent), elision=thinned)
+    colored = base.replace(color=base.color.replace(shading="toon", bands=5, background=(0.1, 0.2, 0.3)))
+    effects = base.effects.replace(width=bent, blur=bent, colors="uniform", uniform=0.3)
+    thinned = base.elision.replace(enabled=True, density_attribute="dense", painted=2.5)
+    return colored.replace(effects=effects, distance=style.Distance(near=2.0, far=30.0, opacity=bent), elision=thinned)
 
 
 def test_everything_that_a_style_may_have_comes_out_as_it_went_in(scene):
@@ -67,7 +72,7 @@ def test_everything_that_a_style_may_have_comes_out_as_it_went_in(scene):
 
 def test_what_is_not_known_is_kept_with_the_line_set_it_was_said_of(scene):
     words = {"schema": 1, "new": {"a": [1]}, "line_sets": [{"name": "a", "later": 1}, {"name": "b", "pen": {"x": "y"}}]}
-    chosen = style.parse(json.dumps(words), catalogue.definitions())
+    chosen = style.parse(json.dumps(words))
     tree = style_data.new("Style", chosen)
     assert sorted(style_read.read(tree).kept, key=str) == sorted(chosen.kept, key=str)
     tree.fovea.line_sets.move(0, 1)
@@ -129,19 +134,20 @@ def test_a_style_survives_without_its_curves_and_with_odd_numbers(scene):
     tree = scene.fovea.style
     tree.nodes.clear()
     held.distance.near, held.distance.far = 50.0, 10.0
-    for term in part("elision").TERMS:
-        setattr(held.elision, term, 0.0)
+    for field in style.Elision.fields:
+        if field["group"] == "weights":
+            setattr(held.elision, field["name"], 0.0)
     hidden = held.line_sets[0].hidden
     hidden[0].first, hidden[0].last, hidden[1].first, hidden[1].last = 2, 0, 3, 1
     found = properties.style_of(scene)
-    assert style.parse(style.dump(replace(found, kept=())), catalogue.definitions())
+    assert style.parse(style.dump(found.replace(kept=())))
     assert found.effects.width.curve == () and found.distance.far > found.distance.near
     assert [(h.first, h.last) for h in found.line_sets[0].hidden] == [(2, 2), (3, 3)]
 
 
 def test_a_style_brings_its_focus_and_one_without_leaves_the_scenes(scene):
-    looked = focus.Focus("image", (focus.Point((0.25, 0.75, 0.0), 0.2, 0.4),))
-    use_style(scene, replace(rich(), focus=looked))
+    looked = style.Focus(model="image", points=(style.FocusPlace(at=(0.25, 0.75, 0.0), near=0.2, far=0.4),))
+    use_style(scene, rich().replace(focus=looked))
     use_style(scene, "pencil")
     assert scene.fovea.focus_model == "IMAGE"
     assert properties.style_of(scene).focus.points[0].at == pytest.approx((0.25, 0.75, 0))

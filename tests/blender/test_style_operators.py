@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Operators on styles and line sets: what they do, undo, refuse and say."""
 
-import dataclasses
 import json
 
 import bpy
@@ -130,7 +129,7 @@ def test_a_new_line_set_is_as_the_edited_one_but_for_filters_and_hidden_pens(sce
     bpy.ops.fovea.line_set_add()
     made, below = drawn(scene).line_sets[held.line_set_index :][:2]
     assert below.hidden and below.collection == "Scenery" and below.pen_away is not None
-    assert made == dataclasses.replace(below, name="Lines", collection="", outside=False, hidden=())
+    assert made == below.replace(name="Lines", collection="", outside=False, hidden=())
     bpy.ops.fovea.line_set_add()
     assert names(scene) == ["outline", "Lines.001", "Lines", "lines"]
 

@@ -41,7 +41,7 @@ def add_hidden(line_set, first=1, last=None):
     """A hidden pen of dashes; its properties."""
     style = part("style")
     dashes = style.dashed(part("blender.style_read").pen(line_set.pen))
-    part("blender.style_write").write_hidden(line_set.hidden.add(), style.Hidden(dashes, first, last))
+    part("blender.style_write").write_hidden(line_set.hidden.add(), style.Hidden(pen=dashes, first=first, last=last))
     return line_set.hidden[-1]
 
 

@@ -18,7 +18,8 @@ int main() {
     job.view.width = job.view.height = 400;
     job.view.world_to_view = glm::lookAt(glm::dvec3(4, -3, 2.5), glm::dvec3(0.5), glm::dvec3(0, 0, 1));
     job.view.view_to_clip = glm::perspective(0.5, 1.0, job.view.near_clip, job.view.far_clip);
-    job.style = fovea::style::read_style(R"({"line_sets": [{"kinds": {"crease": {}}, "least_length": 0}]})");
+    job.style =
+        fovea::style::read_style(R"({"schema": 1, "line_sets": [{"kinds": {"crease": {}}, "least_length": 0}]})");
     job.assets = std::make_shared<fovea::Assets>(".");
     job.backend = std::make_shared<fovea::CpuBackend>();
     fovea::Frame frame(std::move(job));

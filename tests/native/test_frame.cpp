@@ -24,7 +24,8 @@ std::shared_ptr<const Scene> two_boxes() {
         Scene({place(meshes::box(), moved({0, 0, 0}), 1), place(meshes::box(), moved({1.5, 2.5, 0.3}), 2)}));
 }
 
-const char* with_hidden_lines = R"({"line_sets": [{"kinds": {"contour": {}, "crease": {"angle": 40}}, "least_length": 0,
+const char* with_hidden_lines =
+    R"({"schema": 1, "line_sets": [{"kinds": {"contour": {}, "crease": {"angle": 40}}, "least_length": 0,
     "pen": {"width": 4}, "hidden": [{"pen": {"width": 2, "color": [1, 0, 0]}}]}]})";
 
 Job job_of(const char* json, Options options = {}) {
@@ -185,39 +186,8 @@ TEST(Frame, TexturesAreThoseOfTheFolderAndNamesLeadOutOfNone) {
     EXPECT_THROW(assets.paper("a/b"), std::invalid_argument);
 }
 
-TEST(Style, APenOutOfFocusIsAsTheOneInFocusButForWhatIsGiven) {
-    const style::Style style =
-        style::read_style(R"({"line_sets": [{"pen": {"width": 7, "opacity": 0.5}, "pen_away": {"opacity": 0.1}}]})");
-    ASSERT_TRUE(style.line_sets[0].pen_away.has_value());
-    EXPECT_EQ(style.line_sets[0].pen_away->width, 7.0);
-    EXPECT_EQ(style.line_sets[0].pen_away->opacity, 0.1);
-    EXPECT_TRUE(style.has_away());
-}
-
-TEST(Style, FieldsThatAreNotKnownAreLeftAloneAndNullIsNone) {
-    const style::Style style = style::read_style(
-        R"({"schema": 1, "moon": {"full": true}, "color": {"background": null}, "line_sets": [{"pen_away": null}]})");
-    EXPECT_FALSE(style.color.background.has_value() || style.has_away());
-}
-
-TEST(Style, WhatHasTheWrongTypeIsNamed) {
-    const auto said = [](const char* json) -> std::string {
-        try {
-            style::read_style(json);
-        } catch (const std::invalid_argument& error) {
-            return error.what();
-        }
-        return "";
-    };
-    EXPECT_NE(said(R"({"line_sets": [{"pen": {"width": "wide"}}]})").find("line_sets[0].pen.width"), std::string::npos);
-    EXPECT_NE(said(R"({"line_sets": [{"pen": {"cap": "square"}}]})").find("butt, round"), std::string::npos);
-    EXPECT_NE(said(R"({"elision": {"frames": 1.5}})").find("elision.frames"), std::string::npos);
-    EXPECT_NE(said("{").find("JSON"), std::string::npos);
-    EXPECT_NE(said(R"({"line_sets": []})").find("line_sets"), std::string::npos);
-}
-
 TEST(Style, PensAreNumberedByLineSetThenThoseOfHiddenPartsThenThoseOutOfFocus) {
-    const style::Style style = style::read_style(R"({"line_sets": [
+    const style::Style style = style::read_style(R"({"schema": 1, "line_sets": [
         {"pen": {"width": 1}, "hidden": [{"from": 1, "to": 2, "pen": {"width": 3}, "pen_away": {"width": 6}},
                                          {"from": 5, "pen": {"width": 4}}]},
         {"pen": {"width": 2}, "pen_away": {"width": 5}}]})");
@@ -242,7 +212,7 @@ TEST(Style, PensAreNumberedByLineSetThenThoseOfHiddenPartsThenThoseOutOfFocus) {
 
 TEST(Style, SurfacesAreCountedAsFarAsPensTellThemApart) {
     const auto counted = [](const std::string& hidden) {
-        return style::read_style(R"({"line_sets": [{}, {"hidden": [)" + hidden + "]}]}").counted();
+        return style::read_style(R"({"schema": 1, "line_sets": [{}, {"hidden": [)" + hidden + "]}]}").counted();
     };
     EXPECT_EQ(counted(""), 0u);
     EXPECT_EQ(counted("{}"), 1u);
@@ -255,7 +225,8 @@ TEST(Style, SurfacesAreCountedAsFarAsPensTellThemApart) {
 TEST(Style, WidthsAreInTheUnitOfThePen) {
     const auto width = [](const char* unit) {
         const std::string pen = std::string(R"({"width": 3, "width_unit": ")") + unit + R"("})";
-        return pens_of(style::read_style(R"({"paper": {"height_mm": 270}, "line_sets": [{"pen": )" + pen + "}]}"),
+        return pens_of(style::read_style(R"({"schema": 1, "paper": {"height_mm": 270}, "line_sets": [{"pen": )" + pen +
+                                         "}]}"),
                        Assets("."), 0.5)
             .pens[0]
             .width_px;

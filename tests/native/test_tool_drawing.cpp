@@ -51,6 +51,6 @@ TEST(ToolDrawing, WhatCannotBeWrittenOrReadIsNamed) {
     const auto nowhere = folder.path / "missing" / "cube.png";
     EXPECT_NE(refused([&] { tool::write_png(frame, nowhere); }).find("missing"), std::string::npos);
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "none.json"); }).find("none.json"), std::string::npos);
-    std::ofstream(folder.path / "broken.json") << R"({"paper": {"tooth": "sharp"}, "line_sets": [{}]})";
+    std::ofstream(folder.path / "broken.json") << R"({"schema": 1, "paper": {"tooth": "sharp"}, "line_sets": [{}]})";
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "broken.json"); }).find("paper.tooth"), std::string::npos);
 }

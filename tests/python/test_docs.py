@@ -10,7 +10,6 @@ import scenes
 from command import draw_options, figures, pages
 
 from addon import catalogue, style
-from addon.style_parts import Hidden, LineSet, Style
 
 PROJECT = Path(__file__).parents[2]
 DOCS = PROJECT / "addon" / "docs"
@@ -155,12 +154,12 @@ def keys(value, path=()):
 
 
 def test_the_example_of_a_style_is_one_and_all_its_keys_are_known():
-    found = style.parse(EXAMPLE, catalogue.definitions())
+    found = style.parse(EXAMPLE)
     assert style.remark(found) is None and found.kept == ()
 
 
 def test_the_example_has_every_key_that_a_style_can_have():
-    whole = Style(line_sets=(LineSet(hidden=(Hidden(),)),))
+    whole = style.Style(line_sets=(style.LineSet(hidden=(style.Hidden(),)),))
     wanted = {key for key in keys(json.loads(style.dump(whole))) if key[-1] not in TRANSFER}
     # The pens of hidden lines have the keys of any pen.
     hidden = {key for key in wanted if "hidden" in key and "pen" in key}
@@ -176,10 +175,15 @@ def test_every_key_of_the_example_has_its_line():
     assert used - told == set()
 
 
-@pytest.mark.parametrize("key, limits", style.RANGES.items())
-def test_limits_of_numbers_are_told_as_they_are(key, limits):
+RECORDS = (style.Pen, style.LineSet, style.Paper, style.Color, style.Elision, style.Effects, style.Distance)
+NUMBERS = {field["name"]: field for record in RECORDS for field in record.fields if "number" in field["type"]}
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_limits_of_numbers_are_told_as_they_are(key):
     told = [cells[1] for cells in rows(FOCUS) if f"`{key}`" in cells[0] and len(cells) == 2]
     if key in ("near", "far"):
         assert told  # their limits mean nothing to anyone
     else:
-        assert any(f"{limits[0]} to {limits[1]}" in text for text in told), told
+        least, most = (f"{NUMBERS[key][limit]:.10g}" for limit in ("min", "max"))
+        assert any(f"{least} to {most}" in text for text in told), told

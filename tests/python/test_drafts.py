@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Drafts look like the final picture: what stands for lines that take long is drawn where they are, in their pens."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from native_core import box, core, scene, sphere, view
 
-from addon import budget, color, focus, pipeline, stages, style
+from addon import budget, pipeline, stages, style
 from addon.backend import cpu
 
 DRAFT = budget.QUALITIES[3]
-THICK, THIN = stages.Pen(width=8.0), stages.Pen(width=2.0)
+THICK, THIN = style.Pen(width=8.0), style.Pen(width=2.0)
 OUTLINE = style.LineSet(kinds={"silhouette": {}}, pen=THICK, least_length=0)
 LINES = style.LineSet(kinds={"contour": {}, "crease": {}, "border": {}}, pen=THIN, least_length=0)
 
@@ -28,7 +26,7 @@ def bumps():
 
 def drawn(line_sets, quality=None, placements=()):
     """(H, W) alpha of lines, final or as a quality draws them."""
-    chosen = replace(style.load("plain"), line_sets=line_sets)
+    chosen = style.load("plain").replace(line_sets=line_sets)
     options, placed = pipeline.options(), bumps()
     if quality:
         options = budget.coarser(options, quality).replace(outlines=budget.outlines(chosen, quality))
@@ -48,8 +46,8 @@ CASES = {
     "outline over lines": ((OUTLINE, LINES), ()),
     "outline alone": ((OUTLINE,), ()),
     "lines first": ((LINES, OUTLINE), ()),
-    "one set for both": ((replace(OUTLINE, kinds={**OUTLINE.kinds, **LINES.kinds}),), ()),
-    "outline with creases": ((replace(OUTLINE, kinds={"silhouette": {}, "crease": {}}), LINES), ()),
+    "one set for both": ((OUTLINE.replace(kinds={**OUTLINE.kinds, **LINES.kinds}),), ()),
+    "outline with creases": ((OUTLINE.replace(kinds={"silhouette": {}, "crease": {}}), LINES), ()),
     "outline of some objects": ((OUTLINE, LINES), IN_FRONT),
     "lines of some objects": ((OUTLINE, LINES), IN_FRONT[::-1]),
 }
@@ -65,42 +63,41 @@ def test_a_draft_has_the_weights_of_the_final_picture(name):
 
 @pytest.mark.parametrize("outline, lines", [("smooth_silhouette", "smooth_contour"), ("silhouette", "smooth_contour")])
 def test_smooth_outlines_too(outline, lines):
-    sets = (replace(OUTLINE, kinds={outline: {}}), replace(LINES, kinds={lines: {}, "crease": {}}))
+    sets = (OUTLINE.replace(kinds={outline: {}}), LINES.replace(kinds={lines: {}, "crease": {}}))
     final, draft = drawn(sets), drawn(sets, DRAFT)
     assert abs(draft.sum() / final.sum() - 1) < 0.05 and apart(final, draft) < 0.05
 
 
 def test_the_weights_differ_where_contours_are_no_outlines():
     """What the tests above would not see, were inner and outer parts drawn alike."""
-    alike = (replace(LINES, pen=THICK, kinds={**LINES.kinds, "silhouette": {}}),)
+    alike = (LINES.replace(pen=THICK, kinds={**LINES.kinds, "silhouette": {}}),)
     assert apart(drawn((OUTLINE, LINES)), drawn(alike)) > 0.2
     assert apart(drawn((OUTLINE, LINES)), drawn((LINES,))) > 0.2
 
 
 def test_drafts_keep_what_is_found_quickly():
     kinds = {"ridge", "valley", "suggestive_contour", "intersection", "apparent_ridge"}
-    chosen = replace(style.load("plain"), line_sets=(style.LineSet(kinds={kind: {} for kind in kinds}),))
+    chosen = style.load("plain").replace(line_sets=(style.LineSet(kinds={kind: {} for kind in kinds}),))
     assert set(budget.simplified(chosen, DRAFT).line_sets[0].kinds) == kinds
     assert budget.outlines(chosen, DRAFT) == ()
 
 
 PLACES = {
-    "image": {"points": (focus.Point((0.25, 0.5, 0.0), 0.1, 0.3),)},
-    "scene": {"points": (focus.Point((-3.0, 0.0, 0.0), 1.0, 2.0),)},
-    "object": {"points": (focus.Point(near=0.1, far=0.5, object="Ball"),)},
+    "image": {"points": (style.FocusPlace(at=(0.25, 0.5, 0.0), near=0.1, far=0.3),)},
+    "scene": {"points": (style.FocusPlace(at=(-3.0, 0.0, 0.0), near=1.0, far=2.0),)},
+    "object": {"points": (style.FocusPlace(near=0.1, far=0.5, object="Ball"),)},
     "painted": {"attribute": "seen"},
 }
-DIMMED = {name: focus.Transfer(strength=0.7) for name in ("desaturation", "fade", "blur")}
+DIMMED = {name: style.Transfer(strength=0.7) for name in ("desaturation", "fade", "blur")}
 
 
-def dimmed(model, quality=None, effects=focus.Effects(**DIMMED)):
+def dimmed(model, quality=None, effects=style.Effects(**DIMMED)):
     """The Image of red things, of which the ball on the left is in focus; final or as a quality draws it."""
-    chosen = replace(
-        style.load("plain"),
+    chosen = style.load("plain").replace(
         line_sets=(style.LineSet(),),
-        color=color.Color("flat"),
+        color=style.Color(shading="flat"),
         effects=effects,
-        focus=focus.Focus(model, **PLACES[model]),
+        focus=style.Focus(model=model, **PLACES[model]),
     )
     options, seen, placed = pipeline.options(), view((0, -14, 4), (0, 0, 0), size=(480, 270)), bumps()
     if quality:
@@ -108,7 +105,7 @@ def dimmed(model, quality=None, effects=focus.Effects(**DIMMED)):
         seen = seen.smaller(quality.scale)
     ball, cube = (sum(map(len, mesh.polygons)) for mesh in (sphere(24), box()))
     painted = {"seen": [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]}
-    sources = color.Sources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3)
+    sources = stages.ColorSources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3)
     beside = {"colors": sources, "notes": stages.Notes(painted=painted, objects=(("Ball",), ("Cube",), ("Pair",)))}
     return pipeline.draw(placed, seen, chosen, cpu.Backend(), options.replace(with_focus=True), **beside)
 
@@ -123,7 +120,7 @@ def halves(image):
 @pytest.mark.parametrize("index", range(1, len(budget.QUALITIES)))
 def test_a_draft_of_any_quality_fades_and_desaturates_as_the_final_picture_does(model, index):
     final, draft = dimmed(model), dimmed(model, budget.QUALITIES[index])
-    plain = halves(dimmed(model, effects=focus.Effects()))
+    plain = halves(dimmed(model, effects=style.Effects()))
     assert np.abs(plain - halves(final))[1].max() > 0.05, "what is out of focus is another colour without the effects"
     assert np.abs(halves(draft) - halves(final)).max() < 0.005
 
@@ -136,10 +133,10 @@ def test_focus_evaluated_at_fewer_pixels_is_that_of_the_final_picture_but_along_
 
 
 def test_blur_is_left_out_of_every_draft():
-    blurred = replace(style.load("plain"), effects=focus.Effects(**DIMMED))
+    blurred = style.load("plain").replace(effects=style.Effects(**DIMMED))
     for quality in budget.QUALITIES[1:]:
         effects = budget.simplified(blurred, quality).effects
-        assert effects == replace(blurred.effects, blur=focus.OFF)
+        assert effects == blurred.effects.replace(blur=blurred.effects.blur.replace(strength=0.0))
 
 
 def test_parts_do_not_depend_on_threads():

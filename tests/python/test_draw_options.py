@@ -95,7 +95,7 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
         (["--size", "3x100"], "not 4 to 65536 pixels"),
         (["--size", "100x65537"], "not 4 to 65536 pixels"),
         (["--frames", "1-99999999"], "FIRST-LAST, frames up to"),
-        (["--hidden-by", "1-999999999"], "up to 100 surfaces"),
+        (["--hidden-by", "3-2"], "not FIRST-LAST surfaces"),
         (["--focus", "1e30,0,0"], "X,Y,Z in space"),
         (["--focus-radii", "0,1e30"], "not NEAR,FAR"),
         (["--sheet", "-o", "sheet.exr"], "a sheet is a .png"),
@@ -120,8 +120,6 @@ RANGES = {
     "--margin": "percent from 0 to 100",
     "--azimuth": "degrees from -360 to 360",
     "--elevation": "degrees from -360 to 360",
-    "--halo": "pixels from 0 to 100",
-    "--overshoot": "pixels from 0 to 200",
 }
 
 
@@ -129,6 +127,12 @@ RANGES = {
 @pytest.mark.parametrize("number", ["nan", "inf", "-inf", "-1e9", "1e9", "1e400", "", "5mm"])
 def test_a_number_that_nothing_can_be_drawn_with_is_refused(capsys, option, number):
     assert f"argument {option}: '{number}' is not a number of {RANGES[option]}" in refused(capsys, f"{option}={number}")
+
+
+@pytest.mark.parametrize("option", ["--halo", "--overshoot"])
+@pytest.mark.parametrize("number", ["nan", "inf", "-inf", "1e400", "", "5mm"])
+def test_what_the_style_has_a_range_for_is_a_finite_number(capsys, option, number):
+    assert f"argument {option}: '{number}' is not a number of pixels" in refused(capsys, f"{option}={number}")
 
 
 @pytest.mark.parametrize("number", ["nan", "inf", "1e400"])

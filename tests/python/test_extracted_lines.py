@@ -68,7 +68,7 @@ def test_from_inside_there_is_no_contour(extract):
 
 
 def test_an_unknown_definition_is_named(extract):
-    with pytest.raises(ValueError, match="there is no line 'ridgy'; there are: contour, "):
+    with pytest.raises(ValueError, match="no line definition is called 'ridgy'; there are: contour, "):
         extract("--definition", "ridgy", "--eye", "3,4,5")
 
 

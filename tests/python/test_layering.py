@@ -50,26 +50,21 @@ PARTS = {
     "__init__": "blender",
     "stages": "",
     "native": "_native",
-    "focus": "style",
-    "elision": "style",
-    "style": "color elision focus style stages",
-    "style_mix": "stages style",
-    "color": "style",
+    "style": "catalogue native",
     "catalogue": "native",
     "line_arrays": "native",
     "still_life": "",
     "curve_fit": "",
     "backend/cpu": "native",
     "backend/gpu": "backend/gpu native stages",
-    "pipeline": "native stages style style_parts style_values",
-    "budget": "catalogue focus",
-    "blender": "blender backend budget catalogue color curve_fit elision focus line_arrays native pipeline stages "
-    "still_life style style_mix",
+    "pipeline": "native stages style",
+    "budget": "catalogue",
+    "blender": "blender backend budget catalogue curve_fit line_arrays native pipeline stages still_life style",
 }
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(backend/(cpu|gpu\w*)|catalogue|line_arrays|pipeline|"
+    r"addon/(backend/(cpu|gpu\w*)|catalogue|line_arrays|pipeline|style|"
     r"blender/(api|drawn_lines|preferences|reading|scene|session|style_picture|viewport))\.py"
 )
 
@@ -160,7 +155,7 @@ def test_the_rules_hold():
         ("addon/pipeline.py", "from .backend import gpu", "imports backend/gpu"),
         ("addon/backend/cpu.py", "import gpu", "imports gpu"),
         ("addon/backend/gpu_planted.py", "from ..blender import scene", "imports blender/scene"),
-        ("addon/style.py", "from . import native\nnative.load()", "loads the native module"),
+        ("addon/curve_fit.py", "from . import native\nnative.load()", "loads the native module"),
         ("addon/stages.py", "def late():\n    from .style import Pen", "imports style"),
         ("addon/blender/planted.py", "import addon.style", "imports addon.style"),
     ],

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from native_core import box, core, scene, view
 
-from addon import elision, focus, style
+from addon import style
 
 
 def parsed(**parts):
@@ -18,21 +18,22 @@ def test_names_in_scenes_survive():
     points = [{"object": "Chair, old (2)", "near": 0.5, "far": 2}, {"at": [1, 2, 3]}]
     thinned = {"enabled": True, "painted": 2, "priority_attribute": "wichtig?", "density_attribute": "Dichte 1"}
     read = parsed(focus={"model": "object", "points": points}, elision=thinned)
-    assert read.focus.points[0] == focus.Point((0.5, 0.5, 0.0), 0.5, 2.0, "Chair, old (2)")
+    assert read.focus.points[0] == style.FocusPlace(at=(0.5, 0.5, 0.0), near=0.5, far=2.0, object="Chair, old (2)")
     assert read.focus.active() and read.focus.points[1].object == ""
-    assert read.elision.weights()["painted"] == 2.0
+    assert read.elision.painted == 2.0
     assert style.parse(style.dump(read)) == read
     read = parsed(focus={"model": "painted", "attribute": "Focus", "points": []})
     assert read.focus.active() and style.parse(style.dump(read)) == read
 
 
 def test_what_is_painted_counts_only_where_it_has_a_name():
-    assert elision.Elision().weights()["painted"] == 0.0
-    assert elision.Elision(priority_attribute="a").weights()["painted"] == 1.0
-    assert not focus.Focus("painted").active()
+    nothing_else = dict.fromkeys(OTHERS, 0.0) | {"painted": 1.0}
+    assert not style.Elision(**nothing_else).ranks()
+    assert style.Elision(**nothing_else, priority_attribute="a").ranks()
+    assert not style.Focus(model="painted").active()
 
 
-OTHERS = {term: 0 for term in elision.TERMS if term != "painted"}
+OTHERS = {f["name"]: 0 for f in style.Elision.fields if f["group"] == "weights" and f["name"] != "painted"}
 
 
 @pytest.mark.parametrize(
@@ -47,8 +48,8 @@ OTHERS = {term: 0 for term in elision.TERMS if term != "painted"}
         ({"elision": {"density_attribute": "\0"}}, "elision.density_attribute must be text of at most 63 letters"),
         ({"elision": {"painted": 11}}, "elision.painted is 11, outside 0 to 10"),
         ({"elision": {"frames": 9}}, "elision.frames is 9, outside 0 to 8"),
-        ({"elision": {"frames": 1.5}}, "elision.frames is 1.5, not a whole number"),
-        ({"elision": {"frames": True}}, "elision.frames is True, not a finite number"),
+        ({"elision": {"frames": 1.5}}, "elision.frames must be a whole number"),
+        ({"elision": {"frames": True}}, "elision.frames must be a whole number"),
         ({"elision": OTHERS}, "elision: some of length, kind, strength, depth, object, painted must count"),
     ],
 )

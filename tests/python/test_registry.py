@@ -108,7 +108,7 @@ def test_a_misspelt_definition_is_refused_with_all_names():
 def test_a_style_may_name_every_definition_with_every_parameter():
     kinds = {name: {p["name"]: p["default"] for p in d["parameters"]} for name, d in DEFINITIONS.items()}
     everything = style.Style(line_sets=(style.LineSet(kinds=kinds),))
-    assert style.parse(style.dump(everything), catalogue.definitions()) == everything
+    assert style.parse(style.dump(everything)) == everything
 
 
 @pytest.mark.parametrize("name", DEFINITIONS)

@@ -2,14 +2,8 @@
 """What a style file says that this version does not know: kept in its place, and told."""
 
 import json
-from dataclasses import replace
 
 from addon import style
-
-DEFINITIONS = [
-    {"name": "contour", "parameters": []},
-    {"name": "crease", "parameters": [{"name": "angle", "min": 0.0, "max": 180.0, "default": 30.0, "unit": "degrees"}]},
-]
 
 
 def minimal(**line_set):
@@ -42,8 +36,8 @@ NAMES = {
 
 
 def test_what_is_not_known_is_kept_in_its_place():
-    read = style.parse(json.dumps(WITH_UNKNOWN), DEFINITIONS)
-    assert set(read.unknown) == set(NAMES) and len(read.unknown) == len(NAMES)
+    read = style.parse(json.dumps(WITH_UNKNOWN))
+    assert set(style.unknown(read)) == set(NAMES) and len(style.unknown(read)) == len(NAMES)
     assert read.line_sets[0].pen == style.Pen(width=3.0) and read.line_sets[0].kinds == {"crease": {}}
     written = style.dump(read)
     line_set = json.loads(written)["line_sets"][0]
@@ -52,25 +46,25 @@ def test_what_is_not_known_is_kept_in_its_place():
     assert line_set["pen_away"]["widht"] == [1, {"a": None}]
     hidden = [(h["from"], h.get("form"), h["pen"].get("capp")) for h in line_set["hidden"]]
     assert hidden == [(1, None, "x"), (4, 4, None)]
-    again = style.parse(written, DEFINITIONS)
+    again = style.parse(written)
     assert again == read and style.dump(again) == written
     assert read.line_sets[0].kinds == {"crease": {}}, "writing changes nothing"
 
 
 def test_a_misspelt_key_is_told_with_the_name_it_resembles():
-    assert style.remark(style.parse(json.dumps(minimal()), DEFINITIONS)) is None
+    assert style.remark(style.parse(json.dumps(minimal()))) is None
     for name, near in NAMES.items():
-        read = style.parse(json.dumps(WITH_UNKNOWN), DEFINITIONS)
-        (only,) = (entry for entry, dotted in zip(read.kept, read.unknown) if dotted == name)
-        told = style.remark(replace(read, kept=(only,)), DEFINITIONS)
+        read = style.parse(json.dumps(WITH_UNKNOWN))
+        (only,) = (entry for entry, dotted in zip(read.kept, style.unknown(read)) if dotted == name)
+        told = style.remark(read.replace(kept=(only,)))
         assert told.endswith(f": {name} (is it {near}?)" if near else f": {name}"), told
-    assert style.remark(read, DEFINITIONS).endswith(" and 2 more")
+    assert style.remark(read).endswith(" and 2 more")
 
 
 def test_what_was_unknown_in_a_part_that_is_gone_is_dropped():
-    read = style.parse(json.dumps(WITH_UNKNOWN), DEFINITIONS)
-    without = replace(read, line_sets=(replace(read.line_sets[0], pen_away=None, hidden=()),))
-    again = style.parse(style.dump(without), DEFINITIONS)
+    read = style.parse(json.dumps(WITH_UNKNOWN))
+    without = read.replace(line_sets=(read.line_sets[0].replace(pen_away=None, hidden=()),))
+    again = style.parse(style.dump(without))
     gone = {name for name in NAMES if "hidden" in name or "pen_away" in name}
-    assert set(again.unknown) == set(NAMES) - gone
-    assert style.remark(without, DEFINITIONS)
+    assert set(style.unknown(again)) == set(NAMES) - gone
+    assert style.remark(without)

@@ -1,17 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What all panels have in common, and properties shown in several of them."""
 
-from .. import style_data
+from ... import style
+from .. import style_data, style_groups
 
 ENGINE = "FOVEA"
-PEN_GROUPS = (  # of its properties, in the order in which one asks for them
-    ("color", "opacity"),
-    ("width", "width_unit", "strength_width", "pressure"),
-    ("texture", "texture_anchor", "length_scale"),
-    ("cap", "taper"),
-    ("wobble", "wobble_length", "seed"),
-    ("spacing",),
-)
 HEEDED = {  # of a pen: when it makes a difference
     "texture_anchor": lambda pen: pen.texture != "solid",
     "length_scale": lambda pen: pen.texture != "solid",
@@ -55,8 +48,9 @@ def draw_properties(layout, group, names, heeded=True):
     return column
 
 
-def draw_pen(layout, pen, groups=PEN_GROUPS):
-    for group in groups:
+def draw_pen(layout, pen, most=None):
+    """Its first groups of properties, `most` or all of them."""
+    for group in style_groups.grouped(style.Pen)[:most]:
         column = layout.column()
         for name in group:
             draw_properties(column, pen, (name,), name not in HEEDED or HEEDED[name](pen))

@@ -3,8 +3,8 @@
 
 import bpy
 
-from .. import style_curves, style_data
-from ..style_words import COLOR_EFFECTS, DISTANCE_EFFECTS, EFFECTS, LINE_EFFECTS
+from ... import style
+from .. import style_curves, style_data, style_groups
 from .common import StylePanel, draw_properties, fold
 
 
@@ -21,25 +21,25 @@ class RENDER_PT_fovea_effects(StylePanel, bpy.types.Panel):
         draw_properties(layout, effects, ("uniform",), "UNIFORM" in (effects.lines, effects.colors))
         if not away:
             layout.label(text="No line set has a pen out of focus", icon="INFO")
-        for name in LINE_EFFECTS:
-            _draw_transfer(layout, tree, "effects", name, away and effects.lines != "NONE")
-        for name in COLOR_EFFECTS:
-            body = _draw_transfer(layout, tree, "effects", name, color and effects.colors != "NONE")
+        heeded = {"lines": away and effects.lines != "NONE", "colors": color and effects.colors != "NONE"}
+        for name, declared in style_groups.transfers(style.Effects).items():
+            body = _draw_transfer(layout, tree, "effects", declared, heeded[declared["group"]])
             if body and name == "blur":
                 draw_properties(body, effects, ("blur_radius",), effects.blur.strength > 0)
         body = fold(layout, "distance", "By Distance")
         if body:
             draw_properties(body, distance, ("near", "far"), away)
-            for name in DISTANCE_EFFECTS:
-                _draw_transfer(body, tree, "distance", name, away)
+            for declared in style_groups.transfers(style.Distance).values():
+                _draw_transfer(body, tree, "distance", declared, away)
 
 
-def _draw_transfer(layout, tree, part, name, heeded):
+def _draw_transfer(layout, tree, part, declared, heeded):
     """The body, or None where it is folded."""
+    name = declared["name"]
     transfer = getattr(getattr(tree.fovea, part), name)
     header, body = layout.panel(f"fovea_{part}_{name}", default_closed=True)
     header.active = heeded and transfer.strength > 0
-    header.label(text=EFFECTS[name])
+    header.label(text=declared["label"])
     if body:
         body.active = heeded
         draw_properties(body, transfer, ("start", "end", "strength"))

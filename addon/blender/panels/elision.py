@@ -3,10 +3,12 @@
 
 import bpy
 
+from ... import style
 from .. import style_data
+from ..style_groups import plain_fields
 from .common import StylePanel, draw_properties, fold
 
-PRIORITY = ("length", "kind", "strength", "depth", "object")  # what speaks for a line, by weight
+PAINTED = "painted"  # the weight that counts only where something is painted
 
 
 class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
@@ -25,9 +27,10 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
         body = fold(layout, "elision_priority", "Priority")
         if body:
             body.active = elision.enabled
-            draw_properties(body, elision, PRIORITY)
+            weights = [f["name"] for f in plain_fields(style.Elision) if f["group"] == "weights"]
+            draw_properties(body, elision, [name for name in weights if name != PAINTED])
             _draw_attribute(body, elision, "priority_attribute", context.object)
-            draw_properties(body, elision, ("painted",), bool(elision.priority_attribute))
+            draw_properties(body, elision, (PAINTED,), bool(elision.priority_attribute))
         body = fold(layout, "elision_density", "Density")
         if body:
             body.active = elision.enabled

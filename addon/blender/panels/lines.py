@@ -3,7 +3,7 @@
 
 import bpy
 
-from ...style_parts import FILTERS
+from ...style import FILTERS
 from .. import style_data
 from ..line_kinds import definitions
 from ..line_set_operators import edited, edited_hidden

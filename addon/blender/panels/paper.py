@@ -3,7 +3,7 @@
 
 import bpy
 
-from ...style_parts import Paper
+from ... import style
 from .. import style_data
 from ..style_groups import plain_fields
 from .common import StylePanel, draw_properties
@@ -33,8 +33,8 @@ class RENDER_PT_fovea_paper(StylePanel, bpy.types.Panel):
 
     def show(self, layout, context):
         held = style_data.of(context.scene).fovea
-        for name, _ in plain_fields(Paper):
-            draw_properties(layout, held.paper, (name,), self.heeded(name, held))
+        for field in plain_fields(style.Paper):
+            draw_properties(layout, held.paper, (field["name"],), self.heeded(field["name"], held))
 
     @staticmethod
     def heeded(name, held):

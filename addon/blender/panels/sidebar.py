@@ -6,7 +6,7 @@ import bpy
 from .. import style_data
 from ..focus_place_operators import LISTED
 from ..line_set_operators import edited
-from .common import ENGINE, PEN_GROUPS, draw_pen, fold
+from .common import ENGINE, draw_pen, fold
 from .focus import draw_focus
 from .lines import draw_list
 from .style import draw_gallery, draw_style
@@ -66,7 +66,7 @@ class VIEW3D_PT_fovea_lines(_SidePanel, bpy.types.Panel):
         draw_list(layout, held)
         line_set = edited(held)
         if line_set:
-            draw_pen(layout, line_set.pen, PEN_GROUPS[:3])  # the rest is in the render tab
+            draw_pen(layout, line_set.pen, 3)  # the rest is in the render tab
 
 
 CLASSES = (VIEW3D_PT_fovea_style, VIEW3D_PT_fovea_focus, VIEW3D_PT_fovea_lines)

@@ -18,7 +18,7 @@ SCENES = {  # of each part
 }
 PARTS = tuple(SCENES)
 QUICK_FRAMES, FRAMES = 10, 40
-MOST_FRAMES = 8  # of addon/elision.py
+MOST_FRAMES = 8  # to each side, as a style has them at most
 
 
 def parse(words):

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What focus does to the place it is at: the same disc of the picture, once in focus and once far from it."""
 
-from dataclasses import replace
-
 import numpy as np
-from bl_ext.user_default.fovea import focus, native
+from bl_ext.user_default.fovea import native, style
 
 from . import reproject
 from .world import named_style
@@ -69,7 +67,7 @@ class Stage:
 
     def __init__(self, world, name, model):
         self.world, self.base, self.model = world, named_style(name), model
-        self.sharp = world.draw(replace(self.base, focus=focus.Focus()))
+        self.sharp = world.draw(self.base.replace(focus=style.Focus()))
         self.points = reproject.Seen(world.view, self.sharp.image.depth)
         self.world_points = self.points.points()
         columns, rows = ((np.arange(n) + 0.5) / n for n in GRID)
@@ -83,17 +81,17 @@ class Stage:
         return self.points.distance[self._pixel(at)]
 
     def point(self, at):
-        """The focus.Point that looks at a place in the image."""
+        """The FocusPlace that looks at a place in the image."""
         if self.model == "image":
-            return focus.Point((*at, 0.0), NEAR, FAR)
+            return style.FocusPlace(at=(*at, 0.0), near=NEAR, far=FAR)
         place = self.world_points[self._pixel(at)]
         eye = np.linalg.inv(self.world.view.world_to_view)[:3, 3]
         distance = float(np.linalg.norm(place - eye))
-        return focus.Point(tuple(place.tolist()), NEAR * distance, FAR_IN_SCENE * distance)
+        return style.FocusPlace(at=place.tolist(), near=NEAR * distance, far=FAR_IN_SCENE * distance)
 
     def at(self, place):
         """Drawn, looking there."""
-        return self.world.draw(replace(self.base, focus=focus.Focus(self.model, (self.point(place),))))
+        return self.world.draw(self.base.replace(focus=style.Focus(model=self.model, points=(self.point(place),))))
 
     def focus_of_pixels(self, drawn):
         """(H, W) f of the lines there: of the nearest surface around, as lines lie on its border."""

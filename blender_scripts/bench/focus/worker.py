@@ -6,7 +6,6 @@ import json
 import math
 import sys
 import time
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -15,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import bpy
 import numpy as np
 import scenes
-from bl_ext.user_default.fovea import focus
+from bl_ext.user_default.fovea import style
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import gpu_context
 
@@ -75,16 +74,16 @@ def cost_rows(asked):
 
 def stage_costs(scene, workbench, place):
     """Of watercolor, which has all effects of colour, with focus in the middle of the image."""
-    middle_ = focus.Focus("image", (focus.Point((0.5, 0.5, 0.0), 0.1, 0.6),))
-    style = replace(world.named_style("watercolor"), focus=middle_)
+    middle_ = style.Focus(model="image", points=(style.FocusPlace(at=(0.5, 0.5, 0.0), near=0.1, far=0.6),))
+    chosen = world.named_style("watercolor").replace(focus=middle_)
     told, backends = [("Workbench, ms a frame", workbench, None)], [cpu.Backend()]
     if gpu_context.available():
         from bl_ext.user_default.fovea.backend import gpu
 
         backends.append(gpu.Backend())
     for backend in backends:
-        place.draw(style, backend=backend)  # compiles
-        drawn = [place.draw(style, backend=backend) for _ in range(REPEATS)]
+        place.draw(chosen, backend=backend)  # compiles
+        drawn = [place.draw(chosen, backend=backend) for _ in range(REPEATS)]
         elision, colors = (stage_ms(drawn, name) for name in ("elision", "focus"))
         told += [(f"elision, {backend.name}, of Workbench's frame", elision / workbench, "<= .15")]
         if backend.name == "cpu":

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import catalogue, focus, native, pipeline, style
+from bl_ext.user_default.fovea import native, pipeline, style
 from bl_ext.user_default.fovea.backend import cpu
 from bl_ext.user_default.fovea.blender import camera, scene, style_data
 from bl_ext.user_default.fovea.stages import LineFilters
@@ -98,17 +98,17 @@ def kept_results(module, name, kept):
 
 
 def named_style(name):
-    return style.load(name, catalogue.definitions())
+    return style.load(name)
 
 
 def plain():
     """The cheapest picture."""
-    return replace(named_style("plain"), elision=replace(named_style("plain").elision, enabled=False))
+    return named_style("plain").replace(elision=style.Elision(enabled=False))
 
 
 def evenly_spaced(distance):
     """pen_and_ink, all in focus, whose lines keep so many reference pixels from each other."""
     base = named_style("pen_and_ink")
-    sets = tuple(replace(s, pen=replace(s.pen, spacing=distance), pen_away=None) for s in base.line_sets)
-    elision = replace(base.elision, enabled=True, cut=0.0)
-    return replace(base, line_sets=sets, focus=focus.Focus(), distance=focus.Distance(), elision=elision)
+    sets = tuple(s.replace(pen=s.pen.replace(spacing=distance), pen_away=None) for s in base.line_sets)
+    elision = base.elision.replace(enabled=True, cut=0.0)
+    return base.replace(line_sets=sets, focus=style.Focus(), distance=style.Distance(), elision=elision)

@@ -65,5 +65,5 @@ struct Options {
 
 namespace fovea::style {
 template <>
-inline constexpr const char* names_of<Visibility>[] = {"exact", "atlas", "spine", "item_buffer", nullptr};
+inline constexpr Choice choices_of<Visibility>[] = {{"exact"}, {"atlas"}, {"spine"}, {"item_buffer"}};
 }  // namespace fovea::style

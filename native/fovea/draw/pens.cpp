@@ -3,8 +3,6 @@
 
 #include <map>
 
-#include <fovea/base/view.h>
-
 namespace fovea {
 namespace {
 
@@ -22,17 +20,6 @@ std::vector<PenRange> ranges_of(const style::Style& style) {
 
 }  // namespace
 
-double width_px(const style::Style& style, const style::Pen& pen, double scale) {
-    switch (pen.width_unit) {
-        case style::WidthUnit::pixels:
-            return pen.width;
-        case style::WidthUnit::millimetres:
-            return pen.width * (reference_height * scale / style.paper.height_mm);
-        default:
-            return pen.width * scale;
-    }
-}
-
 Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
     const std::vector<style::PenPair> pairs = style.pen_pairs();
     std::vector<const style::Pen*> all;
@@ -49,7 +36,7 @@ Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
         found.textures.push_back(assets.texture(name)->ink);
     }
     for (const style::Pen* pen : all) {
-        const double width = width_px(style, *pen, scale);
+        const double width = style.width_px(*pen, scale);
         Pen made;
         made.color = vec3(pen->color);
         made.opacity = float(pen->opacity);

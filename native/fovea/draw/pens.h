@@ -18,7 +18,4 @@ struct Pens {
 /// `scale`: pixels of the image that are a reference pixel. Throws as Assets.
 Pens pens_of(const style::Style& style, const Assets& assets, double scale);
 
-/// Width of a pen of the style in pixels of the image.
-double width_px(const style::Style& style, const style::Pen& pen, double scale);
-
 }  // namespace fovea

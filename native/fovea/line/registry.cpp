@@ -97,7 +97,7 @@ Index definition_index(std::string_view name) {
 
 const LineDefinition& definition_called(std::string_view name) { return *line_definitions()[definition_index(name)]; }
 
-Values values_of(const LineDefinition& definition, const std::map<std::string, double>& given) {
+Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, double>> given) {
     Values values = default_values(definition);
     for (const auto& [name, value] : given) {
         const auto known = std::ranges::find_if(definition.parameters, [&](const auto& p) { return p.name == name; });

@@ -2,9 +2,10 @@
 // The list of line definitions.
 #pragma once
 
-#include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fovea/line/definition.h>
@@ -20,7 +21,7 @@ const LineDefinition& definition_called(std::string_view name);
 
 /// Parameters of a definition by their names, in its order and with defaults filled in. Throws std::invalid_argument
 /// for an unknown name.
-Values values_of(const LineDefinition& definition, const std::map<std::string, double>& given);
+Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, double>> given);
 
 /// The bit of a definition.
 Kinds kind_of(const LineDefinition& definition);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fovea/base/view.h>
+
 namespace fovea::style {
 namespace {
 
@@ -28,6 +30,17 @@ Index Style::counted() const {
     for (const LineSet& set : line_sets)
         for (const Hidden& hidden : set.hidden) most = std::max(most, hidden.last ? *hidden.last + 1 : hidden.first);
     return static_cast<Index>(most);
+}
+
+double Style::width_px(const Pen& pen, double reference_scale) const {
+    switch (pen.width_unit) {
+        case WidthUnit::pixels:
+            return pen.width;
+        case WidthUnit::millimetres:
+            return pen.width * (reference_height * reference_scale / paper.height_mm);
+        default:
+            return pen.width * reference_scale;
+    }
 }
 
 }  // namespace fovea::style

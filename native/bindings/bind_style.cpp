@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Styles: their records, their files, and what is declared of their members.
+#include <fovea/style/json.h>
+#include <fovea/style/mix.h>
+
+#include "bindings/bind.h"
+#include "bindings/records.h"
+
+namespace fovea::bindings {
+
+/// A path as a tuple, the value as Python's own.
+template <>
+struct Member<style::Unknown> {
+    static style::Unknown from(const py::handle& given) {
+        const auto [steps, value] = given.cast<std::pair<py::sequence, py::object>>();
+        style::Unknown unknown;
+        for (const py::handle& step : steps)
+            if (py::isinstance<py::str>(step))
+                unknown.path.emplace_back(step.cast<std::string>());
+            else
+                unknown.path.emplace_back(step.cast<std::size_t>());
+        unknown.json = json().attr("dumps")(value).cast<std::string>();
+        return unknown;
+    }
+    static py::object to(const style::Unknown& unknown) {
+        py::tuple path(unknown.path.size());
+        for (std::size_t i = 0; i < unknown.path.size(); ++i)
+            path[i] = std::visit([](const auto& step) { return py::object(py::cast(step)); }, unknown.path[i]);
+        return py::make_tuple(path, json().attr("loads")(unknown.json));
+    }
+    static py::module_ json() { return py::module_::import("json"); }
+};
+
+namespace {
+
+const char* unit_name(style::Unit unit) {
+    static constexpr const char* names[] = {"",      "share", "reference pixels", "degrees", "scene", "millimeters",
+                                            "light", "seed"};
+    return names[static_cast<int>(unit)];
+}
+
+const char* names_name(style::Names names) {
+    static constexpr const char* all[] = {"", "texture", "paper", "datablock", "attribute"};
+    return all[static_cast<int>(names)];
+}
+
+template <typename Enum>
+py::list choices() {
+    py::list all;
+    for (const style::Choice& choice : style::choices_of<Enum>)
+        all.append(py::make_tuple(choice.name, choice.label, choice.description));
+    return all;
+}
+
+template <typename V>
+struct Inner {
+    using Type = V;
+};
+template <typename T>
+struct Inner<std::optional<T>> {
+    using Type = T;
+};
+
+/// What a member is, in a word; its records have names of their own.
+template <typename V>
+const char* type_name() {
+    using T = typename Inner<V>::Type;
+    if constexpr (std::is_same_v<T, bool>)
+        return "switch";
+    else if constexpr (std::is_same_v<T, double>)
+        return "number";
+    else if constexpr (std::is_same_v<T, int>)
+        return "whole number";
+    else if constexpr (std::is_enum_v<T>)
+        return "choice";
+    else if constexpr (std::is_same_v<T, std::string>)
+        return "text";
+    else if constexpr (std::is_same_v<T, dvec3>)
+        return "color";
+    else if constexpr (std::is_same_v<T, style::Transfer>)
+        return "transfer";
+    else
+        return "";
+}
+
+template <typename S, typename V>
+py::dict told(const style::Field<S, V>& field) {
+    const style::Domain& domain = field.domain;
+    std::string description = field.description;
+    if (domain.unit == style::Unit::reference) description += ", in pixels of an image 1080 pixels high";
+    py::dict found(py::arg("name") = field.name, py::arg("label") = field.label, py::arg("description") = description,
+                   py::arg("type") = type_name<V>(), py::arg("group") = field.group,
+                   py::arg("default") = Member<V>::to(S().*field.member), py::arg("min") = domain.least,
+                   py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
+                   py::arg("unit") = unit_name(domain.unit), py::arg("names") = names_name(domain.names),
+                   py::arg("most_letters") = style::most_letters(domain.names));
+    if constexpr (std::is_enum_v<V>) found["choices"] = choices<V>();
+    return found;
+}
+
+/// A record, and what is declared of its members: an attribute `fields` of its class.
+template <style::Record S>
+py::class_<S> bind_part(py::module_& m, const char* name, const char* doc) {
+    auto bound = bind_record<S>(m, name, doc);
+    py::list fields;
+    style::for_each_field<S>([&](const auto& field) { fields.append(told(field)); });
+    bound.attr("fields") = py::tuple(fields);
+    return bound;
+}
+
+style::Style read(const std::string& json, std::vector<std::string> textures, std::vector<std::string> papers) {
+    const style::Shipped shipped{std::move(textures), std::move(papers)};
+    return style::read_style(json, &shipped);
+}
+
+py::tuple pens(const style::Style& style) {
+    const std::vector<style::PenPair> pairs = style.pen_pairs();
+    std::vector<style::Pen> all;
+    for (const style::PenPair& pair : pairs) all.push_back(*pair.pen);
+    for (const style::PenPair& pair : pairs)
+        if (pair.away) all.push_back(*pair.away);
+    return Member<std::vector<style::Pen>>::to(all);
+}
+
+}  // namespace
+
+void bind_style(py::module_& parent) {
+    py::module_ m = parent.def_submodule(
+        "style",
+        "What a style is made of. A class tells in `fields` what each of its members is and may be: dicts of name, "
+        "label, description, type, group, default, min, max, soft_max, unit, names, most_letters and "
+        "choices.");
+    bind_part<style::Pen>(m, "Pen", "How strokes look.");
+    bind_part<style::Hidden>(m, "Hidden",
+                             "How the parts of lines are drawn that a range of numbers of surfaces hides.");
+    bind_part<style::LineSet>(m, "LineSet", "Lines drawn alike.");
+    bind_part<style::Paper>(m, "Paper", "The paper.");
+    bind_part<style::Color>(m, "Color", "The scene's surfaces in color, under the lines.");
+    bind_part<style::Elision>(m, "Elision", "Which of the lines that crowd each other stay.")
+        .def("ranks", &style::Elision::ranks, "Whether something counts for the priority of lines.");
+    bind_part<style::Transfer>(m, "Transfer", "Mix of an effect over focus or distance.");
+    bind_part<style::Effects>(m, "Effects", "What answers to focus.");
+    bind_part<style::Distance>(m, "Distance", "What answers to the distance from the camera.");
+    bind_part<style::FocusPlace>(m, "FocusPlace", "A place to look at.");
+    bind_part<style::Focus>(m, "Focus", "Where the viewer shall look.").def("active", &style::Focus::active);
+    bind_part<style::Style>(m, "Style", "A style.")
+        .def_static(
+            "read", &read, py::arg("json"), py::arg("textures"), py::arg("papers"),
+            "The style in a file's JSON (UTF-8), which names of textures and papers only these. ValueError says "
+            "what is wrong.")
+        .def("written", &style::write_style, "The JSON of its file.")
+        .def("mixed", &style::mix, py::arg("other"), py::arg("share"), "The style between it (0) and another (1).")
+        .def("has_color", &style::Style::has_color, "Whether there is a color layer.")
+        .def("pens", &pens, "Those in focus of visible parts by line set, of hidden parts, and all those out of focus.")
+        .def("width_px", &style::Style::width_px, py::arg("pen"), py::arg("reference_scale"),
+             "Width of a pen in pixels of an image, so many of which are a reference pixel.");
+    m.def(
+        "parameters",
+        [](const std::string& definition, const py::dict& given, const std::string& where) {
+            const auto checked = style::checked_parameters(definition, Member<style::Parameters>::from(given), where);
+            return Member<style::Parameters>::to(checked);
+        },
+        py::arg("definition"), py::arg("values"), py::arg("where"),
+        "{parameter: value} of a line definition, checked. ValueError says what is wrong with it.");
+    m.attr("SCHEMA") = style::schema;
+    m.attr("MOST_SURFACES") = style::most_surfaces;
+    m.attr("MOST_PLACES") = style::Focus::most_places;
+    m.attr("MOST_CURVE_POINTS") = style::Transfer::most_points;
+}
+
+}  // namespace fovea::bindings

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What lies under the lines: the paper, and the scene's surfaces in color.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <fovea/base/types.h>
+#include <fovea/style/field.h>
+
+namespace fovea::style {
+
+struct Paper {
+    dvec3 color{1.0};
+    bool transparent = false;
+    std::string texture = "none";  ///< none: smooth
+    double scale = 1.0;            ///< reference pixels that a texel of the texture covers
+    double tooth = 0.0;
+    double granulation = 0.0;
+    double tint = 0.0;
+    double height_mm = 210.0;  ///< by default that of A4 lying
+
+    bool operator==(const Paper&) const = default;
+
+    static constexpr std::tuple fields{
+        Field{"color", &Paper::color, "Color", "Color of the paper", light},
+        Field{"transparent", &Paper::transparent, "Transparent", "The picture has no paper, only what is drawn on it"},
+        Field{"texture", &Paper::texture, "Surface", "Height of the paper, which ink and color heed",
+              naming(Names::paper)},
+        Field{"scale", &Paper::scale, "Grain Size", "Size of the paper's grain", number(0.1, 20.0, 5.0)},
+        Field{"tooth", &Paper::tooth, "Tooth", "How far ink stays off the valleys of the paper", share},
+        Field{"granulation", &Paper::granulation, "Granulation", "How far color settles in the valleys of the paper",
+              share},
+        Field{"tint", &Paper::tint, "Relief", "How far the paper's own relief shades the picture", share},
+        Field{"height_mm",
+              &Paper::height_mm,
+              "Page Height",
+              "Height of the page, for pens measured in millimeters",
+              {10.0, 10000.0, 1000.0, Unit::millimeters}}};
+};
+
+enum class Shading : std::uint8_t { plain, flat, smooth, toon };
+template <>
+inline constexpr Choice choices_of<Shading>[] = {
+    {"plain", "Paper", "No colors: the paper alone lies under the lines"},
+    {"flat", "Flat", "Base colors of the materials"},
+    {"smooth", "Smooth", "Lit by the scene's lights, or by one at the camera"},
+    {"toon", "Toon", "Lit in bands"},
+};
+
+struct Color {
+    Shading shading = Shading::plain;
+    int bands = 3;
+    double opacity = 1.0;
+    double desaturation = 0.0;        ///< besides what focus does
+    std::optional<dvec3> background;  ///< painted under the layer; none: the paper shows
+
+    bool operator==(const Color&) const = default;
+
+    static constexpr std::tuple fields{
+        Field{"shading", &Color::shading, "Shading", "What colors lie under the lines"},
+        Field{"bands", &Color::bands, "Bands", "Number of tones of toon shading", number(2, 16, 16)},
+        Field{"opacity", &Color::opacity, "Opacity", "How much of the paper the colors cover", share},
+        Field{"desaturation", &Color::desaturation, "Desaturation", "How gray colors are everywhere", share},
+        Field{"background", &Color::background, "Background", "Color behind everything, towards which colors fade",
+              light}};
+};
+
+}  // namespace fovea::style

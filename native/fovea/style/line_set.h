@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which lines are drawn, and with which pens.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fovea/style/pen.h>
+
+namespace fovea::style {
+
+inline constexpr int most_surfaces = 100;  ///< that a range of invisibility can name
+
+/// How the parts of lines are drawn that at least `first` and at most `last` surfaces hide (none: any number).
+struct Hidden {
+    int first = 1;
+    std::optional<int> last;
+    Pen pen;
+    std::optional<Pen> pen_away;  ///< out of focus; none: as in focus
+
+    bool operator==(const Hidden&) const = default;
+
+    static constexpr Domain surfaces = number(1, most_surfaces, 8);
+    static constexpr std::tuple fields{
+        Field{"first", &Hidden::first, "From", "Draw lines that at least so many surfaces hide", surfaces, "", "from"},
+        Field{"last", &Hidden::last, "To", "Draw lines that at most so many surfaces hide; 0: any number", surfaces, "",
+              "to"},
+        Field{"pen", &Hidden::pen}, Field{"pen_away", &Hidden::pen_away}};
+};
+
+/// Values of a line definition's parameters by their names, in the units of the definition.
+using Parameters = std::vector<std::pair<std::string, double>>;
+
+/// Definitions by their names, each once.
+using Definitions = std::vector<std::pair<std::string, Parameters>>;
+
+/// Lines drawn alike. An edge goes to the first set of the style that has a line for it.
+struct LineSet {
+    std::string name = "lines";
+    Definitions kinds;
+    std::string collection;
+    bool outside = false;
+    std::string object;
+    bool other_objects = false;
+    std::string material;
+    bool other_materials = false;
+    double corner_angle = 60.0;  ///< at which a path is split
+    double least_length = 30.0;
+    double overshoot = 0.0;
+    double halo = 0.0;
+    std::optional<double> overshoot_away;  ///< none: as in focus
+    Pen pen;                               ///< of visible parts
+    std::optional<Pen> pen_away;           ///< of visible parts out of focus; none: as in focus
+    std::vector<Hidden> hidden;            ///< ranges that ascend; parts in none of them are not drawn
+
+    bool operator==(const LineSet&) const = default;
+
+    static constexpr std::tuple fields{
+        Field{"name", &LineSet::name},
+        Field{"kinds", &LineSet::kinds},
+        Field{"collection", &LineSet::collection, "Collection",
+              "Only objects of this collection have the lines of this set; none: all", naming(Names::datablock)},
+        Field{"outside", &LineSet::outside, "Outside",
+              "Only objects that are not in the collection have the lines of this set"},
+        Field{"object", &LineSet::object, "Object",
+              "Only this object, what it instances and what is instanced of it have the lines of this set; none: all",
+              naming(Names::datablock)},
+        Field{"other_objects", &LineSet::other_objects, "Other Objects",
+              "Only other objects have the lines of this set"},
+        Field{"material", &LineSet::material, "Material",
+              "Only lines on faces of this material are of this set, those where another one meets it included; none: "
+              "all",
+              naming(Names::datablock)},
+        Field{"other_materials", &LineSet::other_materials, "Other Materials",
+              "Only lines on faces of other materials are of this set"},
+        Field{"corner_angle",
+              &LineSet::corner_angle,
+              "Corner Angle",
+              "Strokes end where a line turns by more than this",
+              {0.0, 180.0, 180.0, Unit::degrees}},
+        Field{"least_length", &LineSet::least_length, "Min Length",
+              "Shorter lines that end without touching another are left out", reference(10000.0, 200.0)},
+        Field{"overshoot", &LineSet::overshoot, "Overshoot",
+              "How far lines go on beyond their ends, but not behind what hides them", reference(200.0, 60.0)},
+        Field{"halo", &LineSet::halo, "Halo", "Gap that is left in lines where they pass behind others",
+              reference(100.0, 30.0)},
+        Field{"overshoot_away", &LineSet::overshoot_away, "Overshoot",
+              "How far lines out of focus go on beyond their ends", reference(200.0, 60.0)},
+        Field{"pen", &LineSet::pen},
+        Field{"pen_away", &LineSet::pen_away},
+        Field{"hidden", &LineSet::hidden}};
+};
+
+}  // namespace fovea::style

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Line elision of a style: which of the lines that crowd each other stay (Cole 2009, 5.2.2).
+#pragma once
+
+#include <string>
+
+#include <fovea/style/field.h>
+
+namespace fovea::style {
+
+/// Lines that go alongside each other nearer than their pens' spacing are thinned, by priority.
+struct Elision {
+    bool enabled = false;
+    double fade_from = 0.35;  ///< a line is whole where it has all of its room
+    double cut = 0.0;
+    int frames = 0;
+    double length = 1.0, kind = 0.5, strength = 0.25, depth = 0.25, object = 1.0, painted = 1.0;
+    std::string priority_attribute;  ///< none: what is painted does not count
+    std::string density_attribute;
+
+    bool operator==(const Elision&) const = default;
+    /// Whether something counts for the priority of lines.
+    bool ranks() const {
+        return length > 0 || kind > 0 || strength > 0 || depth > 0 || object > 0 ||
+               (painted > 0 && !priority_attribute.empty());
+    }
+
+    static constexpr Domain room{0.0, 0.99, 0.99, Unit::share};
+    static constexpr Domain weight = number(0.0, 10.0, 2.0);
+    static constexpr const char* weights = "weights";
+    static constexpr std::tuple fields{
+        Field{"enabled", &Elision::enabled, "Elision",
+              "Thin lines that go alongside each other nearer than their pens' spacing"},
+        Field{"fade_from", &Elision::fade_from, "Min Room", "Share of its room that a line must have to show at all",
+              room},
+        Field{"cut", &Elision::cut, "Min Opacity", "Lines that are fainter are left out altogether", room},
+        Field{"frames", &Elision::frames, "Smooth Frames",
+              "Renders smooth how lines come and go over so many frames before and after each, and take as many times "
+              "as long",
+              number(0, 8, 8)},
+        Field{"length", &Elision::length, "Length", "Of crowding lines, how far long ones stay before short ones",
+              weight, weights},
+        Field{"kind", &Elision::kind, "Kind", "How far outlines stay before creases, and creases before smooth lines",
+              weight, weights},
+        Field{"strength", &Elision::strength, "Strength",
+              "Of crowding lines, how far strong ones stay before weak ones", weight, weights},
+        Field{"depth", &Elision::depth, "Depth", "Of crowding lines, how far near ones stay before far ones", weight,
+              weights},
+        Field{"object", &Elision::object, "Object", "Of crowding lines, how much the priority of their objects counts",
+              weight, weights},
+        Field{"painted", &Elision::painted, "Painted", "Of crowding lines, how much counts what is painted on meshes",
+              weight, weights},
+        Field{"priority_attribute", &Elision::priority_attribute, "Painted Priority",
+              "Attribute of meshes: lines where it is white stay, half way where there is none",
+              naming(Names::attribute)},
+        Field{"density_attribute", &Elision::density_attribute, "Painted Density",
+              "Attribute of meshes: lines are four times as dense where it is white, a quarter as dense where it is "
+              "black",
+              naming(Names::attribute)}};
+};
+
+}  // namespace fovea::style
