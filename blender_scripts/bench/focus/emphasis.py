@@ -4,7 +4,7 @@
 from dataclasses import replace
 
 import numpy as np
-from bl_ext.user_default.fovea import focus, native
+from bl_ext.user_default.fovea import focus
 
 from . import reproject
 from .world import named_style
@@ -97,8 +97,7 @@ class Stage:
 
     def focus_of_pixels(self, drawn):
         """(H, W) f of the lines there: of the nearest surface around, as lines lie on its border."""
-        focus_at = native.load().focus_of_pixels
-        return focus_at(drawn.frame.view, self.points.distance, drawn.frame.focus_function)
+        return drawn.frame.focus_function.of_pixels(drawn.frame.view, self.points.distance)
 
     def busiest(self, count):
         """The places with most lines, all in focus."""
