@@ -24,8 +24,7 @@ std::shared_ptr<ColorTexture> make_texture(const Pixels& image, bool encoded) {
     return without_gil([&] { return std::make_shared<ColorTexture>(all, width, height, channels, encoded); });
 }
 
-std::shared_ptr<SurfaceColor> make_surface_color(const std::vector<ColorSlot>& slots,
-                                                 const Optional<vec3>& normals,
+std::shared_ptr<SurfaceColor> make_surface_color(const std::vector<ColorSlot>& slots, const Optional<vec3>& normals,
                                                  const std::vector<Arg<vec2>>& uvs,
                                                  const std::vector<Arg<vec3>>& attributes) {
     auto color = std::make_shared<SurfaceColor>();

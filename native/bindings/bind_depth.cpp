@@ -48,8 +48,8 @@ std::vector<DepthDraw> depth_draws(const DepthBuffer& layout, const Scene& scene
     const dmat4 to_clip = view_to_depth_clip(view, layout);
     for (const Occluder& occluder : occluders(scene, view, margin))
         draws.push_back({occluder.placement, scene.placements[occluder.placement].surface->version(),
-                         mat4(to_clip * occluder.object_to_view),
-                         scene.facet_base[occluder.placement] % facet_modulus, one_side(occluder)});
+                         mat4(to_clip * occluder.object_to_view), scene.facet_base[occluder.placement] % facet_modulus,
+                         one_side(occluder)});
     return draws;
 }
 
@@ -104,24 +104,25 @@ void bind_reference(py::module_& m) {
     PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet, edges);
     py::class_<SceneDepth>(m, "SceneDepth", "The nearest surface of a scene at every texel of a layout.")
         .def(py::init([](const Scene& scene, const View& view, const DepthBuffer& layout) {
-                 return without_gil([&] {
-                     return SceneDepth{draw_depth_into(layout, view, depth_meshes(scene, view, margin))};
-                 });
+                 return without_gil(
+                     [&] { return SceneDepth{draw_depth_into(layout, view, depth_meshes(scene, view, margin))}; });
              }),
              py::arg("scene"), py::arg("view"), py::arg("layout"))
         .def_property_readonly(
             "texels",
-            [](py::object self) {
+            [](py::object self) -> py::array {
                 const DepthBuffer& buffer = self.cast<const SceneDepth&>().buffer;
                 return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
             },
             "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see "
             "native/fovea/visibility/depth.h.");
-    py::class_<SampledOptions>(m, "SampledOptions", "How the segment atlas looks; see native/fovea/visibility/sampled.h.")
+    py::class_<SampledOptions>(m, "SampledOptions",
+                               "How the segment atlas looks; see native/fovea/visibility/sampled.h.")
         .def(py::init<>())
         .def_readonly("bias", &SampledOptions::bias)
         .def_readonly("slack_px", &SampledOptions::slack_px);
-    py::class_<ItemOptions>(m, "ItemOptions", "How lines are drawn by number; see native/fovea/visibility/item_buffer.h.")
+    py::class_<ItemOptions>(m, "ItemOptions",
+                            "How lines are drawn by number; see native/fovea/visibility/item_buffer.h.")
         .def(py::init<>())
         .def_readonly("slope_factor", &ItemOptions::slope_factor)
         .def_readonly("bias", &ItemOptions::bias);

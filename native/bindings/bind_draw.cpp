@@ -3,6 +3,7 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <pybind11/typing.h>
 
 #include <fovea/draw/depth_layouts.h>
 #include <fovea/draw/polylines.h>
@@ -95,12 +96,19 @@ std::optional<Numpy<T>> image(Array<T>& pixels, const View& view) {
     return pixels.empty() ? std::nullopt : std::optional(to_image(std::exchange(pixels, {}), view.width, view.height));
 }
 
-py::dict passes(Frame& frame) {
+py::typing::Dict<std::string, std::optional<py::array_t<float>>> passes(Frame& frame) {
     const View& view = frame.job.view;
     Picture& p = frame.passes;
     return py::dict(py::arg("combined") = image(p.combined, view), py::arg("lines") = image(p.lines, view),
                     py::arg("color") = image(p.color, view), py::arg("focus") = image(p.focus, view),
                     py::arg("depth") = image(p.depth, view));
+}
+
+/// Milliseconds by stage.
+py::typing::Dict<std::string, double> stages(const Frame& frame) {
+    py::dict found;
+    for (const auto& [name, ms] : frame.stages) found[py::str(name)] = ms;
+    return found;
 }
 
 void bind_backend(py::module_& m) {
@@ -149,16 +157,13 @@ void bind_parts(py::module_& m) {
     bind_overrides(m);
 }
 
-}  // namespace
+using FrameClass = py::class_<Frame, std::shared_ptr<Frame>>;
 
-void bind_draw(py::module_& m) {
-    bind_backend(m);
-    bind_parts(m);
+void bind_steps(FrameClass& frame) {
     const auto step = [](void (Frame::*take)()) {
         return [take](Frame& frame) { without_gil([&] { (frame.*take)(); }); };
     };
-    py::class_<Frame, std::shared_ptr<Frame>>(
-        m, "Frame", "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.")
+    frame
         .def(py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
              py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
              py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
@@ -174,10 +179,9 @@ stage.)")
         .def("picture", step(&Frame::picture))
         .def("passes", &passes, "{name: pixels, or None}; they are handed over, once.")
         .def("thins", &Frame::thins)
-        .def("shown_lines",
-             [](Frame& frame) {
-                 return without_gil([&] { return std::make_shared<ShownLines>(frame.shown_lines()); });
-             })
+        .def(
+            "shown_lines",
+            [](Frame& frame) { return without_gil([&] { return std::make_shared<ShownLines>(frame.shown_lines()); }); })
         .def(
             "focus_of_pixels",
             [](Frame& frame) {
@@ -203,10 +207,8 @@ stage.)")
             py::arg("offset_px"),
             "(samples,) uint8: exactly seen so many pixels to the left of the line; see "
             "native/fovea/visibility/beside.h.")
-        .def_property_readonly("focus_function", [](Frame& frame) { return frame.focus_function(); })
         .def(
-            "polylines",
-            [](Frame& frame) { return without_gil([&] { return polylines_of(frame); }); },
+            "polylines", [](Frame& frame) { return without_gil([&] { return polylines_of(frame); }); },
             "Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`.")
         .def(
             "layouts",
@@ -214,7 +216,11 @@ stage.)")
                 return depth_layouts(frame, most_side, overlap_px);
             },
             py::arg("most_side"), py::arg("overlap_px") = 0,
-            "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.")
+            "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.");
+}
+
+void bind_members(FrameClass& frame) {
+    frame.def_property_readonly("focus_function", [](Frame& frame) { return frame.focus_function(); })
         .def_property_readonly("scene", [](const Frame& f) { return mutable_pointer(f.job.scene); })
         .def_property_readonly("view", [](const Frame& f) { return f.job.view; })
         .def_property_readonly("options", [](const Frame& f) { return f.job.options; })
@@ -233,11 +239,18 @@ stage.)")
         .def_property_readonly("distance", member(&Frame::distance), "(samples,) float32 in [0, 1], 0: near; or None")
         .def_property_readonly("shown", member(&Frame::shown), "(samples,) float32 that elision leaves; or None")
         .def_property_readonly("visibility_in_words", &Frame::visibility_in_words)
-        .def_property_readonly("stages", [](const Frame& f) {
-            py::dict stages;
-            for (const auto& [name, ms] : f.stages) stages[py::str(name)] = ms;
-            return stages;
-        });
+        .def_property_readonly("stages", &stages, "{stage: milliseconds}, in the order in which they ran");
+}
+
+}  // namespace
+
+void bind_draw(py::module_& m) {
+    FrameClass frame(m, "Frame",
+                     "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.");
+    bind_backend(m);
+    bind_parts(m);
+    bind_steps(frame);
+    bind_members(frame);
 }
 
 }  // namespace fovea::bindings

@@ -77,13 +77,14 @@ void bind_fields(py::module_& m, SurfaceClass& surface) {
         .def_property_readonly("end", column<vec3>([](const CurvePiece& p) { return p.point[1]; }),
                                "(P, 3) float32, object space");
 
-    surface.def("fields", &fields, py::arg("estimator") = "automatic", py::arg("degree") = 0, py::arg("rings") = 0,
-                R"(Fields by an estimator: automatic, jets, one_ring; degree and rings of jets, 0: automatic. Kept with the
+    surface.def(
+        "fields", &fields, py::arg("estimator") = "automatic", py::arg("degree") = 0, py::arg("rings") = 0,
+        R"(Fields by an estimator: automatic, jets, one_ring; degree and rings of jets, 0: automatic. Kept with the
 surface.)");
-    surface.def("find_curves", &find_curves, py::arg("definition"),
-                py::arg("parameters") = std::map<std::string, double>(),
-                py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
-                R"(Curves that a definition finds across the triangles of this surface alone. eye: in object space; for an
+    surface.def(
+        "find_curves", &find_curves, py::arg("definition"), py::arg("parameters") = std::map<std::string, double>(),
+        py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
+        R"(Curves that a definition finds across the triangles of this surface alone. eye: in object space; for an
 orthographic view the direction towards the viewer.)");
 }
 

@@ -94,18 +94,19 @@ edge_marks (E,) bool.)");
         .def_readonly("welded_vertices", &RepairReport::welded_vertices)
         .def_readonly("turned_polygons", &RepairReport::turned_polygons)
         .def_readonly("refused_polygons", &RepairReport::refused_polygons);
-    py::class_<RepairedMesh, std::shared_ptr<RepairedMesh>>(
-        m, "RepairedMesh", "A mesh put in order; see native/fovea/mesh/repair.h.")
-        .def(py::init([](const std::string& name, const Mesh& mesh, double weld, bool orient, int smooth, int resample,
-                         double edge_length) {
-                 const Repair repair{weld, orient, smooth, resample, edge_length};
-                 return without_gil([&] { return std::make_shared<RepairedMesh>(repaired(name, mesh.arrays, repair)); });
-             }),
-             py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("weld") = 0.0, py::arg("orient") = false,
-             py::arg("smooth") = 0, py::arg("resample") = 0, py::arg("edge_length") = 0.0,
-             "Raises ValueError, naming the object, as Surface does.")
-        .def_property_readonly(
-            "mesh", [](py::object self) { return Mesh{self.cast<const RepairedMesh&>().arrays(), {self}}; })
+    py::class_<RepairedMesh, std::shared_ptr<RepairedMesh>>(m, "RepairedMesh",
+                                                            "A mesh put in order; see native/fovea/mesh/repair.h.")
+        .def(
+            py::init([](const std::string& name, const Mesh& mesh, double weld, bool orient, int smooth, int resample,
+                        double edge_length) {
+                const Repair repair{weld, orient, smooth, resample, edge_length};
+                return without_gil([&] { return std::make_shared<RepairedMesh>(repaired(name, mesh.arrays, repair)); });
+            }),
+            py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("weld") = 0.0, py::arg("orient") = false,
+            py::arg("smooth") = 0, py::arg("resample") = 0, py::arg("edge_length") = 0.0,
+            "Raises ValueError, naming the object, as Surface does.")
+        .def_property_readonly("mesh",
+                               [](py::object self) { return Mesh{self.cast<const RepairedMesh&>().arrays(), {self}}; })
         .def_readonly("report", &RepairedMesh::report);
 }
 
@@ -168,8 +169,7 @@ one, which is faster; distances then differ in their last bits from those of a n
                                            .rings = rings,
                                            .smoothing = smoothing});
             },
-            py::arg("estimator") = "automatic", py::arg("degree") = 0, py::arg("rings") = 0,
-            py::arg("smoothing") = 0.0,
+            py::arg("estimator") = "automatic", py::arg("degree") = 0, py::arg("rings") = 0, py::arg("smoothing") = 0.0,
             R"(How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and
 rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian it is averaged with.)")
         .def_property_readonly(

@@ -44,8 +44,7 @@ OwningOverrides make_overrides(const Optional<float>& importance,
     Overrides& overrides = made.overrides;
     overrides.importance = kept(importance, "importance", made.owners);
     for (const auto& [attribute, arrays] : painted)
-        for (const auto& array : arrays)
-            overrides.painted[attribute].push_back(kept(array, "painted", made.owners));
+        for (const auto& array : arrays) overrides.painted[attribute].push_back(kept(array, "painted", made.owners));
     overrides.objects = std::move(objects);
     overrides.density_map = std::move(density_map);
     if (shown) overrides.lines.kinds = numbers<Kinds>(*shown, "shown");
@@ -53,8 +52,7 @@ OwningOverrides make_overrides(const Optional<float>& importance,
     if (lined) overrides.lines.materials = *lined;
     overrides.line_sets.resize(std::max(placements.size(), materials.size()));
     for (std::size_t i = 0; i < placements.size(); ++i)
-        if (placements[i])
-            overrides.line_sets[i].placements = numbers<std::uint8_t>(*placements[i], "placements");
+        if (placements[i]) overrides.line_sets[i].placements = numbers<std::uint8_t>(*placements[i], "placements");
     for (std::size_t i = 0; i < materials.size(); ++i)
         if (materials[i]) overrides.line_sets[i].materials = *materials[i];
     return made;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registry of line definitions, and lines on their way: paths, clipped paths, runs, polylines.
 #include <pybind11/stl.h>
+#include <pybind11/typing.h>
 
 #include <fovea/draw/polylines.h>
 
@@ -32,7 +33,7 @@ py::dict stand_ins_of(const LineDefinition& definition) {
     return result;
 }
 
-py::list definitions() {
+py::typing::List<py::typing::Dict<std::string, py::object>> definitions() {
     py::list result;
     for (const LineDefinition* definition : line_definitions()) {
         const LineDefinition* twin = definition->smooth_twin;

@@ -109,9 +109,10 @@ void bind_scene(py::module_& m) {
         .value("OCCLUDE", usage_occlude, "it hides what lies behind")
         .value("HOLDOUT", usage_holdout, "it cuts a hole where it is seen");
     py::class_<Scene, std::shared_ptr<Scene>>(m, "Scene", "Placements of surfaces: what one frame sees.")
-        .def(py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),
-             py::arg("ids"), py::arg("usage"),
-             R"(surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent ids;
+        .def(
+            py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),
+            py::arg("ids"), py::arg("usage"),
+            R"(surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent ids;
 usage (n,) uint8, bits of Usage.)")
         .def("__len__", [](const Scene& scene) { return scene.placements.size(); })
         .def(

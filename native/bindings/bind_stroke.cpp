@@ -44,8 +44,8 @@ PenTexture make_pen_texture(const Pixels& ink) {
 }
 
 Strokes make_strokes(const Arg<vec2>& px, const Arg<vec4>& arc, const Arg<float>& half_width, const Arg<float>& opacity,
-                     const Arg<Index>& pen, const Arg<glm::uvec3>& triangles, Index count,
-                     const Optional<vec2>& mix, const Optional<float>& path_px) {
+                     const Arg<Index>& pen, const Arg<glm::uvec3>& triangles, Index count, const Optional<vec2>& mix,
+                     const Optional<float>& path_px) {
     const In<vec2> mixes = borrow<vec2>(mix, "mix");
     const In<float> lengths = borrow<float>(path_px, "path_px");
     return {copy<vec2>(px, "px"),

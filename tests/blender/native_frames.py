@@ -71,7 +71,7 @@ def scene_of(placed, usage=None):
     surfaces = list(dict.fromkeys(surface for surface, _ in placed))
     numbers = np.array([surfaces.index(surface) for surface, _ in placed], np.int32)
     matrices = np.array([matrix for _, matrix in placed], np.float64).reshape(-1, 4, 4)
-    usage = np.full(len(placed), core.Usage.DRAW | core.Usage.OCCLUDE, np.uint8) if usage is None else np.array(usage, np.uint8)
+    usage = np.array([core.Usage.DRAW | core.Usage.OCCLUDE] * len(placed) if usage is None else usage, np.uint8)
     return core.Scene(surfaces, numbers, matrices, np.arange(1, len(placed) + 1, dtype=np.uint64), usage)
 
 

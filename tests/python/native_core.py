@@ -38,7 +38,8 @@ class Mesh:
         found = core.PolygonEdges(offsets, verts)
         edges = np.concatenate([found.edge_verts, np.array(self.loose, np.int32).reshape(-1, 2)])
         arrays = {"positions": np.asarray(self.positions, np.float32).reshape(-1, 3), "edge_verts": edges}
-        return arrays | {"corner_verts": verts, "corner_edges": found.corner_edges, "polygon_offsets": offsets} | self.extra
+        arrays |= {"corner_verts": verts, "corner_edges": found.corner_edges, "polygon_offsets": offsets}
+        return arrays | self.extra
 
     def surface(self):
         return surface(self.name, self.arrays())
@@ -99,7 +100,7 @@ def scene(surfaces, matrices=None, usage=None):
     """One placement per surface."""
     count = len(surfaces)
     matrices = np.array([np.eye(4)] * count if matrices is None else matrices, float).reshape(count, 4, 4)
-    usage = np.full(count, core.Usage.DRAW | core.Usage.OCCLUDE, np.uint8) if usage is None else np.array(usage, np.uint8)
+    usage = np.array([core.Usage.DRAW | core.Usage.OCCLUDE] * count if usage is None else usage, np.uint8)
     return core.Scene(surfaces, np.arange(count, dtype=np.int32), matrices, np.arange(count, dtype=np.uint64), usage)
 
 

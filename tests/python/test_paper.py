@@ -57,7 +57,8 @@ def of_heights(tmp_path, monkeypatch):
     monkeypatch.setattr(pipeline, "_assets", lambda core: core.Assets(tmp_path))
 
     def make(heights, **amounts):
-        gray = np.repeat(np.round(255 * heights[::-1]).astype(np.uint8)[..., None], 3, axis=2)  # papers begin with the top row
+        rows = np.round(255 * heights[::-1]).astype(np.uint8)  # papers begin with the top row
+        gray = np.repeat(rows[..., None], 3, axis=2)
         (tmp_path / "papers" / "heights.png").write_bytes(core.png_bytes(gray))
         return replace(PAPER, texture="heights", **amounts)
 
