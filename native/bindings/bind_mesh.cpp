@@ -139,12 +139,7 @@ void bind_arrays(SurfaceClass& surface) {
         .def_property_readonly("polygon_count", &Surface::polygon_count);
 }
 
-}  // namespace
-
-void bind_mesh(py::module_& m) {
-    bind_meshes(m);
-    bind_report(m);
-    SurfaceClass surface(m, "Surface", "A mesh with all that is derived from it; see native/fovea/mesh/surface.h.");
+void bind_surface(SurfaceClass& surface) {
     surface
         .def(py::init([](const std::string& name, const Mesh& mesh) {
                  return without_gil([&] { return std::make_shared<Surface>(name, mesh.arrays); });
@@ -178,9 +173,9 @@ rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of
         .def_property_readonly("name", &Surface::name)
         .def_property_readonly("version", &Surface::version, "Changes whenever the positions do.")
         .def_property_readonly("report", &Surface::report);
-    bind_arrays(surface);
-    bind_fields(m, surface);
+}
 
+void bind_refined(py::module_& m) {
     py::class_<RefinedSurface, Surface, std::shared_ptr<RefinedSurface>>(
         m, "RefinedSurface",
         "The refined mesh of a cage, on the limit of its subdivision; see native/fovea/mesh/refine.h.")
@@ -200,6 +195,18 @@ surface.)")
             "Moves the cage's vertices, (V, 3) float32; the topology stays. refit: as Surface has it.")
         .def("mix_corners", &mix_corners, py::arg("values"), py::arg("polygon_offsets"),
              "(C, k) float32 at the corners of the cage, mixed to those of the refined mesh.");
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& m) {
+    bind_meshes(m);
+    bind_report(m);
+    SurfaceClass surface(m, "Surface", "A mesh with all that is derived from it; see native/fovea/mesh/surface.h.");
+    bind_surface(surface);
+    bind_arrays(surface);
+    bind_fields(m, surface);
+    bind_refined(m);
 }
 
 }  // namespace fovea::bindings
