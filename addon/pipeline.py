@@ -15,12 +15,12 @@ def options(**given):
     return native.load().Options(**given)
 
 
-def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, near=(), progress=None, cancel=None):
+def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, near=None, progress=None, cancel=None):
     """A native Frame: one picture of a native Scene as a native View sees it, in a Style, none of it made yet.
 
     `asked`: native Options. `notes`: what the artist says of the scene's placements. `colors`: the ColorSources of the
-    scene, where the style has a color layer. `near`: where `frames_near` asks for them, pairs of how many frames later
-    another is and its native ShownLines. `progress(share, stage)` is called before each stage."""
+    scene, where the style has a color layer. `near`: where `frames_near` asks for them, {how many frames later another
+    is: its native ShownLines}. `progress(share, stage)` is called before each stage."""
     core = native.load()
     return core.Frame(
         scene,
@@ -31,7 +31,7 @@ def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, ne
         backend=backend,
         overrides=_overrides(core, notes),
         colors=colors and core.ColorSources(colors.surfaces, colors.lights, colors.world),
-        near=list(near),
+        near=near or {},
         cancel=cancel,
         progress=progress,
     )
@@ -72,14 +72,18 @@ def _assets(core):
 
 def _overrides(core, notes):
     filters = notes.filters
+
+    def materials(pair):
+        return pair and core.MaterialFilter(*pair)
+
     return core.Overrides(
         importance=notes.importance,
         painted=notes.painted,
         objects=[list(names) for names in notes.objects],
         density_map=notes.density_map,
         placements=filters.placements,
-        materials=filters.materials,
+        materials=[materials(pair) for pair in filters.materials],
         shown=filters.shown,
         parameters=filters.parameters,
-        lined=filters.lined,
+        lined=materials(filters.lined),
     )

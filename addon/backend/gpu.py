@@ -76,7 +76,7 @@ class Backend(native.load().Backend):
         """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
         see native/fovea/visibility/depth.h."""
         target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
-        draws = native.load().depth_draws(scene, view, layout)
+        draws = layout.draws(scene, view)
         # Clip space leaves depth steps of 6e-8; perspective makes that a growing share of it, far away.
         far = not view.orthographic and native.load().depth_reach(scene, view) > _FAR * view.near_clip
         self._keep_surfaces(scene, draws)
@@ -85,24 +85,20 @@ class Backend(native.load().Backend):
             gpu.state.depth_test_set("GREATER")
             gpu.state.depth_mask_set(True)
             program = self._programs.bind("far_depth" if far else "depth", buffer_scale=float(layout.scale))
-            for version, _, matrix, facet_base, culled in draws:
-                gpu.state.face_culling_set(culled)
-                program.uniform_float("object_to_depth_clip", matrix)
-                program.uniform_int("facet_base", facet_base)
-                self._surfaces[version].draw(program)
+            for draw in draws:
+                gpu.state.face_culling_set(draw.culled)
+                program.uniform_float("object_to_depth_clip", draw.object_to_depth_clip)
+                program.uniform_int("facet_base", draw.facet_base)
+                self._surfaces[draw.surface_version].draw(program)
         return target
 
     def _keep_surfaces(self, scene, draws):
         """Has a batch for every surface that is drawn, and for no other."""
-        core, kept = native.load(), {}
-        for version, placement, *_ in draws:
-            if version in kept:
-                continue
-            kept[version] = self._surfaces.get(version)
-            if kept[version] is None:
-                positions, facets = core.depth_corners(scene, placement)
-                buffer = vertex_buffer({"position": positions, "facet": facets})
-                kept[version] = gpu.types.GPUBatch(type="TRIS", buf=buffer)
+        kept = {}
+        for draw in draws:
+            version = draw.surface_version
+            if version not in kept:
+                kept[version] = self._surfaces.get(version) or _batch(scene.surface(draw.placement))
         self._surfaces = kept
 
     def elide(self, frame, elision):
@@ -141,12 +137,12 @@ class Backend(native.load().Backend):
 
     def _draw_spine(self, frame):
         """By the spine test: every pixel is as opaque as its stroke is visible next to it."""
-        picture, core, strokes = Picture(frame.view), native.load(), frame.strokes
+        picture, strokes = Picture(frame.view), frame.strokes
         if len(strokes.triangles) == 0:
             return picture.pixels
         self.clock.start()
-        sides = core.OwnSides(frame.clipped, frame.scene, frame.view)
-        segments = upload_row(core.spine_table(frame.clipped, sides))
+        sides = native.load().OwnSides(frame.clipped, frame.scene, frame.view)
+        segments = upload_row(sides.spine_table(frame.clipped))
         offsets = frame.clipped.offsets.astype(np.float32)
         ranges = np.stack((offsets[strokes.piece], offsets[strokes.piece + 1] - 2), axis=1)
         passes = StrokePass(self._programs, strokes, frame.pens, frame.textures, ranges)
@@ -176,5 +172,12 @@ def _looked_into(depth):
 
 def _looks(frame):
     """Constants of looking into the depth buffer."""
-    core = native.load()
-    return {"bias": core.SAMPLED_BIAS, "slack_px": core.SAMPLED_SLACK_PX, "probes": frame.options.probes}
+    options = native.load().SampledOptions()
+    return {"bias": options.bias, "slack_px": options.slack_px, "probes": frame.options.probes}
+
+
+def _batch(surface):
+    """The triangles of a native Surface that hide lines, with their facets."""
+    corners = native.load().DepthCorners(surface)
+    buffer = vertex_buffer({"position": corners.positions, "facet": corners.facets})
+    return gpu.types.GPUBatch(type="TRIS", buf=buffer)

@@ -13,7 +13,7 @@ class Atlas:
     def __init__(self, programs, frame, batch_samples):
         core, clipped = native.load(), frame.clipped
         self._programs, self._samples = programs, clipped.samples
-        batches = core.atlas_batches(clipped, batch_samples)
+        batches = core.AtlasBatch.of(clipped, batch_samples)
         sides = core.OwnSides(clipped, frame.scene, frame.view) if batches else None
         self.batches = [_Batch(clipped, sides, batch) for batch in batches]
 
@@ -47,8 +47,8 @@ class Atlas:
 class _Batch:
     def __init__(self, clipped, sides, batch):
         self.begin, self.count = batch.sample_begin, batch.sample_end - batch.sample_begin
-        tables = native.load().atlas_tables(clipped, sides, batch)
-        self.samplers = {name: upload_row(table) for name, table in zip(("segments", "owners"), tables, strict=True)}
+        tables = batch.tables(clipped, sides)
+        self.samplers = {"segments": upload_row(tables.segments), "owners": upload_row(tables.owners)}
         start, end = clipped.sample_start, batch.sample_end
         self.points = np.flatnonzero((clipped.sample_count > 0) & (start >= self.begin) & (start < end))
         self.target = Target(ROW_WIDTH, -(-self.count // ROW_WIDTH), "R32F")

@@ -6,7 +6,6 @@ import math
 import gpu
 import numpy as np
 
-from .. import native
 from .gpu_program import vertex_buffer
 from .gpu_texture import ROW_WIDTH, Target, upload_row
 
@@ -15,15 +14,21 @@ _BEYOND = 1e30  # px; farther than any sample
 
 def border_of(elision):
     """Pixels around a sample of a native Elision in which it looks for anything."""
-    core = native.load()
-    return math.ceil(elision.band[:, 0].max(initial=0.0) * core.ELISION_END_REACH + core.ELISION_LENGTH_PX)
+    return math.ceil(elision.band[:, 0].max(initial=0.0) * elision.END_REACH + elision.WINDOW_LENGTH_PX)
 
 
 class ElisionPass:
     """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that they hold."""
 
     def __init__(self, programs, elision, batch_samples):
-        self._programs, self._border, self._reach = programs, border_of(elision), elision.reach_px
+        self._programs, self._border = programs, border_of(elision)
+        self._window = {
+            "columns": elision.WINDOW_COLUMNS,
+            "most_rows": elision.MOST_WINDOW_ROWS,
+            "window_length": elision.WINDOW_LENGTH_PX,
+            "end_reach": elision.END_REACH,
+            "reach": elision.reach_px,
+        }
         owners = elision.owner
         self._most_rank = float(owners[:, 2].max(initial=0.0))
         self._bands = None
@@ -55,11 +60,7 @@ class ElisionPass:
                     tile=decided,
                     buffer_origin=drawn[:2],
                     sample_total=batch.count,
-                    columns=native.load().ELISION_COLUMNS,
-                    most_rows=native.load().ELISION_ROWS,
-                    window_length=native.load().ELISION_LENGTH_PX,
-                    end_reach=native.load().ELISION_END_REACH,
-                    reach=self._reach,
+                    **self._window,
                 )
         clock.mark("samples", self._batches[-1].target)
 

@@ -39,15 +39,15 @@ class ItemPass:
         return layers
 
     def _lines(self, batch, layout, samplers, layers_in_front):
-        core = native.load()
+        options = native.load().ItemOptions()
         program = self._programs.bind(
             "item",
             {"segments": batch.samplers["segments"], "items": batch.samplers["items"], **samplers},
             border=(layout.border_x, layout.border_y),
             buffer_size=(layout.width, layout.height),
             buffer_scale=float(layout.scale),
-            slope_factor=core.ITEM_SLOPE_FACTOR,
-            bias=core.ITEM_BIAS,
+            slope_factor=options.slope_factor,
+            bias=options.bias,
             layers_in_front=layers_in_front,
         )
         self._keep_room(len(batch.points))

@@ -14,9 +14,9 @@ class StrokePass:
     segments of the spine test."""
 
     def __init__(self, programs, strokes, pens, textures, spine_ranges=None):
-        pen_rows, ink = native.load().pen_table(pens, textures)
+        table = native.load().PenTable(pens, textures)
         self._programs = programs
-        self._samplers = {"pens": upload_row(pen_rows), "ink": upload_row(ink)}
+        self._samplers = {"pens": upload_row(table.pens), "ink": upload_row(table.ink)}
         attributes = {
             "px": strokes.px,
             "arc": strokes.arc,

@@ -55,7 +55,8 @@ def fields(of, estimator="automatic", degree=0, rings=0):
     one_ring (Rusinkiewicz 2004).
     """
     of = surface(of) if isinstance(of, bpy.types.Object) else of
-    return native.load().fields(of, estimator, degree, rings)
+    found = of.fields(estimator, degree, rings)
+    return {name: getattr(found, name) for name in ("normal", "k1", "k2", "feature_size", "reason")}
 
 
 def lines(

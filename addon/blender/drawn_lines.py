@@ -28,7 +28,7 @@ class DrawnLines:
     pen: np.ndarray  # (R,) uint32, index into the style's `pens`
 
 
-def of(read, view, style, options, near=()):
+def of(read, view, style, options, near=None):
     """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot. `near`: the lines of
     the frames around it, for elision smoothed in time."""
     seen = scene.seen(native.load(), view)

@@ -11,16 +11,16 @@ from . import camera
 
 
 def shown_lines(engine, depsgraph, frames, look):
-    """Pairs of how many frames later another is, and look() there, over so many frames to each side. Frames at which
-    look is None do not count, nor those that another camera sees: there is a cut between."""
-    found, seen_by = [], camera.chosen(engine, depsgraph).name_full
+    """{how many frames later another is: look() there}, over so many frames to each side. Frames at which look is None
+    do not count, nor those that another camera sees: there is a cut between."""
+    found, seen_by = {}, camera.chosen(engine, depsgraph).name_full
     with _other_frames(engine, depsgraph.scene) as go:
         for away in range(-frames, frames + 1):
             if away == 0:
                 continue
             go(away)
             if camera.chosen(engine, depsgraph).name_full == seen_by and (lines := look()) is not None:
-                found.append((away, lines))
+                found[away] = lines
     return found
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What of an object's mesh is put in order before it is drawn."""
 
-from dataclasses import astuple, dataclass
+from dataclasses import asdict, dataclass
 
 
 @dataclass(frozen=True)
@@ -16,7 +16,7 @@ class Repair:
 
     def words(self):
         """As the native module takes them."""
-        return astuple(self)
+        return asdict(self)
 
 
 NOTHING = Repair()
@@ -41,6 +41,6 @@ def of(obj, depsgraph):
 
 
 def remark(name, report):
-    """One sentence about what was done, or None."""
-    done = [f"{report[what]} {words}" for what, words in REMARKS.items() if report[what]]
+    """One sentence about what was done, as a native RepairReport tells it, or None."""
+    done = [f"{count} {words}" for what, words in REMARKS.items() if (count := getattr(report, what))]
     return f"'{name}': {'; '.join(done)}" if done else None

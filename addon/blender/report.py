@@ -40,9 +40,8 @@ def skipped(read, depsgraph):
     """Sentences about what is not drawn, or not as it is."""
     told = list(read.remarks)
     for surface in read.snapshot.surfaces:
-        found = [f"{surface.report[key]} {words}" for key, words in session.REMARKS.items() if surface.report.get(key)]
-        if found:
-            told.append(f"'{surface.name}': {'; '.join(found)}")
+        if found := session.remark(surface):
+            told.append(found)
     objects = depsgraph.scene.objects
     return told + [f"'{obj.name}': {why}" for obj in objects if (why := _why_not(obj, read, depsgraph))]
 

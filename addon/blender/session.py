@@ -127,7 +127,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)
 
 
-def draw(found, seen, chosen, backend, options, progress, cancel, near=()):
+def draw(found, seen, chosen, backend, options, progress, cancel, near=None):
     """The Image of what was Gathered as a native View sees it; touches nothing of Blender's unless the backend does.
     `near`: the lines of the frames around it, for elision smoothed in time."""
     beside = {"colors": found.colors, "notes": found.notes, "near": near}
@@ -161,7 +161,7 @@ def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
     """What elision smoothed in time needs to know of the frames around a final render's, if the Style wants it."""
     frames = pipeline.frames_near(chosen, options)
     look = partial(_shown_lines, engine, depsgraph, backend, options, cancel)
-    return near_frames.shown_lines(engine, depsgraph, frames, look) if frames else ()
+    return near_frames.shown_lines(engine, depsgraph, frames, look) if frames else {}
 
 
 def _shown_lines(engine, depsgraph, backend, options, cancel):
@@ -208,9 +208,14 @@ def _report_skipped(engine, built, remarks=()):
     for sentence in remarks:
         engine.report({"INFO"}, sentence)
     for surface in built:
-        found = [f"{surface.report[what]} {words}" for what, words in REMARKS.items() if surface.report.get(what)]
-        if found:
-            engine.report({"INFO"}, f"'{surface.name}': {'; '.join(found)}")
+        if found := remark(surface):
+            engine.report({"INFO"}, found)
+
+
+def remark(surface):
+    """One sentence about what of a native Surface was left out or looks wrong, or None."""
+    found = [f"{count} {words}" for what, words in REMARKS.items() if (count := getattr(surface.report, what))]
+    return f"'{surface.name}': {'; '.join(found)}" if found else None
 
 
 def _report_unknown(engine, chosen):

@@ -45,8 +45,15 @@ def _scene(core):
     """The native Scene and its ColorSources."""
     surfaces, colors = [], []
     for shape in still_life.shapes():
-        edges, corner_edges = core.polygon_edges(shape.offsets, shape.corners)
-        surfaces.append(core.Surface(shape.name, shape.positions, edges, shape.corners, corner_edges, shape.offsets))
+        edges = core.PolygonEdges(shape.offsets, shape.corners)
+        mesh = core.Mesh(
+            positions=shape.positions,
+            edge_verts=edges.edge_verts,
+            corner_verts=shape.corners,
+            corner_edges=edges.corner_edges,
+            polygon_offsets=shape.offsets,
+        )
+        surfaces.append(core.Surface(shape.name, mesh))
         colors.append(core.SurfaceColor([core.ColorSlot(shape.color)], shape.normals))
     count = len(surfaces)
     usage = np.full(count, scene.DRAW | scene.OCCLUDE, np.uint8)

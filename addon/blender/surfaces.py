@@ -74,9 +74,10 @@ class SurfaceCache:
                 entry.positions = positions
                 self.moved.append(entry.surface)
             else:
-                whole = (arrays.positions, *static[:4], triangles, polygon, *static[4:])
-                whole = self._repaired(name, whole, repair)
-                entry = _Entry(self._core.Surface(name, *whole), topology, positions, ngons)
+                ngon = {"ngon_triangles": triangles, "ngon_polygon": polygon}
+                whole = self._core.Mesh(positions=arrays.positions, **static, **ngon)
+                surface = self._core.Surface(name, self._repaired(name, whole, repair))
+                entry = _Entry(surface, topology, positions, ngons)
                 self._entries[key] = entry
                 self.rebuilt.append(entry.surface)
         entry.age, entry.used = 0, kept.now()
@@ -109,13 +110,14 @@ class SurfaceCache:
         moved = entry is not None and entry.positions != positions
         if entry is None or entry.topology != topology or (moved and repair):
             entry = _Entry(None, topology, positions, ())
-            whole = (arrays.positions, *static[:4], None, None, *static[4:])
+            ngon = {}  # OpenSubdiv needs no triangles, a repair does
             if repair:
-                triangles = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers)
-                whole = self._repaired(name, (*whole[:5], *triangles, *whole[7:]), repair)
-            how = (plan.level, plan.round_corners, *creases)
+                triangles, polygon = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers)
+                ngon = {"ngon_triangles": triangles, "ngon_polygon": polygon}
+            whole = self._core.Mesh(positions=arrays.positions, **static, **ngon)
+            whole = self._repaired(name, whole, repair)
             try:
-                entry.surface = self._core.RefinedSurface(name, *whole[:5], *how, *whole[7:])
+                entry.surface = self._core.RefinedSurface(name, whole, plan.level, plan.round_corners, *creases)
                 self.rebuilt.append(entry.surface)
             except ValueError as error:
                 self.remarks.append(f"{error}; drawn as Blender subdivides it")
@@ -125,14 +127,14 @@ class SurfaceCache:
             self.moved.append(entry.surface)
         return entry
 
-    def _repaired(self, name, whole, repair):
-        """A mesh's arrays as Surface takes them, repaired where the user wants it."""
+    def _repaired(self, name, mesh, repair):
+        """A native Mesh, repaired where the user wants it."""
         if not repair:
-            return whole
-        whole, report = self._core.repaired(name, *whole, *repair.words())
-        if remark := repairs.remark(name, report):
+            return mesh
+        repaired = self._core.RepairedMesh(name, mesh, **repair.words())
+        if remark := repairs.remark(name, repaired.report):
             self.remarks.append(remark)
-        return whole
+        return repaired.mesh
 
     def _ordered(self, key):
         """The key, and which of those with it in this pass it is."""
@@ -140,12 +142,13 @@ class SurfaceCache:
         return key, self._asked[key]
 
     def _read(self, mesh, slots, with_marks):
-        """The mesh's arrays, those that do not move, and content hashes of the latter and of the positions."""
+        """The mesh's arrays, those that do not move by their names in a native Mesh, and content hashes of the latter and
+        of the positions."""
         arrays = mesh_arrays.read(mesh, self._buffers, with_marks=with_marks)
         material, occluding = _per_polygon(arrays, slots)
-        static = (arrays.edge_verts, arrays.corner_verts, arrays.corner_edges, arrays.polygon_offsets)
-        static += (material, occluding, arrays.sharp_edges, arrays.seams, arrays.edge_marks)
-        topology = (len(arrays.positions), *self._hashes(static))
+        static = {**vars(arrays), "material": material, "occluding": occluding}
+        del static["positions"]
+        topology = (len(arrays.positions), *self._hashes(static.values()))
         return arrays, static, topology, self._hash(arrays.positions)
 
     def _hashes(self, arrays):

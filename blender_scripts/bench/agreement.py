@@ -6,7 +6,6 @@ blender -b -P agreement.py -- OUT.json SCENE [WORDS OF fovea draw]: one frame, e
 
 import json
 import sys
-import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -14,7 +13,8 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 import bpy
 import draw
 import ending
-from bl_ext.user_default.fovea import native, pipeline
+from bl_ext.user_default.fovea import pipeline
+from bl_ext.user_default.fovea.backend import cpu
 from command import draw_options
 
 from bench import quality
@@ -22,18 +22,16 @@ from bench import quality
 METHODS = ((1, 1), (1, 2), (4, 2), (9, 1), (9, 2), (16, 2), (16, 3))  # probes, depth scale
 
 
-def compared(scene, frame):
-    """A row for each way to sample: how far it agrees with the exact visibility of a native Frame."""
-    core, rows = native.load(), []
-    frame.see()
-    truth = quality.Truth(core, frame, frame.visible)
+def compared(scene, make, asked):
+    """A row for each way to sample: how far it agrees with exact visibility. `make(native Options)`: a native Frame."""
+    rows, exact = [], make(asked.replace(visibility="exact"))
+    exact.see()
+    truth = quality.Truth(exact)
     for probes, scale in METHODS:
-        start = time.perf_counter()
-        depth = core.draw_depth(frame.scene, frame.view, scale)
-        seen = core.sampled_visibility(frame.clipped, depth, probes)
-        ms = round(1000 * (time.perf_counter() - start))
-        row = {"scene": scene, "probes": probes, "depth_scale": scale, "ms": ms}
-        rows.append({**row, **truth.compare(seen)})
+        frame = make(asked.replace(visibility="atlas", probes=probes, depth_scale=scale))
+        frame.see()
+        row = {"scene": scene, "probes": probes, "depth_scale": scale, "ms": round(frame.stages["visibility"])}
+        rows.append({**row, **truth.compare(frame.samples)})
     return rows
 
 
@@ -46,10 +44,12 @@ def main(out, *words):
     bpy.context.scene.fovea.visibility = "EXACT"
     rows, frame = [], pipeline.frame
 
-    def judged(*scene, **beside):
-        made = frame(*scene, **beside)
-        rows.extend(compared(options.scene, made))
-        return made
+    def judged(placed, seen, chosen, backend, asked, **beside):
+        def make(asked):
+            return frame(placed, seen, chosen, cpu.Backend(), asked, **beside)
+
+        rows.extend(compared(options.scene, make, asked))
+        return frame(placed, seen, chosen, backend, asked, **beside)
 
     pipeline.frame = judged
     try:

@@ -17,8 +17,15 @@ class Mesh:
     def surface(self, native, name):
         offsets = np.arange(0, self.triangles.size + 1, 3, dtype=np.int32)
         corners = self.triangles.reshape(-1).astype(np.int32)
-        edges, corner_edges = native.polygon_edges(offsets, corners)
-        return native.Surface(name, self.positions.astype(np.float32), edges, corners, corner_edges, offsets)
+        edges = native.PolygonEdges(offsets, corners)
+        mesh = native.Mesh(
+            positions=self.positions.astype(np.float32),
+            edge_verts=edges.edge_verts,
+            corner_verts=corners,
+            corner_edges=edges.corner_edges,
+            polygon_offsets=offsets,
+        )
+        return native.Surface(name, mesh)
 
     def sphere(self):
         low, high = self.positions.min(axis=0), self.positions.max(axis=0)

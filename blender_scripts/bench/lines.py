@@ -111,25 +111,25 @@ def steps(native, name, mesh, views):
     surface = mesh.surface(native, name)
     for step, options in ESTIMATORS.items():
         fresh, watch = mesh.surface(native, name), Stopwatch()
-        watch.time(lambda: native.fields(fresh, **options))
+        watch.time(lambda: fresh.fields(**options))
         yield step, watch, None
-    native.fields(surface)
+    surface.fields()
     eyes = eyes_around(mesh, views)
     for definition in STATIC:
-        watch, pieces = finding(native, surface, definition, eyes[:3])
+        watch, pieces = finding(surface, definition, eyes[:3])
         yield f"{definition}: find, once", watch, pieces
     first = Stopwatch()
-    first.time(lambda: native.find_curves(surface, "apparent_ridge", {}, eyes[0], False))
+    first.time(lambda: surface.find_curves("apparent_ridge", {}, eyes[0], False))
     yield "first view", first, None
     tracers = [native.Tracer(*placed(native, surface, mesh, eye)) for eye in eyes]
     for definition in VIEW:
-        found, pieces = finding(native, surface, definition, eyes)
+        found, pieces = finding(surface, definition, eyes)
         yield f"{definition}: find", found, pieces
-        whole, paths = extracting(native, tracers, (definition,))
+        whole, paths = extracting(tracers, (definition,))
         yield f"{definition}: chain", whole.less(found), paths
-    yield "together: find", sum_of(finding(native, surface, d, eyes)[0] for d in TOGETHER), None
-    yield "together", *extracting(native, tracers, TOGETHER)
-    yield f"kept {len(KEPT)}: per view", *extracting(native, tracers, KEPT)
+    yield "together: find", sum_of(finding(surface, d, eyes)[0] for d in TOGETHER), None
+    yield "together", *extracting(tracers, TOGETHER)
+    yield f"kept {len(KEPT)}: per view", *extracting(tracers, KEPT)
 
 
 def eyes_around(mesh, count):
@@ -145,26 +145,26 @@ def eyes_around(mesh, count):
 
 def placed(native, surface, mesh, eye):
     """A scene of the surface alone and a view that has it in its frame."""
-    usage = native.DRAW | native.OCCLUDE
+    usage = native.Usage.DRAW | native.Usage.OCCLUDE
     ids, usages = np.ones(1, np.uint64), np.full(1, usage, np.uint8)
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], ids, usages)
     return scene, native.View(*camera.view(mesh.positions, np.array(eye), False))
 
 
-def finding(native, surface, definition, eyes):
-    native.find_curves(surface, definition, {}, eyes[0], False)
+def finding(surface, definition, eyes):
+    surface.find_curves(definition, {}, eyes[0], False)
     watch, counts = Stopwatch(), []
     for eye in eyes:
-        counts.append(len(watch.time(lambda: native.find_curves(surface, definition, {}, eye, False))))
+        counts.append(len(watch.time(lambda: surface.find_curves(definition, {}, eye, False))))
     return watch, int(statistics.median(counts))
 
 
-def extracting(native, tracers, definitions):
-    sets = [({definition: {} for definition in definitions}, 60.0)]
-    native.extract_paths(tracers[0], sets)
+def extracting(tracers, definitions):
+    kinds = {definition: {} for definition in definitions}
+    tracers[0].extract_paths(kinds)
     watch, counts = Stopwatch(), []
     for tracer in tracers:
-        counts.append(len(watch.time(lambda: native.extract_paths(tracer, sets))))
+        counts.append(len(watch.time(lambda: tracer.extract_paths(kinds))))
     return watch, int(statistics.median(counts))
 
 

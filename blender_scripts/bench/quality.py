@@ -9,17 +9,17 @@ NEAR_PX = 2.0  # of a change: on the path, or beside it in the image
 
 
 class Truth:
-    """Exact visibility of a Frame's atlas samples, and which of them are `far` from a change: `all`; on their `path`;
+    """Visibility of the atlas samples of a Frame that has seen by rays, and which of them are `far` from a change: `all`; on their `path`;
     or also in the `image`, where the sample moved across its line by up to 2 px, at its own depth, is seen or hidden
     alike."""
 
-    def __init__(self, core, frame, runs):
+    def __init__(self, frame):
         self.samples = Samples(frame.clipped)
-        self.exact = core.samples_from_runs(frame.clipped, runs)[self.samples.index]
-        path = self.samples.distance_to_ends(runs) > NEAR_PX
+        self.exact = frame.visible.samples(frame.clipped)[self.samples.index]
+        path = self.samples.distance_to_ends(frame.visible) > NEAR_PX
         image = path.copy()
         for offset in (-NEAR_PX, -NEAR_PX / 2, NEAR_PX / 2, NEAR_PX):
-            beside = core.seen_beside(frame.clipped, frame.paths, frame.tracer, offset)[self.samples.index] > 0
+            beside = frame.seen_beside(offset)[self.samples.index] > 0
             image &= beside == (self.exact >= 0.5)
         self.far = {"all": np.ones_like(path), "path": path, "image": image}
 

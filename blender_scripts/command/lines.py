@@ -76,7 +76,9 @@ def extract(native, options):
         arrays = _whole(frame.paths, surface, polygons.positions, view_to_object)
     del arrays["path"]  # of one model: its number tells nothing that path_id does not
     arrays |= {"definition": np.array(options.definition)} if options.definition else {}
-    return arrays, surface.report, surface.fields_reason
+    names = (name for name in dir(surface.report) if not name.startswith("_"))
+    counts = {name: getattr(surface.report, name) for name in names}
+    return arrays, counts, surface.fields_reason
 
 
 def _style(options):
@@ -117,19 +119,25 @@ def _angle(text):
 
 
 def _surface(native, name, polygons):
-    edge_verts, corner_edges = native.polygon_edges(polygons.offsets, polygons.corner_verts)
+    edges = native.PolygonEdges(polygons.offsets, polygons.corner_verts)
     triangles, owners = polygons.ngon_triangles()
-    positions = polygons.positions.astype(np.float32)
-    return native.Surface(
-        name, positions, edge_verts, polygons.corner_verts, corner_edges, polygons.offsets, triangles, owners,
-        polygons.material,
-    )  # fmt: skip
+    mesh = native.Mesh(
+        positions=polygons.positions.astype(np.float32),
+        edge_verts=edges.edge_verts,
+        corner_verts=polygons.corner_verts,
+        corner_edges=edges.corner_edges,
+        polygon_offsets=polygons.offsets,
+        ngon_triangles=triangles,
+        ngon_polygon=owners,
+        material=polygons.material,
+    )
+    return native.Surface(name, mesh)
 
 
 def _look(native, surface, positions, options):
     """(native Scene of the model alone, native View of it, the way back from the view). The picture is as one of
     Blender's of this height: its pixels are as many reference pixels."""
-    usage = native.DRAW | native.OCCLUDE
+    usage = native.Usage.DRAW | native.Usage.OCCLUDE
     scene = native.Scene(
         [surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8)
     )

@@ -13,11 +13,11 @@ ID = "fovea"
 
 def stage(target):
     """Lays the package out in WORK/package/fovea: the add-on, the shaders, the native module and the license beside
-    __init__.py. What is the same already is left alone, as tests may be reading it."""
+    __init__.py. What is the same already is left alone, as tests may be reading it; what editors alone read is left out."""
     module = build.module(target)
     folder = target.work / "package" / ID
     fresh = folder.with_name("fresh")
-    unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", ".*")
+    unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", "*.pyi", ".*")
     with target.lock():
         shutil.rmtree(fresh, ignore_errors=True)
         shutil.copytree(PROJECT / "addon", fresh, ignore=unwanted)

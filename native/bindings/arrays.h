@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only way between numpy and native arrays: views without copies, checked shapes.
+// The only way between numpy and native arrays: views without copies, checked shapes; and how long calls let other
+// threads of Python run.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -34,42 +35,70 @@ std::vector<py::ssize_t> shape_of(std::size_t count) {
     return {py::ssize_t(count)};
 }
 
+/// What body() gives. Meanwhile other threads of Python run, so it must touch nothing of Python's.
+template <typename Body>
+auto without_gil(const Body& body) {
+    py::gil_scoped_release release;
+    return body();
+}
+
+template <typename T>
+using Numpy = py::array_t<typename Element<T>::Scalar>;
+
 /// Numpy array over memory that `owner` keeps alive; no copy.
 template <typename T>
-py::array view_numpy(const Array<T>& array, py::handle owner) {
+Numpy<T> view_numpy(const Array<T>& array, py::handle owner) {
     using Scalar = typename Element<T>::Scalar;
     static const Scalar nothing{};
     const auto* data = array.empty() ? &nothing : reinterpret_cast<const Scalar*>(array.data());
-    py::array_t<Scalar> result(shape_of<T>(array.size()), data, owner);
+    Numpy<T> result(shape_of<T>(array.size()), data, owner);
     result.attr("flags").attr("writeable") = false;
     return result;
+}
+
+/// Getter of a member that is an array: a view that keeps its owner.
+template <typename Owner, typename Structure, typename T>
+auto viewing(Array<T> Structure::* array) {
+    return [array](py::object self) { return view_numpy(self.cast<const Owner&>().*array, self); };
 }
 
 /// The columns of a bound structure (base/columns.h) as read-only properties.
 template <typename Class, typename Columns>
 void bind_columns(Class& bound, const Columns& columns) {
     for_each_column(columns, [&]<typename S, typename V>(const Column<S, V>& column) {
-        const auto view = [array = column.array](py::object self) {
-            return view_numpy(self.cast<const S&>().*array, self);
-        };
-        bound.def_property_readonly(column.name, view, column.doc);
+        bound.def_property_readonly(column.name, viewing<S>(column.array), column.doc);
     });
 }
 
 /// Numpy array that takes the memory over; no copy.
 template <typename T>
-py::array to_numpy(Array<T>&& array) {
+Numpy<T> to_numpy(Array<T>&& array) {
     using Scalar = typename Element<T>::Scalar;
     auto* owned = new Array<T>(std::move(array));
     py::capsule owner(owned, [](void* p) { delete static_cast<Array<T>*>(p); });
     static const Scalar nothing{};
     const auto* data = owned->empty() ? &nothing : reinterpret_cast<const Scalar*>(owned->data());
-    return py::array_t<Scalar>(shape_of<T>(owned->size()), data, owner);
+    return Numpy<T>(shape_of<T>(owned->size()), data, owner);
+}
+
+/// The same of pixels, bottom row first: (height, width), or (height, width, columns).
+template <typename T>
+Numpy<T> to_image(Array<T>&& pixels, int width, int height) {
+    std::vector<py::ssize_t> shape{height, width};
+    if constexpr (Element<T>::columns > 0) shape.push_back(Element<T>::columns);
+    return to_numpy(std::move(pixels)).reshape(shape);
 }
 
 /// An argument: contiguous array of the right type (converted, with a copy, only when it is not).
 template <typename T>
 using Arg = py::array_t<typename Element<T>::Scalar, py::array::c_style | py::array::forcecast>;
+
+/// The same, or None.
+template <typename T>
+using Optional = std::optional<Arg<T>>;
+
+/// An argument of any shape: an image or a texture, say.
+using Pixels = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 /// Borrows an argument as a span of T; `name` appears in the error when the shape is not (n,) or (n, columns).
 template <typename T>
@@ -82,7 +111,7 @@ In<T> borrow(const Arg<T>& array, const char* name) {
 
 /// The same for an optional argument: None is an empty span.
 template <typename T>
-In<T> borrow(const std::optional<Arg<T>>& array, const char* name) {
+In<T> borrow(const Optional<T>& array, const char* name) {
     return array ? borrow<T>(*array, name) : In<T>{};
 }
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What module.cpp puts together.
+// What module.cpp puts together: in this order, as signatures name the types that are bound before them.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
+#include <fovea/mesh/surface.h>
+
 namespace fovea::bindings {
+
+using SurfaceClass = pybind11::class_<Surface, std::shared_ptr<Surface>>;
 
 void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
-void bind_field(pybind11::module_& m);
-void bind_line(pybind11::module_& m);
-void bind_stages(pybind11::module_& m);
-void bind_sampled(pybind11::module_& m);
-void bind_compaction(pybind11::module_& m);
-void bind_filters(pybind11::module_& m);
+void bind_fields(pybind11::module_& m, SurfaceClass& surface);
+void bind_paths(pybind11::module_& m);
+void bind_scene(pybind11::module_& m);
 void bind_focus(pybind11::module_& m);
+void bind_depth(pybind11::module_& m);
 void bind_elision(pybind11::module_& m);
-void bind_in_time(pybind11::module_& m);
 void bind_stroke(pybind11::module_& m);
-void bind_spine(pybind11::module_& m);
 void bind_color(pybind11::module_& m);
 void bind_style(pybind11::module_& m);
 void bind_draw(pybind11::module_& m);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Threads, and how to stop what they do.
+// Threads, how to stop what they do, and hashes.
+#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/base/threads.h>
 
+#include "bindings/arrays.h"
 #include "bindings/bind.h"
 
 namespace fovea::bindings {
-
-namespace py = pybind11;
 
 void bind_base(py::module_& m) {
     py::class_<Cancel, std::shared_ptr<Cancel>>(m, "Cancel",
@@ -18,7 +18,14 @@ void bind_base(py::module_& m) {
     py::register_exception<Cancelled>(m, "Cancelled", PyExc_RuntimeError);
     m.def("limit_threads", &limit_threads, py::arg("most"),
           "Most threads that work at once from now on; 0: as many as the machine has. Results never depend on it.");
-    m.def("thread_limit", &thread_limit, "The limit that holds.");
+    m.def(
+        "content_hash",
+        [](const py::array& array) {
+            check(array.flags() & py::array::c_style, "content_hash: a contiguous array is needed");
+            const auto size = static_cast<std::size_t>(array.nbytes());
+            return without_gil([data = array.data(), size] { return hash_bytes(data, size); });
+        },
+        py::arg("array"), "64-bit hash of an array's bytes.");
 }
 
 }  // namespace fovea::bindings

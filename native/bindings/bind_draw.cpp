@@ -3,20 +3,18 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <pybind11/typing.h>
 
 #include <fovea/draw/depth_layouts.h>
-#include <fovea/draw/frame.h>
 #include <fovea/draw/polylines.h>
-#include <fovea/elision/elide.h>
+#include <fovea/visibility/beside.h>
 
 #include "bindings/bind.h"
-#include "bindings/line_filters.h"
+#include "bindings/overrides.h"
 #include "bindings/records.h"
 
 namespace fovea::bindings {
 namespace {
-
-using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 /// A backend that Python implements: its verbs are called with the GIL held, on the thread that draws.
 class PythonBackend : public Backend {
@@ -38,7 +36,7 @@ class PythonBackend : public Backend {
     }
     Array<vec4> draw(const Frame& frame) override {
         py::gil_scoped_acquire held;
-        const auto image = method("draw")(frame_of(frame)).cast<Floats>();
+        const auto image = method("draw")(frame_of(frame)).cast<Pixels>();
         const View& view = frame.job.view;
         check(image.ndim() == 3 && image.shape(0) == view.height && image.shape(1) == view.width && image.shape(2) == 4,
               "backend: expected an image of shape (height, width, 4)");
@@ -55,54 +53,13 @@ class PythonBackend : public Backend {
     static py::object frame_of(const Frame& frame) { return py::cast(&frame, py::return_value_policy::reference); }
 };
 
-/// Overrides that keep alive what they borrow.
-struct OwningOverrides {
-    Overrides overrides;
-    std::vector<py::object> owners;
-};
-
-Overrides::Filter filter_of(const py::handle& placements, const py::handle& materials) {
-    Overrides::Filter filter;
-    if (!placements.is_none()) filter.placements = numbers<std::uint8_t>(placements);
-    filter.materials = material_filter(materials);
-    return filter;
-}
-
-OwningOverrides make_overrides(const std::optional<Arg<float>>& importance,
-                               const std::map<std::string, std::vector<std::optional<Arg<float>>>>& painted,
-                               std::vector<std::vector<std::string>> objects, std::shared_ptr<ColorTexture> density_map,
-                               const py::sequence& placements, const py::sequence& materials, const py::object& shown,
-                               const py::dict& parameters, const py::object& lined) {
-    OwningOverrides made;
-    if (importance) {
-        made.overrides.importance = borrow<float>(*importance, "importance");
-        made.owners.push_back(*importance);
-    }
-    for (const auto& [attribute, arrays] : painted)
-        for (const auto& array : arrays) {
-            made.overrides.painted[attribute].push_back(borrow<float>(array, "painted"));
-            if (array) made.owners.push_back(*array);
-        }
-    made.overrides.objects = std::move(objects);
-    made.overrides.density_map = std::move(density_map);
-    if (!shown.is_none()) made.overrides.lines.kinds = numbers<Kinds>(shown);
-    made.overrides.lines.parameters = own_parameters(parameters);
-    made.overrides.lines.materials = material_filter(lined);
-    for (std::size_t i = 0; i < std::max(placements.size(), materials.size()); ++i) {
-        const py::object of = i < placements.size() ? py::object(placements[i]) : py::none();
-        const py::object on = i < materials.size() ? py::object(materials[i]) : py::none();
-        made.overrides.line_sets.push_back(filter_of(of, on));
-    }
-    return made;
-}
-
-using Near = std::vector<std::pair<int, std::shared_ptr<ShownLines>>>;
+using Near = std::map<int, std::shared_ptr<ShownLines>>;
 
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
                                   const ColorSources* colors, const Near& near, std::shared_ptr<Cancel> cancel,
-                                  const py::object& progress) {
+                                  const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
     if (overrides) job.overrides = overrides->overrides;
     job.assets = std::move(assets);
@@ -110,8 +67,8 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
     if (colors) job.colors = *colors;
     job.near.assign(near.begin(), near.end());
     if (cancel) job.cancel = std::move(cancel);
-    if (!progress.is_none())
-        job.progress = [heard = progress.cast<py::function>()](double share, const std::string& stage) {
+    if (progress)
+        job.progress = [heard = *progress](double share, const std::string& stage) {
             py::gil_scoped_acquire held;
             heard(share, stage);
         };
@@ -121,9 +78,9 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
 /// An array of the frame, or None where it is empty.
 template <typename T>
 auto member(Array<T> Frame::* array) {
-    return [array](py::object self) -> py::object {
+    return [array](py::object self) -> std::optional<Numpy<T>> {
         const Array<T>& values = self.cast<const Frame&>().*array;
-        return values.empty() ? py::object(py::none()) : py::object(view_numpy(values, self));
+        return values.empty() ? std::nullopt : std::optional(view_numpy(values, self));
     };
 }
 
@@ -134,19 +91,23 @@ std::shared_ptr<T> mutable_pointer(const std::shared_ptr<const T>& pointer) {
 
 /// A pass as an image, moved out of the frame; None where it is empty.
 template <typename T>
-py::object image(Array<T>& pixels, const View& view) {
-    if (pixels.empty()) return py::none();
-    std::vector<py::ssize_t> shape{view.height, view.width};
-    if constexpr (Element<T>::columns > 0) shape.push_back(Element<T>::columns);
-    return to_numpy(std::exchange(pixels, {})).reshape(shape);
+std::optional<Numpy<T>> image(Array<T>& pixels, const View& view) {
+    return pixels.empty() ? std::nullopt : std::optional(to_image(std::exchange(pixels, {}), view.width, view.height));
 }
 
-py::dict passes(Frame& frame) {
+py::typing::Dict<std::string, std::optional<py::array_t<float>>> passes(Frame& frame) {
     const View& view = frame.job.view;
     Picture& p = frame.passes;
     return py::dict(py::arg("combined") = image(p.combined, view), py::arg("lines") = image(p.lines, view),
                     py::arg("color") = image(p.color, view), py::arg("focus") = image(p.focus, view),
                     py::arg("depth") = image(p.depth, view));
+}
+
+/// Milliseconds by stage.
+py::typing::Dict<std::string, double> stages(const Frame& frame) {
+    py::dict found;
+    for (const auto& [name, ms] : frame.stages) found[py::str(name)] = ms;
+    return found;
 }
 
 void bind_backend(py::module_& m) {
@@ -155,18 +116,22 @@ void bind_backend(py::module_& m) {
         .def(py::init<>())
         .def_property_readonly("name", &Backend::name)
         .def(
-            "visibility", [](Backend& backend, const Frame& frame) { return to_numpy(backend.visibility(frame)); },
+            "visibility",
+            [](Backend& backend, const Frame& frame) {
+                return to_numpy(without_gil([&] { return backend.visibility(frame); }));
+            },
             py::arg("frame"), "(samples,) float32 in [0, 1] of a frame's atlas, by its sampled method.")
         .def(
             "elide",
             [](Backend& backend, const Frame& frame, const Elision& elision) {
-                return to_numpy(backend.elide(frame, elision));
+                return to_numpy(without_gil([&] { return backend.elide(frame, elision); }));
             },
             py::arg("frame"), py::arg("elision"), "(D, 2) float32 crowding of the samples that runs cover.")
         .def(
             "draw",
             [](Backend& backend, const Frame& frame) {
-                return to_numpy(backend.draw(frame)).reshape({frame.job.view.height, frame.job.view.width, 4});
+                const View& view = frame.job.view;
+                return to_image(without_gil([&] { return backend.draw(frame); }), view.width, view.height);
             },
             py::arg("frame"), "(H, W, 4) float32: the frame's strokes alone, premultiplied, bottom row first.");
     py::class_<CpuBackend, Backend, std::shared_ptr<CpuBackend>>(m, "CpuBackend", "The reference, all in software.")
@@ -185,74 +150,61 @@ void bind_parts(py::module_& m) {
              }),
              py::arg("surfaces"), py::arg("lights"), py::arg("world"),
              "surfaces: a SurfaceColor or None per placement; world: radiance of the sky.");
-    py::class_<OwningOverrides>(m, "Overrides", "What an artist has said of a scene's n placements.")
-        .def(py::init(&make_overrides), py::kw_only(), py::arg("importance") = py::none(),
-             py::arg("painted") = py::dict(), py::arg("objects") = py::list(), py::arg("density_map") = nullptr,
-             py::arg("placements") = py::list(), py::arg("materials") = py::list(), py::arg("shown") = py::none(),
-             py::arg("parameters") = py::dict(), py::arg("lined") = py::none(),
-             R"(importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
-None}; objects: n lists of names; density_map: a ColorTexture over the camera's frame. Of lines: per line set placements
-(n,) uint8 and materials; for all sets shown, parameters and lined, as extract_paths has them.)");
+    bind_overrides(m);
 }
 
-}  // namespace
+using FrameClass = py::class_<Frame, std::shared_ptr<Frame>>;
 
-void bind_draw(py::module_& m) {
-    bind_backend(m);
-    bind_parts(m);
-    const auto column = [](auto array) {
-        return [array](py::object self) { return view_numpy(self.cast<const Polylines&>().*array, self); };
+void bind_steps(FrameClass& frame) {
+    const auto step = [](void (Frame::*take)()) {
+        return [take](Frame& frame) { without_gil([&] { (frame.*take)(); }); };
     };
-    py::class_<Polylines, CompactRuns>(m, "Polylines", "A frame's lines: R runs, and what draws them.")
-        .def_property_readonly("pen", column(&Polylines::pen), "(R,) uint32 of the style's pens; 0xffffffff: none")
-        .def_property_readonly("shown", column(&Polylines::shown), "(R,) float32 in [0, 1] that elision leaves");
-    using Free = py::call_guard<py::gil_scoped_release>;
-    py::class_<Frame, std::shared_ptr<Frame>>(
-        m, "Frame", "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.")
+    frame
         .def(py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
              py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
              py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
              py::arg("cancel") = nullptr, py::arg("progress") = py::none(), py::keep_alive<1, 7>(),
              py::keep_alive<1, 8>(),
-             R"(near: pairs of how many frames later another is and its ShownLines; progress(share, stage) is called
-before each stage.)")
-        .def("find", &Frame::find, Free())
-        .def("see", &Frame::see, Free())
-        .def("filter", &Frame::filter, Free())
-        .def("thin", &Frame::thin, Free())
-        .def("ink", &Frame::ink, Free())
-        .def("picture", &Frame::picture, Free())
+             R"(near: {how many frames later another is: its ShownLines}; progress(share, stage) is called before each
+stage.)")
+        .def("find", step(&Frame::find))
+        .def("see", step(&Frame::see))
+        .def("filter", step(&Frame::filter))
+        .def("thin", step(&Frame::thin))
+        .def("ink", step(&Frame::ink))
+        .def("picture", step(&Frame::picture))
         .def("passes", &passes, "{name: pixels, or None}; they are handed over, once.")
         .def("thins", &Frame::thins)
-        .def("shown_lines",
-             [](Frame& frame) {
-                 py::gil_scoped_release release;
-                 return std::make_shared<ShownLines>(frame.shown_lines());
-             })
+        .def(
+            "shown_lines",
+            [](Frame& frame) { return without_gil([&] { return std::make_shared<ShownLines>(frame.shown_lines()); }); })
         .def(
             "focus_of_pixels",
             [](Frame& frame) {
-                Array<float> pixels;
-                {
-                    py::gil_scoped_release release;
-                    pixels = frame.focus_of_pixels();
-                }
+                Array<float> pixels = without_gil([&] { return frame.focus_of_pixels(); });
                 return image(pixels, frame.job.view);
             },
             "(H, W) float32 in [0, 1] of what each pixel shows; None: all is in focus.")
         .def(
             "strokes_with",
             [](const Frame& frame, const Arg<float>& shown) {
-                return std::make_shared<Strokes>(frame.strokes_with(borrow<float>(shown, "shown")));
+                const In<float> opacity = borrow<float>(shown, "shown");
+                return without_gil([&] { return std::make_shared<Strokes>(frame.strokes_with(opacity)); });
             },
             py::arg("shown"), "Strokes of which elision leaves (samples,) so much.")
-        .def_property_readonly("focus_function", [](Frame& frame) { return frame.focus_function(); })
         .def(
-            "polylines",
-            [](Frame& frame) {
-                py::gil_scoped_release release;
-                return polylines_of(frame);
+            "seen_beside",
+            [](const Frame& frame, double offset_px) {
+                check(frame.clipped != nullptr, "frame: its lines are not found yet");
+                return to_numpy(without_gil([&] {
+                    return seen_beside(*frame.clipped, *frame.paths, *frame.tracer, offset_px, frame.cancel());
+                }));
             },
+            py::arg("offset_px"),
+            "(samples,) uint8: exactly seen so many pixels to the left of the line; see "
+            "native/fovea/visibility/beside.h.")
+        .def(
+            "polylines", [](Frame& frame) { return without_gil([&] { return polylines_of(frame); }); },
             "Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`.")
         .def(
             "layouts",
@@ -260,12 +212,15 @@ before each stage.)")
                 return depth_layouts(frame, most_side, overlap_px);
             },
             py::arg("most_side"), py::arg("overlap_px") = 0,
-            "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.")
+            "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.");
+}
+
+void bind_members(FrameClass& frame) {
+    frame.def_property_readonly("focus_function", [](Frame& frame) { return frame.focus_function(); })
         .def_property_readonly("scene", [](const Frame& f) { return mutable_pointer(f.job.scene); })
         .def_property_readonly("view", [](const Frame& f) { return f.job.view; })
         .def_property_readonly("options", [](const Frame& f) { return f.job.options; })
         .def_property_readonly("cancel", [](const Frame& f) { return mutable_pointer(f.job.cancel); })
-        .def_property_readonly("tracer", [](const Frame& f) { return mutable_pointer(f.tracer); })
         .def_property_readonly("paths", [](const Frame& f) { return mutable_pointer(f.paths); })
         .def_property_readonly("clipped", [](const Frame& f) { return mutable_pointer(f.clipped); })
         .def_property_readonly("visible", [](const Frame& f) { return mutable_pointer(f.visible); })
@@ -280,11 +235,18 @@ before each stage.)")
         .def_property_readonly("distance", member(&Frame::distance), "(samples,) float32 in [0, 1], 0: near; or None")
         .def_property_readonly("shown", member(&Frame::shown), "(samples,) float32 that elision leaves; or None")
         .def_property_readonly("visibility_in_words", &Frame::visibility_in_words)
-        .def_property_readonly("stages", [](const Frame& f) {
-            py::dict stages;
-            for (const auto& [name, ms] : f.stages) stages[py::str(name)] = ms;
-            return stages;
-        });
+        .def_property_readonly("stages", &stages, "{stage: milliseconds}, in the order in which they ran");
+}
+
+}  // namespace
+
+void bind_draw(py::module_& m) {
+    FrameClass frame(m, "Frame",
+                     "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.");
+    bind_backend(m);
+    bind_parts(m);
+    bind_steps(frame);
+    bind_members(frame);
 }
 
 }  // namespace fovea::bindings

@@ -10,40 +10,24 @@
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/records.h"
+#include "bindings/words.h"
 
 namespace fovea::bindings {
 namespace {
 
-FieldOptions options(const std::string& estimator, int degree, int rings) {
-    static const std::pair<const char*, Estimator> known[] = {
-        {"automatic", Estimator::automatic}, {"jets", Estimator::jets}, {"one_ring", Estimator::one_ring}};
-    for (const auto& [name, value] : known)
-        if (estimator == name) return {.estimator = value, .degree = degree, .rings = rings};
-    check(false, "fields: no estimator is called '" + estimator + "'; there are: automatic, jets, one_ring");
-    return {};
-}
-
 template <typename T, typename Value>
-py::array per_element(std::size_t count, const Value& value) {
+Numpy<T> per_element(std::size_t count, const Value& value) {
     Array<T> column(count);
     for (std::size_t i = 0; i < count; ++i) column[i] = value(i);
     return to_numpy(std::move(column));
 }
 
-py::dict fields(const Surface& surface, const std::string& estimator, int degree, int rings) {
-    std::shared_ptr<const Fields> found;
-    {
-        py::gil_scoped_release release;
-        found = fields_of(surface, options(estimator, degree, rings));
-    }
-    const Array<Curvature>& all = found->curvature;
-    py::dict result;
-    result["feature_size"] = found->feature_size;
-    result["reason"] = found->reason;
-    result["normal"] = per_element<vec3>(all.size(), [&](std::size_t v) { return all[v].normal; });
-    result["k1"] = per_element<float>(all.size(), [&](std::size_t v) { return all[v].k1; });
-    result["k2"] = per_element<float>(all.size(), [&](std::size_t v) { return all[v].k2; });
-    return result;
+/// One member of the curvature at every vertex.
+template <typename T>
+auto curvature(T Curvature::* member) {
+    return [member](const Fields& fields) {
+        return per_element<T>(fields.curvature.size(), [&](std::size_t v) { return fields.curvature[v].*member; });
+    };
 }
 
 struct Pieces {
@@ -58,29 +42,34 @@ auto column(const Value& value) {
     };
 }
 
-Pieces find_curves(const Surface& surface, const std::string& name, const py::dict& given,
+std::shared_ptr<Fields> fields(const Surface& surface, const py::str& estimator, int degree, int rings) {
+    const std::string name = surface.name() + ": estimator";
+    const FieldOptions options{.estimator = value_from<Estimator>(estimator, name), .degree = degree, .rings = rings};
+    return std::const_pointer_cast<Fields>(without_gil([&] { return fields_of(surface, options); }));
+}
+
+Pieces find_curves(const Surface& surface, const std::string& name, const std::map<std::string, double>& given,
                    const std::array<double, 3>& eye, bool orthographic) {
     const LineDefinition& definition = definition_called(name);
     const auto* rule = std::get_if<CurveRule>(&definition.rule);
     check(rule && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
-    const Values values = values_of(definition, Member<style::Parameters>::from(given));
-    py::gil_scoped_release release;
+    const Values values = values_of(definition, style::Parameters(given.begin(), given.end()));
     SurfaceView seen{.surface = surface};
     seen.eye_obj = {eye[0], eye[1], eye[2]};
     seen.orthographic = orthographic;
-    return {rule->find(seen, values)};
+    return without_gil([&] { return Pieces{rule->find(seen, values)}; });
 }
 
 }  // namespace
 
-void bind_field(py::module_& m) {
-    m.def("fields", &fields, py::arg("surface"), py::arg("estimator") = "automatic", py::arg("degree") = 0,
-          py::arg("rings") = 0,
-          R"(Curvature at the vertices, kept with the surface: feature_size, reason (which estimator was taken and why),
-normal (V, 3), k1, k2 (V,) float32, |k1| >= |k2|. estimator: automatic, jets, one_ring; degree and rings of jets, 0 for
-automatic.)");
-
-    py::class_<Pieces>(m, "Curves", "Pieces of curves in triangles, before they are chained.")
+void bind_fields(py::module_& m, SurfaceClass& surface) {
+    py::class_<Fields, std::shared_ptr<Fields>>(m, "Fields", "Curvature at the V vertices of a surface.")
+        .def_property_readonly("normal", curvature(&Curvature::normal), "(V, 3) float32")
+        .def_property_readonly("k1", curvature(&Curvature::k1), "(V,) float32 per object unit, |k1| >= |k2|")
+        .def_property_readonly("k2", curvature(&Curvature::k2), "(V,) float32")
+        .def_readonly("feature_size", &Fields::feature_size, "the length that thresholds are relative to")
+        .def_readonly("reason", &Fields::reason, "which estimator was taken, and why");
+    py::class_<Pieces>(m, "Curves", "P pieces of curves in triangles, before they are chained.")
         .def("__len__", [](const Pieces& p) { return p.curves.size(); })
         .def_property_readonly("triangle", column<Index>([](const CurvePiece& p) { return p.triangle; }), "(P,) uint32")
         .def_property_readonly("start", column<vec3>([](const CurvePiece& p) { return p.point[0]; }),
@@ -88,10 +77,14 @@ automatic.)");
         .def_property_readonly("end", column<vec3>([](const CurvePiece& p) { return p.point[1]; }),
                                "(P, 3) float32, object space");
 
-    m.def(
-        "find_curves", &find_curves, py::arg("surface"), py::arg("definition"), py::arg("parameters") = py::dict(),
+    surface.def(
+        "fields", &fields, py::arg("estimator") = "automatic", py::arg("degree") = 0, py::arg("rings") = 0,
+        R"(Fields by an estimator: automatic, jets, one_ring; degree and rings of jets, 0: automatic. Kept with the
+surface.)");
+    surface.def(
+        "find_curves", &find_curves, py::arg("definition"), py::arg("parameters") = std::map<std::string, double>(),
         py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
-        R"(What a definition finds across the triangles of a surface alone, before chaining. eye: in object space; for an
+        R"(Curves that a definition finds across the triangles of this surface alone. eye: in object space; for an
 orthographic view the direction towards the viewer.)");
 }
 

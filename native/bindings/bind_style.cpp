@@ -113,13 +113,13 @@ style::Style read(const std::string& json, std::vector<std::string> textures, st
     return style::read_style(json, &shipped);
 }
 
-py::tuple pens(const style::Style& style) {
+std::vector<style::Pen> pens(const style::Style& style) {
     const std::vector<style::PenPair> pairs = style.pen_pairs();
     std::vector<style::Pen> all;
     for (const style::PenPair& pair : pairs) all.push_back(*pair.pen);
     for (const style::PenPair& pair : pairs)
         if (pair.away) all.push_back(*pair.away);
-    return Member<std::vector<style::Pen>>::to(all);
+    return all;
 }
 
 }  // namespace

@@ -4,20 +4,15 @@
 
 PYBIND11_MODULE(_native, m) {
     using namespace fovea::bindings;
-    m.doc() = "Fovea's core: lines on surfaces, their visibility and strokes, as numpy arrays.";
+    m.doc() = "Fovea's core: drawings of scenes, and what they are made of, as numpy arrays.";
     bind_base(m);
     bind_mesh(m);
-    bind_field(m);
-    bind_line(m);
-    bind_stages(m);
+    bind_paths(m);
+    bind_scene(m);
     bind_focus(m);
-    bind_sampled(m);
-    bind_filters(m);
-    bind_compaction(m);
+    bind_depth(m);
     bind_elision(m);
-    bind_in_time(m);
     bind_stroke(m);
-    bind_spine(m);
     bind_color(m);
     bind_style(m);
     bind_draw(m);

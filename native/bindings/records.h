@@ -90,8 +90,21 @@ struct Member<std::vector<std::pair<std::string, T>>> {
     }
 };
 
-[[noreturn]] inline void refuse_member(const char* name, const py::handle& given) {
-    throw py::type_error(std::string(name) + " cannot be " + std::string(py::str(py::repr(given))));
+/// A member from what Python gives for it; `name` is what it is called where it cannot be that.
+template <typename V>
+V value_from(const py::handle& given, const std::string& name) {
+    try {
+        return Member<V>::from(given);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(name + " " + error.what());
+    } catch (const py::cast_error&) {
+        throw py::type_error(name + " cannot be " + std::string(py::str(py::repr(given))));
+    }
+}
+
+template <typename V>
+py::object value_to(const V& value) {
+    return Member<V>::to(value);
 }
 
 /// A record with some of its members set.
@@ -100,13 +113,7 @@ S with(S record, const py::kwargs& given) {
     std::size_t known = 0;
     style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
         if (!given.contains(field.name)) return;
-        try {
-            record.*field.member = Member<V>::from(given[field.name]);
-        } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument(std::string(field.name) + " " + error.what());
-        } catch (const py::cast_error&) {
-            refuse_member(field.name, given[field.name]);
-        }
+        record.*field.member = value_from<V>(given[field.name], field.name);
         ++known;
     });
     if (known < given.size())
@@ -129,7 +136,7 @@ py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
     bound.def("__repr__", [name](const S& record) {
         std::string text;
         style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
-            const py::object value = Member<V>::to(record.*field.member);
+            const py::object value = value_to(record.*field.member);
             text += (text.empty() ? "" : ", ") + std::string(field.name) + "=" + std::string(py::str(py::repr(value)));
         });
         return std::string(name) + "(" + text + ")";
@@ -137,7 +144,7 @@ py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
     bound.def("__hash__", [](const py::object& record) { return py::hash(py::repr(record)); });
     style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
         bound.def_property_readonly(field.name,
-                                    [member = field.member](const S& record) { return Member<V>::to(record.*member); });
+                                    [member = field.member](const S& record) { return value_to(record.*member); });
     });
     return bound;
 }

@@ -15,8 +15,15 @@ def surface(positions, polygons, name="Mesh"):
     """A native Surface of polygons given by their vertices."""
     corners = np.concatenate(polygons).astype(np.int32)
     offsets = np.cumsum([0, *map(len, polygons)], dtype=np.int32)
-    edges, corner_edges = core.polygon_edges(offsets, corners)
-    return core.Surface(name, np.array(positions, np.float32), edges, corners, corner_edges, offsets)
+    edges = core.PolygonEdges(offsets, corners)
+    mesh = core.Mesh(
+        positions=np.array(positions, np.float32),
+        edge_verts=edges.edge_verts,
+        corner_verts=corners,
+        corner_edges=edges.corner_edges,
+        polygon_offsets=offsets,
+    )
+    return core.Surface(name, mesh)
 
 
 def box(half=(1.0, 1.0, 1.0)):
@@ -64,7 +71,7 @@ def scene_of(placed, usage=None):
     surfaces = list(dict.fromkeys(surface for surface, _ in placed))
     numbers = np.array([surfaces.index(surface) for surface, _ in placed], np.int32)
     matrices = np.array([matrix for _, matrix in placed], np.float64).reshape(-1, 4, 4)
-    usage = np.full(len(placed), core.DRAW | core.OCCLUDE, np.uint8) if usage is None else np.array(usage, np.uint8)
+    usage = np.array([core.Usage.DRAW | core.Usage.OCCLUDE] * len(placed) if usage is None else usage, np.uint8)
     return core.Scene(surfaces, numbers, matrices, np.arange(1, len(placed) + 1, dtype=np.uint64), usage)
 
 
@@ -106,6 +113,8 @@ def frame_of(scene, view, line_style=None, *, backend=None, **options):
     return frame
 
 
-def exact_runs(frame):
-    """Visible Runs of a Frame's lines, by rays."""
-    return core.exact_visibility(frame.clipped, frame.paths, frame.tracer)
+def exact_samples(scene, view, line_style=None):
+    """(samples,) float32 of the same Frame, by rays."""
+    frame = frame_of(scene, view, line_style, visibility="exact")
+    frame.see()
+    return frame.visible.samples(frame.clipped)

@@ -14,13 +14,21 @@ ARRAYS = "positions edge_verts corner_verts corner_edges polygon_offsets ngon_tr
 ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks"]
 
 
+class RecordedMesh(NATIVE.Mesh):
+    """Keeps what it was made of; None: nothing was given."""
+
+    def __init__(self, **arrays):
+        super().__init__(**arrays)
+        self.arrays = dict.fromkeys(ARRAYS) | {k: a if a is None else a.copy() for k, a in arrays.items()}
+
+
 class RecordedSurface(SimpleNamespace):
     """Keeps what a native surface was made of."""
 
     triangles, fields_reason = (), ""  # by which memory is reckoned
 
-    def __init__(self, name, *arrays):
-        super().__init__(name=name, **{k: None if a is None else a.copy() for k, a in zip(ARRAYS, arrays)})
+    def __init__(self, name, mesh):
+        super().__init__(name=name, **mesh.arrays)
 
     def set_field_options(self, *options):
         self.field_options = options
@@ -30,7 +38,10 @@ class RecordedSurface(SimpleNamespace):
 
 
 RECORDING = SimpleNamespace(
-    Surface=RecordedSurface, RefinedSurface=NATIVE.RefinedSurface, content_hash=NATIVE.content_hash
+    Mesh=RecordedMesh,
+    Surface=RecordedSurface,
+    RefinedSurface=NATIVE.RefinedSurface,
+    content_hash=NATIVE.content_hash,
 )
 
 

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import ball, box, core, cpu, exact_runs, frame_of, moved, room, scene_of, view_of
+from native_frames import ball, box, core, cpu, exact_samples, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 
@@ -38,7 +38,7 @@ def test_the_same_in_tiles_and_batches(batch_samples):
 
 def agreement(scale, layers):
     seen = frame(scale, layers, view_of(960, 600))
-    exact = core.samples_from_runs(seen.clipped, exact_runs(seen)) >= 0.5
+    exact = exact_samples(room(), view_of(960, 600)) >= 0.5
     return np.mean((cpu.Backend().visibility(seen) >= 0.5) == exact)
 
 
@@ -51,8 +51,8 @@ def test_more_layers_and_texels_come_nearer_to_exact():
 def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
     """Edges of a box that are seen past a ball, away from where it begins to hide them."""
     scene = scene_of([(box((2, 0.8, 1.5)), moved((0, 1.5, 0))), (ball(), moved((0, -2, 0)))])
-    seen = frame(scale, layers, view_of(480, 300, eye=(1, -8, 2)), scene)
-    exact = core.samples_from_runs(seen.clipped, exact_runs(seen))
+    view = view_of(480, 300, eye=(1, -8, 2))
+    seen, exact = frame(scale, layers, view, scene), exact_samples(scene, view)
     value = cpu.Backend().visibility(seen)
     edges = np.zeros(len(exact), bool)
     for start, count in zip(seen.clipped.sample_start, seen.clipped.sample_count, strict=True):
@@ -65,7 +65,7 @@ def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
 @pytest.mark.gpu
 @pytest.mark.parametrize("backend", [cpu.Backend, lambda: part("backend.gpu").Backend()])
 def test_lines_without_occluders_that_do_not_cross_are_all_seen(backend):
-    scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW])
+    scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.Usage.DRAW])
     seen = frame(*HIGH, view_of(480, 300), scene)
     assert np.mean(backend().visibility(seen) == 1) > 0.99
 

@@ -64,9 +64,9 @@ def test_what_lies_behind_is_drawn_nowhere():
 
 
 def test_without_occluders_it_is_every_line_in_full():
-    scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW])
+    scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.Usage.DRAW])
     frame = frame_of(scene, view_of(), bare(), visibility="spine")
     frame.ink()
     seen = cpu.Backend().draw(frame)
     assert seen[..., 3].max() > 0.9
-    np.testing.assert_array_equal(seen, core.raster(frame.strokes, frame.pens, frame.textures, 320, 200))
+    np.testing.assert_array_equal(seen, frame.strokes.raster(frame.pens, frame.textures, 320, 200))

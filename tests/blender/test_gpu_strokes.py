@@ -3,8 +3,10 @@
 
 import numpy as np
 import pytest
-from native_frames import core, cpu, exact_runs, frame_of, hills, pipeline, room, scene_of, style, view_of
+from native_frames import core, cpu, frame_of, hills, pipeline, room, scene_of, style, view_of
 from the_addon import part
+
+focus, stages = part("focus"), part("stages")
 
 pytestmark = pytest.mark.gpu
 
@@ -56,7 +58,7 @@ def test_caps_and_textures(cap, textured):
     for number in range(2):
         stroke = straight(number)
         drawn = on_gpu(stroke, pens, textures, view)
-        np.testing.assert_allclose(drawn, core.raster(stroke, pens, textures, 160, 100), atol=0.01)
+        np.testing.assert_allclose(drawn, stroke.raster(pens, textures, 160, 100), atol=0.01)
         assert 0.5 < drawn[..., 3].max() <= 0.8001
 
 
@@ -70,7 +72,7 @@ def test_textures_anchored_to_the_path(path_px):
     for anchor in ("screen", "path"):
         pens = [core.Pen(), core.Pen(**stretch, texture_anchor=anchor)]
         drawn[anchor] = on_gpu(stroke, pens, textures, view_of(160, 100))
-        np.testing.assert_allclose(drawn[anchor], core.raster(stroke, pens, textures, 160, 100), atol=0.01)
+        np.testing.assert_allclose(drawn[anchor], stroke.raster(pens, textures, 160, 100), atol=0.01)
     # Eight repetitions of 31 pixels are the one case in which both are the same.
     assert (np.abs(drawn["path"] - drawn["screen"]).max() < 0.01) == (path_px == 248.0)
 
@@ -89,24 +91,28 @@ def test_later_strokes_lie_over_earlier_ones():
     )
     view = view_of(160, 100)
     drawn = on_gpu(both, pens, [], view)
-    np.testing.assert_allclose(drawn, core.raster(both, pens, [], 160, 100), atol=0.01)
+    np.testing.assert_allclose(drawn, both.raster(pens, [], 160, 100), atol=0.01)
     crossed = drawn[(drawn[..., 0] > 0.3) & (drawn[..., 2] > 0.3)]
     assert len(crossed) > 4 and np.allclose(np.median(crossed, 0), (0.48, 0, 0.4, 0.88), atol=0.01)
+
+
+def on_both(scene, chosen):
+    """(200, 320, 4) of a Frame's strokes in a Style by the gpu, how far they are from the cpu's at each pixel, and the
+    strokes."""
+    frame = frame_of(scene, view_of(320, 200), chosen, visibility="exact")
+    frame.ink()
+    drawn = part("backend.gpu").Backend().draw(frame)
+    return drawn, np.abs(drawn - cpu.Backend().draw(frame)).max(axis=2), frame.strokes
 
 
 def test_strokes_that_thin_and_fade_with_strength():
     """Lines of a hilly surface whose strength varies, by pens that use it in every way."""
     kinds = {"suggestive_contour": {}, "suggestive_highlight": {}, "ridge": {}}
-    chosen, view = style.Style(line_sets=(style.LineSet(kinds=kinds, least_length=0),)), view_of(320, 200)
-    frame = frame_of(scene_of([(hills(), np.eye(4))]), view, chosen)
-    visible = exact_runs(frame)
-    first_pen = np.zeros(len(visible), np.uint32)
     pictures = []
     for share in (0.0, 0.5, 1.0):
-        pens = [core.Pen(width_px=7.0, strength_width=share)]
-        strokes = core.tessellate(frame.clipped, visible, first_pen, frame.paths.strength, pens)
-        drawn = on_gpu(strokes, pens, [], view)
-        off = np.abs(drawn - core.raster(strokes, pens, [], 320, 200)).max(axis=2)
+        pen = stages.Pen(width=7.0, strength_width=share)
+        chosen = style.Style(line_sets=(style.LineSet(kinds=kinds, least_length=0, pen=pen),))
+        drawn, off, strokes = on_both(scene_of([(hills(), np.eye(4))]), chosen)
         # Where a wide stroke folds, either may give single pixels to the neighbouring triangle.
         assert off.mean() < 1e-4 and (off > 0.02).sum() <= 4 and off.max() < 0.1
         assert np.ptp(strokes.half_width) > 1 if share else np.ptp(strokes.half_width) == 0
@@ -117,24 +123,12 @@ def test_strokes_that_thin_and_fade_with_strength():
 
 def test_strokes_on_their_way_out_of_focus():
     """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
-    chosen, view = (
-        style.Style(line_sets=(style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0),)),
-        view_of(320, 200),
-    )
-    frame = frame_of(room(), view, chosen)
-    ink = np.random.default_rng(2).uniform(0.2, 1, (5, 40)).astype(np.float32)
-    textures = [core.PenTexture(ink)]
-    pens = [
-        core.Pen(color=(1, 0, 0), width_px=5, away=1),
-        core.Pen(color=(0, 0, 1), width_px=2, opacity=0.5, texture=0, texture_length_px=31),
-    ]
-    focus = core.Focus(False, [(100, 100, 0, 20, 150)])
-    visible, falloff = exact_runs(frame), core.focus_of_samples(frame.clipped, focus)
-    first_pen = np.zeros(len(visible), np.uint32)
-    strokes = core.tessellate(frame.clipped, visible, first_pen, frame.paths.strength, pens, focus=falloff)
+    pen = stages.Pen(color=(1, 0, 0), width=5)
+    away = stages.Pen(color=(0, 0, 1), width=2, opacity=0.5, texture="pencil")
+    lines = style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0, pen=pen, pen_away=away)
+    look = focus.Focus("image", (focus.Point((100 / 320, 0.5, 0.0), 0.1, 0.75),))
+    drawn, off, strokes = on_both(room(), style.Style(line_sets=(lines,), focus=look))
     assert np.ptp(strokes.mix) > 0.9 and np.ptp(strokes.half_width) > 1
-    drawn = on_gpu(strokes, pens, textures, view)
-    off = np.abs(drawn - core.raster(strokes, pens, textures, 320, 200)).max(axis=2)
     assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
     assert drawn[..., 0].max() > 0.9 and drawn[..., 2].max() > 0.3
 

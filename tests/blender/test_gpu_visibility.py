@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import box, core, cpu, exact_runs, frame_of, moved, room, scene_of, view_of
+from native_frames import box, core, cpu, exact_samples, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
@@ -23,8 +23,8 @@ def both(frame):
 @pytest.mark.parametrize("scale", [1, 2])
 def test_depth(orthographic, scale):
     scene, view = room(), view_of(orthographic=orthographic)
-    texels = core.draw_depth(scene, view, scale).texels
-    target = gpu_backend().draw_depth(scene, view, core.DepthLayout(view, scale))
+    layout = core.DepthLayout(view, scale)
+    texels, target = core.SceneDepth(scene, view, layout).texels, gpu_backend().draw_depth(scene, view, layout)
     drawn, edges = target.read(4), target.read(2, slot=1)
     assert drawn.shape[:2] == texels.shape
     facets = np.where(texels["facet"] == NEITHER, -1, texels["facet"].astype(np.int64))
@@ -67,7 +67,7 @@ def test_visibility(orthographic, scale, probes):
 
 def test_agrees_with_exact_visibility():
     frame = frame_of(room(), view_of(960, 600))
-    exact = core.samples_from_runs(frame.clipped, exact_runs(frame))
+    exact = exact_samples(room(), view_of(960, 600))
     assert np.mean((gpu_backend().visibility(frame) >= 0.5) == (exact >= 0.5)) > 0.97
 
 
@@ -78,7 +78,7 @@ def test_paths_longer_than_a_row_and_many_batches():
     backend = gpu_backend()
     whole = backend.visibility(frame)
     backend.batch_samples = 3000
-    assert len(core.atlas_batches(frame.clipped, 3000)) > 20
+    assert len(core.AtlasBatch.of(frame.clipped, 3000)) > 20
     np.testing.assert_array_equal(backend.visibility(frame), whole)
     assert np.mean(whole == cpu.Backend().visibility(frame)) > 0.999
 
@@ -124,7 +124,7 @@ def test_tiles_need_room(make):
 
 
 def test_lines_without_occluders():
-    frame = frame_of(scene_of([(box(), moved((0, 0, 0)))], usage=[core.DRAW]), view_of())
+    frame = frame_of(scene_of([(box(), moved((0, 0, 0)))], usage=[core.Usage.DRAW]), view_of())
     assert frame.clipped.samples > 0 and np.all(gpu_backend().visibility(frame) == 1)
 
 

@@ -6,7 +6,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from native_frames import ball, box, core, cpu, exact_runs, frame_of, moved, scene_of, style, view_of
+from native_frames import ball, box, cpu, exact_samples, frame_of, moved, scene_of, style, view_of
 from pictures import box_scene, drawn, ink
 from the_addon import only_lines, part
 
@@ -59,9 +59,9 @@ def test_nothing_hides_them_on_either_backend(orthographic):
     scene = scene_of([(box(), moved((0, 0, 0))), (ball(), moved((1.2, -1.5, 0.3), scale=0.8))])
     kinds = {name: {} for name in DEFINITIONS}
     lines = style.Style(line_sets=(style.LineSet(kinds=kinds),))
-    frame = frame_of(scene, view_of(orthographic=orthographic), lines)
+    view = view_of(orthographic=orthographic)
+    frame = frame_of(scene, view, lines)
     assert frame.clipped.samples > 200 and (frame.paths.placement == 0xFFFFFFFF).all()
     for backend in (part("backend.gpu").Backend(), cpu.Backend()):
         np.testing.assert_array_equal(backend.visibility(frame), 1.0)
-    exact = core.samples_from_runs(frame.clipped, exact_runs(frame))
-    np.testing.assert_allclose(exact, 1.0, atol=1e-5)
+    np.testing.assert_allclose(exact_samples(scene, view, lines), 1.0, atol=1e-5)

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from native_frames import core, exact_runs, frame_of, room, style, view_of
+from native_frames import exact_samples, frame_of, room, style, view_of
 from pictures import SIZE, drawn, ink
 from test_gpu_visibility import both
 from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, only_lines, use_style
@@ -68,9 +68,10 @@ def test_it_moves_with_the_box(scene, tmp_path):
 @pytest.mark.parametrize("orthographic", [False, True])
 def test_sampled_visibility(orthographic):
     lines = style.Style(line_sets=(style.LineSet(kinds={"intersection": {}}),))
-    frame = frame_of(room(), view_of(960, 600, orthographic), lines)
+    view = view_of(960, 600, orthographic)
+    frame = frame_of(room(), view, lines)
     on_gpu, on_cpu = both(frame)
-    exact = core.samples_from_runs(frame.clipped, exact_runs(frame))
+    exact = exact_samples(room(), view, lines)
     assert 0.05 < np.mean(exact) < 0.5
     assert np.mean(on_gpu == on_cpu) > 0.999
     assert np.mean((on_gpu >= 0.5) == (exact >= 0.5)) > 0.97

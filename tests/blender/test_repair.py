@@ -38,7 +38,7 @@ def test_welded_and_oriented():
     obj.fovea.repair_weld, obj.fovea.repair_orient = 1e-3, True
     cache = new_cache(NATIVE)
     surface = only_surface(cache)
-    assert surface.mesh_edges == 12 and surface.report["inconsistent_edges"] == 0
+    assert surface.mesh_edges == 12 and surface.report.inconsistent_edges == 0
     assert cache.remarks == ["'Torn': 16 vertices were joined to others; 2 faces were turned around"]
     assert only_surface(cache) is surface and cache.remarks == []
 

@@ -220,6 +220,23 @@ TEST(Elision, RowsOfTheAtlasAreNoBorders) {
     }
 }
 
+TEST(Elision, WhatNoRunsLieOnIsNotAskedHowWideItWantsToBe) {
+    Sheet sheet;
+    sheet.line({{20, 60}, {180, 60}});
+    sheet.line({{20, 66}, {180, 66}});
+    sheet.line({{20, 63}, {180, 63}});
+    sheet.runs.piece.pop_back();
+    sheet.runs.start_px.pop_back();
+    sheet.runs.end_px.pop_back();
+    sheet.runs.invisibility.pop_back();
+    std::vector<float> wide(sheet.clipped.samples, 4.0f), none = wide;
+    std::fill(none.begin() + sheet.clipped.sample_start[4], none.end(), 0.0f);
+    const Array<float> found = sheet.scores(sheet.own(wide));
+    EXPECT_EQ(found, sheet.scores(sheet.own(none)));
+    EXPECT_LT(std::ranges::min(sheet.of(1, found)), 1.0f);
+    for (const float score : sheet.of(2, found)) EXPECT_EQ(score, 1.0f);
+}
+
 TEST(Elision, WidthsVaryAlongTheLine) {
     Sheet sheet = two_lines(0.0, 6.0, 4.0f);
     std::vector<float> half_widths(sheet.clipped.samples);

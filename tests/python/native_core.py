@@ -2,23 +2,21 @@
 """The native module under plain Python, and the whole way from a mesh's arrays to a picture."""
 
 import hashlib
+import json
 from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
 
+from addon import native
 
-def load():
-    """The staged add-on's module, or one on the path."""
-    try:
-        from addon import native
+if native.problem():
+    pytest.skip("the native module is not built", allow_module_level=True)
 
-        return native.load()
-    except (ImportError, RuntimeError):
-        return pytest.importorskip("_native", reason="the native module is not built")
+from addon import pipeline, style
+from addon.backend import cpu
 
-
-core = load()
+core = native.load()
 SIZE = (96, 64)
 ALL_LINES = {d["name"]: {} for d in core.line_definitions()}
 
@@ -31,19 +29,29 @@ class Mesh:
     positions: np.ndarray
     polygons: list
     loose: list = field(default_factory=list)  # edges without polygons
-    extra: dict = field(default_factory=dict)  # optional arguments of Surface
+    extra: dict = field(default_factory=dict)  # optional arguments of the native Mesh
 
     def arrays(self):
-        """The arguments of Surface."""
+        """The arguments of the native Mesh."""
         verts = np.array([v for polygon in self.polygons for v in polygon], np.int32)
         offsets = np.cumsum([0, *map(len, self.polygons)], dtype=np.int32)
-        edges, corner_edges = core.polygon_edges(offsets, verts)
-        edges = np.concatenate([edges, np.array(self.loose, np.int32).reshape(-1, 2)])
+        found = core.PolygonEdges(offsets, verts)
+        edges = np.concatenate([found.edge_verts, np.array(self.loose, np.int32).reshape(-1, 2)])
         arrays = {"positions": np.asarray(self.positions, np.float32).reshape(-1, 3), "edge_verts": edges}
-        return arrays | {"corner_verts": verts, "corner_edges": corner_edges, "polygon_offsets": offsets} | self.extra
+        arrays |= {"corner_verts": verts, "corner_edges": found.corner_edges, "polygon_offsets": offsets}
+        return arrays | self.extra
 
     def surface(self):
-        return core.Surface(self.name, **self.arrays())
+        return surface(self.name, self.arrays())
+
+
+def surface(name, arrays):
+    return core.Surface(name, core.Mesh(**arrays))
+
+
+def counts(report):
+    """{what: number} of a native report."""
+    return {name: getattr(report, name) for name in dir(report) if not name.startswith("_")}
 
 
 def box(low=(-1, -1, -1), high=(1, 1, 1)):
@@ -92,7 +100,7 @@ def scene(surfaces, matrices=None, usage=None):
     """One placement per surface."""
     count = len(surfaces)
     matrices = np.array([np.eye(4)] * count if matrices is None else matrices, float).reshape(count, 4, 4)
-    usage = np.full(count, core.DRAW | core.OCCLUDE, np.uint8) if usage is None else np.array(usage, np.uint8)
+    usage = np.array([core.Usage.DRAW | core.Usage.OCCLUDE] * count if usage is None else usage, np.uint8)
     return core.Scene(surfaces, np.arange(count, dtype=np.int32), matrices, np.arange(count, dtype=np.uint64), usage)
 
 
@@ -101,38 +109,31 @@ def members(stage, owner, names):
     return {f"{stage}.{name}": getattr(owner, name) for name in names.split()}
 
 
-def draw(placed, seen, line_sets=((ALL_LINES, 60.0),), size=SIZE):
-    """Every stage's arrays by name."""
-    tracer = core.Tracer(placed, seen)
-    paths = core.extract_paths(tracer, list(line_sets))
-    clipped = core.project(paths, tracer, 2.0)
-    runs = core.exact_visibility(clipped, paths, tracer)
-    closed = core.close_gaps(clipped, runs, 2.0, np.ones(len(paths), np.float32))
-    trimmed = core.trim_folds(clipped, closed, paths, 8.0)
-    pens = [core.Pen(width_px=3.0, opacity=0.8, taper_px=4.0)]
-    haloed = core.halo(clipped, trimmed, paths, np.full(len(paths), 2.5, np.float32))
-    met = core.meet_ends(clipped, haloed, paths, 8.0)
-    shot = core.overshoot(clipped, met, np.full(len(paths), 1.5, np.float32))
-    parts = core.with_hidden(clipped, shot, paths)
-    compact = core.compact(clipped, paths, parts)
-    ranges = np.array([(i, 0, 9, 0) for i in range(len(line_sets))], np.uint32)
-    pen_of_part = core.pens_of_runs(clipped, parts, paths.line_set, ranges)
-    strokes = core.tessellate(clipped, parts, pen_of_part, paths.strength, pens)
-    arrays = members("paths", paths, "offsets points_obj place kinds closed ids")
-    arrays |= members("clipped", clipped, "offsets path px depth position_view arc_px sample_start sample_count")
-    stages = {"runs": runs, "closed": closed, "trimmed": trimmed, "haloed": haloed, "shot": shot, "parts": parts}
-    for stage, visible in stages.items():
-        arrays |= members(stage, visible, "piece start_px end_px invisibility")
-    names = (
-        "offsets path_id path piece start_px end_px invisibility line_set closed px position_view arc_px strength kinds"
-    )
-    arrays |= members("compact", compact, names)
-    arrays |= members("strokes", strokes, "px arc half_width opacity triangles")
-    arrays["samples"] = core.samples_from_runs(clipped, runs)
-    arrays["image"] = core.raster(strokes, pens, [], *size)
-    arrays["depth_image"] = core.depth_image(tracer)
-    arrays["holdout_image"] = core.holdout_image(tracer)
-    return arrays
+def frame(placed, seen, line_sets=((ALL_LINES, 60.0),), *, notes=None, cancel=None, **options):
+    """A native Frame of line sets, pairs of {definition: {parameter: value}} and the angle of corners, each with haloes,
+    overshoot, and pens for what is visible and what is hidden."""
+    pen = {"width": 3.0, "opacity": 0.8, "taper": 4.0}
+    common = {"least_length": 0.0, "halo": 2.5, "overshoot": 1.5, "pen": pen, "hidden": [{"pen": pen}]}
+    sets = [{"kinds": kinds, "corner_angle": angle, **common} for kinds, angle in line_sets]
+    chosen = style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": sets}))
+    beside = {"notes": notes} if notes else {}
+    return pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), cancel=cancel, **beside)
+
+
+def draw(placed, seen, line_sets=((ALL_LINES, 60.0),)):
+    """Every array of a Frame, by the names of its members."""
+    made = frame(placed, seen, line_sets, with_depth=True)
+    made.picture()
+    arrays = members("paths", made.paths, "offsets points_obj place kinds closed ids")
+    arrays |= members("clipped", made.clipped, "offsets path px depth position_view arc_px sample_start sample_count")
+    for stage in ("visible", "runs", "drawn"):
+        arrays |= members(stage, getattr(made, stage), "piece start_px end_px invisibility")
+    names = "offsets path_id path piece start_px end_px invisibility line_set closed pen shown px position_view arc_px"
+    arrays |= members("polylines", made.polylines(), names + " strength kinds")
+    arrays |= members("strokes", made.strokes, "px arc half_width opacity triangles")
+    arrays["samples"] = made.visible.samples(made.clipped)
+    passes = {name: pixels for name, pixels in made.passes().items() if pixels is not None}
+    return arrays | {f"passes.{name}": pixels for name, pixels in passes.items()}
 
 
 def digest(arrays):

@@ -37,14 +37,12 @@ def test_distance_is_to_changes_of_the_same_piece():
 
 
 def test_shares_by_how_far_changes_are():
-    frame = SimpleNamespace(clipped=clipped(), paths=None, tracer=None)
     exact = np.zeros(16, np.float32)
     exact[[2, 3, 4]] = 1, 1, 0.25
-    core = SimpleNamespace(
-        samples_from_runs=lambda *_: exact,
-        seen_beside=lambda *_: (exact >= 0.5).astype(np.uint8) * (np.arange(16) != 2),
-    )
-    truth = quality.Truth(core, frame, runs([0], [-6.0], [-1.5]))
+    visible = runs([0], [-6.0], [-1.5])
+    visible.samples = lambda _: exact
+    beside = (exact >= 0.5).astype(np.uint8) * (np.arange(16) != 2)
+    truth = quality.Truth(SimpleNamespace(clipped=clipped(), visible=visible, seen_beside=lambda _: beside))
     assert truth.far["path"].tolist() == [True, False, False, True, True, True, True, True, True]
     assert truth.far["image"].tolist() == [False, False, False, True, True, True, True, True, True]
     looked = exact.copy()

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from broken_meshes import broken_matrix, broken_mesh
-from native_core import ALL_LINES, SIZE, Mesh, box, core, draw, scene, sphere, view
+from native_core import ALL_LINES, SIZE, Mesh, box, core, counts, draw, scene, sphere, surface, view
 
 SEEDS, PER_TEST = 500, 25
 LINE_SETS = [({"contour": {}, "silhouette": {}}, 60.0), (ALL_LINES, 30.0), ({"crease": {"angle": 0.0}}, 180.0)]
@@ -33,7 +33,7 @@ def without_normal(arrays):
 
 
 def check_surface(surface, arrays):
-    report = surface.report
+    report = counts(surface.report)
     assert expected_report(arrays).items() <= report.items()
     assert report["degenerate_polygons"] >= without_normal(arrays)
     assert report["degenerate_polygons"] + report["duplicate_polygons"] <= surface.polygon_count
@@ -47,15 +47,15 @@ def check_drawing(arrays):
     for name, array in arrays.items():
         if array.dtype.kind == "f" and name != "strokes.arc":  # arcs of closed strokes have ends at 1e9
             assert np.isfinite(array).all(), name
-    for stage in ("runs", "closed", "trimmed"):
+    for stage in ("visible", "runs", "drawn"):
         assert (arrays[f"{stage}.start_px"] < arrays[f"{stage}.end_px"]).all(), stage
     assert (abs(arrays["clipped.px"] - np.array(SIZE) / 2) <= 0.551 * np.array(SIZE) + 0.01).all()
     assert (arrays["clipped.position_view"][:, 2] < 0).all()
     assert len(np.unique(arrays["paths.ids"])) == len(arrays["paths.ids"])
     if len(arrays["strokes.triangles"]):
         assert arrays["strokes.triangles"].max() < len(arrays["strokes.px"])
-    image = arrays["image"]
-    assert image.min() >= 0 and image.max() <= 1
+    lines = arrays["passes.lines"]
+    assert lines.min() >= 0 and lines.max() <= 1
 
 
 @pytest.mark.parametrize("first", range(0, SEEDS, PER_TEST))
@@ -65,16 +65,16 @@ def test_random_broken_meshes(first):
         mesh, rng = broken_mesh(seed)
         arrays = mesh.arrays()
         try:
-            surface = core.Surface(mesh.name, **arrays)
-            check_surface(surface, arrays)
-            others = [surface, box().surface(), sphere(4).surface()]
+            broken = surface(mesh.name, arrays)
+            check_surface(broken, arrays)
+            others = [broken, box().surface(), sphere(4).surface()]
             matrices = [broken_matrix(rng) for _ in others]
             placed = scene(others, matrices, rng.integers(0, 8, 3))
             result = draw(placed, camera(rng, placed), LINE_SETS)
             check_drawing(result)
         except BaseException as error:
             raise AssertionError(f"seed {seed}: {mesh.name}") from error
-        drawn += len(result["runs.piece"])
+        drawn += len(result["visible.piece"])
     assert drawn > 0
 
 
@@ -95,38 +95,41 @@ def test_broken_meshes_are_repaired_into_meshes_that_draw(first):
         size = float(np.ptp(finite, axis=0).max()) if len(finite) else 1.0
         try:
             options = spoiled_repair(rng, size if np.isfinite(size) else 1.0)
-            whole, report = core.repaired(mesh.name, **arrays, **options)
-            surface = core.Surface(mesh.name, *whole)
+            repaired = core.RepairedMesh(mesh.name, core.Mesh(**arrays), **options)
+            whole = core.Surface(mesh.name, repaired.mesh)
         except BaseException as error:
             raise AssertionError(f"seed {seed}: {mesh.name}") from error
-        assert surface.polygon_count <= 4 * len(arrays["corner_verts"]) + len(arrays["polygon_offsets"])
-        assert report["turned_polygons"] <= len(arrays["polygon_offsets"]) - 1
+        assert whole.polygon_count <= 4 * len(arrays["corner_verts"]) + len(arrays["polygon_offsets"])
+        assert repaired.report.turned_polygons <= len(arrays["polygon_offsets"]) - 1
 
 
 def test_polygons_without_corners_are_oriented_with_the_others():
     """However many there are; what has corners is turned as it is without them."""
+
+    def oriented(mesh):
+        return core.RepairedMesh(mesh.name, core.Mesh(**mesh.arrays()), orient=True)
+
     mesh = box()
     mesh.polygons[2] = mesh.polygons[2][::-1]
-    alone, report = core.repaired("box", **mesh.arrays(), orient=True)
+    alone = oriented(mesh)
     mesh.polygons = [(), *mesh.polygons[:3], (), (), *mesh.polygons[3:], ()]
-    beside, report_beside = core.repaired("box", **mesh.arrays(), orient=True)
-    assert report_beside == report and report["turned_polygons"] == 1
-    assert np.array_equal(beside[2], alone[2])
-    alone = Mesh("empty", np.zeros((1, 3)), [()])
-    assert core.repaired("empty", **alone.arrays(), orient=True)[1]["turned_polygons"] == 0
+    beside = oriented(mesh)
+    assert counts(beside.report) == counts(alone.report) and alone.report.turned_polygons == 1
+    assert np.array_equal(*(core.Surface("box", each.mesh).triangles for each in (beside, alone)))
+    assert oriented(Mesh("empty", np.zeros((1, 3)), [()])).report.turned_polygons == 0
 
 
 @pytest.mark.parametrize("seed", range(40))
 def test_moved_vertices_equal_a_fresh_surface(seed):
     mesh, rng = broken_mesh(seed)
     arrays = mesh.arrays()
-    moved = core.Surface("moved", **arrays)
+    moved = surface("moved", arrays)
     positions = (arrays["positions"] + rng.normal(size=arrays["positions"].shape)).astype(np.float32)
     if len(positions):
         positions[rng.integers(len(positions))] = np.nan
     moved.set_positions(positions)
-    fresh = core.Surface("fresh", **arrays | {"positions": positions})
-    assert moved.report == fresh.report
+    fresh = surface("fresh", arrays | {"positions": positions})
+    assert counts(moved.report) == counts(fresh.report)
     for name in ("positions", "triangles", "triangle_facet", "edges"):
         assert np.array_equal(getattr(moved, name), getattr(fresh, name), equal_nan=name == "positions"), name
     with pytest.raises(ValueError, match="moved"):
@@ -163,7 +166,7 @@ def test_broken_topology_is_refused_by_name(spoil):
         if change is None:
             continue
         with pytest.raises(ValueError, match=mesh.name):
-            core.Surface(mesh.name, **arrays | change)
+            surface(mesh.name, arrays | change)
         refused += 1
     assert refused > 100
 
@@ -173,4 +176,4 @@ def test_duplicates_of_a_polygon_with_a_thousand_corners():
     a = 2 * np.pi * np.arange(1000) / 1000
     mesh.positions = np.stack([np.cos(a), np.sin(a), 0 * a], -1).astype(np.float32)
     mesh.polygons, mesh.loose, mesh.extra = [tuple(range(1000))] * 300, [], {}
-    assert mesh.surface().report["duplicate_polygons"] == 299
+    assert mesh.surface().report.duplicate_polygons == 299

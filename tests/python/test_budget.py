@@ -135,7 +135,7 @@ def test_a_smaller_view_shows_the_same_part_of_the_world():
         assert half.frame[i] / new == pytest.approx(frame[i] / old)
     assert half.reference_scale / half.height == pytest.approx(view.reference_scale / view.height)
     whole, least = view.smaller(1.0), view.smaller(1e-4)
-    assert (whole.width, whole.height, whole.frame, whole.reference_scale) == (961, 541, frame, 0.5)
+    assert (whole.width, whole.height, *whole.frame, whole.reference_scale) == (961, 541, *frame, 0.5)
     assert (least.width, least.height) == (1, 1)
 
 

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The colour layer against closed forms: Lambert on a sphere, coverage at edges, textures, attributes, exposure."""
 
+import json
+
 import numpy as np
 import pytest
 from native_core import Mesh, box, core, scene, sphere, view
+
+from addon import pipeline, stages, style
+from addon.backend import cpu
 
 SIZE = (160, 120)
 SUN = (0.3, -0.5, 0.8)  # the way to it
@@ -18,10 +23,19 @@ def plain(color, **slot):
     return core.SurfaceColor([core.ColorSlot(color, **slot)])
 
 
-def layer(surfaces, colors, shading="flat", lights=(), world=(0, 0, 0), seen=None, bands=3, matrices=None):
+def passes(placed, seen, sources, shading="flat", bands=3, **options):
+    """The passes of a picture without lines."""
+    parts = {"line_sets": [{"kinds": {"edge_mark": {}}}], "color": {"shading": shading, "bands": bands}}
+    chosen = style.parse(json.dumps({"schema": style.SCHEMA, **parts}))
+    made = pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), colors=sources)
+    made.picture()
+    return made.passes()
+
+
+def layer(surfaces, colors, shading="flat", lights=(), world=(0, 0, 0), seen=None, bands=3, matrices=None, usage=None):
     seen = seen or view((4, -3, 2), (0, 0, 0), size=SIZE)
-    placed = scene(surfaces, matrices)
-    return core.color_layer(core.Tracer(placed, seen), list(colors), list(lights), world, shading, bands)
+    sources = stages.ColorSources(list(colors), list(lights), world)
+    return passes(scene(surfaces, matrices, usage), seen, sources, shading, bands)["color"]
 
 
 def sphere_normals(eye, orthographic, size=SIZE):
@@ -181,40 +195,26 @@ def test_images_of_any_kind(channels):
 
 
 def test_holdouts_and_the_background_have_no_colour():
-    surface = sphere(16).surface()
-    placed = scene([surface], usage=[core.OCCLUDE | core.HOLDOUT])
-    seen = view((4, -3, 2), (0, 0, 0), size=SIZE)
-    assert (core.color_layer(core.Tracer(placed, seen), [None], [], (0, 0, 0), "flat") == 0).all()
+    holdout = core.Usage.OCCLUDE | core.Usage.HOLDOUT
+    assert (layer([sphere(16).surface()], [None], usage=[holdout]) == 0).all()
 
 
 def test_what_does_not_fit_is_refused():
-    surface, seen = box().surface(), view((4, -3, 2), (0, 0, 0), size=SIZE)
-    tracer = core.Tracer(scene([surface]), seen)
+    surface = box().surface()
     with pytest.raises(ValueError, match="one entry per placement"):
-        core.color_layer(tracer, [], [], (0, 0, 0), "flat")
+        layer([surface], [])
     with pytest.raises(ValueError, match="box: one uv per corner"):
-        few = core.SurfaceColor([core.ColorSlot((1, 1, 1))], uvs=[np.zeros((3, 2), np.float32)])
-        core.color_layer(tracer, [few], [], (0, 0, 0), "flat")
+        layer([surface], [core.SurfaceColor([core.ColorSlot((1, 1, 1))], uvs=[np.zeros((3, 2), np.float32)])])
     with pytest.raises(ValueError, match="box: a slot's attribute does not exist"):
-        core.color_layer(tracer, [plain((1, 1, 1), attribute=2)], [], (0, 0, 0), "flat")
-    with pytest.raises(ValueError, match="no shading 'gouraud'"):
-        core.color_layer(tracer, [None], [], (0, 0, 0), "gouraud")
-    with pytest.raises(ValueError, match="no kind 'laser'"):
+        layer([surface], [plain((1, 1, 1), attribute=2)])
+    with pytest.raises(ValueError, match="light: kind is 'laser'; it can be: sun, point, spot, area"):
         core.Light("laser", (0, 0, 0), (0, 0, 1), (1, 1, 1))
-
-
-def test_it_can_be_stopped():
-    tracer = core.Tracer(scene([box().surface()]), view((4, -3, 2), (0, 0, 0), size=SIZE))
-    cancel = core.Cancel()
-    cancel.cancel()
-    with pytest.raises(core.Cancelled):
-        core.color_layer(tracer, [None], [], (0, 0, 0), "smooth", 3, cancel)
 
 
 def test_a_picture_larger_than_a_tile_has_no_seam():
     size = (4200, 24)
-    seen, surface = view((4, -3, 2), (0, 0, 0), size=size), box((-9, -9, -2), (9, 9, 0)).surface()
-    found = layer([surface], [plain((1, 1, 1))], seen=seen)
-    hit = core.depth_image(core.Tracer(scene([surface]), seen)) < 1e9
+    seen, placed = view((4, -3, 2), (0, 0, 0), size=size), scene([box((-9, -9, -2), (9, 9, 0)).surface()])
+    found = passes(placed, seen, stages.ColorSources([plain((1, 1, 1))], [], (0, 0, 0)), with_depth=True)
+    found, hit = found["color"], found["depth"] < 1e9
     assert 0.2 < hit.mean() and np.mean((found[..., 3] > 0.5) == hit) > 0.995
     assert np.abs(np.diff(found[..., 3], axis=1))[:, 2040:2056].max() == 0

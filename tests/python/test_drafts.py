@@ -137,33 +137,3 @@ def test_blur_is_left_out_of_every_draft():
     for quality in budget.QUALITIES[1:]:
         effects = budget.simplified(blurred, quality).effects
         assert effects == blurred.effects.replace(blur=blurred.effects.blur.replace(strength=0.0))
-
-
-def test_parts_do_not_depend_on_threads():
-    def found():
-        placed, seen = bumps(), view((0, -14, 4), (0, 0, 0), size=(480, 270))
-        tracer = core.Tracer(placed, seen)
-        paths = core.extract_paths(tracer, [({"contour": {}}, 60.0)])
-        clipped = core.project(paths, tracer, 2.0)
-        runs = core.exact_visibility(clipped, paths, tracer)
-        none = np.zeros(len(paths), np.uint32)
-        parts, outer, source = core.outer_parts(clipped, paths, tracer, runs, none, 3.0)
-        assert len(outer) == len(source) == len(parts.piece) > len(runs.piece)
-        assert (parts.end_px - parts.start_px).sum() == pytest.approx((runs.end_px - runs.start_px).sum())
-        unasked, sure, _ = core.outer_parts(clipped, paths, tracer, runs, ~none, 3.0)
-        np.testing.assert_array_equal(unasked.start_px, runs.start_px)
-        assert sure.all() and not outer.all() and outer.any()
-        with pytest.raises(ValueError, match="one value per path"):
-            core.outer_parts(clipped, paths, tracer, runs, none[1:], 3.0)
-        with pytest.raises(ValueError, match="step_px must be more than 0"):
-            core.outer_parts(clipped, paths, tracer, runs, none, 0.0)
-        return parts.start_px, outer, source
-
-    several = found()
-    core.limit_threads(1)
-    try:
-        alone = found()
-    finally:
-        core.limit_threads(0)
-    for a, b in zip(several, alone):
-        np.testing.assert_array_equal(a, b)

@@ -5,7 +5,7 @@ import json
 
 import numpy as np
 import pytest
-from native_core import box, core, scene, view
+from native_core import box, scene, view
 
 from addon import pipeline, stages, style
 from addon.backend import cpu
@@ -36,7 +36,7 @@ def test_depth_and_focus_drawn_with_a_picture_are_those_made_alone(model):
     alone = frame(model)
     assert together["focus"].min() < 0.5 and together["focus"].max() == 1
     np.testing.assert_array_equal(together["focus"], alone.focus_of_pixels())
-    np.testing.assert_array_equal(together["depth"], core.depth_image(core.Tracer(alone.scene, alone.view)))
+    np.testing.assert_array_equal(together["depth"], passes(model, with_depth=True)["depth"])
 
 
 @pytest.mark.parametrize("model", ["object", "scene"])

@@ -5,13 +5,14 @@ import json
 
 import numpy as np
 import pytest
-from native_core import box, core, scene, view
+from native_core import box, scene, view
 
-from addon import style
+from addon import pipeline, stages, style
+from addon.backend import cpu
 
 
 def parsed(**parts):
-    return style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": [{}], **parts}))
+    return style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": [{}]} | parts))
 
 
 def test_names_in_scenes_survive():
@@ -59,64 +60,44 @@ def test_what_does_not_belong_is_named(parts, sentence):
     assert sentence in str(error.value)
 
 
-@pytest.fixture
-def drawn():
-    """Two boxes, side by side: scene, view, tracer, paths and clipped paths."""
+PEN = {"pen": {"width": 3}, "pen_away": {"width": 3, "opacity": 0.1}}
+
+
+def drawn(look, **notes):
+    """A Frame of two boxes, side by side, the left one in focus; its lines are found and filtered."""
     matrices = np.array([np.eye(4), np.eye(4)])
     matrices[0][0, 3], matrices[1][0, 3] = -2, 2
     placed, seen = scene([box().surface()] * 2, matrices), view((0, -12, 3), (0, 0, 0))
-    tracer = core.Tracer(placed, seen)
-    paths = core.extract_paths(tracer, [({"crease": {}}, 60.0)])
-    return placed, seen, tracer, paths, core.project(paths, tracer, 2.0)
+    chosen = parsed(line_sets=[{"kinds": {"crease": {}}, **PEN}], focus=look)
+    said = stages.Notes(objects=(("A",), ("B",)), **notes)
+    made = pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(), notes=said)
+    made.filter()
+    return made
 
 
-def test_each_placement_has_its_own_paint(drawn):
-    placed, _, tracer, paths, clipped = drawn
-    painted = [np.full(24, 0.25, np.float32), None]
-    found = core.values_on_paths(paths, placed, painted)
-    of_point = np.repeat(paths.placement, np.diff(paths.offsets))
-    assert set(of_point) == {0, 1}
-    np.testing.assert_allclose(found, np.where(of_point == 0, 0.25, 0.5))
-    samples = core.values_of_samples(clipped, found)
-    assert len(samples) == clipped.samples and set(np.unique(samples)) == {np.float32(0.25), np.float32(0.5)}
-    image = core.painted_image(tracer, painted)
-    assert set(np.unique(image)) >= {np.float32(0), np.float32(0.25), np.float32(0.5)}
+def of_placements(made):
+    """(samples,) of a Frame's, by placement."""
+    of_point = np.repeat(made.paths.placement[made.clipped.path], np.diff(made.clipped.offsets))
+    return np.repeat(of_point, made.clipped.sample_count)
+
+
+def test_each_placement_has_its_own_paint():
+    look, quarter = {"model": "painted", "attribute": "seen"}, np.full(24, 0.25, np.float32)
+    made = drawn(look, painted={"seen": [quarter, None]})
+    np.testing.assert_array_equal(made.focus, np.where(of_placements(made) == 0, 0.75, 0.5).astype(np.float32))
+    assert set(np.unique(made.focus_of_pixels())) >= {np.float32(0.5), np.float32(0.75), np.float32(1)}
     with pytest.raises(ValueError, match="one array per placement"):
-        core.values_on_paths(paths, placed, painted[:1])
+        drawn(look, painted={"seen": [quarter]})
     with pytest.raises(ValueError, match="box: one painted value per corner"):
-        core.values_on_paths(paths, placed, [np.zeros(3, np.float32), None])
-    with pytest.raises(ValueError, match="one per point of the paths"):
-        core.values_of_samples(clipped, found[:3])
+        drawn(look, painted={"seen": [np.zeros(3, np.float32), None]})
 
 
-def test_focus_falls_off_from_the_surface_of_an_object(drawn):
-    placed, seen, tracer, paths, clipped = drawn
-    surface = core.SurfaceDistance(placed, seen, np.array([0], np.uint32))
-    found = core.focus_of_samples(clipped, core.Focus(True, [(0, 0, 0, 0.5, 4.5)], False, [surface]))
-    place = np.zeros(clipped.samples, np.int64)
-    for piece, (first, last) in enumerate(zip(clipped.offsets, clipped.offsets[1:])):
-        for i in range(first, last - 1):
-            start = clipped.sample_start[i]
-            place[start : start + clipped.sample_count[i]] = paths.placement[clipped.path[piece]]
-    assert np.all(found[place == 0] == 0)
+def test_focus_falls_off_from_the_surface_of_an_object():
+    made = drawn({"model": "object", "points": [{"object": "A", "near": 0.5, "far": 4.5}]})
+    placement = of_placements(made)
+    assert set(placement) == {0, 1} and np.all(made.focus[placement == 0] == 0)
     # The boxes lie two units apart, and are two units wide.
-    assert found[place == 1].min() == pytest.approx(1.5 / 4, abs=1e-4)
-    assert found[place == 1].max() == pytest.approx(3.5 / 4, abs=1e-4)
-    pixels = core.focus_of_pixels(seen, core.depth_image(tracer), core.Focus(True, [(0, 0, 0, 0, 9)], False, [surface]))
+    assert made.focus[placement == 1].min() == pytest.approx(1.5 / 4, abs=1e-4)
+    assert made.focus[placement == 1].max() == pytest.approx(3.5 / 4, abs=1e-4)
+    pixels = drawn({"model": "object", "points": [{"object": "A", "near": 0, "far": 9}]}).focus_of_pixels()
     assert pixels.min() < 1e-4 and pixels.max() == 1
-    with pytest.raises(ValueError, match="one or None per point"):
-        core.Focus(True, [(0, 0, 0, 0, 1)] * 2, False, [surface])
-
-
-def test_a_map_lies_over_the_frame_and_goes_on_beyond_it(drawn):
-    _, seen, _, _, clipped = drawn
-    width = seen.width
-    halves = np.array([[[0.0], [1.0]]], np.float32)  # black on the left, white on the right
-    found = core.map_of_samples(clipped, seen, core.ColorTexture(halves, False))
-    x = np.concatenate(
-        [
-            a[0] + (b[0] - a[0]) * (np.arange(count) + 0.5) / count
-            for a, b, count in zip(clipped.px, clipped.px[1:], clipped.sample_count)
-        ]
-    )
-    np.testing.assert_allclose(found, np.clip(2 * x / width - 0.5, 0, 1), atol=5e-3)

@@ -7,35 +7,74 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from native_core import core
+from native_core import Mesh, core, scene
 from test_textures import read_png
+
+from addon import pipeline, stages, style
+from addon.style import LineSet, Paper
 
 PROJECT = Path(__file__).parents[2]
 FOLDER = PROJECT / "addon" / "papers"
 SCRIPT = PROJECT / "blender_scripts" / "make_papers.py"
 NAMES = sorted(path.stem for path in FOLDER.glob("*.png"))
 SIDE = 384
+PAPER = Paper(color=(0.9, 0.8, 0.6))
+NEAR, FAR = 0.1, 100.0
 
 
-def camera(width=SIDE, height=SIDE):
-    """Its axis meets the picture's lower left corner, so that a paper's texels lie on pixels."""
-    clip = np.diag([2 / width, 2 / height, 1, 1]).astype(float)
-    clip[:2, 3] = -1
-    return core.View(np.eye(4), clip, width, height, True, 0.1, 100)
+class Even(core.Backend):
+    """Covers every picture with one color, premultiplied, as if it were strokes."""
+
+    name = "even"
+
+    def __init__(self, rgba):
+        super().__init__()
+        self._rgba = rgba
+
+    def draw(self, frame):
+        shape = (frame.view.height, frame.view.width, 4)
+        return np.broadcast_to(np.array(self._rgba, np.float32), shape).copy()
 
 
-def even(color, side=SIDE):
-    return np.broadcast_to(np.array(color, np.float32), (side, side, 4)).copy()
+def camera(width=SIDE, height=SIDE, left=0, lower=0):
+    """Of a picture of which so much is seen; its axis meets the lower left corner of the whole picture, so that a paper's
+    texels lie on pixels."""
+    clip = np.diag([2 / width, 2 / height, -2 / (FAR - NEAR), 1]).astype(float)
+    clip[:3, 3] = -1 - 2 * left / width, -1 - 2 * lower / height, -(FAR + NEAR) / (FAR - NEAR)
+    return core.View(np.eye(4), clip, width, height, True, NEAR, FAR)
 
 
 @pytest.fixture(params=NAMES)
 def paper(request):
-    return core.read_paper(str(FOLDER / f"{request.param}.png"))
+    return PAPER.replace(texture=request.param)
 
 
-def drawn(paper, lines=(0, 0, 0, 0), layer=None, **options):
-    layer = None if layer is None else even(layer)
-    return core.on_paper(even(lines), layer, None, camera(), paper, (0.9, 0.8, 0.6), **options)
+@pytest.fixture
+def of_heights(tmp_path, monkeypatch):
+    """A function from (SIDE, SIDE) heights to a Paper of them."""
+    (tmp_path / "papers").mkdir()
+    monkeypatch.setattr(pipeline, "_assets", lambda core: core.Assets(tmp_path))
+
+    def make(heights, **amounts):
+        rows = np.round(255 * heights[::-1]).astype(np.uint8)  # papers begin with the top row
+        gray = np.repeat(rows[..., None], 3, axis=2)
+        (tmp_path / "papers" / "heights.png").write_bytes(core.png_bytes(gray))
+        return PAPER.replace(texture="heights", **amounts)
+
+    return make
+
+
+def drawn(paper, lines=(0, 0, 0, 0), layer=None, *, seen=None, background=None, usage=None):
+    """(H, W, 4): a Paper under a sheet of an even color, premultiplied, or of none, under even lines."""
+    corners = [(x, y, -5) for x, y in ((-9, -9), (999, -9), (999, 999), (-9, 999))]
+    placed = scene([Mesh("sheet", corners, [(0, 1, 2, 3)]).surface()], usage=usage)
+    chosen = style.Style(paper=paper, line_sets=(LineSet(kinds={"edge_mark": {}}),))
+    sources = None
+    if layer is not None:
+        chosen = chosen.replace(color=style.Color(shading="flat", opacity=layer[3], background=background))
+        base = tuple(value / layer[3] for value in layer[:3])
+        sources = stages.ColorSources([core.SurfaceColor([core.ColorSlot(base)])])
+    return pipeline.draw(placed, seen or camera(), chosen, Even(lines), pipeline.options(), colors=sources).combined
 
 
 def test_there_are_papers():
@@ -53,42 +92,44 @@ def test_a_paper_repeats_without_a_seam(name):
 
 def test_tooth_keeps_the_mean(paper):
     for opacity in (0.05, 0.3, 0.5, 0.8, 0.97):
-        picture = drawn(paper, (0, 0, 0, opacity), tooth=1.0)
+        picture = drawn(paper.replace(tooth=1.0), (0, 0, 0, opacity))
         assert (picture[..., 0] / 0.9).mean() == pytest.approx(1 - opacity, abs=0.02)
         assert np.ptp(picture[..., 0]) > 0.1
     for opacity in (0.0, 1.0):
-        assert np.ptp(drawn(paper, (0, 0, 0, opacity), tooth=1.0)[..., 0]) == 0
+        assert np.ptp(drawn(paper.replace(tooth=1.0), (0, 0, 0, opacity))[..., 0]) == 0
 
 
-def test_ink_stays_on_the_heights():
-    ramp = np.linspace(0, 1, SIDE * SIDE, dtype=np.float32).reshape(SIDE, SIDE)
-    picture = drawn(core.PaperTexture(ramp), (0, 0, 0, 0.5), tooth=1.0)[..., 0]
+def test_ink_stays_on_the_heights(of_heights):
+    ramp = of_heights(np.linspace(0, 1, SIDE * SIDE).reshape(SIDE, SIDE), tooth=1.0, granulation=0.5)
+    picture = drawn(ramp, (0, 0, 0, 0.5))[..., 0]
     assert picture[0].min() > 0.89 and picture[-1].max() < 0.01
-    assert drawn(core.PaperTexture(ramp), layer=(0.2, 0.2, 0.2, 1), granulation=0.5)[0, 0, 0] < 0.2
+    assert drawn(ramp, layer=(0.2, 0.2, 0.2, 1))[0, 0, 0] < 0.2
 
 
 def test_pigment_keeps_its_density_in_the_mean(paper):
-    picture = drawn(paper, layer=(0.3, 0.4, 0.2, 1), granulation=0.6)
+    picture = drawn(paper.replace(granulation=0.6), layer=(0.3, 0.4, 0.2, 1))
     density = -np.log(picture[..., :3] / np.array([0.9, 0.8, 0.6]))
     assert np.allclose(density.mean((0, 1)), -np.log(np.array([0.3 / 0.9, 0.4 / 0.8, 0.2 / 0.6])), rtol=0.02)
     assert np.ptp(density[..., 0]) > 0.3
 
 
 def test_tint_keeps_the_mean(paper):
-    picture = drawn(paper, tint=0.2)
+    picture = drawn(paper.replace(tint=0.2))
     assert picture[..., 0].mean() == pytest.approx(0.9, rel=0.01) and np.ptp(picture[..., 0]) > 0.2
     assert (picture[..., 3] == 1).all()
 
 
-def test_relief_is_lit_from_the_upper_left():
+def test_relief_is_lit_from_the_upper_left(of_heights):
     """A dome: the side towards the light is brighter than flat paper, the other one darker; rows go upwards."""
     away = np.hypot(*(np.mgrid[:SIDE, :SIDE] - SIDE / 2)) / 100
-    dome = core.PaperTexture(np.maximum(1 - away**2, 0).astype(np.float32))
-    shade = drawn(dome, tint=0.2)[..., 0] / 0.9
+    shade = drawn(of_heights(np.maximum(1 - away**2, 0), tint=0.2))[..., 0] / 0.9
     high, low, flat = SIDE // 2 + 40, SIDE // 2 - 40, shade[10, 10]
     assert shade[high, low] > flat + 0.1 and shade[low, high] < flat - 0.1
     assert shade[high, high] == pytest.approx(flat, abs=0.01)
-    assert np.ptp(drawn(core.PaperTexture(np.ones((SIDE, SIDE), np.float32)), tint=0.2)[..., 0]) == 0
+
+
+def test_paper_without_relief_shades_nothing(of_heights):
+    assert np.ptp(drawn(of_heights(np.ones((SIDE, SIDE)), tint=0.2))[..., 0]) == 0
 
 
 def coherence(picture, window=2.0):
@@ -104,9 +145,9 @@ def coherence(picture, window=2.0):
 @pytest.mark.parametrize("name", ["bristol", "cold_press", "rough"])
 def test_ink_breaks_up_into_specks_and_not_into_worms(name):
     """On papers without wires, threads or fibres."""
-    paper = core.read_paper(str(FOLDER / f"{name}.png"))
     for opacity in (0.3, 0.5, 0.8):
-        assert coherence(drawn(paper, (0, 0, 0, opacity), tooth=1.0)[..., 0]) < 0.26, opacity
+        picture = drawn(PAPER.replace(texture=name, tooth=1.0), (0, 0, 0, opacity))
+        assert coherence(picture[..., 0]) < 0.26, opacity
 
 
 def test_without_amounts_a_paper_is_its_colour(paper):
@@ -118,26 +159,20 @@ def test_without_amounts_a_paper_is_its_colour(paper):
 
 
 def test_opacity_background_and_no_paper():
-    picture = drawn(None, layer=(0.4, 0, 0, 0.5), layer_opacity=0.5, background=(0, 1, 0))
+    picture = drawn(PAPER, layer=(0.2, 0, 0, 0.25), background=(0, 1, 0))
     assert np.allclose(picture[0, 0], (0.2, 0.75, 0, 1), atol=1e-6)
-    clear = drawn(None, (0.1, 0.1, 0.1, 0.5), (0.4, 0, 0, 0.5), transparent=True)
+    clear = drawn(PAPER.replace(transparent=True), (0.1, 0.1, 0.1, 0.5), (0.4, 0, 0, 0.5))
     assert np.allclose(clear[0, 0], (0.3, 0.1, 0.1, 0.75), atol=1e-6)
 
 
 def test_holdouts_cut_the_paper():
-    cut = np.ones((SIDE, SIDE), np.float32)
-    picture = core.on_paper(even((0, 0, 0, 0)), None, cut, camera(), None, (1, 1, 1))
-    assert (picture == 0).all()
+    assert (drawn(PAPER, usage=[core.Usage.OCCLUDE | core.Usage.HOLDOUT]) == 0).all()
 
 
 def test_a_crop_shows_the_same_paper(paper):
-    whole = drawn(paper, tint=0.5)
-    clip = np.diag([2 / 100, 2 / 80, 1, 1]).astype(float)
-    clip[0, 3], clip[1, 3] = -1 - 2 * 40 / 100, -1 - 2 * 60 / 80
-    seen = core.View(np.eye(4), clip, 100, 80, True, 0.1, 100)
-    empty = np.zeros((80, 100, 4), np.float32)
-    part = core.on_paper(empty, None, None, seen, paper, (0.9, 0.8, 0.6), tint=0.5)
-    assert np.allclose(part, whole[60:140, 40:140], atol=1e-4)
+    paper = paper.replace(tint=0.5)
+    part = drawn(paper, seen=camera(100, 80, 40, 60))
+    assert np.allclose(part, drawn(paper)[60:140, 40:140], atol=1e-4)
 
 
 @pytest.mark.skipif(not SCRIPT.exists(), reason="only in the checkout")

@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 from native_core import core as native
+from native_core import counts
 
 CORNERS = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
 QUADS = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]], np.int32)
@@ -11,8 +12,20 @@ OFFSETS = np.arange(0, 25, 4, dtype=np.int32)
 
 
 def box():
-    edge_verts, corner_edges = native.polygon_edges(OFFSETS, QUADS.ravel())
-    return "box", CORNERS, edge_verts, QUADS.ravel(), corner_edges, OFFSETS
+    return "box", mesh(CORNERS, QUADS.ravel())
+
+
+def mesh(positions, quads, **more):
+    """A native Mesh of four corners to a polygon."""
+    edges = native.PolygonEdges(OFFSETS, quads)
+    return native.Mesh(
+        positions=positions,
+        edge_verts=edges.edge_verts,
+        corner_verts=quads,
+        corner_edges=edges.corner_edges,
+        polygon_offsets=OFFSETS,
+        **more,
+    )
 
 
 def test_a_refined_surface_is_a_surface():
@@ -32,12 +45,16 @@ def test_a_refined_surface_is_a_surface():
         ({"level": 8}, "1 to 7"),
         ({"level": 2, "edge_creases": np.zeros(3, np.float32)}, "differ in number"),
         ({"level": 2, "vertex_creases": np.zeros(9, np.float32)}, "differ in number"),
-        ({"level": 2, "material": np.zeros(5, np.int32)}, "material has 5"),
     ],
 )
 def test_what_cannot_be_refined(words, complaint):
     with pytest.raises(ValueError, match=f"box.*{complaint}"):
         native.RefinedSurface(*box(), **words)
+
+
+def test_a_cage_whose_arrays_do_not_fit_cannot_be_refined():
+    with pytest.raises(ValueError, match="box.*material has 5"):
+        native.RefinedSurface("box", mesh(CORNERS, QUADS.ravel(), material=np.zeros(5, np.int32)), level=2)
 
 
 def test_positions_of_another_cage():
@@ -46,11 +63,9 @@ def test_positions_of_another_cage():
 
 
 def test_repaired_arrays_make_a_surface():
-    quads = np.arange(24, dtype=np.int32)
-    edge_verts, corner_edges = native.polygon_edges(OFFSETS, quads)
-    torn = "torn", CORNERS[QUADS.ravel()], edge_verts, quads, corner_edges, OFFSETS
-    arrays, report = native.repaired(*torn, weld=1e-6)
-    assert report == {"welded_vertices": 16, "turned_polygons": 0, "refused_polygons": 0}
-    assert native.Surface("torn", *arrays).mesh_edges == 12
+    torn = mesh(CORNERS[QUADS.ravel()], np.arange(24, dtype=np.int32))
+    whole = native.RepairedMesh("torn", torn, weld=1e-6)
+    assert counts(whole.report) == {"welded_vertices": 16, "turned_polygons": 0, "refused_polygons": 0}
+    assert native.Surface("torn", whole.mesh).mesh_edges == 12
     with pytest.raises(ValueError, match="torn: repair: lengths"):
-        native.repaired(*torn, weld=-1.0)
+        native.RepairedMesh("torn", torn, weld=-1.0)

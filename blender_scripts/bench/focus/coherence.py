@@ -13,7 +13,6 @@ from collections import deque
 from dataclasses import dataclass, replace
 
 import numpy as np
-from bl_ext.user_default.fovea import native
 
 from . import reproject
 
@@ -181,18 +180,12 @@ class InTime:
 
     def see(self, drawn):
         """The first and the last so many are not handed on."""
-        self._known.append((replace(drawn, image=None), shown_lines(drawn.frame, drawn.shown)))
+        self._known.append((replace(drawn, image=None), drawn.frame.shown_lines()))
         if len(self._known) == self._known.maxlen:
             here, lines = self._known[self.frames]
-            near = [(k - self.frames, known) for k, (_, known) in enumerate(self._known) if k != self.frames]
-            smooth = native.load().smoothed_in_time
-            self.watch.see(replace(here, shown=smooth(here.shown, lines, near, self.frames) if near else here.shown))
-
-
-def shown_lines(frame, shown):
-    """The native ShownLines of a Frame of whose lines elision leaves so much at each sample."""
-    view, made = frame.view, native.load().ShownLines
-    return made(frame.clipped, frame.paths, frame.scene, frame.runs, shown, view.width, view.height)
+            near = {k - self.frames: known for k, (_, known) in enumerate(self._known) if k != self.frames}
+            shown = lines.smoothed(here.shown, near, self.frames) if near else here.shown
+            self.watch.see(replace(here, shown=shown))
 
 
 def rows(scene, alone, smoothed, of_view):

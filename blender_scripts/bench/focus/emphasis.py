@@ -2,7 +2,7 @@
 """What focus does to the place it is at: the same disc of the picture, once in focus and once far from it."""
 
 import numpy as np
-from bl_ext.user_default.fovea import native, style
+from bl_ext.user_default.fovea import style
 
 from . import reproject
 from .world import named_style
@@ -95,8 +95,7 @@ class Stage:
 
     def focus_of_pixels(self, drawn):
         """(H, W) f of the lines there: of the nearest surface around, as lines lie on its border."""
-        focus_at = native.load().focus_of_pixels
-        return focus_at(drawn.frame.view, self.points.distance, drawn.frame.focus_function)
+        return drawn.frame.focus_function.of_pixels(drawn.frame.view, self.points.distance)
 
     def busiest(self, count):
         """The places with most lines, all in focus."""

@@ -31,7 +31,7 @@ class Drawn:
         """(H, W) coverage by strokes of which elision leaves so much."""
         frame, view = self.frame, self.frame.view
         strokes = frame.strokes_with(shown)
-        return native.load().raster(strokes, frame.pens, frame.textures, view.width, view.height)[..., 3]
+        return strokes.raster(frame.pens, frame.textures, view.width, view.height)[..., 3]
 
 
 class World:

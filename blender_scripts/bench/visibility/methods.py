@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
-from bl_ext.user_default.fovea import native, pipeline
+from bl_ext.user_default.fovea import pipeline
 from bl_ext.user_default.fovea.backend import gpu
 
 from .plain_lines import PlainLines
@@ -97,7 +97,7 @@ class Method:
         """What was found visible. The spine test finds nothing before it draws: what its looks at the samples would say."""
         if self.options.visibility == "spine":
             return self.backend.visibility(frame)
-        return native.load().samples_from_runs(frame.clipped, frame.visible)
+        return frame.visible.samples(frame.clipped)
 
 
 class OpenGL:

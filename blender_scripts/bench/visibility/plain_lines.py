@@ -20,7 +20,7 @@ class PlainLines:
         self.surfaces = []
         self.object_to_world = object_to_world
         for placement, matrix in enumerate(object_to_world):
-            positions, _ = native.load().depth_corners(placed, placement)
+            positions = native.load().DepthCorners(placed.surface(placement)).positions
             if len(positions):
                 self.surfaces.append(batch("TRIS", world(positions, matrix)))
         self.lines, self.drawn = None, None

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fovea/base/types.h>
+#include <fovea/style/field.h>
 
 namespace fovea {
 
@@ -50,3 +51,8 @@ class Lighting {
 };
 
 }  // namespace fovea
+
+namespace fovea::style {
+template <>
+inline constexpr Choice choices_of<Light::Kind>[] = {{"sun"}, {"point"}, {"spot"}, {"area"}};
+}  // namespace fovea::style

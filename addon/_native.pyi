@@ -1,0 +1,987 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Made by `fovea stub` of what the module says of itself; not to be edited.
+"""Fovea's core: drawings of scenes, and what they are made of, as numpy arrays."""
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Annotated, ClassVar, overload
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+
+class Cancel:
+    """A flag that long calls poll; cancel() makes them raise Cancelled."""
+    def __init__(self) -> None: ...
+    def cancel(self) -> None: ...
+    @property
+    def requested(self) -> bool: ...
+
+class Cancelled(RuntimeError):
+    ...
+
+def limit_threads(most: int) -> None:
+    """Most threads that work at once from now on; 0: as many as the machine has. Results never depend on it."""
+
+def content_hash(array: numpy.ndarray) -> int:
+    """64-bit hash of an array's bytes."""
+
+class Mesh:
+    """A mesh as Blender holds it; it keeps the arrays that it is made of."""
+    def __init__(
+        self,
+        *,
+        positions: Annotated[ArrayLike, numpy.float32],
+        edge_verts: Annotated[ArrayLike, numpy.int32],
+        corner_verts: Annotated[ArrayLike, numpy.int32],
+        corner_edges: Annotated[ArrayLike, numpy.int32],
+        polygon_offsets: Annotated[ArrayLike, numpy.int32],
+        ngon_triangles: Annotated[ArrayLike, numpy.int32] | None=None,
+        ngon_polygon: Annotated[ArrayLike, numpy.int32] | None=None,
+        material: Annotated[ArrayLike, numpy.int32] | None=None,
+        occluding: Annotated[ArrayLike, numpy.uint8] | None=None,
+        sharp_edges: Annotated[ArrayLike, numpy.uint8] | None=None,
+        seams: Annotated[ArrayLike, numpy.uint8] | None=None,
+        edge_marks: Annotated[ArrayLike, numpy.uint8] | None=None,
+    ) -> None:
+        """positions (V, 3) float32 in object space; edge_verts (E, 2), corner_verts (C,), corner_edges (C,),
+        polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) vertices with ngon_polygon (T,)
+        ascending: triangulation of polygons with more than four corners; material (F,) int32; occluding (F,),
+        sharp_edges, seams, edge_marks (E,) bool."""
+
+class PolygonEdges:
+    """The edges of polygons that come without any."""
+    def __init__(
+        self,
+        polygon_offsets: Annotated[ArrayLike, numpy.int32],
+        corner_verts: Annotated[ArrayLike, numpy.int32],
+    ) -> None: ...
+    @property
+    def edge_verts(self) -> NDArray[numpy.int32]:
+        """(E, 2) int32"""
+    @property
+    def corner_edges(self) -> NDArray[numpy.int32]:
+        """(C,) int32: the edge from each corner to the next"""
+
+class RepairReport:
+    """How much a repair has done; counts of elements."""
+    @property
+    def welded_vertices(self) -> int: ...
+    @property
+    def turned_polygons(self) -> int: ...
+    @property
+    def refused_polygons(self) -> int: ...
+
+class RepairedMesh:
+    """A mesh put in order; see native/fovea/mesh/repair.h."""
+    def __init__(
+        self,
+        name: str,
+        mesh: Mesh,
+        *,
+        weld: float=0.0,
+        orient: bool=False,
+        smooth: int=0,
+        resample: int=0,
+        edge_length: float=0.0,
+    ) -> None:
+        """Raises ValueError, naming the object, as Surface does."""
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def report(self) -> RepairReport: ...
+
+class SurfaceReport:
+    """What of a mesh was skipped or looked wrong; counts of elements."""
+    @property
+    def non_finite_vertices(self) -> int: ...
+    @property
+    def degenerate_polygons(self) -> int: ...
+    @property
+    def duplicate_polygons(self) -> int: ...
+    @property
+    def loose_edges(self) -> int: ...
+    @property
+    def non_manifold_edges(self) -> int: ...
+    @property
+    def inconsistent_edges(self) -> int: ...
+
+class Surface:
+    """A mesh with all that is derived from it; see native/fovea/mesh/surface.h."""
+    def __init__(self, name: str, mesh: Mesh) -> None:
+        """Raises ValueError, naming the object, where sizes or indices do not fit together."""
+    def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
+        """Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
+        one, which is faster; distances then differ in their last bits from those of a new surface."""
+    def set_field_options(self, estimator: str='automatic', degree: int=0, rings: int=0, smoothing: float=0.0) -> None:
+        """How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and rings (1
+        to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian it is averaged with."""
+    @property
+    def fields_reason(self) -> str:
+        """How curvature was estimated, and why, in one sentence; empty while no line has asked for it."""
+    @property
+    def name(self) -> str: ...
+    @property
+    def version(self) -> int:
+        """Changes whenever the positions do."""
+    @property
+    def report(self) -> SurfaceReport: ...
+    @property
+    def positions(self) -> NDArray[numpy.float32]: ...
+    @property
+    def triangles(self) -> NDArray[numpy.uint32]:
+        """(T, 3) uint32 vertices; occluding ones first"""
+    @property
+    def triangle_facet(self) -> NDArray[numpy.uint32]:
+        """(T,) uint32"""
+    @property
+    def edges(self) -> NDArray[numpy.uint32]:
+        """(E, 2) uint32 vertices; those of the mesh first"""
+    @property
+    def occluding_triangles(self) -> int: ...
+    @property
+    def mesh_edges(self) -> int: ...
+    @property
+    def facet_count(self) -> int: ...
+    @property
+    def polygon_count(self) -> int: ...
+    def fields(self, estimator: str='automatic', degree: int=0, rings: int=0) -> Fields:
+        """Fields by an estimator: automatic, jets, one_ring; degree and rings of jets, 0: automatic. Kept with the
+        surface."""
+    def find_curves(
+        self,
+        definition: str,
+        parameters: Mapping[str, float]={},
+        eye: Annotated[Sequence[float], 'FixedSize(3)']=[0.0, 0.0, 1.0],
+        orthographic: bool=True,
+    ) -> Curves:
+        """Curves that a definition finds across the triangles of this surface alone. eye: in object space; for an
+        orthographic view the direction towards the viewer."""
+
+class Fields:
+    """Curvature at the V vertices of a surface."""
+    @property
+    def normal(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32"""
+    @property
+    def k1(self) -> NDArray[numpy.float32]:
+        """(V,) float32 per object unit, |k1| >= |k2|"""
+    @property
+    def k2(self) -> NDArray[numpy.float32]:
+        """(V,) float32"""
+    @property
+    def feature_size(self) -> float:
+        """the length that thresholds are relative to"""
+    @property
+    def reason(self) -> str:
+        """which estimator was taken, and why"""
+
+class Curves:
+    """P pieces of curves in triangles, before they are chained."""
+    def __len__(self) -> int: ...
+    @property
+    def triangle(self) -> NDArray[numpy.uint32]:
+        """(P,) uint32"""
+    @property
+    def start(self) -> NDArray[numpy.float32]:
+        """(P, 3) float32, object space"""
+    @property
+    def end(self) -> NDArray[numpy.float32]:
+        """(P, 3) float32, object space"""
+
+class RefinedSurface(Surface):
+    """The refined mesh of a cage, on the limit of its subdivision; see native/fovea/mesh/refine.h."""
+    def __init__(
+        self,
+        name: str,
+        cage: Mesh,
+        level: int,
+        round_corners: bool=True,
+        edge_creases: Annotated[ArrayLike, numpy.float32] | None=None,
+        vertex_creases: Annotated[ArrayLike, numpy.float32] | None=None,
+    ) -> None:
+        """level 1 to 7; round_corners: also at corners of one polygon on a border; edge_creases (E,) and vertex_creases
+        (V,) float32, weights from 0 to 1. Raises ValueError, naming the object, for a cage without a limit surface."""
+    def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
+        """Moves the cage's vertices, (V, 3) float32; the topology stays. refit: as Surface has it."""
+    def mix_corners(
+        self,
+        values: Annotated[ArrayLike, numpy.float32],
+        polygon_offsets: Annotated[ArrayLike, numpy.int32],
+    ) -> NDArray[numpy.float32]:
+        """(C, k) float32 at the corners of the cage, mixed to those of the refined mesh."""
+
+def line_definitions() -> list[dict[str, object]]:
+    """The registry: one dict per definition, in the order of its bits, with its parameters."""
+
+class Paths:
+    """Segments chained into paths, in object space; N points, P paths."""
+    def __len__(self) -> int: ...
+    @property
+    def offsets(self) -> NDArray[numpy.uint32]:
+        """(P + 1,) uint32: points of path p are offsets[p] .. offsets[p + 1]"""
+    @property
+    def closed(self) -> NDArray[numpy.uint8]:
+        """(P,) uint8; a closed path repeats its first point at the end"""
+    @property
+    def ids(self) -> NDArray[numpy.uint64]:
+        """(P,) uint64, from the object's persistent id and the lowest edge: stable over frames for static lines"""
+    @property
+    def placement(self) -> NDArray[numpy.uint32]:
+        """(P,) uint32; 0xffffffff: found in the image, in view space"""
+    @property
+    def line_set(self) -> NDArray[numpy.uint8]:
+        """(P,) uint8, the first line set that wants the path"""
+    @property
+    def free_ends(self) -> NDArray[numpy.uint8]:
+        """(P,) uint8: 1 where the start touches no other line, 2 where the end does not"""
+    @property
+    def of_view(self) -> NDArray[numpy.uint8]:
+        """(P,) uint8: not 0 where no definition of the surface alone finds the path, so that it changes with the view;
+        2 where its ends, too, are where it turns away (cusps)"""
+    @property
+    def points_obj(self) -> NDArray[numpy.float32]:
+        """(N, 3) float32"""
+    @property
+    def arc_obj(self) -> NDArray[numpy.float64]:
+        """(N,) float64 arc length from the path's start, object units"""
+    @property
+    def place(self) -> NDArray[numpy.uint32]:
+        """(N,) uint32 where the segment from this point lies: an edge, or the number of edges + a triangle; the last:
+        as before"""
+    @property
+    def edge_t(self) -> NDArray[numpy.float32]:
+        """(N,) float32, where on that edge the point is: 0 at its first vertex, 1 at its second; else 0"""
+    @property
+    def kinds(self) -> NDArray[numpy.uint32]:
+        """(N,) uint32, registry bits of the segment from this point"""
+    @property
+    def strength(self) -> NDArray[numpy.float32]:
+        """(N,) float32 in [0, 1]"""
+    @property
+    def other_facet(self) -> NDArray[numpy.uint32]:
+        """(N,) uint32 of a line on two surfaces: the second's facet over the scene; else 0xffffffff. May be empty: no
+        line lies on two"""
+
+class ClippedPaths:
+    """Paths projected and clipped: Q pieces, M points; see native/fovea/project/clipped_paths.h."""
+    def __len__(self) -> int: ...
+    @property
+    def offsets(self) -> NDArray[numpy.uint32]:
+        """(Q + 1,) uint32: points of piece q"""
+    @property
+    def samples(self) -> int:
+        """size of the atlas"""
+    @property
+    def path(self) -> NDArray[numpy.uint32]:
+        """(Q,) uint32 path it comes from"""
+    @property
+    def closed(self) -> NDArray[numpy.uint8]:
+        """(Q,) uint8: 1 where a whole closed path lies inside the frame (first and last point coincide)"""
+    @property
+    def free_ends(self) -> NDArray[numpy.uint8]:
+        """(Q,) uint8: 1 where it starts, 2 where it ends with an end of the path that touches no other line: there pens
+        taper"""
+    @property
+    def path_length_px(self) -> NDArray[numpy.float64]:
+        """(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies
+        behind the near plane, which has no pixels, does not count"""
+    @property
+    def ends(self) -> NDArray[numpy.uint8]:
+        """(Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the frame
+        cuts it"""
+    @property
+    def px(self) -> NDArray[numpy.float32]:
+        """(M, 2) float32 pixels"""
+    @property
+    def depth(self) -> NDArray[numpy.float32]:
+        """(M,) float32, reversed and screen-linear (base/view.h); before_all where nothing hides the path"""
+    @property
+    def position_view(self) -> NDArray[numpy.float32]:
+        """(M, 3) float32 view space"""
+    @property
+    def arc_px(self) -> NDArray[numpy.float64]:
+        """(M,) float64 arc length in pixels along the whole path, 0 at its middle, independent of clipping"""
+    @property
+    def source(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32 point of Paths"""
+    @property
+    def source_t(self) -> NDArray[numpy.float32]:
+        """(M,) float32 fraction towards the next point"""
+    @property
+    def facet0(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32: with facet1 the facets at the mesh edge of the segment from this point, numbered over the whole
+        scene, which visibility ignores; 0xffffffff: none"""
+    @property
+    def facet1(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32: see facet0"""
+    @property
+    def sample_start(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32: the segment from this point has the samples sample_start .. sample_start + sample_count of the
+        atlas; sample j lies at its screen fraction (j + 0.5) / sample_count"""
+    @property
+    def sample_count(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32, 0 at the end of a piece"""
+
+class Runs:
+    """Parts of pieces, sorted by piece, then by start; see native/fovea/visibility/runs.h."""
+    def __len__(self) -> int: ...
+    def samples(self, clipped: ClippedPaths) -> NDArray[numpy.float32]:
+        """(samples,) float32 share of each atlas sample that visible runs cover."""
+    @property
+    def piece(self) -> NDArray[numpy.uint32]:
+        """(R,) uint32"""
+    @property
+    def start_px(self) -> NDArray[numpy.float64]:
+        """(R,) float64"""
+    @property
+    def end_px(self) -> NDArray[numpy.float64]:
+        """(R,) float64"""
+    @property
+    def invisibility(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8, how many surfaces hide it (quantitative invisibility, Appel 1967), as far as they were counted;
+        0: visible"""
+
+class Polylines:
+    """A frame's lines: R runs as polylines of M points in all, in path order."""
+    def __len__(self) -> int: ...
+    @property
+    def offsets(self) -> NDArray[numpy.uint32]:
+        """(R + 1,) uint32: points of run r are offsets[r] .. offsets[r + 1]"""
+    @property
+    def path_id(self) -> NDArray[numpy.uint64]:
+        """(R,) uint64 persistent id of the path"""
+    @property
+    def path(self) -> NDArray[numpy.uint32]:
+        """(R,) uint32 path of Paths"""
+    @property
+    def piece(self) -> NDArray[numpy.uint32]:
+        """(R,) uint32 piece of ClippedPaths"""
+    @property
+    def start_px(self) -> NDArray[numpy.float64]:
+        """(R,) float64 arc length in pixels, 0 at the path's middle"""
+    @property
+    def end_px(self) -> NDArray[numpy.float64]:
+        """(R,) float64"""
+    @property
+    def invisibility(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8 surfaces that hide it; 0: visible"""
+    @property
+    def line_set(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8"""
+    @property
+    def closed(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8, 1: all of a closed path; the last point is the first again"""
+    @property
+    def pen(self) -> NDArray[numpy.uint32]:
+        """(R,) uint32 of the style's pens; 0xffffffff: none"""
+    @property
+    def shown(self) -> NDArray[numpy.float32]:
+        """(R,) float32 in [0, 1] that elision leaves"""
+    @property
+    def px(self) -> NDArray[numpy.float32]:
+        """(M, 2) float32 pixels, from the lower left corner, y up"""
+    @property
+    def position_view(self) -> NDArray[numpy.float32]:
+        """(M, 3) float32 view space: the eye at 0, looking along -z"""
+    @property
+    def arc_px(self) -> NDArray[numpy.float64]:
+        """(M,) float64 arc length in pixels"""
+    @property
+    def strength(self) -> NDArray[numpy.float32]:
+        """(M,) float32 in [0, 1]"""
+    @property
+    def kinds(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32 bits of what the segment from the point is; see line_definitions()"""
+
+class View:
+    """A camera and its image; see addon/stages.py."""
+    def __init__(
+        self,
+        world_to_view: Annotated[ArrayLike, numpy.float64],
+        view_to_clip: Annotated[ArrayLike, numpy.float64],
+        width: int,
+        height: int,
+        orthographic: bool,
+        near_clip: float,
+        far_clip: float,
+        reference_scale: float=1.0,
+        frame: Annotated[Sequence[float], 'FixedSize(4)'] | None=None,
+    ) -> None:
+        """frame: left, lower, width and height of the camera's full frame in pixels; None: the image."""
+    @property
+    def world_to_view(self) -> numpy.ndarray:
+        """(4, 4) float64"""
+    @property
+    def frame(self) -> Annotated[list[float], 'FixedSize(4)']:
+        """left, lower, width and height of the camera's full frame in pixels"""
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def orthographic(self) -> bool: ...
+    @property
+    def near_clip(self) -> float: ...
+    @property
+    def far_clip(self) -> float: ...
+    @property
+    def reference_scale(self) -> float: ...
+    def smaller(self, scale: float) -> View:
+        """The same in fewer pixels, as many as make a whole picture."""
+
+class Usage:
+    """Bits: what a placement does in the drawing."""
+    def __init__(self, value: int) -> None: ...
+    @property
+    def name(self) -> str: ...
+    def __hash__(self, /) -> int: ...
+    @property
+    def value(self) -> int: ...
+    @overload
+    def __eq__(self, other: Usage, /) -> bool: ...
+    @overload
+    def __eq__(self, other: int, /) -> bool: ...
+    @overload
+    def __eq__(self, other: object, /) -> bool: ...
+    @overload
+    def __and__(self, other: Usage, /) -> int: ...
+    @overload
+    def __and__(self, other: int, /) -> int: ...
+    @overload
+    def __or__(self, other: Usage, /) -> int: ...
+    @overload
+    def __or__(self, other: int, /) -> int: ...
+    def __int__(self, /) -> int: ...
+    DRAW: ClassVar[Usage]
+    OCCLUDE: ClassVar[Usage]
+    HOLDOUT: ClassVar[Usage]
+
+class Scene:
+    """Placements of surfaces: what one frame sees."""
+    def __init__(
+        self,
+        surfaces: Sequence[Surface],
+        surface_of_placement: Annotated[ArrayLike, numpy.int32],
+        object_to_world: Annotated[ArrayLike, numpy.float64],
+        ids: Annotated[ArrayLike, numpy.uint64],
+        usage: Annotated[ArrayLike, numpy.uint8],
+    ) -> None:
+        """surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent
+        ids; usage (n,) uint8, bits of Usage."""
+    def __len__(self) -> int: ...
+    def surface(self, placement: int) -> Surface: ...
+    @property
+    def usage(self) -> NDArray[numpy.uint8]:
+        """(n,) uint8, bits of Usage"""
+    @property
+    def facet_base(self) -> NDArray[numpy.uint32]:
+        """(n,) uint32: number of each placement's first facet"""
+
+class Tracer:
+    """Rays through a scene as a view sees it (Embree)."""
+    def __init__(self, scene: Scene, view: View) -> None: ...
+    def extract_paths(self, kinds: Mapping[str, Mapping[str, float]], corner_angle: float=60.0) -> Paths:
+        """Paths of what definitions find, {definition: {parameter: value}}; they end at corners sharper than so many
+        degrees."""
+
+class Transfer:
+    """From focus in [0, 1] to how strong an effect is; see native/fovea/focus/transfer.h."""
+    def __init__(
+        self,
+        start: float=0.0,
+        end: float=1.0,
+        strength: float=1.0,
+        curve: Sequence[Annotated[Sequence[float], 'FixedSize(2)']]=[],
+    ) -> None:
+        """curve: points (x, y) of the response, ascending in x; none: straight."""
+    def __call__(self, values: Annotated[ArrayLike, numpy.float32]) -> NDArray[numpy.float32]:
+        """(n,) float32 mixes in [0, 1] of (n,) values."""
+
+class Focus:
+    """Where the viewer shall look; see native/fovea/focus/focus.h."""
+    def of_pixels(self, view: View, distance: Annotated[ArrayLike, numpy.float32]) -> NDArray[numpy.float32]:
+        """(H, W) float32 in [0, 1]; 0: in focus. distance (H, W): along the view, of what each pixel shows; inf:
+        nothing."""
+
+class DepthDraw:
+    """A placement that hides lines, as the depth pass draws it."""
+    @property
+    def placement(self) -> int: ...
+    @property
+    def surface_version(self) -> int:
+        """Surface.version"""
+    @property
+    def object_to_depth_clip(self) -> NDArray[numpy.float32]:
+        """(16,) float32, column by column"""
+    @property
+    def facet_base(self) -> int:
+        """number of its first facet"""
+    @property
+    def culled(self) -> str:
+        """side that need not be drawn: NONE, FRONT or BACK"""
+
+class DepthCorners:
+    """Corners of T occluding triangles, one after the other."""
+    def __init__(self, surface: Surface) -> None: ...
+    @property
+    def positions(self) -> NDArray[numpy.float32]:
+        """(3 T, 3) float32"""
+    @property
+    def facets(self) -> NDArray[numpy.uint32]:
+        """(3 T,) uint32"""
+
+class DepthLayout:
+    """Size of a view's depth buffer; see native/fovea/visibility/depth.h."""
+    def __init__(self, view: View, scale: int=2) -> None:
+        """scale: texels per pixel, along each axis."""
+    def draws(self, scene: Scene, view: View) -> list[DepthDraw]:
+        """All that hides lines, in drawing order."""
+    @property
+    def scale(self) -> int: ...
+    @property
+    def border_x(self) -> int:
+        """pixels"""
+    @property
+    def border_y(self) -> int:
+        """pixels"""
+    @property
+    def width(self) -> int:
+        """texels"""
+    @property
+    def height(self) -> int:
+        """texels"""
+    @property
+    def core(self) -> Annotated[list[float], 'FixedSize(4)']:
+        """left, lower, right and upper edge of what it decides, in pixels"""
+
+def depth_reach(scene: Scene, view: View) -> float:
+    """How far away along the view anything that hides lines reaches."""
+
+class SceneDepth:
+    """The nearest surface of a scene at every texel of a layout."""
+    def __init__(self, scene: Scene, view: View, layout: DepthLayout) -> None: ...
+    @property
+    def texels(self) -> numpy.ndarray:
+        """(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see
+        native/fovea/visibility/depth.h."""
+
+class SampledOptions:
+    """How the segment atlas looks; see native/fovea/visibility/sampled.h."""
+    def __init__(self) -> None: ...
+    @property
+    def bias(self) -> float: ...
+    @property
+    def slack_px(self) -> float: ...
+
+class ItemOptions:
+    """How lines are drawn by number; see native/fovea/visibility/item_buffer.h."""
+    def __init__(self) -> None: ...
+    @property
+    def slope_factor(self) -> float: ...
+    @property
+    def bias(self) -> float: ...
+
+class OwnSides:
+    """What the facets at each line's own edge tell; see native/fovea/visibility/own_sides.h."""
+    def __init__(self, clipped: ClippedPaths, scene: Scene, view: View) -> None: ...
+    def spine_table(self, clipped: ClippedPaths) -> NDArray[numpy.float32]:
+        """(3 M, 4) float32; see native/fovea/visibility/spine.h."""
+
+class AtlasTables:
+    """N segments; see native/fovea/visibility/layout.h."""
+    @property
+    def segments(self) -> NDArray[numpy.float32]:
+        """(3 N, 4) float32"""
+    @property
+    def owners(self) -> NDArray[numpy.float32]:
+        """(B,) float32"""
+
+class AtlasBatch:
+    """Whole pieces whose samples share a texture."""
+    @staticmethod
+    def of(clipped: ClippedPaths, limit: int=4194304) -> list[AtlasBatch]:
+        """Of at most so many samples, or one piece."""
+    def tables(self, clipped: ClippedPaths, sides: OwnSides) -> AtlasTables: ...
+    @property
+    def sample_begin(self) -> int: ...
+    @property
+    def sample_end(self) -> int: ...
+
+class Elision:
+    """Bands of runs, of V corners, and the D atlas samples that runs cover; see native/fovea/elision/elide.h."""
+    @property
+    def place(self) -> NDArray[numpy.float32]:
+        """(D, 4) float32: pixel position, direction"""
+    @property
+    def band(self) -> NDArray[numpy.float32]:
+        """(D, 4) float32: half width, rank, pixels to the run's ends"""
+    @property
+    def ends(self) -> NDArray[numpy.float32]:
+        """(D, 4) float32: where the run starts, and where it ends"""
+    @property
+    def reach_px(self) -> float:
+        """pixels from its end over which a band hands over to a line that goes on"""
+    @property
+    def px(self) -> NDArray[numpy.float32]:
+        """(V, 2) float32"""
+    @property
+    def across(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32: pixels across, half width, how near the end is"""
+    @property
+    def owner(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32: unit vector across, rank"""
+    @property
+    def triangles(self) -> NDArray[numpy.uint32]:
+        """(T, 3) uint32, the highest rank first"""
+    WINDOW_COLUMNS: ClassVar[int]
+    WINDOW_LENGTH_PX: ClassVar[float]
+    MOST_WINDOW_ROWS: ClassVar[int]
+    END_REACH: ClassVar[float]
+
+class ShownLines:
+    """What elision leaves of the lines of a frame that no view makes."""
+    def smoothed(
+        self,
+        shown: Annotated[ArrayLike, numpy.float32],
+        near: Mapping[int, ShownLines],
+        frames: int,
+    ) -> NDArray[numpy.float32]:
+        """(samples,) float32: the mean of what is shown of this frame over so many frames to each side, see
+        native/fovea/elision/in_time.h. shown: (samples,) float32; near: {how many frames later another is: its
+        ShownLines}."""
+
+class Pen:
+    """How a stroke looks; lengths in pixels of the image."""
+    def __init__(
+        self,
+        *,
+        color: Annotated[Sequence[float], 'FixedSize(3)']=[0.0, 0.0, 0.0],
+        opacity: float=1.0,
+        width_px: float=2.0,
+        texture_length_px: float=256.0,
+        cap: str='round',
+        taper_px: float=0.0,
+        texture: int | None=None,
+        strength_width: float=0.0,
+        away: int | None=None,
+        wobble_px: float=0.0,
+        wobble_length_px: float=60.0,
+        seed: int=0,
+        pressure: float=0.0,
+        texture_anchor: str='screen',
+    ) -> None:
+        """color scene-linear; texture: index into the frame's textures, None: solid; away: index of the pen that this
+        one becomes out of focus."""
+
+class PenTexture:
+    """Ink of a pen, repeated along the stroke."""
+    def __init__(self, ink: Annotated[ArrayLike, numpy.float32]) -> None:
+        """(rows, columns) float32 in [0, 1]; first row: left side of the way."""
+
+class PenTable:
+    """N pens and their ink as the gpu's stroke pass reads them; see native/fovea/stroke/pen_table.h."""
+    def __init__(self, pens: Sequence[Pen], textures: Sequence[PenTexture]) -> None: ...
+    @property
+    def pens(self) -> NDArray[numpy.float32]:
+        """(3 N, 4) float32"""
+    @property
+    def ink(self) -> NDArray[numpy.float32]:
+        """(I,) float32"""
+
+class Strokes:
+    """Visible runs shaped into V vertices and T triangles; see native/fovea/stroke/strokes.h."""
+    def __init__(
+        self,
+        px: Annotated[ArrayLike, numpy.float32],
+        arc: Annotated[ArrayLike, numpy.float32],
+        half_width: Annotated[ArrayLike, numpy.float32],
+        opacity: Annotated[ArrayLike, numpy.float32],
+        pen: Annotated[ArrayLike, numpy.uint32],
+        triangles: Annotated[ArrayLike, numpy.uint32],
+        count: int=0,
+        mix: Annotated[ArrayLike, numpy.float32] | None=None,
+        path_px: Annotated[ArrayLike, numpy.float32] | None=None,
+    ) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def triangles(self) -> NDArray[numpy.uint32]:
+        """(T, 3) uint32, in drawing order"""
+    @property
+    def count(self) -> int:
+        """strokes"""
+    def raster(
+        self,
+        pens: Sequence[Pen],
+        textures: Sequence[PenTexture],
+        width: int,
+        height: int,
+    ) -> NDArray[numpy.float32]:
+        """(height, width, 4) float32: the reference picture, premultiplied, bottom row first."""
+    @property
+    def px(self) -> NDArray[numpy.float32]:
+        """(V, 2) float32 corner of the strip, pixels"""
+    @property
+    def arc(self) -> NDArray[numpy.float32]:
+        """(V, 4) float32: u [px of arc along the whole path, 0 at its middle], v [px across, positive to the left of
+        the way], u of the run's start and of its end (-+1e9 where a closed stroke has no ends)"""
+    @property
+    def half_width(self) -> NDArray[numpy.float32]:
+        """(V,) float32 half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and fainter"""
+    @property
+    def opacity(self) -> NDArray[numpy.float32]:
+        """(V,) float32 of strength, thinness and the pens"""
+    @property
+    def mix(self) -> NDArray[numpy.float32]:
+        """(V, 2) float32: how far color and ink are those of the pen out of focus, each in [0, 1]"""
+    @property
+    def path_px(self) -> NDArray[numpy.float32]:
+        """(V,) float32 length of the whole path [px], the same all over a stroke; for textures anchored to it"""
+    @property
+    def pen(self) -> NDArray[numpy.uint32]:
+        """(V,) uint32 index of the pen in focus, the same all over a stroke"""
+    @property
+    def piece(self) -> NDArray[numpy.uint32]:
+        """(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty
+        otherwise"""
+
+class ColorTexture:
+    """An image of base colours."""
+    def __init__(self, pixels: Annotated[ArrayLike, numpy.float32], encoded: bool) -> None:
+        """(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear."""
+    def at(self, u: float, v: float, footprint: float=0.0) -> Annotated[list[float], 'FixedSize(3)']:
+        """Scene-linear colour at a place of the unit square."""
+
+class ColorSlot:
+    """What a material says about colour."""
+    def __init__(
+        self,
+        color: Annotated[Sequence[float], 'FixedSize(3)'],
+        texture: ColorTexture | None=None,
+        uv: int | None=None,
+        attribute: int | None=None,
+        unlit: bool=False,
+    ) -> None: ...
+
+class SurfaceColor:
+    """Colours of a surface; see native/fovea/color/source.h."""
+    def __init__(
+        self,
+        slots: Sequence[ColorSlot],
+        normals: Annotated[ArrayLike, numpy.float32] | None=None,
+        uvs: Sequence[Annotated[ArrayLike, numpy.float32]]=[],
+        attributes: Sequence[Annotated[ArrayLike, numpy.float32]]=[],
+    ) -> None:
+        """normals (C, 3), each of uvs (C, 2), each of attributes (C, 3): float32 per corner of the mesh."""
+
+class Light:
+    """A light; see native/fovea/color/light.h."""
+    def __init__(
+        self,
+        kind: str,
+        position: Annotated[Sequence[float], 'FixedSize(3)'],
+        direction: Annotated[Sequence[float], 'FixedSize(3)'],
+        color: Annotated[Sequence[float], 'FixedSize(3)'],
+        cos_outer: float=-1.0,
+        cos_inner: float=-1.0,
+    ) -> None: ...
+
+def png_bytes(rgb: Annotated[ArrayLike, numpy.uint8]) -> bytes:
+    """The bytes of a PNG file of (height, width, 3) uint8 sRGB, bottom row first."""
+
+class Frame:
+    """One picture on its way: each step takes those before it; see native/fovea/draw/frame.h."""
+    def __init__(
+        self,
+        scene: Scene,
+        view: View,
+        style: Style,
+        *,
+        options: Options=...,
+        assets: Assets | None=None,
+        backend: Backend | None=None,
+        overrides: Overrides | None=None,
+        colors: ColorSources | None=None,
+        near: Mapping[int, ShownLines]={},
+        cancel: Cancel | None=None,
+        progress: Callable | None=None,
+    ) -> None:
+        """near: {how many frames later another is: its ShownLines}; progress(share, stage) is called before each
+        stage."""
+    def find(self) -> None: ...
+    def see(self) -> None: ...
+    def filter(self) -> None: ...
+    def thin(self) -> None: ...
+    def ink(self) -> None: ...
+    def picture(self) -> None: ...
+    def passes(self) -> dict[str, NDArray[numpy.float32] | None]:
+        """{name: pixels, or None}; they are handed over, once."""
+    def thins(self) -> bool: ...
+    def shown_lines(self) -> ShownLines: ...
+    def focus_of_pixels(self) -> NDArray[numpy.float32] | None:
+        """(H, W) float32 in [0, 1] of what each pixel shows; None: all is in focus."""
+    def strokes_with(self, shown: Annotated[ArrayLike, numpy.float32]) -> Strokes:
+        """Strokes of which elision leaves (samples,) so much."""
+    def seen_beside(self, offset_px: float) -> NDArray[numpy.uint8]:
+        """(samples,) uint8: exactly seen so many pixels to the left of the line; see
+        native/fovea/visibility/beside.h."""
+    def polylines(self) -> Polylines:
+        """Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`."""
+    def layouts(self, most_side: int, overlap_px: int=0) -> list[DepthLayout]:
+        """DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels."""
+    @property
+    def focus_function(self) -> Focus: ...
+    @property
+    def scene(self) -> Scene: ...
+    @property
+    def view(self) -> View: ...
+    @property
+    def options(self) -> Options: ...
+    @property
+    def cancel(self) -> Cancel: ...
+    @property
+    def paths(self) -> Paths: ...
+    @property
+    def clipped(self) -> ClippedPaths: ...
+    @property
+    def visible(self) -> Runs: ...
+    @property
+    def runs(self) -> Runs: ...
+    @property
+    def drawn(self) -> Runs:
+        """Runs with haloes and overshoot"""
+    @property
+    def strokes(self) -> Strokes: ...
+    @property
+    def pens(self) -> list[Pen]: ...
+    @property
+    def textures(self) -> list[PenTexture]: ...
+    @property
+    def samples(self) -> NDArray[numpy.float32] | None:
+        """(samples,) float32 visibility, or None"""
+    @property
+    def focus(self) -> NDArray[numpy.float32] | None:
+        """(samples,) float32 in [0, 1], 0: in focus; or None"""
+    @property
+    def distance(self) -> NDArray[numpy.float32] | None:
+        """(samples,) float32 in [0, 1], 0: near; or None"""
+    @property
+    def shown(self) -> NDArray[numpy.float32] | None:
+        """(samples,) float32 that elision leaves; or None"""
+    @property
+    def visibility_in_words(self) -> str: ...
+    @property
+    def stages(self) -> dict[str, float]:
+        """{stage: milliseconds}, in the order in which they ran"""
+
+class Backend:
+    """Who decides what a depth buffer hides, what crowds, and who puts strokes on paper."""
+    def __init__(self) -> None: ...
+    @property
+    def name(self) -> str: ...
+    def visibility(self, frame: Frame) -> NDArray[numpy.float32]:
+        """(samples,) float32 in [0, 1] of a frame's atlas, by its sampled method."""
+    def elide(self, frame: Frame, elision: Elision) -> NDArray[numpy.float32]:
+        """(D, 2) float32 crowding of the samples that runs cover."""
+    def draw(self, frame: Frame) -> NDArray[numpy.float32]:
+        """(H, W, 4) float32: the frame's strokes alone, premultiplied, bottom row first."""
+
+class CpuBackend(Backend):
+    """The reference, all in software."""
+    def __init__(self, most_side: int=6144) -> None:
+        """texels of a tile of the depth buffer"""
+    @property
+    def most_side(self) -> int: ...
+    @most_side.setter
+    def most_side(self, value: int) -> None: ...
+
+class Options:
+    """Numbers of the method that are not the style's; see native/fovea/draw/options.h."""
+    def __init__(self, **kwargs) -> None: ...
+    def replace(self, **kwargs) -> Options:
+        """The same with other values."""
+    def __eq__(self, other: Options) -> bool: ...
+    def __hash__(self) -> int: ...
+    @property
+    def visibility(self) -> object: ...
+    @property
+    def sample_step(self) -> object: ...
+    @property
+    def depth_scale(self) -> object: ...
+    @property
+    def probes(self) -> object: ...
+    @property
+    def layers(self) -> object: ...
+    @property
+    def gap(self) -> object: ...
+    @property
+    def spur(self) -> object: ...
+    @property
+    def contour_spur(self) -> object: ...
+    @property
+    def fold(self) -> object: ...
+    @property
+    def meet(self) -> object: ...
+    @property
+    def beside(self) -> object: ...
+    @property
+    def least_hidden(self) -> object: ...
+    @property
+    def outlines(self) -> object: ...
+    @property
+    def focus_step(self) -> object: ...
+    @property
+    def with_depth(self) -> object: ...
+    @property
+    def with_focus(self) -> object: ...
+
+class Style:
+    """A style as the core reads it; see native/fovea/style/style.h."""
+    def __init__(self, json: str) -> None: ...
+    def has_color(self) -> bool: ...
+
+class Assets:
+    """Pen textures and papers that ship, by name."""
+    def __init__(self, folder: os.PathLike | str | bytes) -> None: ...
+
+class ColorSources:
+    """Where the colors of a scene come from."""
+    def __init__(
+        self,
+        surfaces: Sequence[SurfaceColor],
+        lights: Sequence[Light],
+        world: Annotated[Sequence[float], 'FixedSize(3)'],
+    ) -> None:
+        """surfaces: a SurfaceColor or None per placement; world: radiance of the sky."""
+
+class MaterialFilter:
+    """Materials that have lines, by their number on a surface."""
+    def __init__(
+        self,
+        mask_of_placement: Annotated[ArrayLike, numpy.uint32],
+        masks: Sequence[Annotated[ArrayLike, numpy.uint8]],
+    ) -> None:
+        """mask_of_placement (n,) uint32; masks: uint8 by the material's number, 0: its faces have no lines."""
+
+class Overrides:
+    """What an artist has said of a scene's n placements."""
+    def __init__(
+        self,
+        *,
+        importance: Annotated[ArrayLike, numpy.float32] | None=None,
+        painted: Mapping[str, Sequence[Annotated[ArrayLike, numpy.float32] | None]]={},
+        objects: Sequence[Sequence[str]]=[],
+        density_map: ColorTexture | None=None,
+        placements: Sequence[Annotated[ArrayLike, numpy.uint8] | None]=[],
+        materials: Sequence[MaterialFilter | None]=[],
+        shown: Annotated[ArrayLike, numpy.uint32] | None=None,
+        parameters: Mapping[str, Mapping[str, Annotated[ArrayLike, numpy.float64]]]={},
+        lined: MaterialFilter | None=None,
+    ) -> None:
+        """importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
+        None}; objects: n lists of names; density_map: over the camera's frame. By line set: placements (n,) uint8 whose
+        lines are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits
+        of what each placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead,
+        NaN: none}}, and lined: the materials that have lines at all."""
+
+notes: dict

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include "bindings/overrides.h"
+
+namespace fovea::bindings {
+namespace {
+
+/// Borrows an array from an owner that is kept.
+In<float> kept(const Optional<float>& array, const char* name, std::vector<py::object>& owners) {
+    if (array) owners.push_back(*array);
+    return borrow<float>(array, name);
+}
+
+/// A flat array of numbers, copied.
+template <typename T>
+std::vector<T> numbers(const Arg<T>& given, const char* name) {
+    const In<T> values = borrow<T>(given, name);
+    return {values.begin(), values.end()};
+}
+
+/// Values of a definition's parameters that placements have of their own, by the parameter's name.
+using ByParameter = std::map<std::string, Arg<double>>;
+
+void add_parameters(OwnLines& lines, const std::string& name, const ByParameter& given) {
+    const Index definition = definition_index(name);
+    const std::vector<Parameter>& known = line_definitions()[definition]->parameters;
+    for (const auto& [called, of_placements] : given) {
+        const auto it = std::ranges::find_if(known, [&](const Parameter& p) { return p.name == called; });
+        check(it != known.end(), name + ": unknown parameter '" + called + "'");
+        lines.parameters.push_back(
+            {definition, static_cast<Index>(it - known.begin()), numbers<double>(of_placements, called.c_str())});
+    }
+}
+
+OwningOverrides make_overrides(const Optional<float>& importance,
+                               const std::map<std::string, std::vector<Optional<float>>>& painted,
+                               std::vector<std::vector<std::string>> objects, std::shared_ptr<ColorTexture> density_map,
+                               const std::vector<Optional<std::uint8_t>>& placements,
+                               const std::vector<std::optional<MaterialFilter>>& materials,
+                               const Optional<Kinds>& shown, const std::map<std::string, ByParameter>& parameters,
+                               const std::optional<MaterialFilter>& lined) {
+    OwningOverrides made;
+    Overrides& overrides = made.overrides;
+    overrides.importance = kept(importance, "importance", made.owners);
+    for (const auto& [attribute, arrays] : painted)
+        for (const auto& array : arrays) overrides.painted[attribute].push_back(kept(array, "painted", made.owners));
+    overrides.objects = std::move(objects);
+    overrides.density_map = std::move(density_map);
+    if (shown) overrides.lines.kinds = numbers<Kinds>(*shown, "shown");
+    for (const auto& [definition, given] : parameters) add_parameters(overrides.lines, definition, given);
+    if (lined) overrides.lines.materials = *lined;
+    overrides.line_sets.resize(std::max(placements.size(), materials.size()));
+    for (std::size_t i = 0; i < placements.size(); ++i)
+        if (placements[i]) overrides.line_sets[i].placements = numbers<std::uint8_t>(*placements[i], "placements");
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        if (materials[i]) overrides.line_sets[i].materials = *materials[i];
+    return made;
+}
+
+}  // namespace
+
+void bind_overrides(py::module_& m) {
+    py::class_<MaterialFilter>(m, "MaterialFilter", "Materials that have lines, by their number on a surface.")
+        .def(py::init([](const Arg<Index>& mask_of_placement, const std::vector<Arg<std::uint8_t>>& masks) {
+                 MaterialFilter filter{numbers<Index>(mask_of_placement, "mask_of_placement"), {}};
+                 for (const auto& mask : masks) filter.masks.push_back(numbers<std::uint8_t>(mask, "masks"));
+                 return filter;
+             }),
+             py::arg("mask_of_placement"), py::arg("masks"),
+             "mask_of_placement (n,) uint32; masks: uint8 by the material's number, 0: its faces have no lines.");
+    py::class_<OwningOverrides>(m, "Overrides", "What an artist has said of a scene's n placements.")
+        .def(py::init(&make_overrides), py::kw_only(), py::arg("importance") = py::none(),
+             py::arg("painted") = py::dict(), py::arg("objects") = py::list(), py::arg("density_map") = py::none(),
+             py::arg("placements") = py::list(), py::arg("materials") = py::list(), py::arg("shown") = py::none(),
+             py::arg("parameters") = py::dict(), py::arg("lined") = py::none(),
+             R"(importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
+None}; objects: n lists of names; density_map: over the camera's frame. By line set: placements (n,) uint8 whose lines
+are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits of what each
+placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead, NaN: none}}, and lined:
+the materials that have lines at all.)");
+}
+
+}  // namespace fovea::bindings

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Views, scenes and rays through them.
+#include <pybind11/stl.h>
+
+#include <fovea/path/extract.h>
+#include <fovea/scene/tracer.h>
+#include <fovea/style/line_set.h>
+
+#include "bindings/arrays.h"
+#include "bindings/bind.h"
+
+namespace fovea::bindings {
+namespace {
+
+using Matrix = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Row-major numpy matrix (acting on columns) to GLM's column-major one.
+dmat4 matrix(const double* rows) {
+    dmat4 result;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) result[c][r] = rows[4 * r + c];
+    return result;
+}
+
+dmat4 matrix(const Matrix& array, const char* name) {
+    check(array.ndim() == 2 && array.shape(0) == 4 && array.shape(1) == 4,
+          std::string(name) + ": expected shape (4, 4)");
+    return matrix(array.data());
+}
+
+std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& surfaces,
+                                  const Arg<int>& surface_of_placement, const Matrix& object_to_world,
+                                  const Arg<std::uint64_t>& ids, const Arg<std::uint8_t>& usage) {
+    const auto count = static_cast<std::size_t>(surface_of_placement.size());
+    check(object_to_world.ndim() == 3 && std::size_t(object_to_world.shape(0)) == count &&
+              object_to_world.shape(1) == 4 && object_to_world.shape(2) == 4,
+          "object_to_world: expected shape (n, 4, 4)");
+    check(std::size_t(ids.size()) == count && std::size_t(usage.size()) == count, "ids and usage: expected shape (n,)");
+    for (const auto& surface : surfaces) check(surface != nullptr, "surfaces: None is no surface");
+    std::vector<Placement> placements(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const int surface = surface_of_placement.data()[i];
+        check(surface >= 0 && std::size_t(surface) < surfaces.size(),
+              "surface_of_placement names a surface that does not exist");
+        placements[i] = {surfaces[surface], matrix(object_to_world.data() + 16 * i), ids.data()[i], usage.data()[i]};
+    }
+    return std::make_shared<Scene>(std::move(placements));
+}
+
+View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int width, int height, bool orthographic,
+               double near_clip, double far_clip, double reference_scale,
+               const std::optional<std::array<double, 4>>& frame) {
+    check(width > 0 && height > 0, "view: the image has no pixels");
+    check(near_clip > 0.0 || orthographic, "view: the near clip distance must be positive");
+    check(far_clip > near_clip, "view: the far clip distance must lie beyond the near one");
+    return {matrix(world_to_view, "world_to_view"),
+            matrix(view_to_clip, "view_to_clip"),
+            width,
+            height,
+            orthographic,
+            near_clip,
+            far_clip,
+            reference_scale,
+            frame ? dvec4((*frame)[0], (*frame)[1], (*frame)[2], (*frame)[3]) : dvec4(0.0, 0.0, width, height)};
+}
+
+py::array view_matrix(const View& view) {
+    const dmat4 rows = glm::transpose(view.world_to_view);
+    return py::array_t<double>(std::vector<py::ssize_t>{4, 4}, &rows[0][0]);
+}
+
+/// One line set of definitions with some of their parameters by name.
+LineSet line_set(const std::map<std::string, std::map<std::string, double>>& kinds, double corner_angle_degrees) {
+    LineSet set;
+    set.corner_angle_rad = glm::radians(corner_angle_degrees);
+    for (const auto& [name, given] : kinds) {
+        const Index definition = definition_index(name);
+        set.kinds.push_back(
+            {definition, values_of(*line_definitions()[definition], style::Parameters(given.begin(), given.end()))});
+    }
+    return set;
+}
+
+void bind_view(py::module_& m) {
+    py::class_<View>(m, "View", "A camera and its image; see addon/stages.py.")
+        .def(py::init(&make_view), py::arg("world_to_view"), py::arg("view_to_clip"), py::arg("width"),
+             py::arg("height"), py::arg("orthographic"), py::arg("near_clip"), py::arg("far_clip"),
+             py::arg("reference_scale") = 1.0, py::arg("frame") = py::none(),
+             "frame: left, lower, width and height of the camera's full frame in pixels; None: the image.")
+        .def_property_readonly(
+            "world_to_view", [](const View& view) { return view_matrix(view); }, "(4, 4) float64")
+        .def_property_readonly(
+            "frame",
+            [](const View& view) { return std::array{view.frame.x, view.frame.y, view.frame.z, view.frame.w}; },
+            "left, lower, width and height of the camera's full frame in pixels")
+        .def_readonly("width", &View::width)
+        .def_readonly("height", &View::height)
+        .def_readonly("orthographic", &View::orthographic)
+        .def_readonly("near_clip", &View::near_clip)
+        .def_readonly("far_clip", &View::far_clip)
+        .def_readonly("reference_scale", &View::reference_scale)
+        .def("smaller", &smaller, py::arg("scale"), "The same in fewer pixels, as many as make a whole picture.");
+}
+
+}  // namespace
+
+void bind_scene(py::module_& m) {
+    bind_view(m);
+    py::enum_<Usage>(m, "Usage", "Bits: what a placement does in the drawing.", py::arithmetic())
+        .value("DRAW", usage_draw, "its lines are drawn")
+        .value("OCCLUDE", usage_occlude, "it hides what lies behind")
+        .value("HOLDOUT", usage_holdout, "it cuts a hole where it is seen");
+    py::class_<Scene, std::shared_ptr<Scene>>(m, "Scene", "Placements of surfaces: what one frame sees.")
+        .def(
+            py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),
+            py::arg("ids"), py::arg("usage"),
+            R"(surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent ids;
+usage (n,) uint8, bits of Usage.)")
+        .def("__len__", [](const Scene& scene) { return scene.placements.size(); })
+        .def(
+            "surface",
+            [](const Scene& scene, Index placement) {
+                return std::const_pointer_cast<Surface>(scene.placements.at(placement).surface);
+            },
+            py::arg("placement"))
+        .def_property_readonly(
+            "usage",
+            [](const Scene& scene) {
+                Array<std::uint8_t> usage;
+                for (const Placement& placement : scene.placements) usage.push_back(placement.usage);
+                return to_numpy(std::move(usage));
+            },
+            "(n,) uint8, bits of Usage")
+        .def_property_readonly("facet_base", viewing<Scene>(&Scene::facet_base),
+                               "(n,) uint32: number of each placement's first facet");
+
+    py::class_<Tracer, std::shared_ptr<Tracer>>(m, "Tracer", "Rays through a scene as a view sees it (Embree).")
+        .def(py::init([](const Scene& scene, const View& view) {
+                 return without_gil([&] { return std::make_shared<Tracer>(scene, view); });
+             }),
+             py::arg("scene"), py::arg("view"), py::keep_alive<1, 2>())
+        .def(
+            "extract_paths",
+            [](const Tracer& tracer, const std::map<std::string, std::map<std::string, double>>& kinds,
+               double corner_angle) {
+                const std::vector<LineSet> sets{line_set(kinds, corner_angle)};
+                return without_gil([&] {
+                    return std::make_shared<Paths>(
+                        extract_paths(tracer.scene(), tracer.view(), sets, tracer, Cancel()));
+                });
+            },
+            py::arg("kinds"), py::arg("corner_angle") = 60.0,
+            R"(Paths of what definitions find, {definition: {parameter: value}}; they end at corners sharper than so many
+degrees.)");
+}
+
+}  // namespace fovea::bindings
