@@ -6,8 +6,8 @@
 #include <fovea/field/fields.h>
 #include <fovea/mesh/polygon_edges.h>
 #include <fovea/mesh/refine.h>
-#include <fovea/mesh/repair.h>
 #include <fovea/mesh/surface.h>
+#include <fovea/repair/repair.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
@@ -85,14 +85,13 @@ py::tuple repaired_arrays(const std::string& name, const Arg<vec3>& positions, c
                           const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
                           const Optional<int>& material, const Optional<std::uint8_t>& occluding,
                           const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
-                          const Optional<std::uint8_t>& edge_marks, double weld, bool orient, int smooth, int resample,
-                          double edge_length) {
+                          const Optional<std::uint8_t>& edge_marks, bool orient, int resample, double edge_length) {
     const MeshArrays mesh = borrowed(positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles,
                                      ngon_polygon, material, occluding, sharp_edges, seams, edge_marks);
     RepairedMesh out;
     {
         py::gil_scoped_release release;
-        out = repaired(name, mesh, {weld, orient, smooth, resample, edge_length});
+        out = repaired(name, mesh, {orient, resample, edge_length});
     }
     const auto array = [](const auto& values) {
         using T = typename std::decay_t<decltype(values)>::value_type;
@@ -102,8 +101,7 @@ py::tuple repaired_arrays(const std::string& name, const Arg<vec3>& positions, c
         if (values.empty()) return py::none();
         return array(values);
     };
-    const py::dict report(py::arg("welded_vertices") = out.report.welded_vertices,
-                          py::arg("turned_polygons") = out.report.turned_polygons,
+    const py::dict report(py::arg("turned_polygons") = out.report.turned_polygons,
                           py::arg("refused_polygons") = out.report.refused_polygons);
     return py::make_tuple(
         py::make_tuple(array(out.positions), array(out.edge_verts), array(out.corner_verts), array(out.corner_edges),
@@ -223,9 +221,9 @@ for a cage without a limit surface.)")
         py::arg("corner_verts"), py::arg("corner_edges"), py::arg("polygon_offsets"),
         py::arg("ngon_triangles") = py::none(), py::arg("ngon_polygon") = py::none(), py::arg("material") = py::none(),
         py::arg("occluding") = py::none(), py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(),
-        py::arg("edge_marks") = py::none(), py::arg("weld") = 0.0, py::arg("orient") = false, py::arg("smooth") = 0,
-        py::arg("resample") = 0, py::arg("edge_length") = 0.0,
-        R"(A mesh put in order, see native/fovea/mesh/repair.h: a tuple of the arrays that Surface takes after its name,
+        py::arg("edge_marks") = py::none(), py::arg("orient") = false, py::arg("resample") = 0,
+        py::arg("edge_length") = 0.0,
+        R"(A mesh put in order, see native/fovea/repair/repair.h: a tuple of the arrays that Surface takes after its name,
 and a dict of counts. Raises ValueError, naming the object, as Surface does.)");
 
     m.def(

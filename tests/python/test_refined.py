@@ -46,11 +46,13 @@ def test_positions_of_another_cage():
 
 
 def test_repaired_arrays_make_a_surface():
-    quads = np.arange(24, dtype=np.int32)
-    edge_verts, corner_edges = native.polygon_edges(OFFSETS, quads)
-    torn = "torn", CORNERS[QUADS.ravel()], edge_verts, quads, corner_edges, OFFSETS
-    arrays, report = native.repaired(*torn, weld=1e-6)
-    assert report == {"welded_vertices": 16, "turned_polygons": 0, "refused_polygons": 0}
-    assert native.Surface("torn", *arrays).mesh_edges == 12
-    with pytest.raises(ValueError, match="torn: repair: lengths"):
-        native.repaired(*torn, weld=-1.0)
+    quads = QUADS.copy()
+    quads[2] = quads[2][::-1]
+    edge_verts, corner_edges = native.polygon_edges(OFFSETS, quads.ravel())
+    turned = "turned", CORNERS, edge_verts, quads.ravel(), corner_edges, OFFSETS
+    arrays, report = native.repaired(*turned, orient=True)
+    assert report == {"turned_polygons": 1, "refused_polygons": 0}
+    surface = native.Surface("turned", *arrays)
+    assert surface.mesh_edges == 12 and surface.report["inconsistent_edges"] == 0
+    with pytest.raises(ValueError, match="turned: repair: lengths"):
+        native.repaired(*turned, resample=1, edge_length=-1.0)
