@@ -86,7 +86,7 @@ Index orient(RepairedMesh& mesh) {
         part.turned += is_turned(f);
         ++part.polygons;
     }
-    std::vector<std::uint8_t> turned(count, 0);
+    Array<std::uint8_t> turned(count, 0);
     for (Index f = 0; f < count; ++f) {
         // Outwards where there is an outside; else as most of them are already.
         const Part& part = parts[part_of(f)];
