@@ -7,7 +7,7 @@ Styles are datablocks of their own: style_data.py.
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
-from . import focus_settings, gpu_context, methods, own_lines, style_data, style_groups, style_read
+from . import focus_settings, gpu_context, methods, own_lines, repair, style_data, style_groups, style_read
 from .line_kinds import definitions  # noqa: F401 (part of what this module offers)
 from .property_kinds import redraw
 
@@ -60,8 +60,8 @@ OCCLUSIONS = [
 ]
 
 
-def _group(name, annotations):
-    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": annotations, "__module__": __name__})
+def _group(name, annotations, **others):
+    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": annotations, "__module__": __name__, **others})
 
 
 def _scene_group():
@@ -135,7 +135,8 @@ def _object_group(kinds):
             update=redraw,
         ),
     }
-    return _group("FoveaObjectSettings", {**annotations, **own_lines.annotations(kinds), **_shape_properties()})
+    annotations |= own_lines.annotations(kinds) | _shape_properties()
+    return _group("FoveaObjectSettings", annotations, **repair.removed_attributes())
 
 
 def _material_group():
@@ -173,25 +174,8 @@ def _shape_properties():
             max=6,
             update=redraw,
         ),
-        "repair_weld": FloatProperty(
-            name="Weld",
-            description="Vertices that are not farther apart become one",
-            subtype="DISTANCE",
-            min=0.0,
-            soft_max=1.0,
-            step=0.1,
-            precision=4,
-            update=redraw,
-        ),
         "repair_orient": BoolProperty(
             name="Face Outwards", description="Turn faces that disagree with their neighbours", update=redraw
-        ),
-        "repair_smooth": IntProperty(
-            name="Smooth",
-            description="Steps of smoothing between creases, marks and borders",
-            min=0,
-            max=100,
-            update=redraw,
         ),
         "repair_resample": IntProperty(
             name="Resample", description="Steps towards triangles of equal sides", min=0, max=50, update=redraw

@@ -87,6 +87,8 @@ class _Gathering:
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
                 surface = self.surface(obj, mesh, slots, plan, mend)
+                if self.cache.rebuilt[-1:] == [surface]:
+                    self.cache.remarks += repair.remarks_of_removed(obj)
                 surface.set_field_options(*curvature)
                 cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
                 for gathering in self.beside:

@@ -5,7 +5,8 @@
 #include <fovea/field/fields.h>
 #include <fovea/mesh/polygon_edges.h>
 #include <fovea/mesh/refine.h>
-#include <fovea/mesh/repair.h>
+#include <fovea/mesh/surface.h>
+#include <fovea/repair/repair.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
@@ -91,19 +92,16 @@ edge_marks (E,) bool.)");
                                "(C,) int32: the edge from each corner to the next");
 
     py::class_<RepairReport>(m, "RepairReport", "How much a repair has done; counts of elements.")
-        .def_readonly("welded_vertices", &RepairReport::welded_vertices)
         .def_readonly("turned_polygons", &RepairReport::turned_polygons)
         .def_readonly("refused_polygons", &RepairReport::refused_polygons);
     py::class_<RepairedMesh, std::shared_ptr<RepairedMesh>>(m, "RepairedMesh",
-                                                            "A mesh put in order; see native/fovea/mesh/repair.h.")
+                                                            "A mesh put in order; see native/fovea/repair/repair.h.")
         .def(
-            py::init([](const std::string& name, const Mesh& mesh, double weld, bool orient, int smooth, int resample,
-                        double edge_length) {
-                const Repair repair{weld, orient, smooth, resample, edge_length};
+            py::init([](const std::string& name, const Mesh& mesh, bool orient, int resample, double edge_length) {
+                const Repair repair{orient, resample, edge_length};
                 return without_gil([&] { return std::make_shared<RepairedMesh>(repaired(name, mesh.arrays, repair)); });
             }),
-            py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("weld") = 0.0, py::arg("orient") = false,
-            py::arg("smooth") = 0, py::arg("resample") = 0, py::arg("edge_length") = 0.0,
+            py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("orient") = false, py::arg("resample") = 0, py::arg("edge_length") = 0.0,
             "Raises ValueError, naming the object, as Surface does.")
         .def_property_readonly("mesh",
                                [](py::object self) { return Mesh{self.cast<const RepairedMesh&>().arrays(), {self}}; })

@@ -22,6 +22,10 @@ def torn_box(flip=()):
     return new_object(new_mesh(vertices, [], quads), "Torn")
 
 
+def weld(obj):
+    obj.modifiers.new("Weld", "WELD").merge_threshold = 1e-3
+
+
 def only_surface(cache=None):
     (surface,) = in_viewport(cache or new_cache(NATIVE)).surfaces
     return surface
@@ -33,13 +37,16 @@ def test_nothing_is_repaired_unasked():
     assert only_surface(cache).mesh_edges == 24 and cache.remarks == []
 
 
-def test_welded_and_oriented():
-    obj = torn_box(flip=[0, 3])
-    obj.fovea.repair_weld, obj.fovea.repair_orient = 1e-3, True
+def test_faces_are_turned_to_the_side_of_their_neighbors():
+    obj = new_object(box_mesh(), "Turned")
+    obj.data.polygons[0].flip()
+    obj.data.polygons[3].flip()
+    assert only_surface().report.inconsistent_edges > 0
+    obj.fovea.repair_orient = True
     cache = new_cache(NATIVE)
     surface = only_surface(cache)
     assert surface.mesh_edges == 12 and surface.report.inconsistent_edges == 0
-    assert cache.remarks == ["'Torn': 16 vertices were joined to others; 2 faces were turned around"]
+    assert cache.remarks == ["'Turned': 2 faces were turned around"]
     assert only_surface(cache) is surface and cache.remarks == []
 
 
@@ -48,18 +55,19 @@ def test_resampled_with_its_materials():
     for name in ("Red", "Blue"):
         obj.data.materials.append(bpy.data.materials.new(name))
     obj.data.polygons[2].material_index = 1
-    obj.fovea.repair_weld, obj.fovea.repair_resample, obj.fovea.repair_edge_length = 1e-3, 4, 0.4
+    weld(obj)
+    obj.fovea.repair_resample, obj.fovea.repair_edge_length = 4, 0.4
     surface = only_surface()
     assert len(surface.triangles) == surface.polygon_count > 100
     assert np.abs(surface.positions).max(axis=1) == pytest.approx(1, abs=1e-5)
 
 
-def test_repaired_and_then_refined():
+def test_an_object_is_welded_by_its_modifier_and_then_refined():
     obj = torn_box()
     obj.fovea.refine, obj.fovea.refine_level = True, 2
     apart = only_surface()
     assert isinstance(apart, NATIVE.RefinedSurface) and np.abs(apart.positions).max() == pytest.approx(1, abs=0.2)
-    obj.fovea.repair_weld = 1e-3
+    weld(obj)
     surface = only_surface()
     assert np.linalg.norm(surface.positions, axis=1).max() == pytest.approx(np.sqrt(0.75), abs=1e-5)
 
@@ -68,9 +76,30 @@ def test_a_mesh_that_moves_is_repaired_anew():
     bpy.ops.mesh.primitive_grid_add(x_subdivisions=8, y_subdivisions=8)
     obj = bpy.context.object
     obj.modifiers.new("Wave", "WAVE")
-    obj.fovea.repair_smooth = 3
+    obj.fovea.repair_resample = 3
     cache = new_cache(NATIVE)
     bpy.context.scene.frame_set(1)
     before = only_surface(cache).positions.copy()
     bpy.context.scene.frame_set(10)
     assert not np.array_equal(only_surface(cache).positions, before)
+
+
+@pytest.mark.parametrize("setting, modifier", [("repair_weld", "Weld"), ("repair_smooth", "Smooth")])
+def test_a_removed_setting_of_an_old_file_names_its_modifier_once_and_does_nothing(setting, modifier, tmp_path):
+    torn_box().fovea[setting] = 1
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "old.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "old.blend"))
+    cache = new_cache(NATIVE)
+    surface = only_surface(cache)
+    assert cache.remarks == [f"'Torn': {modifier} is not a setting of the object anymore: add the modifier {modifier}"]
+    assert surface.mesh_edges == 24
+    assert only_surface(cache) is surface and cache.remarks == []
+
+
+@pytest.mark.parametrize("setting, modifier", [("repair_weld", "Weld"), ("repair_smooth", "Smooth")])
+def test_a_script_that_uses_a_removed_setting_hears_which_modifier_to_add(setting, modifier):
+    settings = torn_box().fovea
+    with pytest.raises(AttributeError, match=f"{setting} is not .*: add the modifier {modifier}"):
+        setattr(settings, setting, 1)
+    with pytest.raises(AttributeError, match=f"add the modifier {modifier}"):
+        getattr(settings, setting)

@@ -143,3 +143,18 @@ TEST(SurfaceDistance, FocusOfPixelsAndSamplesIsThatOfTheirPlaces) {
         });
     }
 }
+
+TEST(NearestPoint, OfABoxIsThePlaceClampedToIt) {
+    const Surface box("box", meshes::box().arrays());
+    const NearestPoint nearest(box.positions, box.triangles);
+    at_random_places(3.0, [&](const dvec3& place) {
+        const vec3 p(place);
+        if (glm::all(glm::lessThan(glm::abs(p), vec3(1.0f)))) return;  // inside
+        const std::optional<dvec3> found = nearest(p);
+        ASSERT_TRUE(found);
+        EXPECT_LT(glm::distance(*found, glm::clamp(dvec3(p), -1.0, 1.0)), 1e-12);
+        EXPECT_FALSE(nearest(p, 0.5f * static_cast<float>(glm::distance(*found, dvec3(p)))));
+    });
+    EXPECT_FALSE(nearest(vec3(std::nanf(""), 0, 0)));
+    EXPECT_FALSE(NearestPoint({}, {})(vec3(3.0f)));
+}

@@ -11,9 +11,7 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 # A native folder includes itself and those before it.
-NATIVE = (
-    "base raster mesh field scene image line style path project visibility runs focus elision stroke color draw".split()
-)
+NATIVE = "base raster mesh field scene repair image line style path project visibility runs focus elision stroke color draw".split()
 
 # What uses the core: each includes itself and all of the core.
 USERS = ("bindings", "tool")
@@ -23,7 +21,7 @@ LIBRARIES = {
     r"pybind11/": r"native/bindings/",
     r"numpy/": r"native/bindings/",
     r"OpenSubdiv|opensubdiv/": r"native/fovea/mesh/refine",
-    r"OpenMesh/": r"native/fovea/mesh/repair",
+    r"OpenMesh/": r"native/fovea/repair/",
     r"embree\d?/": r"native/fovea/scene/bvh",
     r"CLI/": r"native/tool/",
     r"nlohmann/": r"native/(tool/|fovea/style/json|fovea/draw/assets)",

@@ -63,9 +63,12 @@ def test_positions_of_another_cage():
 
 
 def test_repaired_arrays_make_a_surface():
-    torn = mesh(CORNERS[QUADS.ravel()], np.arange(24, dtype=np.int32))
-    whole = native.RepairedMesh("torn", torn, weld=1e-6)
-    assert counts(whole.report) == {"welded_vertices": 16, "turned_polygons": 0, "refused_polygons": 0}
-    assert native.Surface("torn", whole.mesh).mesh_edges == 12
-    with pytest.raises(ValueError, match="torn: repair: lengths"):
-        native.RepairedMesh("torn", torn, weld=-1.0)
+    quads = QUADS.copy()
+    quads[2] = quads[2][::-1]
+    turned = mesh(CORNERS, quads.ravel())
+    whole = native.RepairedMesh("turned", turned, orient=True)
+    assert counts(whole.report) == {"turned_polygons": 1, "refused_polygons": 0}
+    surface = native.Surface("turned", whole.mesh)
+    assert surface.mesh_edges == 12 and surface.report.inconsistent_edges == 0
+    with pytest.raises(ValueError, match="turned: repair: lengths"):
+        native.RepairedMesh("turned", turned, resample=1, edge_length=-1.0)

@@ -78,7 +78,7 @@ def _draw_shape(layout, settings):
     header, body = layout.panel("fovea_repair", default_closed=True)
     header.label(text="Repair")
     if body:
-        for name in ("weld", "orient", "smooth", "resample"):
+        for name in ("orient", "resample"):
             body.prop(settings, f"repair_{name}")
         if settings.repair_resample:
             body.prop(settings, "repair_edge_length")

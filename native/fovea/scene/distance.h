@@ -2,14 +2,13 @@
 // How far places are from surfaces.
 #pragma once
 
-#include <memory>
-
+#include <fovea/scene/nearest.h>
 #include <fovea/scene/scene.h>
 
 namespace fovea {
 
-/// Distance from some of a scene's placements. Keeps a copy of their triangles, those that hide nothing, too; may be
-/// asked from many threads.
+/// Distance from some of a scene's placements. Keeps a copy of their triangles, those that hide nothing, too, in one
+/// piece and in view space: distances do not survive placements that stretch. May be asked from many threads.
 class SurfaceDistance {
    public:
     /// Throws std::invalid_argument for a placement that does not exist, std::runtime_error where Embree fails.
@@ -20,8 +19,7 @@ class SurfaceDistance {
     float operator()(const vec3& position_view, float far) const;
 
    private:
-    struct Bvh;
-    std::shared_ptr<const Bvh> bvh_;
+    std::shared_ptr<const NearestPoint> nearest_;
 };
 
 }  // namespace fovea
