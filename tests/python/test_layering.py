@@ -138,6 +138,10 @@ def _may_import(importer, imported):
     return any(imported == part or imported.startswith((part + "/", part + "_")) for part in allowed)
 
 
+def test_readme_names_the_native_folders_in_their_order():
+    assert " ".join(NATIVE) in (PROJECT / "README.md").read_text(encoding="utf-8")
+
+
 def test_the_rules_hold():
     assert not list(violations(PROJECT))
 
