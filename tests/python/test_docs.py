@@ -15,8 +15,9 @@ from addon.style_parts import Hidden, LineSet, Style
 PROJECT = Path(__file__).parents[2]
 DOCS = PROJECT / "addon" / "docs"
 README = PROJECT / "README.md"
+CONTRIBUTING = PROJECT / ".github" / "CONTRIBUTING.md"
 # Of those who have the whole project.
-DEVELOPERS = [README, PROJECT / ".github" / "CONTRIBUTING.md", figures.FOLDER / "README.md"]
+DEVELOPERS = [README, CONTRIBUTING, figures.FOLDER / "README.md"]
 TEXTS = [*sorted(DOCS.parent.rglob("*.md")), *DEVELOPERS]
 DEFINITIONS = {definition["name"]: definition for definition in catalogue.definitions()}
 PARAMETERS = [(name, parameter) for name, d in DEFINITIONS.items() for parameter in d["parameters"]]
@@ -142,6 +143,16 @@ def test_every_option_of_draw_is_told(text, capsys):
     assert len(options) > 20
     told = (PROJECT / text).read_text(encoding="utf-8")
     assert [option for option in sorted(options) if not re.search(rf"{option}\b", told)] == []
+
+
+def test_contributing_names_the_presets_there_are_and_packages_that_suites_have():
+    text = CONTRIBUTING.read_text(encoding="utf-8")
+    listed = json.loads((PROJECT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
+    presets = {preset["name"] for preset in listed if not preset.get("hidden")}
+    assert set(re.findall(r"--preset ([\w-]+)", text)) <= presets <= set(re.findall(r"`([\w-]+)`", text)) | {"release"}
+    packages = re.search(r"apt-get install (g\+\+[^`]*?)\n\n", text)[1].replace("\\\n", "").split()
+    suites = (PROJECT / "blender_scripts" / "command" / "packages.txt").read_text(encoding="utf-8").splitlines()
+    assert set(packages) <= set(suites) and {"libcli11-dev", "nlohmann-json3-dev"} <= set(packages)
 
 
 def test_every_text_is_found_from_the_first_page():
