@@ -16,14 +16,21 @@ from .variants import SHEETS
 FOLDER = PROJECT / "blender_scripts" / "figures"
 MODELS = SHARED / "models"
 CRANK_ARM = MODELS / "cad" / "crank-arm.obj"
-ORGANIC = {"rocker-arm": "rocker-arm", "bunny": "stanford-bunny", "spot": "spot"}  # name of a figure: of its model
+ORGANIC = {  # name of a figure: its model, azimuth, elevation
+    "rocker-arm": ("rocker-arm", "65", "25"),
+    "bunny": ("stanford-bunny", "105", "15"),
+    "spot": ("spot", "120", "15"),
+}
 DOCS = PROJECT / "addon" / "docs"
 STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
 SIZE = ["--size", "1280x720"]
 STEPS, WINDOW = "first_drawing", (1280, 800)  # Blender's window, step by step
 FIGURES = {  # name: the words of `fovea draw`
-    f"lines-{name}": [MODELS / "organic" / f"{model}.obj", "--lines", "all", "--sheet", "--size", "480x360"]
-    for name, model in ORGANIC.items()
+    f"lines-{name}": [
+        MODELS / "organic" / f"{model}.obj", "--lines", "all", "--sheet", "--size", "480x360",
+        "--azimuth", azimuth, "--elevation", elevation,
+    ]
+    for name, (model, azimuth, elevation) in ORGANIC.items()
 } | {
     f"atlas-{probes}x{scale}": [
         "office", "--style", "plain", "--visibility", "atlas", "--probes", probes, "--depth-scale", scale,
