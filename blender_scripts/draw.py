@@ -19,6 +19,7 @@ from mathutils import Vector
 sys.path.insert(0, str(Path(__file__).parent))
 
 import ending
+import frame_dump
 import framing
 import picture
 import scenes
@@ -213,8 +214,11 @@ def set_output(scene, options):
 
 def render(scene, options):
     frames = options.frames or (scene.frame_current, scene.frame_current)
-    for frame, path in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), strict=True):
+    dumps = draw_options.dumps(options) or [None] * (frames[1] + 1 - frames[0])
+    for frame, path, dump in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), dumps, strict=True):
         scene.frame_set(frame)
+        if dump:  # first, as the picture may be what fails
+            frame_dump.write(bpy.context, dump)
         picture.render(scene, path)
 
 

@@ -134,9 +134,18 @@ def draw(found, seen, chosen, backend, options, progress, cancel, near=None):
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
-def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
-    """The Image of a final render of the depsgraph's scene, or None when the user stopped it. `lines_alone`: without
-    what is under them, focus and depth. `tell(share, stage)` hears how far it is; None: Blender does."""
+def final_image(engine, depsgraph, **how):
+    """The Image of a final render of the depsgraph's scene, or None when the user stopped it; `how` as for `final`."""
+    made = final(engine, depsgraph, **how)
+    if made:
+        note_statistics(*made)
+    return made and made[1]
+
+
+def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
+    """What is Gathered for a final render of the depsgraph's scene, what `make` makes of it (arguments as those of
+    `draw`), and the seconds that other frames took; or None when the user stopped it. `lines_alone`: without what is
+    under them, focus and depth. `tell(share, stage)` hears how far it is; None: Blender does."""
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
@@ -150,11 +159,9 @@ def final_image(engine, depsgraph, *, lines_alone=False, tell=None):
             near_s = time.perf_counter() - start if near else 0.0
             # After the others: surfaces that move are as they were gathered last.
             found = gather(engine, depsgraph, chosen, with_colors=not lines_alone)
-            image = draw(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near)
+            return found, make(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near), near_s
         except core.Cancelled:
             return None
-    note_statistics(found, image, near_s)
-    return image
 
 
 def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):

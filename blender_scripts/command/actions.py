@@ -48,8 +48,8 @@ def draw(target, words):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "draw.py"
     in_blender(target, f"drawing {options.scene}", script, words)
-    for picture in draw_options.pictures(options):
-        print(picture)
+    for path in (*draw_options.pictures(options), *draw_options.dumps(options)):
+        print(path)
     return 0
 
 

@@ -27,14 +27,14 @@ def module(target):
     return found[0]
 
 
-def core(target):
-    """Builds library and tool by the preset `release`, as who uses the core without Blender does; returns the build folder.
-    The same objects as those of the module: ccache has them."""
-    folder = target.work / "core"
+def preset(target, name, *goals):
+    """Builds CMake targets, or all, by a preset, as who uses the core without Blender does; returns the build folder.
+    Where objects are those of another build, as of `release` those of the module, ccache has them."""
+    folder = target.work / f"preset-{name}"
     with target.lock():
-        options = ["--preset", "release", "-S", _source(target), "-B", folder, *_compiling(target)]
-        target.run("configuring the core", ["cmake", *options])
-        _make(target, "building the core", folder, "--target", "fovea_core", "fovea_tool")
+        options = ["--preset", name, "-S", _source(target), "-B", folder, *_compiling(target)]
+        target.run(f"configuring the preset {name}", ["cmake", *options])
+        _make(target, f"building the preset {name}", folder, *(["--target", *goals] if goals else []))
     return folder
 
 

@@ -37,11 +37,19 @@ def is_file(spec):
 
 
 def pictures(options):
-    """The files that a run writes."""
-    if not options.frames:
-        return [options.output]
-    first, last = options.frames
-    return [options.output.with_stem(f"{options.output.stem}_{frame:04d}") for frame in range(first, last + 1)]
+    """The pictures that a run writes, one a frame."""
+    return _numbered(options.output, options.frames)
+
+
+def dumps(options):
+    """The files with what they are drawn from; none unless they are asked for."""
+    return _numbered(options.dump, options.frames) if options.dump else []
+
+
+def _numbered(path, frames):
+    if not frames:
+        return [path]
+    return [path.with_stem(f"{path.stem}_{frame:04d}") for frame in range(frames[0], frames[1] + 1)]
 
 
 def _parser():
@@ -96,6 +104,8 @@ def _parser():
     add("--elision", action=argparse.BooleanOptionalAction, help="thin lines that crowd each other")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
+    dump = "what the picture is drawn from, as arrays, for a bug report: OUT.npz"
+    add("--dump", type=lambda text: Path(text).absolute(), metavar="OUT.npz", help=dump)
     return parser
 
 
@@ -119,8 +129,10 @@ def _check(options):
         _check_sheet(options)
     if not options.margin < 50:
         raise ValueError(f"a margin of {options.margin} percent leaves no picture")
-    for picture in pictures(options):
-        output.check(picture)
+    if options.dump and options.dump.suffix != ".npz":
+        raise ValueError(f"a dump is a .npz, not {options.dump.name}")
+    for path in (*pictures(options), *dumps(options)):
+        output.check(path)
 
 
 def _check_sheet(options):
@@ -128,7 +140,7 @@ def _check_sheet(options):
     options.size = options.size or TILE
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
-    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot")
+    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "dump")
     others += ("focus", "focus_painted", "elision")
     for other in others:
         if getattr(options, other):

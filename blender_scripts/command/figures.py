@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea figures [NAME...]`: draws the pictures of README, hidden lines and haloes by `fovea draw`, focus as sheets, and
-those of addon/docs."""
+"""`fovea figures [NAME...]`: draws the pictures of README and of its page of figures, lines and haloes by `fovea draw`,
+focus as sheets, and those of addon/docs."""
 
 import argparse
 import tempfile
@@ -14,12 +14,24 @@ from .target import PROJECT, SHARED
 from .variants import SHEETS
 
 FOLDER = PROJECT / "blender_scripts" / "figures"
-CRANK_ARM = SHARED / "models" / "cad" / "crank-arm.obj"
+MODELS = SHARED / "models"
+CRANK_ARM = MODELS / "cad" / "crank-arm.obj"
+ORGANIC = {  # name of a figure: its model, azimuth, elevation
+    "rocker-arm": ("rocker-arm", "65", "25"),
+    "bunny": ("stanford-bunny", "105", "15"),
+    "spot": ("spot", "120", "15"),
+}
 DOCS = PROJECT / "addon" / "docs"
 STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
 SIZE = ["--size", "1280x720"]
 STEPS, WINDOW = "first_drawing", (1280, 800)  # Blender's window, step by step
 FIGURES = {  # name: the words of `fovea draw`
+    f"lines-{name}": [
+        MODELS / "organic" / f"{model}.obj", "--lines", "all", "--sheet", "--size", "480x360",
+        "--azimuth", azimuth, "--elevation", elevation,
+    ]
+    for name, (model, azimuth, elevation) in ORGANIC.items()
+} | {
     f"atlas-{probes}x{scale}": [
         "office", "--style", "plain", "--visibility", "atlas", "--probes", probes, "--depth-scale", scale,
         "--size", "640x360",

@@ -15,9 +15,9 @@ def check(path):
     if not place.parent.is_dir():
         raise ValueError(f"there is no folder {place.parent}")
     if not os.access(place.parent, os.W_OK | os.X_OK):
-        raise ValueError(f"nothing can be written to the folder {place.parent}: name another with -o")
+        raise ValueError(f"nothing can be written to the folder {place.parent}: name another folder")
     if place.exists() and not (place.is_file() and os.access(place, os.W_OK)):
-        raise ValueError(f"{path} cannot be replaced: name another file with -o")
+        raise ValueError(f"{path} cannot be replaced: name another file")
 
 
 @contextmanager
@@ -34,6 +34,6 @@ def written(path, is_whole=Path.is_file):
         fresh.replace(place)
     except (OSError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or "its disk did not take all of it"
-        raise ValueError(f"{path} could not be written ({reason}): make room, or name another place with -o") from error
+        raise ValueError(f"{path} could not be written ({reason}): make room, or name another place") from error
     finally:
         fresh.unlink(missing_ok=True)

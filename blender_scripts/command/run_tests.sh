@@ -4,7 +4,10 @@
 test_targets() {
     trap 'stop_children; exit 130' INT TERM
     passed=0 failed=0 skipped=0 broken= failures=
-    if [ -n "$on${BLENDER:-}" ]; then
+    if [ "${1:-}" = --long ]; then
+        shift
+        test_long "$@"
+    elif [ -n "$on${BLENDER:-}" ]; then
         choose_target "$on" || exit 1
         test_target yes "$(getconf _NPROCESSORS_ONLN)" "$@" || status=$?
         add_counts
@@ -15,6 +18,17 @@ test_targets() {
     [ -z "$broken" ] || say "!!! NOT TESTED, because it could not be set up:$broken (the reason stands above) !!!"
     echo "$passed passed, $failed failed, $skipped skipped"
     [ "$failed" -eq 0 ]
+}
+
+# What takes longer than all the rest, on the suite whose compiler and clang-tidy stay the same: threads under a sanitizer,
+# and the lint of all C++ files, which counts as one test.
+test_long() {
+    [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
+    [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie"
+    use_suite trixie || exit 1
+    test_target no "$(getconf _NPROCESSORS_ONLN)" threads || status=$?
+    add_counts
+    (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
 }
 
 # Both side by side. A broken archive of one suite must not hide what the other one says.

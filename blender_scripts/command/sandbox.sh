@@ -61,11 +61,11 @@ named_options() {
     previous=
     for word in "$@"; do
         named=--ro-bind
-        case $previous in -o | --output | --render-output) named=--bind ;; esac
-        case $word in --output=*) named=--bind ;; esac
+        case $previous in -o | --output | --dump | --render-output) named=--bind ;; esac
+        case $word in --output=* | --dump=*) named=--bind ;; esac
         [ "$subcommand" != blender ] || named=--bind
         previous=$word
-        [ "$how" = "$named" ] && folder=$(folder_of "${word#--output=}") || continue
+        [ "$how" = "$named" ] && folder=$(folder_of "${word#--*=}") || continue
         is_system "$folder" || option "$how" "$folder" "$folder"
     done
 }

@@ -19,6 +19,14 @@ use_suite() {
     set_up_suite "$1"
 }
 
+# Debian sid, or where it cannot be installed that day, the stable release.
+use_newest_suite() {
+    use_suite sid && return
+    [ "$(id -u)" = 0 ] || return # who may not set up one may not set up the other
+    say "going on with Debian trixie and its Blender, as sid cannot be installed today (the reason stands above); --on sid tries it again"
+    use_suite trixie
+}
+
 must_use_own_blender() {
     use_own_blender "$1" || { say "$reason" && return 1; }
 }
@@ -27,9 +35,9 @@ choose_blender_at_hand() {
     if [ -n "${BLENDER:-}" ]; then
         must_use_own_blender "$BLENDER"
     elif on_path=$(command -v blender); then
-        use_own_blender "$on_path" || { say "$reason; using Fovea's own Blender" && use_suite sid; }
+        use_own_blender "$on_path" || { say "$reason; using Fovea's own Blender" && use_newest_suite; }
     else
-        use_suite sid
+        use_newest_suite
     fi
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every test on one target: native, native under sanitizers, Python without Blender, inside Blender, and in its window."""
+"""Every test on one target: native, native under sanitizers, Python without Blender, inside Blender, and in its window.
+Those of threads, under a sanitizer of their own, only when they are named."""
 
 import os
 import re
@@ -14,6 +15,8 @@ from . import build, package
 from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
+ABOUT_THREADS = "*Thread*:*Cache*:*Cancel*"  # native tests of parallel loops, of caches, and of what is stopped
+THREAD_SUPPRESSIONS = TESTS / "native" / "thread_sanitizer.supp"
 PASSING = re.compile(r"\[ +(RUN|OK) +\]|\[-+\]|.* PASSED +\[|\s*$")  # lines that say nothing about a failure
 WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # how Python came to where a crash was
 
@@ -36,8 +39,8 @@ def test(target, words):
 def _parse(words):
     _, sanitize, _, jobs, *rest = words
     part = rest.pop(0) if rest and rest[0] in PARTS else None
-    parts = [part] if part else [name for name in PARTS if name != "sanitize" or sanitize == "yes"]
-    return parts, int(jobs), rest
+    left_out = {*LONG, *(() if sanitize == "yes" else ("sanitize",))}
+    return [part] if part else [name for name in PARTS if name not in left_out], int(jobs), rest
 
 
 def _part(target, part, report, words):
@@ -89,22 +92,30 @@ def _sanitize(target, report, _words):
     return _shards("sanitize", build.build(target, "fovea_tests", sanitize=True), report)
 
 
+def _threads(target, report, _words):
+    """One shard: these tests are about what uses all cores."""
+    folder = build.preset(target, "thread-sanitize", "fovea_tests")
+    return [_shard("threads", folder, report, 1, 1, f"--gtest_filter={ABOUT_THREADS}")]
+
+
 def _shards(part, folder, report):
     """GoogleTest's shards, one per core: most tests use one."""
     count = len(os.sched_getaffinity(0))
-    runs = []
-    for i in range(count):
-        own = report.with_stem(f"{report.stem}-{i + 1}")
-        environment = {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}
-        environment["UBSAN_OPTIONS"] = "print_stacktrace=1"
-        command = [folder / "fovea_tests", f"--gtest_output=xml:{own}"]
-        runs.append((f"{part} tests {i + 1} of {count}", command, own, environment))
-    return runs
+    return [_shard(part, folder, report.with_stem(f"{report.stem}-{i}"), i, count) for i in range(1, count + 1)]
+
+
+def _shard(part, folder, report, number, count, *words):
+    environment = {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(number - 1)}
+    environment["UBSAN_OPTIONS"] = "print_stacktrace=1"
+    environment["TSAN_OPTIONS"] = f"suppressions='{THREAD_SUPPRESSIONS}'"
+    command = [folder / "fovea_tests", f"--gtest_output=xml:{report}", *words]
+    return f"{part} tests {number} of {count}", command, report, environment
 
 
 def _core(target, report, _words):
     """The tool, an installed copy of the core and a program that uses it. The native tests are a part of their own."""
-    command = ["ctest", "--test-dir", build.core(target), "--exclude-regex", "native", "--output-on-failure"]
+    folder = build.preset(target, "release", "fovea_core", "fovea_tool")
+    command = ["ctest", "--test-dir", folder, "--exclude-regex", "native", "--output-on-failure"]
     return [("core tests", [*command, "--output-junit", report], report, {})]
 
 
@@ -162,4 +173,6 @@ PARTS = {
     "window": _window,
     "core": _core,
     "sanitize": _sanitize,
+    "threads": _threads,
 }
+LONG = ("threads",)  # parts that run when they are named: they take longer than all others

@@ -101,8 +101,8 @@ edge_marks (E,) bool.)");
                 const Repair repair{orient, resample, edge_length};
                 return without_gil([&] { return std::make_shared<RepairedMesh>(repaired(name, mesh.arrays, repair)); });
             }),
-            py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("orient") = false, py::arg("resample") = 0, py::arg("edge_length") = 0.0,
-            "Raises ValueError, naming the object, as Surface does.")
+            py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("orient") = false, py::arg("resample") = 0,
+            py::arg("edge_length") = 0.0, "Raises ValueError, naming the object, as Surface does.")
         .def_property_readonly("mesh",
                                [](py::object self) { return Mesh{self.cast<const RepairedMesh&>().arrays(), {self}}; })
         .def_readonly("report", &RepairedMesh::report);

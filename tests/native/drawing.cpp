@@ -118,6 +118,8 @@ LineSet line_set_with(const char* name, const Values& values, double corner_degr
     return set;
 }
 
+LineSet all_edges() { return line_set_with("crease", {0, 1}); }
+
 Placement place(const meshes::Mesh& mesh, dmat4 object_to_world, std::uint64_t id, int usage) {
     return {mesh.surface(), object_to_world, id, std::uint8_t(usage)};
 }

@@ -35,6 +35,9 @@ LineSet line_set(const std::vector<const char*>& names, double corner_degrees = 
 /// One definition with values of its own.
 LineSet line_set_with(const char* name, const Values& values, double corner_degrees = 60.0);
 
+/// Every edge of a mesh. A function, as definitions are not there yet where the constants of other files are made.
+LineSet all_edges();
+
 Placement place(const meshes::Mesh& mesh, dmat4 object_to_world = dmat4(1.0), std::uint64_t id = 1,
                 int usage = usage_draw | usage_occlude);
 dmat4 moved(dvec3 by);

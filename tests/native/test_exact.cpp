@@ -16,10 +16,9 @@ using namespace fovea::wires;
 namespace {
 
 const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
-const LineSet all_edges = line_set_with("crease", {0, 1});
 
 std::size_t visible_edges(const Mesh& mesh, const View& view, dmat4 at = dmat4(1.0)) {
-    return Drawing({place(mesh, at)}, view, {all_edges}).visible_edges().size();
+    return Drawing({place(mesh, at)}, view, {all_edges()}).visible_edges().size();
 }
 
 /// Pixels of image position (along x) where the visibility of a straight wire changes behind or through an occluder.
@@ -63,7 +62,7 @@ double visible_share(const std::vector<dvec3>& wire, const View& view, const std
 
 TEST(Exact, NineOfTwelveEdgesOfABoxAreSeenFromItsCorner) {
     for (const View& view : {corner_view, orthographic({4, -5, 3}, {0, 0, 0}, 5)}) {
-        const Drawing drawing({place(box())}, view, {all_edges});
+        const Drawing drawing({place(box())}, view, {all_edges()});
         EXPECT_EQ(drawing.visible_edges().size(), 9u);
         for (Index e = 0; e < 12; ++e) {
             const auto [all, visible] = drawing.length_of(e);
@@ -86,16 +85,16 @@ TEST(Exact, ATetrahedronBehindABoxIsHidden) {
     const dvec3 way = glm::normalize(dvec3(4, -5, 3));
     for (const double apart : {-2.2, -8.0}) {
         const Drawing behind({place(box()), place(tetrahedron(), moved(apart * way) * scaled(dvec3(0.3)), 2)},
-                             corner_view, {all_edges});
+                             corner_view, {all_edges()});
         EXPECT_GT(behind.total_px(1), 50.0);
         EXPECT_EQ(behind.visible_px(1), 0.0);
         EXPECT_EQ(behind.visible_edges(0).size(), 9u);
     }
     const Drawing before({place(box()), place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)), 2)}, corner_view,
-                         {all_edges});
+                         {all_edges()});
     EXPECT_GE(before.visible_edges(1).size(), 3u);
     EXPECT_EQ(before.visible_edges(1),
-              Drawing({place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)))}, corner_view, {all_edges})
+              Drawing({place(tetrahedron(), moved(2.2 * way) * scaled(dvec3(0.3)))}, corner_view, {all_edges()})
                   .visible_edges(0));
 }
 
@@ -166,7 +165,7 @@ TEST(Exact, LinesOnTheirOwnSurfaceAreSeen) {
         const double a = glm::radians(degrees);
         const dvec3 eye(6 * std::cos(a), 0.1, 6 * std::sin(a));
         for (const View& view : {perspective(eye, {0, 0, 0}), orthographic(eye, {0, 0, 0}, 4)}) {
-            const Drawing drawing({place(grid(8))}, view, {all_edges, line_set({"border"})});
+            const Drawing drawing({place(grid(8))}, view, {all_edges(), line_set({"border"})});
             EXPECT_NEAR(drawing.visible_px(0), drawing.total_px(0), 1e-6) << degrees;
             EXPECT_EQ(drawing.lines().size(), 144u);
         }
@@ -174,7 +173,7 @@ TEST(Exact, LinesOnTheirOwnSurfaceAreSeen) {
 }
 
 TEST(Exact, TheFrontOfASphereIsSeenAndItsBackIsNot) {
-    const Drawing drawing({place(sphere(24))}, corner_view, {all_edges});
+    const Drawing drawing({place(sphere(24))}, corner_view, {all_edges()});
     const Surface& surface = *drawing.scene.placements[0].surface;
     const dvec3 eye(4, -5, 3);
     int front = 0, back = 0;
@@ -213,7 +212,7 @@ TEST(Exact, ABoxOnAFloorKeepsItsBottomEdges) {
                 const View view = ortho ? orthographic(eye, {0, 0, 0}, 5) : perspective(eye, {0, 0, 0});
                 const Drawing drawing(
                     {place(box(vec3(-1, -1, 0), vec3(1, 1, 2))), place(grid(1, floor), dmat4(1.0), 2)}, view,
-                    {all_edges});
+                    {all_edges()});
                 // Bottom edges towards the viewer: 0-1 and 1-3.
                 for (Index e = 0; e < 12; ++e) {
                     const Edge edge = drawing.scene.placements[0].surface->edges[e];
@@ -241,16 +240,16 @@ TEST(Exact, AFloorOfAnySizeAndSlantHidesNothingThatStandsOnIt) {
             return mesh;
         };
         const Placement standing = place(turned(box(vec3(-1, -1, 0), vec3(1, 1, 2))));
-        const Drawing alone({standing}, view, {all_edges});
+        const Drawing alone({standing}, view, {all_edges()});
         const Drawing on_floor({standing, place(turned(grid(1, k % 2 ? 300.0f : 3000.0f)), dmat4(1.0), 2)}, view,
-                               {all_edges});
+                               {all_edges()});
         EXPECT_NEAR(on_floor.visible_px(0), alone.visible_px(0), 0.2) << k;
     }
 }
 
 TEST(Exact, BoxesThatTouchKeepTheirSharedEdges) {
     const View view = perspective({5, -7, 4}, {1, 0, 0});
-    const Drawing drawing({place(box()), place(box(), moved({2, 0, 0}), 2)}, view, {all_edges});
+    const Drawing drawing({place(box()), place(box(), moved({2, 0, 0}), 2)}, view, {all_edges()});
     // The edge on top between them, y from -1 to 1 at x = 1, z = 1, belongs to both.
     int tops = 0;
     for (Index placement : {0u, 1u})
@@ -279,7 +278,7 @@ TEST(Exact, TheNearPlaneCutsOccludersOpen) {
 
 TEST(Exact, FromInsideABoxItsEdgesAreSeen) {
     const View view = perspective({-0.8, -0.8, -0.2}, {1, 1, 0.1}, 18);
-    const Drawing drawing({place(box()), place(box(vec3(-3), vec3(3)), dmat4(1.0), 2)}, view, {all_edges});
+    const Drawing drawing({place(box()), place(box(vec3(-3), vec3(3)), dmat4(1.0), 2)}, view, {all_edges()});
     EXPECT_GT(drawing.total_px(0), 300.0);
     EXPECT_NEAR(drawing.visible_px(0), drawing.total_px(0), 1e-6);
     EXPECT_EQ(drawing.visible_px(1), 0.0) << "the larger box is outside of the smaller one";

@@ -14,8 +14,6 @@ using namespace fovea::drawing;
 
 namespace {
 
-const LineSet all_edges = line_set_with("crease", {0, 1});
-
 dmat4 random_motion(std::mt19937& random, double spread, double size) {
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto any = [&] { return dvec3(unit(random), unit(random), unit(random)); };
@@ -97,7 +95,7 @@ TEST(ExactScene, AgreesWithARayForEverySample) {
                           orthographic({-4, -5, 6}, {0, 0, 0}, 6, 1600, 1200), with_near(from_outside, 8.0)};
     for (unsigned seed = 1; seed <= 5; ++seed)
         for (const View& view : views) {
-            const Drawing drawing(heap(seed, 60), view, {all_edges, line_set({"contour", "border"})});
+            const Drawing drawing(heap(seed, 60), view, {all_edges(), line_set({"contour", "border"})});
             const Agreement found = agreement(drawing);
             EXPECT_GT(found.samples, 3000u);
             EXPECT_GT(found.visible, found.samples / 20);
@@ -108,7 +106,7 @@ TEST(ExactScene, AgreesWithARayForEverySample) {
 }
 
 TEST(ExactScene, RunsEndWhereVisibilityChanges) {
-    const Drawing drawing(heap(11, 80), perspective({5, -6, 4}, {0, 0, 0}, 50, 1600, 1200), {all_edges});
+    const Drawing drawing(heap(11, 80), perspective({5, -6, 4}, {0, 0, 0}, 50, 1600, 1200), {all_edges()});
     const Judge judge(drawing);
     const ClippedPaths& clipped = drawing.clipped;
     const double near_px = 1.2 * exact_tolerance_px;
@@ -131,7 +129,7 @@ TEST(ExactScene, RunsEndWhereVisibilityChanges) {
 }
 
 TEST(ExactScene, RunsAreSortedDisjointAndInsideTheirPieces) {
-    const Drawing drawing(heap(3, 40), perspective({5, -6, 4}, {0, 0, 0}), {all_edges});
+    const Drawing drawing(heap(3, 40), perspective({5, -6, 4}, {0, 0, 0}), {all_edges()});
     const Runs& runs = drawing.runs;
     ASSERT_GT(runs.piece.size(), 100u);
     for (std::size_t r = 0; r < runs.piece.size(); ++r) {
@@ -149,7 +147,7 @@ TEST(ExactScene, WhatHidesIsUpToUsageAndMaterial) {
     const View view = perspective({0, -8, 0}, {0, 0, 0});
     const auto visible = [&](const Mesh& before, int usage) {
         const Drawing drawing({place(tetrahedron()), place(before, moved({0, -3, 0}) * scaled({2, 0.1, 2}), 2, usage)},
-                              view, {all_edges});
+                              view, {all_edges()});
         return drawing.visible_px(0);
     };
     EXPECT_EQ(visible(box(), usage_draw | usage_occlude), 0.0);
@@ -180,7 +178,7 @@ TEST(ExactScene, InstancesHideLikeOneMesh) {
                                 base + one.corner_verts[4 * f + 2], base + one.corner_verts[4 * f + 3]});
     }
     const View view = perspective({4, -5, 3}, {0, 0, 0});
-    const Drawing many(placements, view, {all_edges}), single({place(joined)}, view, {all_edges});
+    const Drawing many(placements, view, {all_edges()}), single({place(joined)}, view, {all_edges()});
     double sum = 0.0;
     for (Index i = 0; i < 25; ++i) sum += many.visible_px(i);
     EXPECT_NEAR(sum, single.visible_px(0), 1e-3 * sum);
@@ -189,10 +187,10 @@ TEST(ExactScene, InstancesHideLikeOneMesh) {
 
 TEST(ExactScene, NothingSeenGivesNoRuns) {
     const Drawing hidden({place(tetrahedron()), place(box(), scaled(dvec3(2)), 2, usage_occlude)},
-                         perspective({4, -5, 3}, {0, 0, 0}), {all_edges});
+                         perspective({4, -5, 3}, {0, 0, 0}), {all_edges()});
     EXPECT_GT(hidden.clipped.samples, 0u);
     EXPECT_TRUE(hidden.runs.piece.empty());
-    const Drawing empty({}, perspective({4, -5, 3}, {0, 0, 0}), {all_edges});
+    const Drawing empty({}, perspective({4, -5, 3}, {0, 0, 0}), {all_edges()});
     EXPECT_TRUE(empty.runs.piece.empty());
 }
 
@@ -202,7 +200,7 @@ TEST(ExactScene, IsTheSameWithOneThreadAndMany) {
         std::vector<Placement> placements = heap(21, 120);
         placements.push_back(place(sphere(200), moved({0, 2, 0}), 99));
         return Drawing(placements, perspective({5, -6, 4}, {0, 0, 0}, 50, 1280, 960),
-                       {all_edges, line_set({"contour"})})
+                       {all_edges(), line_set({"contour"})})
             .runs;
     };
     const Runs one = run(1);

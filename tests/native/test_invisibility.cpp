@@ -12,8 +12,6 @@ using namespace fovea::wires;
 
 namespace {
 
-const LineSet all_edges = line_set_with("crease", {0, 1});
-
 /// A plane that faces the camera at `distance`, from x = left to the right border and beyond.
 Mesh plane_from(double left, double distance) {
     const float d = static_cast<float>(-distance), x = static_cast<float>(left);
@@ -119,7 +117,7 @@ TEST(Invisibility, OfABoxItsOwnBackEdgesAreHiddenOnce) {
     for (const View& view : {perspective({4, -5, 3}, {0, 0, 0}), orthographic({4, -5, 3}, {0, 0, 0}, 5)})
         for (const bool turned : {false, true}) {
             const Drawing drawing({place(turned ? flipped(box(), [](int) { return true; }) : box())}, view,
-                                  {all_edges});
+                                  {all_edges()});
             const Counted counted(drawing.scene, drawing.paths, view, 8);
             const auto lengths = counted.lengths();
             EXPECT_EQ(lengths.size(), 2u);
@@ -182,7 +180,7 @@ TEST(Invisibility, ARayThroughEdgesAndCornersCountsOnce) {
 
 TEST(Invisibility, FromInsideARoomAndInsideASolid) {
     const View view = perspective({-0.8, -0.8, -0.2}, {1, 1, 0.1}, 18);
-    const Drawing room({place(box()), place(box(vec3(-3), vec3(3)), dmat4(1.0), 2)}, view, {all_edges});
+    const Drawing room({place(box()), place(box(vec3(-3), vec3(3)), dmat4(1.0), 2)}, view, {all_edges()});
     const Counted counted(room.scene, room.paths, view, 5);
     for (std::size_t r = 0; r < counted.runs.size(); ++r)
         EXPECT_EQ(counted.runs.invisibility[r], room.paths.placement[counted.clipped.path[counted.runs.piece[r]]])

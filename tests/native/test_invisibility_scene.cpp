@@ -15,8 +15,6 @@ using namespace fovea::wires;
 
 namespace {
 
-const LineSet all_edges = line_set_with("crease", {0, 1});
-
 /// Boxes, spheres and sheets in a heap, with lines of all of them.
 std::vector<Placement> heap(double unit = 1.0) {
     const std::shared_ptr<const Surface> shapes[] = {box().surface(), sphere(9).surface(), cylinder(9).surface(),
@@ -59,7 +57,7 @@ double different_px(const Runs& a, const Runs& b) {
 
 TEST(InvisibilityScene, ScenesOfAnySizeGiveTheSameRuns) {
     const auto of = [](double unit) {
-        const Drawing drawing(heap(unit), heap_view(unit), {all_edges});
+        const Drawing drawing(heap(unit), heap_view(unit), {all_edges()});
         return Counted(drawing.scene, drawing.paths, drawing.view, 12).runs;
     };
     const Runs one = of(1.0);
@@ -82,7 +80,7 @@ TEST(InvisibilityScene, AFarCameraTendsToAnOrthographicOne) {
     flat = with_near(flat, 3950.0);
     std::map<int, double> lengths[2];
     for (const View& view : {far, flat}) {
-        const Drawing drawing(heap(), view, {all_edges});
+        const Drawing drawing(heap(), view, {all_edges()});
         lengths[view.orthographic] = Counted(drawing.scene, drawing.paths, view, 3).lengths();
     }
     ASSERT_EQ(lengths[1].size(), 4u);
@@ -90,7 +88,7 @@ TEST(InvisibilityScene, AFarCameraTendsToAnOrthographicOne) {
 }
 
 TEST(InvisibilityScene, IsTheSameWithOneThreadAndMany) {
-    const Drawing drawing(heap(), heap_view(), {all_edges});
+    const Drawing drawing(heap(), heap_view(), {all_edges()});
     const auto run = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         return Counted(drawing.scene, drawing.paths, drawing.view, 6).runs;
@@ -133,7 +131,7 @@ int by_every_triangle(const Drawing& drawing, const dvec3& point, const Ignore& 
 }  // namespace
 
 TEST(InvisibilityScene, AgreesWithEveryTriangleOneByOne) {
-    const Drawing drawing(heap(), heap_view(), {all_edges});
+    const Drawing drawing(heap(), heap_view(), {all_edges()});
     const Counted counted(drawing.scene, drawing.paths, drawing.view, 12);
     int asked = 0, wrong = 0;
     for (std::size_t r = 0; r < counted.runs.size(); ++r) {

@@ -13,7 +13,10 @@ from addon import catalogue, style
 
 PROJECT = Path(__file__).parents[2]
 DOCS = PROJECT / "addon" / "docs"
-DEVELOPERS = [PROJECT / "README.md", PROJECT / ".github" / "CONTRIBUTING.md"]  # who have the whole project
+README = PROJECT / "README.md"
+CONTRIBUTING = PROJECT / ".github" / "CONTRIBUTING.md"
+# Of those who have the whole project.
+DEVELOPERS = [README, CONTRIBUTING, figures.FOLDER / "README.md"]
 TEXTS = [*sorted(DOCS.parent.rglob("*.md")), *DEVELOPERS]
 DEFINITIONS = {definition["name"]: definition for definition in catalogue.definitions()}
 PARAMETERS = [(name, parameter) for name, d in DEFINITIONS.items() for parameter in d["parameters"]]
@@ -124,6 +127,31 @@ def test_links_and_pictures_exist(path):
         assert not anchor or anchor in anchors(target), link
         # The documentation is read where the add-on is installed, too: it leads nowhere else.
         assert path in DEVELOPERS or DOCS in (target, *target.parents), link
+
+
+def test_readme_leads_to_every_page_of_the_documentation():
+    linked = set(re.findall(r"\]\(addon/docs/([^)]+)\)", README.read_text(encoding="utf-8")))
+    assert linked >= {path.name for path in DOCS.glob("*.md")} - {"README.md"} | {"lines/README.md"}
+
+
+@pytest.mark.parametrize("text", ["addon/docs/command_line.md", "blender_scripts/command/help.txt"])
+def test_every_option_of_draw_is_told(text, capsys):
+    with pytest.raises(SystemExit):
+        draw_options.parse(["--help"])
+    options = set(re.findall(r"--[a-z-]+", capsys.readouterr().out)) - {"--help", "--output"}
+    assert len(options) > 20
+    told = (PROJECT / text).read_text(encoding="utf-8")
+    assert [option for option in sorted(options) if not re.search(rf"{option}\b", told)] == []
+
+
+def test_contributing_names_the_presets_there_are_and_packages_that_suites_have():
+    text = CONTRIBUTING.read_text(encoding="utf-8")
+    listed = json.loads((PROJECT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
+    presets = {preset["name"] for preset in listed if not preset.get("hidden")}
+    assert set(re.findall(r"--preset ([\w-]+)", text)) <= presets <= set(re.findall(r"`([\w-]+)`", text)) | {"release"}
+    packages = re.search(r"apt-get install (g\+\+[^`]*?)\n\n", text)[1].replace("\\\n", "").split()
+    suites = (PROJECT / "blender_scripts" / "command" / "packages.txt").read_text(encoding="utf-8").splitlines()
+    assert set(packages) <= set(suites) and {"libcli11-dev", "nlohmann-json3-dev"} <= set(packages)
 
 
 def test_every_text_is_found_from_the_first_page():

@@ -51,6 +51,20 @@ def test_frames_are_numbered_files(tmp_path):
     assert [path.name for path in draw_options.pictures(options)] == ["out_0009.exr", "out_0010.exr"]
 
 
+def test_a_dump_is_a_file_for_each_frame(tmp_path):
+    words = ["boxes:2", "--dump", str(tmp_path / "frame.npz"), "-o", str(tmp_path / "out.png")]
+    assert draw_options.dumps(draw_options.parse(words)) == [tmp_path / "frame.npz"]
+    numbered = draw_options.dumps(draw_options.parse([*words, "--frames", "9-10"]))
+    assert [path.name for path in numbered] == ["frame_0009.npz", "frame_0010.npz"]
+    assert draw_options.dumps(draw_options.parse(words[:1])) == []
+
+
+def test_a_dump_that_cannot_be_written_is_refused_before_anything_is_drawn(tmp_path, capsys):
+    assert "a dump is a .npz, not frame.txt" in refused(capsys, "boxes:2", "--dump", "frame.txt")
+    assert "there is no folder" in refused(capsys, "boxes:2", "--dump", str(tmp_path / "none" / "frame.npz"))
+    assert "a sheet has no --dump" in refused(capsys, "--sheet", "--dump", "frame.npz")
+
+
 @pytest.mark.parametrize("text, surfaces", [("1", (1, 1)), ("2-3", (2, 3)), ("4-", (4, None))])
 def test_hidden_lines_are_chosen_by_what_hides_them(text, surfaces):
     assert draw_options.parse(["--hidden-by", text]).hidden_by == surfaces

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figures of README: what they are made of can be drawn, they are there, and they are small."""
+"""The figures of README and of the page of figures: what they are made of can be drawn, they are there, and they are small."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,8 @@ from command import draw_options, figures, variants
 from addon import style
 
 README = Path(__file__).parents[2] / "README.md"
+PAGE = figures.FOLDER / "README.md"
+PICTURES = sorted({*figures.FOLDER.iterdir()} - {PAGE})
 
 
 @pytest.mark.parametrize("name", figures.FIGURES)
@@ -17,7 +20,8 @@ def test_a_figure_is_drawn_by_words_that_draw_understands(name):
     if words[0].endswith(".obj") and not Path(words[0]).exists():
         pytest.skip(f"there is no {words[0]}")
     options = draw_options.parse([*figures.SIZE, *words])
-    assert options.hidden or options.hidden_by or options.halo or options.overshoot or options.visibility
+    shown = options.hidden, options.hidden_by, options.halo, options.overshoot, options.visibility, options.sheet
+    assert any(shown)
 
 
 TILES = [(sheet, label, words) for sheet, (_, tiles) in variants.SHEETS.items() for label, words in tiles]
@@ -36,14 +40,18 @@ def test_a_style_has_a_thumbnail(name):
     assert content.startswith(b"\xff\xd8\xff") and len(content) < 60_000
 
 
-def test_readme_shows_every_figure_and_no_other():
-    shown = [word.split(")")[0] for word in README.read_text().split("](blender_scripts/figures/")[1:]]
+def pictures_of(page):
+    return re.findall(r"!\[[^\]]*\]\(([^)]*)\)", page.read_text(encoding="utf-8"))
+
+
+def test_readme_shows_the_demo_scene_and_the_page_of_figures_every_other_figure_once():
     first, *sheets = (f"{name}.jpg" for name in variants.SHEETS)
-    assert shown == [first, *(f"{name}.png" for name in figures.FIGURES), *sheets]
-    assert {path.name for path in figures.FOLDER.iterdir()} == set(shown)
+    assert pictures_of(README) == [f"blender_scripts/figures/{first}"]
+    assert pictures_of(PAGE) == [*(f"{name}.png" for name in figures.FIGURES), *sheets]
+    assert {path.name for path in PICTURES} == {first, *pictures_of(PAGE)}
 
 
-@pytest.mark.parametrize("path", sorted(figures.FOLDER.iterdir()), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", PICTURES, ids=lambda path: path.name)
 def test_figures_are_small_pictures(path):
     content = path.read_bytes()
     assert content.startswith(b"\x89PNG\r\n\x1a\n" if path.suffix == ".png" else b"\xff\xd8\xff")

@@ -22,6 +22,7 @@ LIBRARIES = {
     r"numpy/": r"native/bindings/",
     r"OpenSubdiv|opensubdiv/": r"native/fovea/mesh/refine",
     r"OpenMesh/": r"native/fovea/repair/",
+    r"tbb/parallel_": r"native/fovea/base/parallel",
     r"embree\d?/": r"native/fovea/scene/bvh",
     r"CLI/": r"native/tool/",
     r"nlohmann/": r"native/(tool/|fovea/style/json|fovea/draw/assets)",
@@ -131,6 +132,10 @@ def _may_import(importer, imported):
     return any(imported == part or imported.startswith((part + "/", part + "_")) for part in allowed)
 
 
+def test_readme_names_the_native_folders_in_their_order():
+    assert " ".join(NATIVE) in (PROJECT / "README.md").read_text(encoding="utf-8")
+
+
 def test_the_rules_hold():
     assert not list(violations(PROJECT))
 
@@ -144,6 +149,11 @@ def test_the_rules_hold():
             "native/fovea/visibility/planted.cpp",
             "#include <embree4/rtcore.h>",
             "allowed only in native/fovea/scene/bvh",
+        ),
+        (
+            "native/fovea/color/planted.cpp",
+            "#include <tbb/parallel_for.h>",
+            "allowed only in native/fovea/base/parallel",
         ),
         ("native/fovea/color/planted.cpp", "#include <tool/model.h>", "which comes after it"),
         ("native/tool/planted.cpp", "#include <bindings/bind.h>", "which comes after it"),

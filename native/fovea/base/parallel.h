@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parallel loops over index ranges (oneTBB). Results never depend on the number of threads: bodies write only to
-// their own elements, and what is summed or appended goes through fixed blocks, joined in order.
+// Parallel loops over index ranges, and sorting (oneTBB). Results never depend on the number of threads: bodies write
+// only to their own elements, what is summed or appended goes through fixed blocks, joined in order, and orders are
+// total.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
 #include <vector>
 
+#include <fovea/base/fork_join.h>
 #include <fovea/base/types.h>
 
 namespace fovea {
@@ -31,8 +36,13 @@ struct Cancel {
 /// body(i) for every i in [0, count), in blocks of at least `grain`.
 template <typename Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+    const auto all_of = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) body(i);
+    };
+    const ForkJoin call;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) FOVEA_TBB_HANDS_OVER {
+        const ForkJoin::Body here(call);
+        all_of(range.begin(), range.end());
     });
 }
 
@@ -41,8 +51,29 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096)
 template <typename Body>
 void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     const std::size_t blocks = (count + size - 1) / size;
-    tbb::parallel_for(std::size_t(0), blocks,
-                      [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); });
+    const auto one = [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); };
+    parallel_for(blocks, one, 1);
+}
+
+/// first() and second(), perhaps at once.
+template <typename First, typename Second>
+void parallel_invoke(const First& first, const Second& second) {
+    const ForkJoin call;
+    const auto run = [&](const auto& body) FOVEA_TBB_HANDS_OVER {
+        const ForkJoin::Body here(call);
+        body();
+    };
+    tbb::parallel_invoke([&]() FOVEA_TBB_HANDS_OVER { run(first); }, [&]() FOVEA_TBB_HANDS_OVER { run(second); });
+}
+
+/// Sorts by an order that is total, so that there is one result.
+template <typename Iterator, typename Less = std::less<>>
+void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
+#ifdef FOVEA_THREAD_SANITIZER
+    std::sort(begin, end, less);  // what oneTBB does with the elements is its own
+#else
+    tbb::parallel_sort(begin, end, less);
+#endif
 }
 
 /// Exclusive prefix sum in place: counts become offsets; the array grows by one, its last entry is the total.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <tbb/parallel_sort.h>
 
 #include <fovea/base/check.h>
 #include <fovea/base/hash.h>
@@ -45,7 +44,7 @@ class Keys {
                     found[i] = part(some[k], paths_.rows.begin(some[k]) + i - starts[k]);
             },
             256);
-        tbb::parallel_sort(found.begin(), found.end(), [](const Part& a, const Part& b) {
+        parallel_sort(found.begin(), found.end(), [](const Part& a, const Part& b) {
             return a.key != b.key ? a.key < b.key : a.path != b.path ? a.path < b.path : a.from < b.from;
         });
         return found;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_invoke.h>
 
 #include <fovea/base/parallel.h>
 
@@ -48,7 +47,7 @@ class Order {
                              return x != y ? x < y : a < b;
                          });
         if (clusters > 16)
-            tbb::parallel_invoke([&] { split(begin, middle); }, [&] { split(middle, end); });
+            parallel_invoke([&] { split(begin, middle); }, [&] { split(middle, end); });
         else
             split(begin, middle), split(middle, end);
     }

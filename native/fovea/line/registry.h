@@ -12,7 +12,8 @@
 
 namespace fovea {
 
-/// All definitions; a definition's index is its bit in Kinds.
+/// All definitions; a definition's index is its bit in Kinds. Not for constants of other files, which may be made
+/// before.
 const std::vector<const LineDefinition*>& line_definitions();
 
 /// Index of a definition; throws std::invalid_argument, listing the known names, for an unknown one.

@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <tbb/parallel_sort.h>
 
 #include <fovea/base/hash.h>
+#include <fovea/base/parallel.h>
 #include <fovea/scene/contact.h>
 #include <fovea/scene/orientation.h>
 
@@ -231,7 +231,7 @@ Crossings numbered(const std::vector<std::vector<Piece>>& parts, const Grid& gri
     for (const auto& part : parts)
         for (const Piece& piece : part)
             for (const End& end : piece.end) ids.push_back(end.id);
-    tbb::parallel_sort(ids.begin(), ids.end());
+    parallel_sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     const auto number = [&](const End& end) {
         return static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), end.id) - ids.begin());
@@ -246,7 +246,7 @@ Crossings numbered(const std::vector<std::vector<Piece>>& parts, const Grid& gri
         const auto [low, high] = std::minmax(crossings[i].end[0], crossings[i].end[1]);
         same[i] = {std::uint64_t(low) << 32 | high, i};
     }
-    tbb::parallel_sort(same.begin(), same.end());
+    parallel_sort(same.begin(), same.end());
     Array<std::uint8_t> again(crossings.size(), 0);
     for (std::size_t i = 1; i < same.size(); ++i) again[same[i].second] = same[i].first == same[i - 1].first;
     Crossings once;

@@ -2,7 +2,8 @@
 #include <fovea/scene/triangle_tree.h>
 
 #include <limits>
-#include <tbb/parallel_sort.h>
+
+#include <fovea/base/parallel.h>
 
 namespace fovea {
 namespace {
@@ -37,7 +38,7 @@ Array<Index> morton_order(const Surface& surface) {
         const dvec3 at = (0.5 * (dvec3(box.low) + dvec3(box.high)) - low) * cells;
         placed[t] = {spread(at.x) | spread(at.y) << 1 | spread(at.z) << 2, static_cast<Index>(t)};
     });
-    tbb::parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
     });
     Array<Index> order(placed.size());

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`fovea test --long`: what takes longer than all other tests is run when it is asked for, and only then."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from command import test
+
+HERE = Path(test.__file__).parent
+
+# Arguments: the folder of the scripts, what tests of threads count, the status of clang-tidy, what --on says, words.
+SCRIPT = """
+here=$1 counted=$2 tidy=$3 on=$4 BLENDER= all_suites="sid trixie"
+shift 4
+for part in say target run_tests check; do . "$here/$part.sh"; done
+use_suite() { target_name=$1; }
+counts_file() { echo "$counted"; }
+work_folder() { echo /none; }
+test_target() { echo "test $target_name $3"; }
+check_on() { echo "check $*"; return "$tidy"; }
+test_targets "$@"
+"""
+
+
+@pytest.fixture
+def long(tmp_path):
+    """long(counts, status of clang-tidy, words, --on): exit status, what is done line by line, what is said."""
+
+    def run(counts="5 0 0", tidy=0, words=("--long",), on=""):
+        counted = tmp_path / "counts"
+        counted.write_text(f"{counts}\n")
+        command = ["/bin/sh", "-eu", "-c", SCRIPT, "sh", HERE, counted, str(tidy), on, *words]
+        done = subprocess.run(command, capture_output=True, text=True)
+        return done.returncode, done.stdout.splitlines(), done.stderr
+
+    return run
+
+
+def test_threads_and_the_lint_of_all_sources_are_run_and_counted(long):
+    ran = ["test trixie threads", "check trixie --tidy native tests/native"]
+    assert long() == (0, [*ran, "6 passed, 0 failed, 0 skipped"], "")
+    assert long(tidy=1) == (1, [*ran, "5 passed, 1 failed, 0 skipped"], "")
+    assert long(counts="4 1 0") == (1, [*ran, "5 passed, 1 failed, 0 skipped"], "")
+
+
+def test_other_words_beside_it_are_refused(long):
+    status, done, said = long(words=("--long", "native"))
+    assert status == 1 and done == [] and "test --long takes no other words, and not 'native'" in said
+    assert "takes no --on" in long(on="sid")[2]
+
+
+@pytest.mark.parametrize("sanitize", ["yes", "no"])
+def test_a_run_of_all_parts_leaves_them_out(sanitize):
+    words = ["--sanitize", sanitize, "--jobs", "2"]
+    parts, jobs, _ = test._parse(words)
+    assert jobs == 2 and "threads" not in parts and ("sanitize" in parts) == (sanitize == "yes")
+    assert test._parse([*words, "threads"])[0] == ["threads"]
+
+
+def test_every_line_that_keeps_the_thread_sanitizer_quiet_has_its_reason():
+    above = ""
+    for line in test.THREAD_SUPPRESSIONS.read_text(encoding="utf-8").splitlines():
+        assert not line or line.startswith("#") or above, line
+        above = line
