@@ -27,7 +27,8 @@ std::shared_ptr<const Scene> shapes() {
 }
 
 Job job_of(std::shared_ptr<const Scene> scene) {
-    const char* curves = R"({"elision": {"enabled": true}, "line_sets": [{"least_length": 0, "pen": {"width": 2},
+    const char* curves =
+        R"({"schema": 1, "elision": {"enabled": true}, "line_sets": [{"least_length": 0, "pen": {"width": 2},
         "kinds": {"contour": {}, "intersection": {}, "suggestive_contour": {}, "ridge": {}, "isophote": {}}}]})";
     return {.scene = std::move(scene),
             .view = perspective({3, -8, 4}, {0, 0, 0}, 50, 120, 90),
