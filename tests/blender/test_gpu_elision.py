@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Line elision: the gpu's samples are the cpu's, and lines that crowd give way to more important ones."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from native_frames import box, core, cpu, moved, pipeline, room, scene_of, style, view_of
 from the_addon import part
-
-elision, focus, hidden = part("elision"), part("focus"), part("style_parts").Hidden
 
 
 def begun(backend, half_width, scene=None, *, orthographic=False, of_hidden=False, cut=0.0):
@@ -17,11 +13,11 @@ def begun(backend, half_width, scene=None, *, orthographic=False, of_hidden=Fals
     near, far = (0.5, 12.0) if half_width is None else (half_width, half_width)
     sets = []
     for line_set in style.load("pen_and_ink").line_sets:
-        pen, away = (replace(line_set.pen, spacing=2 * half) for half in (near, far))
-        parts = (hidden(pen=pen),) if of_hidden else ()
-        sets.append(replace(line_set, least_length=0.0, pen=pen, pen_away=away, hidden=parts))
-    look = focus.Focus("image", (focus.Point(near=0.0, far=0.8),))
-    chosen = style.Style(line_sets=tuple(sets), elision=elision.Elision(enabled=True, cut=cut), focus=look)
+        pen, away = (line_set.pen.replace(spacing=2 * half) for half in (near, far))
+        parts = (style.Hidden(pen=pen),) if of_hidden else ()
+        sets.append(line_set.replace(least_length=0.0, pen=pen, pen_away=away, hidden=parts))
+    look = style.Focus(model="image", points=(style.FocusPlace(near=0.0, far=0.8),))
+    chosen = style.Style(line_sets=tuple(sets), elision=style.Elision(enabled=True, cut=cut), focus=look)
     view, asked = view_of(480, 300, orthographic), pipeline.options(sample_step=1.0)
     return pipeline.frame(scene or room(), view, chosen, backend, asked)
 

@@ -6,8 +6,6 @@ import pytest
 from native_frames import core, cpu, frame_of, hills, pipeline, room, scene_of, style, view_of
 from the_addon import part
 
-focus, stages = part("focus"), part("stages")
-
 pytestmark = pytest.mark.gpu
 
 
@@ -110,7 +108,7 @@ def test_strokes_that_thin_and_fade_with_strength():
     kinds = {"suggestive_contour": {}, "suggestive_highlight": {}, "ridge": {}}
     pictures = []
     for share in (0.0, 0.5, 1.0):
-        pen = stages.Pen(width=7.0, strength_width=share)
+        pen = style.Pen(width=7.0, strength_width=share)
         chosen = style.Style(line_sets=(style.LineSet(kinds=kinds, least_length=0, pen=pen),))
         drawn, off, strokes = on_both(scene_of([(hills(), np.eye(4))]), chosen)
         # Where a wide stroke folds, either may give single pixels to the neighbouring triangle.
@@ -123,10 +121,10 @@ def test_strokes_that_thin_and_fade_with_strength():
 
 def test_strokes_on_their_way_out_of_focus():
     """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
-    pen = stages.Pen(color=(1, 0, 0), width=5)
-    away = stages.Pen(color=(0, 0, 1), width=2, opacity=0.5, texture="pencil")
+    pen = style.Pen(color=(1, 0, 0), width=5)
+    away = style.Pen(color=(0, 0, 1), width=2, opacity=0.5, texture="pencil")
     lines = style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0, pen=pen, pen_away=away)
-    look = focus.Focus("image", (focus.Point((100 / 320, 0.5, 0.0), 0.1, 0.75),))
+    look = style.Focus(model="image", points=(style.FocusPlace(at=(100 / 320, 0.5, 0.0), near=0.1, far=0.75),))
     drawn, off, strokes = on_both(room(), style.Style(line_sets=(lines,), focus=look))
     assert np.ptp(strokes.mix) > 0.9 and np.ptp(strokes.half_width) > 1
     assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
