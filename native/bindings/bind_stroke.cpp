@@ -6,36 +6,15 @@
 #include <fovea/stroke/raster.h>
 
 #include "bindings/bind.h"
-#include "bindings/records.h"
 
 namespace fovea::bindings {
 namespace {
 
-Pen make_pen(const std::array<float, 3>& color, float opacity, float width_px, float texture_length_px,
-             const py::str& cap, float taper_px, std::optional<Index> texture, float strength_width,
-             std::optional<Index> away, float wobble_px, float wobble_length_px, Index seed, float pressure,
-             const py::str& texture_anchor) {
+Pen make_pen(const style::Pen& look, float width_px, float texture_length_px, std::optional<Index> texture,
+             std::optional<Index> away) {
     check(width_px > 0.0f, "pen: the width must be positive");
     check(texture_length_px > 0.0f, "pen: the length of the texture must be positive");
-    check(strength_width >= 0.0f && strength_width <= 1.0f, "pen: strength_width must be between 0 and 1");
-    Pen pen;
-    pen.color = {color[0], color[1], color[2]};
-    pen.opacity = opacity;
-    pen.width_px = width_px;
-    pen.texture_length_px = texture_length_px;
-    pen.cap = value_from<Cap>(cap, "pen: cap");
-    pen.taper_px = taper_px;
-    pen.texture = texture.value_or(none);
-    pen.strength_width = strength_width;
-    pen.away = away.value_or(none);
-    check(wobble_px >= 0.0f && wobble_length_px > 0.0f, "pen: wobble must not be negative, its length positive");
-    check(pressure >= 0.0f && pressure <= 1.0f, "pen: pressure must be between 0 and 1");
-    pen.wobble_px = wobble_px;
-    pen.wobble_length_px = wobble_length_px;
-    pen.seed = seed;
-    pen.pressure = pressure;
-    pen.anchor = value_from<Anchor>(texture_anchor, "pen: texture_anchor");
-    return pen;
+    return {look, width_px, texture_length_px, texture.value_or(none), away.value_or(none)};
 }
 
 PenTexture make_pen_texture(const Pixels& ink) {
@@ -69,16 +48,12 @@ Numpy<vec4> draw(const Strokes& strokes, const std::vector<Pen>& pens, const std
 
 void bind_pens(py::module_& m) {
     const Pen pen;
-    py::class_<Pen>(m, "Pen", "How a stroke looks; lengths in pixels of the image.")
-        .def(py::init(&make_pen), py::kw_only(), py::arg("color") = std::array<float, 3>{0.0f, 0.0f, 0.0f},
-             py::arg("opacity") = pen.opacity, py::arg("width_px") = pen.width_px,
-             py::arg("texture_length_px") = pen.texture_length_px, py::arg("cap") = "round",
-             py::arg("taper_px") = pen.taper_px, py::arg("texture") = py::none(),
-             py::arg("strength_width") = pen.strength_width, py::arg("away") = py::none(),
-             py::arg("wobble_px") = pen.wobble_px, py::arg("wobble_length_px") = pen.wobble_length_px,
-             py::arg("seed") = pen.seed, py::arg("pressure") = pen.pressure, py::arg("texture_anchor") = "screen",
-             R"(color scene-linear; texture: index into the frame's textures, None: solid; away: index of the pen that
-this one becomes out of focus.)");
+    py::class_<Pen>(m, "Pen", "A style's pen as one picture has it.")
+        .def(py::init(&make_pen), py::kw_only(), py::arg("look"), py::arg("width_px") = pen.width_px,
+             py::arg("texture_length_px") = pen.texture_length_px, py::arg("texture") = py::none(),
+             py::arg("away") = py::none(),
+             R"(look: of the style, its lengths in pixels of the picture; texture: index into the frame's textures, None:
+solid; away: index of the pen that this one becomes out of focus, None: it stays as it is.)");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
         .def(py::init(&make_pen_texture), py::arg("ink"),
              "(rows, columns) float32 in [0, 1]; first row: left side of the way.");

@@ -6,6 +6,7 @@ PYBIND11_MODULE(_native, m) {
     using namespace fovea::bindings;
     m.doc() = "Fovea's core: drawings of scenes, and what they are made of, as numpy arrays.";
     bind_base(m);
+    bind_style(m);
     bind_mesh(m);
     bind_paths(m);
     bind_scene(m);
@@ -14,7 +15,6 @@ PYBIND11_MODULE(_native, m) {
     bind_elision(m);
     bind_stroke(m);
     bind_color(m);
-    bind_style(m);
     bind_draw(m);
     // What Python notes about the loaded code. A module that is imported anew has only the attributes that it was made
     // with; this is the same dict then, too.

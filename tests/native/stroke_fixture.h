@@ -90,8 +90,8 @@ inline std::vector<vec2> circle(dvec2 centre, double radius, int count) {
 inline Pen pen(float width, Cap cap = Cap::round, float opacity = 1.0f) {
     Pen p;
     p.width_px = width;
-    p.cap = cap;
-    p.opacity = opacity;
+    p.look.cap = cap;
+    p.look.opacity = opacity;
     return p;
 }
 

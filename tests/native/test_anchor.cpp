@@ -155,7 +155,7 @@ TEST(Anchor, StrokesHaveTheLengthOfTheirWholePath) {
     Pen p = pen(6.0f, Cap::butt);
     p.texture = 0;
     p.texture_length_px = 33.0f;
-    p.anchor = Anchor::path;
+    p.look.texture_anchor = Anchor::path;
     ClippedPaths clipped;
     add_piece(clipped, {{10.0f, 20.0f}, {170.0f, 20.0f}});
     Runs part;
@@ -177,7 +177,7 @@ TEST(Anchor, PenTableHasTheRowsMeansAfterTheInk) {
     const PenTexture texture{2, 2, {0.0f, 1.0f, 0.25f, 0.25f}};
     Pen anchored = pen(6.0f), plain = pen(6.0f);
     anchored.texture = plain.texture = 0;
-    anchored.anchor = Anchor::path;
+    anchored.look.texture_anchor = Anchor::path;
     const std::vector<Pen> pens{anchored, plain};
     const PenTable table = pen_table(pens, {&texture, 1});
     EXPECT_EQ(table.pens[1].w, 1.0f);

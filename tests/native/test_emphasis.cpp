@@ -45,7 +45,7 @@ struct Drawn {
 Pen pen(float width, float opacity) {
     Pen made;
     made.width_px = width;
-    made.opacity = opacity;
+    made.look.opacity = opacity;
     return made;
 }
 
@@ -142,8 +142,8 @@ TEST(Emphasis, PictureBlendsColorsAndInk) {
     Emphasis emphasis;
     emphasis.focus = half;
     Pen red = pen(8, 1.0f), blue = pen(8, 1.0f);
-    red.color = {1, 0, 0};
-    blue.color = {0, 0, 1};
+    red.look.color = {1, 0, 0};
+    blue.look.color = {0, 0, 1};
     blue.texture = 0;
     const PenTexture faint{1, 1, {0.5f}};
     const Drawn drawn(red, blue, emphasis);

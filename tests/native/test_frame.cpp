@@ -93,7 +93,7 @@ TEST(Frame, DrawsHiddenPartsInThePenOfHiddenPartsAndOnlyThese) {
     for (const std::uint8_t level : frame.runs->invisibility) hidden += level > 0;
     EXPECT_GT(hidden, 3u);
     ASSERT_EQ(frame.pens.pens.size(), 2u);
-    EXPECT_EQ(frame.pens.pens[1].color, vec3(1, 0, 0));
+    EXPECT_EQ(frame.pens.pens[1].look.color, dvec3(1, 0, 0));
     float red = 0.0f, gray = 0.0f;
     for (const vec4& pixel : frame.passes.lines) (pixel.r > 0.5f * pixel.a ? red : gray) += pixel.a;
     EXPECT_GT(red, 50.0f);

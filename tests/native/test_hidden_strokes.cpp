@@ -67,7 +67,7 @@ TEST(HiddenStrokes, TheMostHiddenLieBelow) {
         add_run(runs, 0, -22.0, 22.0, std::uint8_t(first));
         add_run(runs, 1, -22.0, 22.0, std::uint8_t(second));
         Pen pens[2] = {pen(8.0f), pen(8.0f)};
-        pens[first < second ? 0 : 1].color = {1.0f, 0.0f, 0.0f};
+        pens[first < second ? 0 : 1].look.color = {1.0f, 0.0f, 0.0f};
         const std::vector<Index> pen_of_run{0, 1};
         Array<vec4> image;
         raster(tessellate(clipped, runs, pen_of_run, {}, pens), pens, {}, 64, 64, image);

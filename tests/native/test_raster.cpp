@@ -72,8 +72,8 @@ TEST(Raster, LaterStrokesLieOverEarlierOnes) {
     add_piece(clipped, {{10.0f, 32.0f}, {54.0f, 32.0f}});
     add_piece(clipped, {{32.0f, 10.0f}, {32.0f, 54.0f}});
     Pen pens[2] = {pen(8.0f), pen(8.0f, Cap::round, 0.5f)};
-    pens[0].color = {1.0f, 0.0f, 0.0f};
-    pens[1].color = {0.0f, 0.0f, 1.0f};
+    pens[0].look.color = {1.0f, 0.0f, 0.0f};
+    pens[1].look.color = {0.0f, 0.0f, 1.0f};
     const std::vector<Index> pen_of_run{0, 1};
     Array<vec4> image;
     raster(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64, image);

@@ -169,7 +169,7 @@ TEST(Tessellate, TurnBackIsKept) {
 
 TEST(Tessellate, TapersAtTheEndsOnly) {
     Pen p = pen(8.0f);
-    p.taper_px = 40.0f;
+    p.look.taper = 40.0f;
     const Strokes strokes = draw({{20.0f, 20.0f}, {220.0f, 20.0f}}, p);
     for (std::size_t i = 0; i < strokes.px.size(); ++i) {
         const float end = std::min(strokes.px[i].x - 20.0f, 220.0f - strokes.px[i].x);
@@ -182,7 +182,7 @@ TEST(Tessellate, TapersAtTheEndsOnly) {
 
 TEST(Tessellate, EndsThatTouchOtherLinesKeepTheirWidth) {
     Pen p = pen(8.0f);
-    p.taper_px = 40.0f;
+    p.look.taper = 40.0f;
     ClippedPaths clipped;
     add_piece(clipped, {{20.0f, 20.0f}, {220.0f, 20.0f}});
     clipped.free_ends[0] = 2;
@@ -221,7 +221,7 @@ TEST(Tessellate, StrengthMayThinInsteadOfFade) {
     const std::vector<float> strength{0.25f, 0.25f, 1.0f};
     for (const float share : {0.0f, 0.5f, 1.0f}) {
         Pen p = pen(8.0f, Cap::butt);
-        p.strength_width = share;
+        p.look.strength_width = share;
         const Strokes strokes = draw(clipped, whole_runs(clipped), p, strength);
         for (std::size_t i = 0; i < strokes.px.size(); ++i) {
             const float s = glm::mix(0.25f, 1.0f, std::clamp((strokes.px[i].x - 60.0f) / 150.0f, 0.0f, 1.0f));
@@ -239,7 +239,7 @@ TEST(Tessellate, InkFollowsStrengthHoweverItIsDrawn) {
     for (const float width : {0.6f, 2.0f, 6.0f})
         for (const float share : {0.0f, 1.0f}) {
             Pen p = pen(width, Cap::butt);
-            p.strength_width = share;
+            p.look.strength_width = share;
             const auto image = picture(draw(clipped, whole_runs(clipped), p, strength), p, 230, 40);
             EXPECT_NEAR(area(image), 200.0 * width / 2.0, 0.02 * 200.0 * width / 2.0) << width << " " << share;
         }
@@ -277,8 +277,8 @@ TEST(Tessellate, BrokenInputNeverCrashes) {
         Runs runs = whole_runs(clipped);
         add_run(runs, 0, values[pick(random)], values[pick(random)]);
         Pen p = pen(0.01f + 9.0f * float(pick(random)), trial % 2 ? Cap::butt : Cap::round);
-        p.taper_px = float(pick(random)) * 5.0f;
-        p.strength_width = trial % 2 ? 0.7f : 0.0f;
+        p.look.taper = float(pick(random)) * 5.0f;
+        p.look.strength_width = trial % 2 ? 0.7f : 0.0f;
         std::vector<float> strength;
         for (std::size_t i = 0; i < line.size(); ++i) strength.push_back(values[pick(random)]);
         for (const vec4& pixel : picture(draw(clipped, runs, p, strength), p, 48, 32))

@@ -38,18 +38,9 @@ Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
     for (const style::Pen* pen : all) {
         const double width = style.width_px(*pen, scale);
         Pen made;
-        made.color = vec3(pen->color);
-        made.opacity = float(pen->opacity);
+        made.look = style::in_pixels(*pen, scale);
         made.width_px = float(width);
         made.texture_length_px = float(pen->length_scale * assets.texture_length(pen->texture) * width);
-        made.anchor = pen->texture_anchor;
-        made.cap = pen->cap;
-        made.taper_px = float(pen->taper * scale);
-        made.strength_width = float(pen->strength_width);
-        made.wobble_px = float(pen->wobble * scale);
-        made.wobble_length_px = float(pen->wobble_length * scale);
-        made.seed = static_cast<Index>(pen->seed);
-        made.pressure = float(pen->pressure);
         if (const auto texture = numbers.find(pen->texture); texture != numbers.end()) made.texture = texture->second;
         found.pens.push_back(made);
     }

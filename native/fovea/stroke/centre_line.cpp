@@ -85,7 +85,7 @@ void even_out(CentreLine& line) {
 /// Width of the pens where a line is as strong, and as far out of focus, as here; `opacity` is the strength still.
 float width_of(const PenPair& pens, const CentrePoint& p) {
     const float width = glm::mix(pens.in_focus.width_px, pens.out_of_focus.width_px, p.mix.z);
-    return width * glm::mix(1.0f, p.opacity, pens.in_focus.strength_width);
+    return width * glm::mix(1.0f, p.opacity, float(pens.in_focus.look.strength_width));
 }
 
 /// Points where strength thins the pen to one pixel: thinner ones are drawn in another way.
@@ -177,11 +177,13 @@ void simplify(CentreLine& line) {
 
 void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
     if (line.size() < 2) return;
-    const Pen &pen = pens.in_focus, &away = pens.out_of_focus;
+    const Pen& pen = pens.in_focus;
+    const float opacity = float(pen.look.opacity), away = float(pens.out_of_focus.look.opacity);
     insert_where_thin(line, pens);
     const double start = line.front().arc, end = line.back().arc;
     const bool any = tapered.start || tapered.end;
-    const double taper = any ? std::min<double>(pen.taper_px, (end - start) / 2.0) : 0.0;
+    const double full_taper = float(pen.look.taper);
+    const double taper = any ? std::min(full_taper, (end - start) / 2.0) : 0.0;
     if (taper > 0.0) {
         double arcs[2 * taper_steps];
         for (int k = 1; k <= taper_steps; ++k) {
@@ -192,16 +194,16 @@ void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
     }
     // A line too short to taper in full keeps its width: a row of short ones shall not look like
     // beads.
-    const double thinning = taper > 0.0 ? (1.0 - tip_width) * (taper / double(pen.taper_px)) : 0.0;
+    const double thinning = taper > 0.0 ? (1.0 - tip_width) * (taper / full_taper) : 0.0;
     const auto along = [&](bool tapers, double distance) {
         return tapers && taper > 0.0 ? std::clamp(distance / taper, 0.0, 1.0) : 1.0;
     };
     for (CentrePoint& p : line) {
         const double x = std::min(along(tapered.start, p.arc - start), along(tapered.end, end - p.arc));
         const float width = width_of(pens, p) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
-        const float faded = glm::mix(p.opacity, 1.0f, pen.strength_width);
+        const float faded = glm::mix(p.opacity, 1.0f, float(pen.look.strength_width));
         p.half_width = std::max(width, 1.0f) / 2.0f;
-        p.opacity = faded * std::min(width, 1.0f) * glm::mix(pen.opacity, away.opacity, p.mix.w) * p.shown;
+        p.opacity = faded * std::min(width, 1.0f) * glm::mix(opacity, away, p.mix.w) * p.shown;
     }
 }
 

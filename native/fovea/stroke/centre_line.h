@@ -50,7 +50,7 @@ struct PenPair {
 };
 
 /// Sets width and opacity between those of the two pens: the width times 1 + (strength - 1) strength_width, the opacity
-/// times 1 + (strength - 1) (1 - strength_width) and what is shown. The width thins to a fifth over pen.taper_px at
+/// times 1 + (strength - 1) (1 - strength_width) and what is shown. The width thins to a fifth over the pen's taper at
 /// ends that taper. A line too short for that thins in proportion less. Points are added where the width bends. Less
 /// than a pixel is drawn as a pixel of that much less opacity.
 void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered);

@@ -2,7 +2,7 @@
 // A pen: how a stroke looks.
 #pragma once
 
-#include <fovea/style/style.h>
+#include <fovea/style/pen.h>
 
 namespace fovea {
 
@@ -16,23 +16,12 @@ struct PenTexture {
     Array<float> row_mean{};
 };
 
-/// Lengths in pixels of the image (the caller multiplies reference pixels by View::reference_scale).
+/// A style's pen, as one picture has it.
 struct Pen {
-    vec3 color{0.0f};
-    float opacity = 1.0f;
-    float width_px = 2.0f;
+    style::Pen look;        ///< its lengths in the image are in pixels of this picture: in_pixels
+    float width_px = 2.0f;  ///< whatever the unit of the look's width
     /// Pixels of arc length that one repetition of the texture covers.
     float texture_length_px = 256.0f;
-    Anchor anchor = Anchor::screen;
-    Cap cap = Cap::round;
-    float taper_px = 0.0f;
-    /// Share of a line's strength that thins it; the rest fades it. 0: weak lines are pale, 1: weak lines are thin.
-    float strength_width = 0.0f;
-    /// How far the pen strays from its line, in waves of what length, and the number of that hand.
-    float wobble_px = 0.0f, wobble_length_px = 60.0f;
-    Index seed = 0;
-    /// Share of the width that is left out at the ends of a stroke.
-    float pressure = 0.0f;
     /// Index into the frame's textures; `none`: solid.
     Index texture = none;
     /// Index of the pen that this one becomes out of focus; `none`: it stays as it is.

@@ -54,19 +54,20 @@ class Painter {
         const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w, path_px = strokes_.path_px[c[0]];
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
+        const vec3 near_color(pen.look.color), away_color(away == none ? pen.look.color : pens_[away].look.color);
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
             shape.span(y, x0, x1);
             for (int x = x0; x < x1; ++x) {
                 const vec4 f = values.at(x, y);
-                float alpha = coverage(f[0], f[1], start, end, f[2], pen.cap);
+                float alpha = coverage(f[0], f[1], start, end, f[2], pen.look.cap);
                 if (alpha <= 0.0f) continue;
-                vec3 color = pen.color;
+                vec3 color = near_color;
                 if (away == none) {
                     alpha *= ink_of(strokes_.pen[c[0]], f, path_px);
                 } else {
                     const vec2 mix = mixes.at(x, y);
-                    color = glm::mix(color, pens_[away].color, mix.x);
+                    color = glm::mix(color, away_color, mix.x);
                     alpha *= glm::mix(ink_of(strokes_.pen[c[0]], f, path_px), ink_of(away, f, path_px), mix.y);
                 }
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
@@ -78,7 +79,7 @@ class Painter {
     float ink_of(Index number, const vec4& f, float path_px) const {
         const Pen& pen = pens_[number];
         if (pen.texture == none) return 1.0f;
-        if (pen.anchor == Anchor::path)
+        if (pen.look.texture_anchor == Anchor::path)
             return anchored_ink(inks_[number], f[0], f[1], f[2], path_px, pen.texture_length_px);
         return ink(inks_[number], f[0] / pen.texture_length_px, f[1], f[2]);
     }

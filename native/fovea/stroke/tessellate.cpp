@@ -119,16 +119,17 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
             emphasize(line, along);
             const Index path = clipped.path[piece];
             const std::uint64_t id = ids.empty() ? path : ids[path];
-            wobble(line, pens[pen].wobble_px, pens[pen].wobble_length_px, id + pens[pen].seed);
+            const style::Pen& look = pens[pen].look;
+            wobble(line, float(look.wobble), float(look.wobble_length), id + static_cast<Index>(look.seed));
             const int free = clipped.free_ends[piece];
             const PenPair pair{pens[pen], pens[pens[pen].away == none ? pen : pens[pen].away]};
             shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
-            press(line, pens[pen].pressure);
+            press(line, float(look.pressure));
             fade_ends(line, fade);
             if (line.size() < 2) continue;
             const float ends[] = {closed ? -endless : float(line.front().arc),
                                   closed ? endless : float(line.back().arc)};
-            if (!closed) extend(line, pens[pen].cap);
+            if (!closed) extend(line, look.cap);
             add_strip(line, closed, {ends[0], ends[1], float(clipped.path_length_px[piece]), pen}, blocks[block]);
             blocks[block].piece.resize(blocks[block].px.size(), piece);
             ++blocks[block].count;

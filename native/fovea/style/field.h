@@ -8,6 +8,7 @@
 #include <limits>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 
 namespace fovea::style {
 
@@ -84,6 +85,16 @@ concept Record = requires { S::fields; };
 template <Record S, typename Visit>
 void for_each_field(const Visit& visit) {
     std::apply([&](const auto&... field) { (visit(field), ...); }, S::fields);
+}
+
+/// A record with its lengths in the image in pixels of a picture, so many of which are a reference pixel.
+template <Record S>
+S in_pixels(S record, double reference_scale) {
+    for_each_field<S>([&]<typename V>(const Field<S, V>& field) {
+        if constexpr (std::is_same_v<V, double>)
+            if (field.domain.unit == Unit::reference) record.*field.member *= reference_scale;
+    });
+    return record;
 }
 
 /// A value of an enumeration: its name in files, and what people are told of it.
