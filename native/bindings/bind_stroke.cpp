@@ -49,10 +49,11 @@ Numpy<vec4> draw(const Strokes& strokes, const std::vector<Pen>& pens, const std
 void bind_pens(py::module_& m) {
     const Pen pen;
     py::class_<Pen>(m, "Pen", "A style's pen as one picture has it.")
-        .def(py::init(&make_pen), py::kw_only(), py::arg("look"), py::arg("width_px") = pen.width_px,
-             py::arg("texture_length_px") = pen.texture_length_px, py::arg("texture") = py::none(),
-             py::arg("away") = py::none(),
-             R"(look: of the style, its lengths in pixels of the picture; texture: index into the frame's textures, None:
+        .def(
+            py::init(&make_pen), py::kw_only(), py::arg("look"), py::arg("width_px") = pen.width_px,
+            py::arg("texture_length_px") = pen.texture_length_px, py::arg("texture") = py::none(),
+            py::arg("away") = py::none(),
+            R"(look: of the style, its lengths in pixels of the picture; texture: index into the frame's textures, None:
 solid; away: index of the pen that this one becomes out of focus, None: it stays as it is.)");
     py::class_<PenTexture>(m, "PenTexture", "Ink of a pen, repeated along the stroke.")
         .def(py::init(&make_pen_texture), py::arg("ink"),

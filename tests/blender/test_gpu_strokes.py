@@ -7,6 +7,7 @@ from native_frames import core, cpu, frame_of, hills, pipeline, room, scene_of, 
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
+PLAIN = core.Pen(look=style.Pen())
 
 
 def on_gpu(strokes, pens, textures, view):
@@ -46,10 +47,8 @@ def test_every_style(name):
 @pytest.mark.parametrize("textured", [False, True])
 def test_caps_and_textures(cap, textured):
     ink = np.random.default_rng(1).uniform(0.2, 1, (5, 40)).astype(np.float32)
-    pens = [
-        core.Pen(color=(0.2, 0.4, 0.9), width_px=6, texture_length_px=31, cap=cap, texture=i if textured else None)
-        for i in range(2)
-    ]
+    look = style.Pen(color=(0.2, 0.4, 0.9), cap=cap)
+    pens = [core.Pen(look=look, width_px=6, texture_length_px=31, texture=i if textured else None) for i in range(2)]
 
     textures = [core.PenTexture(ink), core.PenTexture(ink[:, ::-1].copy())]
     view = view_of(160, 100)
@@ -68,7 +67,7 @@ def test_textures_anchored_to_the_path(path_px):
     stretch = {"width_px": 6, "texture_length_px": 31, "texture": 0}
     stroke, drawn = straight(1, path_px=path_px), {}
     for anchor in ("screen", "path"):
-        pens = [core.Pen(), core.Pen(**stretch, texture_anchor=anchor)]
+        pens = [PLAIN, core.Pen(look=style.Pen(texture_anchor=anchor), **stretch)]
         drawn[anchor] = on_gpu(stroke, pens, textures, view_of(160, 100))
         np.testing.assert_allclose(drawn[anchor], stroke.raster(pens, textures, 160, 100), atol=0.01)
     # Eight repetitions of 31 pixels are the one case in which both are the same.
@@ -76,7 +75,7 @@ def test_textures_anchored_to_the_path(path_px):
 
 
 def test_later_strokes_lie_over_earlier_ones():
-    pens = [core.Pen(color=(1, 0, 0)), core.Pen(color=(0, 0, 1))]
+    pens = [core.Pen(look=style.Pen(color=color)) for color in ((1, 0, 0), (0, 0, 1))]
     a, b = straight(0), straight(1, (10, 80), (150, 20))
     both = core.Strokes(
         np.r_[a.px, b.px],
@@ -136,4 +135,4 @@ def test_no_strokes():
     none = core.Strokes(
         empty.reshape(0, 2), empty.reshape(0, 4), empty, empty, np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32)
     )
-    assert not on_gpu(none, [core.Pen()], [], view_of(8, 6)).any()
+    assert not on_gpu(none, [PLAIN], [], view_of(8, 6)).any()
