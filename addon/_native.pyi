@@ -923,6 +923,8 @@ class AtlasTables:
 
 class AtlasBatch:
     """Whole pieces whose samples share a texture."""
+    ROW_WIDTH: ClassVar[int]
+    OWNER_STRIDE: ClassVar[int]
     @staticmethod
     def of(clipped: ClippedPaths, limit: int=4194304) -> list[AtlasBatch]:
         """Of at most so many samples, or one piece."""

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The segment atlas (native/fovea/visibility/layout.h): one row of samples, wrapped over rows of the target.
-#define OWNER_STRIDE 64
+// The segment atlas (native/fovea/visibility/layout.h): one row of samples, wrapped over rows of the target. Every
+// OWNER_STRIDE samples `owners` says which segment they are in.
 
 // Place of this fragment in the row.
 int atlas_index()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elision test for the sample at this fragment: crowding() of native/fovea/elision/elide.cpp.
+// The elision test for the sample at this fragment, by the formulas of shared/elision.glsl.
 struct Own {
   vec4 place;       // pixel position, direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
@@ -10,18 +10,6 @@ struct Own {
 bool in_buffer(ivec2 texel)
 {
   return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, textureSize(layer0, 0)));
-}
-
-// How much a line takes over from another, which ends.
-float takes_over(Own line, float u, vec2 across, float size, bool right)
-{
-  float near_end = 2.0 * (1.0 - size);
-  if (near_end <= 0.0) {
-    return 0.0;
-  }
-  float ahead = (line.place.z * across.y - line.place.w * across.x) * (right ? 1.0 : -1.0);
-  float beyond = (ahead > 0.0 ? line.band.w - u : line.band.z + u) - (1.0 - near_end) * reach;
-  return min(1.0, 3.0 * near_end) * smoothstep(0.0, reach, beyond);
 }
 
 // How much one of the run's ends lies in the band of a line.
@@ -42,14 +30,8 @@ float lost(vec4 other, Own line, float own, float u, vec2 away)
   if (other.x <= line.band.y) {
     return 0.0;
   }
-  float size = length(other.zw), covered = abs(other.y);
-  vec2 across = other.zw / size;
-  float cosine = dot(away, across), squared = cosine * cosine;
   float met = max(meets(line, other.x, 0), meets(line, other.x, 4));
-  float weight = mix(smoothstep(0.25, 0.75, squared), smoothstep(0.8214, 0.9698, squared), met);
-  weight *= 1.0 - takes_over(line, u, across, size, other.y < 0.0);
-  float both = cosine < 0.0 ? max(0.0, own + covered - 1.0) : min(own, covered);
-  return max(weight, line.shortness) * both;
+  return elision_lost(line.place, line.band, own, u, away, other.zw, other.y < 0.0, abs(other.y), met, line.shortness, reach);
 }
 
 // (lost, own) share of the pixel that a place of the window is in.
@@ -61,8 +43,7 @@ vec2 window_pixel(vec2 at, Own line)
   }
   vec2 from = vec2(pixel) + 0.5 - line.place.xy, left = vec2(-line.place.w, line.place.z);
   float u = dot(from, line.place.zw), v = dot(from, left);
-  float inside = clamp(u + line.band.z + 0.5, 0.0, 1.0) * clamp(line.band.w - u + 0.5, 0.0, 1.0);
-  float own = clamp(line.band.x + 0.5 - abs(v), 0.0, 1.0);
+  float own = elision_own(line.band, v);
   vec2 away = v < 0.0 ? -left : left;
   vec4 first = unpacked_texel(texelFetch(layer0, texel, 0).xy);
   float taken = 0.0;
@@ -70,7 +51,7 @@ vec2 window_pixel(vec2 at, Own line)
     vec4 second = unpacked_texel(texelFetch(layer1, texel, 0).xy);
     taken = max(lost(first, line, own, u, away), lost(second, line, own, u, away));
   }
-  return inside * vec2(taken, own);
+  return elision_inside(line.band, u) * vec2(taken, own);
 }
 
 // Rank and coverage of both layers at a pixel.
@@ -90,9 +71,8 @@ vec4 at_end(vec2 end, int k, float near)
     return vec4(0.0);
   }
   vec2 corner = floor(end - 0.5), t = end - 0.5 - corner, ahead = vec2(k % 2, k / 2);
-  vec2 weight = mix(1.0 - t, t, ahead);
-  vec4 found = bands_at(corner + ahead);
-  return found * vec4(1.0, near * weight.x * weight.y, 1.0, near * weight.x * weight.y);
+  float share = elision_corner(near, t, k);
+  return bands_at(corner + ahead) * vec4(1.0, share, 1.0, share);
 }
 
 void main()
@@ -106,24 +86,19 @@ void main()
   if (any(lessThan(place.xy, tile.xy)) || any(greaterThanEqual(place.xy, tile.zw))) {
     discard;
   }
-  float shortness = 1.0 - smoothstep(band.x, 3.0 * band.x, band.z + band.w);
-  vec2 near = 1.0 - smoothstep(vec2(0.5 * end_reach * band.x), vec2(end_reach * band.x), band.zw);
+  vec2 near = vec2(elision_near_end(band, band.z, end_reach), elision_near_end(band, band.w, end_reach));
   Own line;
   line.place = place;
   line.band = band;
-  line.shortness = shortness;
+  line.shortness = elision_shortness(band);
   for (int k = 0; k < 4; k++) {
     line.at_ends[k] = at_end(end.xy, k, near.x);
     line.at_ends[4 + k] = at_end(end.zw, k, near.y);
   }
-  float width = 2.0 * band.x + 1.0;
-  int rows = min(most_rows, int(ceil(2.0 * width)));
-  vec2 left = vec2(-place.w, place.z);
+  int rows = elision_rows(band, most_rows);
   for (int j = 0; j < columns; j++) {
-    float shift = (float(j) + 0.5) / float(columns);
-    vec2 column = place.xy + place.zw * ((shift - 0.5) * window_length);
     for (int k = 0; k < rows; k++) {
-      crowding += window_pixel(column + left * (((float(k) + shift) / float(rows) - 0.5) * width), line);
+      crowding += window_pixel(elision_place(place, band, j, columns, k, rows, window_length), line);
     }
   }
 }

@@ -8,7 +8,7 @@ float ink_of(int pen_index)
     return 1.0;
   }
   if (style.w > 0.5) {
-    return anchored_ink(int(style.z), size, place.x, place.y, half_width, ends.z, style.x);
+    return anchored_stroke_ink(int(style.z), size, place.x, place.y, half_width, ends.z, style.x);
   }
   return stroke_ink(int(style.z), size, place.x / style.x, place.y, half_width);
 }

@@ -4,7 +4,7 @@
 import numpy as np
 
 from .. import native
-from .gpu_texture import ROW_WIDTH, Target, upload_row
+from .gpu_texture import Target, row_width, upload_row
 
 
 class Atlas:
@@ -51,4 +51,4 @@ class _Batch:
         self.samplers = {"segments": upload_row(tables.segments), "owners": upload_row(tables.owners)}
         start, end = clipped.sample_start, batch.sample_end
         self.points = np.flatnonzero((clipped.sample_count > 0) & (start >= self.begin) & (start < end))
-        self.target = Target(ROW_WIDTH, -(-self.count // ROW_WIDTH), "R32F")
+        self.target = Target(row_width(), -(-self.count // row_width()), "R32F")

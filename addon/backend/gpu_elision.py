@@ -7,7 +7,7 @@ import gpu
 import numpy as np
 
 from .gpu_program import vertex_buffer
-from .gpu_texture import ROW_WIDTH, Target, upload_row
+from .gpu_texture import Target, row_width, upload_row
 
 _BEYOND = 1e30  # px; farther than any sample
 
@@ -36,7 +36,7 @@ class ElisionPass:
             attributes = {"px": elision.px, "across": elision.across, "owner": owners}
             indices = gpu.types.GPUIndexBuf(type="TRIS", seq=elision.triangles)
             self._bands = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), elem=indices)
-        rows = max(1, batch_samples // ROW_WIDTH) * ROW_WIDTH
+        rows = max(1, batch_samples // row_width()) * row_width()
         tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends}
         starts = range(0, len(elision.place), rows)
         self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
@@ -100,6 +100,6 @@ class _Batch:
     def __init__(self, tables):
         self.count = len(tables["places"])
         self.samplers = {name: upload_row(table) for name, table in tables.items()}
-        self.target = Target(ROW_WIDTH, -(-self.count // ROW_WIDTH), "RG32F")
+        self.target = Target(row_width(), -(-self.count // row_width()), "RG32F")
         with self.target.bind() as framebuffer:
             framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))

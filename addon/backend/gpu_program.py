@@ -8,6 +8,9 @@ from pathlib import Path
 import gpu
 import numpy as np
 
+from .. import native
+
+LIMITS = ("ROW_WIDTH", "OWNER_STRIDE")  # of the core's that sources name
 _PACKAGE = Path(__file__).resolve().parents[1]
 
 
@@ -47,6 +50,8 @@ def compile_program(name):
         info.push_constant(kind, constant)
     for word in description.get("defines", ()):
         info.define(word)
+    for limit in LIMITS:
+        info.define(limit, str(getattr(native.load().AtlasBatch, limit)))
     if description.get("writes_depth"):
         _declare_depth(info)
     info.vertex_source(_source(description["vertex"]))

@@ -6,13 +6,19 @@ from contextlib import contextmanager
 import gpu
 import numpy as np
 
-ROW_WIDTH = 2048  # as in shaders/row_lib.glsl
+from .. import native
+
 _FORMATS = {1: "R32F", 2: "RG32F", 4: "RGBA32F"}
 
 
 def size_limit():
     """Most texels a texture has along an axis."""
     return gpu.capabilities.max_texture_size_get()
+
+
+def row_width():
+    """Texels of a row of a table that is one long row."""
+    return native.load().AtlasBatch.ROW_WIDTH
 
 
 def upload(pixels, format=None):
@@ -25,12 +31,13 @@ def upload(pixels, format=None):
 
 
 def upload_row(entries):
-    """Texture of one long row of entries, (n,) or (n, channels), wrapped over rows of ROW_WIDTH."""
+    """Texture of one long row of entries, (n,) or (n, channels), wrapped over rows of row_width()."""
     channels = entries.shape[1] if entries.ndim == 2 else 1
-    rows = max(1, -(-len(entries) // ROW_WIDTH))
-    pixels = np.zeros((rows * ROW_WIDTH, channels), np.float32)
+    width = row_width()
+    rows = max(1, -(-len(entries) // width))
+    pixels = np.zeros((rows * width, channels), np.float32)
     pixels[: len(entries)] = entries.reshape(-1, channels)
-    return upload(pixels.reshape(rows, ROW_WIDTH, channels))
+    return upload(pixels.reshape(rows, width, channels))
 
 
 class Target:

@@ -145,7 +145,10 @@ void bind_tables(py::module_& m) {
                                                           "N segments; see native/fovea/visibility/layout.h.")
         .def_property_readonly("segments", viewing<AtlasTables>(&AtlasTables::segments), "(3 N, 4) float32")
         .def_property_readonly("owners", viewing<AtlasTables>(&AtlasTables::owners), "(B,) float32");
-    py::class_<AtlasBatch>(m, "AtlasBatch", "Whole pieces whose samples share a texture.")
+    py::class_<AtlasBatch> batch(m, "AtlasBatch", "Whole pieces whose samples share a texture.");
+    batch.attr("ROW_WIDTH") = atlas_width;
+    batch.attr("OWNER_STRIDE") = owner_stride;
+    batch
         .def_static(
             "of",
             [](const ClippedPaths& clipped, Index limit) {

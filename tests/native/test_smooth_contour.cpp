@@ -159,6 +159,21 @@ TEST(SmoothSilhouette, OfMeshEdgesStandsForIt) {
     EXPECT_GT(drawn.kinds.at(bit_of("silhouette")), 30);
 }
 
+TEST(SmoothSilhouette, BesideThatOfMeshEdgesIsDrawnAsAlone) {
+    const View view = perspective({4, -5, 3}, dvec3(0));
+    const auto drawn = [&](std::vector<LineSet> sets) {
+        return Drawn(Drawing({place(meshes::sphere(32))}, view, sets));
+    };
+    const Drawn alone = drawn({line_set({"smooth_silhouette"})});
+    ASSERT_GT(alone.triangles.at(0).size(), 30u);
+    for (const auto& beside : {drawn({line_set({"silhouette", "smooth_silhouette"})}),
+                               drawn({line_set({"smooth_silhouette"}), line_set({"silhouette"})}),
+                               drawn({line_set({"smooth_silhouette"}), line_set({"silhouette", "smooth_contour"})})}) {
+        EXPECT_EQ(beside.triangles.at(0), alone.triangles.at(0));
+        EXPECT_EQ(beside.kinds, alone.kinds);
+    }
+}
+
 TEST(SmoothSilhouette, AnObjectBeforeAnotherHasItsOwn) {
     const Drawing drawing({place(meshes::sphere(32), moved({2, -2.5, 1.5}) * scaled(dvec3(0.3)), 1),
                            place(meshes::sphere(32), dmat4(1.0), 2)},

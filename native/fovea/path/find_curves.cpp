@@ -65,7 +65,8 @@ Plan plan_of(const std::vector<PlacedSet>& sets, bool of_surface) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const bool all = sets[s].materials.empty();
             const CurveRule* twin = smooth_part(definition);
-            if (!of_surface && twin && (asked & smooth_contours()))
+            // Where the twin is asked for itself, edges give way to it.
+            if (!of_surface && twin && (asked & smooth_contours()) && !(asked & kind_of(*definition.smooth_twin)))
                 plan.shares.push_back({plan.job(twin, default_values(*definition.smooth_twin)), s, none, all});
             const auto* rule = std::get_if<CurveRule>(&definition.rule);
             if (!rule || (definition.scope == Scope::surface) != of_surface) continue;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The edges of a texel's triangle near its centre, in integers (native/fovea/visibility/triangle_edges.h). C++ compiles
+// this file, too, as members of a struct.
+
+// An edge in 16 bits: 256 directions, evenly spread over the diamond |x| + |y| = 1, times 256 + the distance in [0, 1] in
+// 1/255. `along`: what the code is at distance 0.
+int edge_code(int along, float inside)
+{
+  return along + int(clamp(inside, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+// `inside`: any linear function that is 0 on the edge and grows inwards. Where a line has no direction, the edge cuts
+// nothing off.
+int edge_code_of(float inside, vec2 slope)
+{
+  float size = abs(slope.x) + abs(slope.y);
+  if (!(size > 0.0f)) {
+    return 255;
+  }
+  float x = slope.x / size;
+  float turn = slope.y < 0.0f ? 3.0f + x : 1.0f - x;
+  return edge_code(int(turn * 64.0f + 0.5f) % 256 * 256, inside / size);
+}
+
+// Three of a triangle in two integers below 2^24, which floats hold exactly: the third is shared out.
+vec2 pack_edges(int a, int b, int c)
+{
+  return vec2(float(a * 256 + c / 256), float(b * 256 + c % 256));
+}
+
+// (distance, normal) of an edge of a code: (x, y) texels from the centre lie inside where distance + normal . (x, y) >= 0,
+// |normal.x| + |normal.y| = 1.
+vec3 edge_of_code(int code)
+{
+  float turn = float(code / 256) / 64.0f;
+  float x = abs(turn - 2.0f) - 1.0f;
+  return vec3(float(code % 256) / 255.0f, x, turn < 2.0f ? 1.0f - abs(turn - 1.0f) : abs(turn - 3.0f) - 1.0f);
+}
+
+bool edge_holds(int code, vec2 off)
+{
+  vec3 edge = edge_of_code(code);
+  return edge.x + edge.y * off.x + edge.z * off.y >= 0.0f;
+}
+
+// True where `off` texels from the centre lie inside all three.
+bool packed_edges_hold(vec2 packed_edges, vec2 off)
+{
+  int a = int(packed_edges.x), b = int(packed_edges.y);
+  return edge_holds(a / 256, off) && edge_holds(b / 256, off) && edge_holds(a % 256 * 256 + b % 256, off);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one fragment of a stroke adds to the picture. C++ compiles this file as members of a struct, through GLM
+// (native/fovea/stroke/fragment.h). Whoever includes it has
+//   float ink_texel(int index)                     of a texture, row after row
+//   float ink_row(int first, ivec2 size, int row)  mean of a row of the texture whose first texel is number `first`
+
+// Share of the pixel that the stroke covers, in [0, 1]. All in px: u along the path, v across, u of the run's start and
+// end, half the drawn width. The edge is a ramp one pixel wide, centred on the true edge.
+float stroke_coverage(float u, float v, float start, float end, float half_width_px, bool round_cap)
+{
+  if (round_cap) {
+    float beyond = max(max(start - u, u - end), 0.0f);
+    float away = beyond > 0.0f ? sqrt(beyond * beyond + v * v) : abs(v);
+    return clamp(half_width_px - away + 0.5f, 0.0f, 1.0f);
+  }
+  float side = clamp(half_width_px - abs(v) + 0.5f, 0.0f, 1.0f);
+  // The pixel's share on this side of the end, less its share before the start: exact for runs of any length.
+  float along = clamp(u - start + 0.5f, 0.0f, 1.0f) + clamp(end - u + 0.5f, 0.0f, 1.0f) - 1.0f;
+  return side * max(along, 0.0f);
+}
+
+float blend(float a, float b, float share)
+{
+  return a + (b - a) * share;
+}
+
+// Texel of a row across the stroke, held at its sides.
+float ink_height(ivec2 size, float v, float half_width_px)
+{
+  return clamp((half_width_px - v) / (2.0f * half_width_px) * float(size.y) - 0.5f, 0.0f, float(size.y - 1));
+}
+
+// Ink in [0, 1], bilinear: repeated along the stroke (`along`: in repetitions), held at the sides. The texture must be
+// fitted to the pen (stroke/ink.h), so that no texel is much smaller than a pixel.
+float stroke_ink(int first, ivec2 size, float along, float v, float half_width_px)
+{
+  float x = (along - floor(along)) * float(size.x) - 0.5f;
+  float y = ink_height(size, v, half_width_px);
+  int x0 = int(floor(x));
+  int y0 = int(y);
+  int left = x0 < 0 ? size.x - 1 : x0;
+  int right = x0 + 1 < size.x ? x0 + 1 : 0;
+  int upper = first + y0 * size.x;
+  int lower = y0 + 1 < size.y ? upper + size.x : upper;
+  float fx = x - float(x0);
+  float a = blend(ink_texel(upper + left), ink_texel(upper + right), fx);
+  float b = blend(ink_texel(lower + left), ink_texel(lower + right), fx);
+  return blend(a, b, y - float(y0));
+}
+
+// Mean along the stroke of the ink that stroke_ink gives at this v.
+float mean_stroke_ink(int first, ivec2 size, float v, float half_width_px)
+{
+  float y = ink_height(size, v, half_width_px);
+  int y0 = int(y);
+  return blend(ink_row(first, size, y0), ink_row(first, size, min(y0 + 1, size.y - 1)), y - float(y0));
+}
+
+// (repetitions along the whole path, share) of the finer of two octaves by which a texture that is anchored to its path
+// repeats along it; the coarser one has half the repetitions. They are a power of two, so that one in a zoom stays where
+// it is, or parts in two: of n = ceil(log2 level) for a path of `level` lengths of the texture. At the end of an octave
+// only the finer one is left: it is the coarser one of the next. Benard et al., "Self-Similar Line Artmaps", 2010. Paths
+// below a pixel count as one.
+vec2 stroke_octave(float path_px, float texture_length_px)
+{
+  float level = max(path_px, 1.0f) / texture_length_px;
+  float repeats = exp2(ceil(log2(level)));
+  return vec2(repeats, clamp(2.0f * level / repeats - 1.0f, 0.0f, 1.0f));
+}
+
+// Ink of a texture anchored to a path of so many px, u px from its middle. Two octaves are blended, and what the blend
+// loses of the contrast along the line is given back about the mean of the row: as dark, and as rough, all through a
+// zoom; the profile across the line stays.
+float anchored_stroke_ink(int first, ivec2 size, float u, float v, float half_width_px, float path_px, float texture_length_px)
+{
+  vec2 octave = stroke_octave(path_px, texture_length_px);
+  float along = u / max(path_px, 1.0f) * octave.x, finer = octave.y;
+  float fine = stroke_ink(first, size, along, v, half_width_px);
+  float coarse = stroke_ink(first, size, 0.5f * along, v, half_width_px);
+  float mean = mean_stroke_ink(first, size, v, half_width_px);
+  float kept = sqrt(finer * finer + (1.0f - finer) * (1.0f - finer));
+  return clamp(mean + (blend(coarse, fine, finer) - mean) / kept, 0.0f, 1.0f);
+}
