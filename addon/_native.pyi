@@ -561,8 +561,7 @@ class Paths:
         """(P,) uint8: 1 where the start touches no other line, 2 where the end does not"""
     @property
     def of_view(self) -> NDArray[numpy.uint8]:
-        """(P,) uint8: not 0 where no definition of the surface alone finds the path, so that it changes with the view;
-        2 where its ends, too, are where it turns away (cusps)"""
+        """(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps"""
     @property
     def points_obj(self) -> NDArray[numpy.float32]:
         """(N, 3) float32"""

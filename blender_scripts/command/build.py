@@ -45,7 +45,7 @@ def _make(target, sentence, folder, *words):
 def _configure(target, folder, sanitize):
     """CMake configures again by itself when its files change, so this runs only when the options do."""
     source = _source(target)
-    options = _options(target, sanitize)
+    options = cmake_options(target, sanitize)
     record = folder / "configured-with"
     if (folder / "build.ninja").exists() and record.exists() and record.read_text() == "\n".join(options):
         return
@@ -63,7 +63,7 @@ def _source(target):
     return link
 
 
-def _options(target, sanitize):
+def cmake_options(target, sanitize):
     options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling(target)]
     options.append(f"-DFOVEA_SANITIZE={'address,undefined' if sanitize else ''}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")

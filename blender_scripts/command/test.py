@@ -23,7 +23,7 @@ WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # how 
 
 def test(target, words):
     """words: --sanitize yes|no --jobs N [PART], then words for pytest. Leaves the counts in WORK/results/counts."""
-    parts, jobs, pytest_words = _parse(words)
+    parts, jobs, pytest_words = parse(words)
     results = target.work / "results"
     shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True)
@@ -36,7 +36,7 @@ def test(target, words):
     return 1 if total["failed"] else 0
 
 
-def _parse(words):
+def parse(words):
     _, sanitize, _, jobs, *rest = words
     part = rest.pop(0) if rest and rest[0] in PARTS else None
     left_out = {*LONG, *(() if sanitize == "yes" else ("sanitize",))}

@@ -10,4 +10,4 @@ from command.target import Target
 def test_warnings_are_errors_where_the_compiler_stays_the_same(tmp_path, name, wanted):
     target = Target(name, tmp_path / "work", tmp_path / "cache", "blender", "")
     for sanitize in (False, True):
-        assert f"-DCMAKE_COMPILE_WARNING_AS_ERROR={wanted}" in build._options(target, sanitize)
+        assert f"-DCMAKE_COMPILE_WARNING_AS_ERROR={wanted}" in build.cmake_options(target, sanitize)

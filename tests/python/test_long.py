@@ -53,9 +53,9 @@ def test_other_words_beside_it_are_refused(long):
 @pytest.mark.parametrize("sanitize", ["yes", "no"])
 def test_a_run_of_all_parts_leaves_them_out(sanitize):
     words = ["--sanitize", sanitize, "--jobs", "2"]
-    parts, jobs, _ = test._parse(words)
+    parts, jobs, _ = test.parse(words)
     assert jobs == 2 and "threads" not in parts and ("sanitize" in parts) == (sanitize == "yes")
-    assert test._parse([*words, "threads"])[0] == ["threads"]
+    assert test.parse([*words, "threads"])[0] == ["threads"]
 
 
 def test_every_line_that_keeps_the_thread_sanitizer_quiet_has_its_reason():

@@ -27,7 +27,7 @@ def orbit(folder):
         screen.swap()
         pictures.append(screen.picture()[::8, ::8].copy())
         yield
-    moving = {"read": watch.read, "longest": watch.longest, "drafts": watch.drafts, "draws": watch.draws}
+    moving = {"read": watch.read, "drafts": watch.drafts, "draws": watch.draws}
     moving["changed"] = sum(bool((a != b).any()) for a, b in zip(pictures, pictures[1:]))
     yield from watch.refined()
     refined = watch.of(screen.area()).shown.quality

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Focus as colours, in a window; see inside.py. What a scenario returns is for the tests to judge."""
 
-import time
 from pathlib import Path
 
 import bpy
@@ -63,13 +62,13 @@ def heat(folder):
 
 
 def rendered(folder, spec="office"):
-    """Focus as colours over Fovea's own picture of a scene; while the view turns, in no time at all, what a draw of it
-    costs, how coarse it is and how much bluer than red the ground is, which is out of focus."""
+    """Focus as colours over Fovea's own picture of a scene; while the view turns, how coarse it is and how much
+    bluer than red the ground is, which is out of focus."""
     scenes.build(spec, SHARED if SHARED.is_dir() else None)
     scene = bpy.context.scene
     scene.render.engine = "FOVEA"
     yield from filled()
-    space, took = screen.space(), []
+    space = screen.space()
     space.region_3d.view_perspective, space.shading.type = "CAMERA", "RENDERED"
     yield from screen.rest(0.5)
     with screen.override():
@@ -78,9 +77,8 @@ def rendered(folder, spec="office"):
     old, scales, cool = overlay._Shown.update, [], []
 
     def update(self, context):
-        start, key = time.perf_counter(), self.key
+        key = self.key
         old(self, context)
-        took.append(1000 * (time.perf_counter() - start))
         scales.append((self.scale / overlay.SCALE, self.key != key))
 
     reads, read = [], reading.Reader.read
@@ -88,7 +86,7 @@ def rendered(folder, spec="office"):
     yield from screen.rest(4)
     screen.swap()
     np.save(folder / "rendered.npy", screen.picture())
-    first, (finest, _), took[:], scales[:] = max(took), scales[-1], [], []
+    (finest, _), scales[:] = scales[-1], []
     space.region_3d.view_perspective, scene.fovea_viewport.budget_ms = "PERSP", 1
     for _ in range(5):
         space.region_3d.view_rotation = Quaternion((0, 0, 1), 0.03) @ space.region_3d.view_rotation
@@ -106,8 +104,7 @@ def rendered(folder, spec="office"):
     np.save(folder / "solid.npy", screen.picture())
     told["solid"] = len(reads)
     reading.Reader.read = read
-    turning = {"turning_ms": sorted(took)[len(took) // 2], "coarse": sorted(coarse), "cool": cool}
-    return {"reads": told, "first_ms": first, "finest": finest, **turning, **state()}
+    return {"reads": told, "finest": finest, "coarse": sorted(coarse), "cool": cool, **state()}
 
 
 def coolness(picture):

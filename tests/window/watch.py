@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the add-on does in its viewports, from inside: how often it draws and reads the scene, when it is through."""
 
-import time
-
 from the_addon import part
 from window import screen
 
@@ -21,16 +19,14 @@ class Watch:
 
     def reset(self):
         self.draws = self.read = 0
-        self.longest = 0.0  # seconds that a draw took
         self.drafts = []  # qualities that were chosen while something changed; 0 is the best
 
     def end(self):
         viewport.draw, session.gather, Budget.choose = self._old
 
     def _draw(self, engine, context, depsgraph):
-        start = time.perf_counter()
         self._old[0](engine, context, depsgraph)
-        self.draws, self.longest = self.draws + 1, max(self.longest, time.perf_counter() - start)
+        self.draws += 1
         self.kept[context.region.as_pointer()] = engine.viewport
 
     def _choose(self, *arguments, **options):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What hangs together: elements joined pair by pair.
+// Union-find.
 #pragma once
 
 #include <algorithm>

@@ -20,8 +20,8 @@ std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const
 
 Focus focus_function(const style::Focus& focus, const Scene* scene, const View& view,
                      const std::vector<std::vector<std::string>>& objects) {
-    const bool of_objects = focus.model == style::FocusModel::object;
-    const bool in_scene = of_objects || focus.model == style::FocusModel::scene;
+    const bool of_objects = focus.basis() == style::FocusBasis::surfaces;
+    const bool in_scene = of_objects || focus.basis() == style::FocusBasis::scene;
     Focus made{in_scene ? FocusSpace::scene : FocusSpace::image, {}, focus.combine == style::Combine::sum};
     if (!focus.active()) return made;
     const dvec4& frame = view.frame;  // left, lower, width, height

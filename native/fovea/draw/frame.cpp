@@ -248,7 +248,7 @@ Array<float> Frame::focus_along_lines() {
     if (style.effects.lines == style::Mode::uniform)
         return Array<float>(clipped->samples, float(style.effects.uniform));
     if (!style.focus.active()) return {};
-    if (style.focus.model != style::FocusModel::painted) return focus_of_samples(*clipped, focus_function());
+    if (!style.focus.is_painted()) return focus_of_samples(*clipped, focus_function());
     const Painted painted = job.overrides.painted_as(style.focus.attribute, job.scene->placements.size());
     return inverted(values_of_samples(*clipped, values_on_paths(*paths, *job.scene, painted)));
 }

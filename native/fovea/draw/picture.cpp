@@ -113,14 +113,14 @@ void Frame::put_on_paper() {
 Array<float> Frame::focus_of_pixels() {
     const style::Focus& focus = job.style.focus;
     if (!focus.active()) return {};
-    if (job.options.focus_step > 1 && focus.model != style::FocusModel::image) return focus_of_fewer_pixels();
-    if (focus.model == style::FocusModel::painted) {
+    if (job.options.focus_step > 1 && focus.basis() != style::FocusBasis::image) return focus_of_fewer_pixels();
+    if (focus.is_painted()) {
         const Painted painted = job.overrides.painted_as(focus.attribute, job.scene->placements.size());
         Array<float> image = painted_image(rays(), painted, cancel());
         parallel_for(image.size(), [&](std::size_t i) { image[i] = 1.0f - image[i]; });
         return image;
     }
-    if (focus.model == style::FocusModel::image)
+    if (focus.basis() == style::FocusBasis::image)
         return fovea::focus_of_pixels(job.view, Array<float>(std::size_t(job.view.width) * job.view.height, 0.0f),
                                       focus_function());
     return fovea::focus_of_pixels(job.view, depth(), focus_function());
@@ -134,7 +134,7 @@ Array<float> Frame::focus_of_fewer_pixels() {
     coarse.cancel = job.cancel;
     Frame fewer(std::move(coarse));
     // Focus in the scene does not depend on the pixels, and takes time to make.
-    if (job.style.focus.model != style::FocusModel::painted) fewer.focus_ = focus_function();
+    if (!job.style.focus.is_painted()) fewer.focus_ = focus_function();
     return magnified(fewer.focus_of_pixels(), fewer.job.view, job.view);
 }
 

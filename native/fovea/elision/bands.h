@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bands that lines want for themselves, as triangles: what both backends draw into the priority buffer.
+// The bands that lines reserve, as triangles: what both backends draw into the priority buffer.
 #pragma once
 
 #include <fovea/base/columns.h>

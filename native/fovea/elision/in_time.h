@@ -10,14 +10,13 @@
 namespace fovea {
 
 /// What elision leaves, in one frame, of the lines that no view makes (Paths::of_view). Paths may be longer or shorter
-/// in another frame, where a line set before theirs takes edges away from them. So a place is told by the edge of the
-/// mesh that it lies on, which only one path has, and what share of that edge is before it; on a line across triangles,
-/// which is always whole, by the path's id, and what share of its length in object space. Either stays where it is on
-/// what moves or bends.
+/// in another frame, where a line set before theirs takes edges away from them. So samples are matched across frames by
+/// (edge, fraction) on edges of the mesh, each of which is on one path only, and by (path id, fraction of the length in
+/// object space) on lines across triangles, which are always whole. Both keys hold under motion and deformation.
 struct ShownLines {
     static constexpr float unseen = -1.0f;
 
-    /// What tells places: an edge of a placement, or a path across triangles; ascending.
+    /// An edge of a placement, or a path across triangles; ascending.
     using Key = std::uint64_t;
     /// Where it lies on a path of the frame: from .. to in arc length, object units. By key.
     struct Part {

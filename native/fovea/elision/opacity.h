@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From crowding to the opacity of lines: smoothed along the line, so that they fade, and without leftovers.
+// From occupancy of bands to the opacity of lines: smoothed along the path, without short remainders.
 #pragma once
 
 #include <fovea/elision/own_band.h>

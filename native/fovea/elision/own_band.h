@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where each atlas sample lies, and the band that its own line wants for itself there.
+// Per atlas sample: its position, and the band that its line reserves in the priority buffer.
 #pragma once
 
 #include <fovea/visibility/runs.h>
@@ -30,8 +30,8 @@ struct OwnBands {
 
 /// `ranks`: per run (elision/rank.h). `half_width_px`: per atlas sample, half the width that a line wants there where
 /// it is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below 0, is
-/// 0. `reach_px`: half again as far as what is left of lines is averaged over, since lines that begin where others end
-/// shall be whole there; above 0.
+/// 0. `reach_px`: 1.5 times the window over which elision_scores averages, so that a line that begins where another
+/// ends is whole there; above 0.
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
                    float reach_px);
 

@@ -20,7 +20,7 @@ struct PriorityWeights {
     double strength = 0.25;
     /// radius / (radius + d) at mean distance d from the eye along the view: what is near comes before what is far.
     double depth = 0.25;
-    /// What the caller thinks of each object.
+    /// The importance of the line's object.
     double object = 1.0;
     /// What the artist has painted, the mean along the path.
     double painted = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who goes before whom where lines crowd.
+// Total order of runs by priority.
 #pragma once
 
 #include <fovea/path/paths.h>

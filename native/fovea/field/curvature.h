@@ -9,8 +9,8 @@ namespace fovea {
 /// Shape operator h(x, y) = (D_x n) . y for the outward unit normal n: convex is positive, a sphere of radius R has
 /// 1 / R. C is the covariant derivative of h, symmetric in all arguments. Units: k 1 / length, C 1 / length^2.
 /// Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004.
-/// Turning the frame around (e1 -> -e1, e2 -> -e2) turns C around and leaves k as it is. Where |k1| = |k2| the frame is
-/// arbitrary. Where nothing is known of a point (no surface around it) all is zero, the normal too.
+/// Negating the frame (e1 -> -e1, e2 -> -e2) negates C and leaves k1 and k2. Where |k1| = |k2| the frame is arbitrary.
+/// Where there is no surface around a point, all members are zero, the normal too.
 template <typename Real>
 struct CurvatureOf {
     using Vec3 = glm::vec<3, Real>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who surrounds a vertex, with and without crossing hard edges.
+// The one-ring of each vertex, cut at hard edges.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ struct Neighbours {
 
 /// Kept with the surface. An edge is hard when it is marked sharp, has more than two facets, or its facets' normals
 /// differ by more than `hard_angle` degrees and by far more than the surface turns beside the edge (or by more than 75
-/// degrees): a rounded edge of few triangles is not hard, nor a fold of noise that goes on nowhere. A border is not
-/// hard: nothing lies beyond it.
+/// degrees). A bevel of few triangles is not hard, nor is a single sharp edge that no other continues at either vertex
+/// (noise), nor a border.
 std::shared_ptr<const Neighbours> neighbours_of(const Surface& surface, double hard_angle = default_hard_angle);
 
 }  // namespace fovea

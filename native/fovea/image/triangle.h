@@ -23,7 +23,7 @@ inline PixelBox intersect(const PixelBox& a, const PixelBox& b) {
 class FixedTriangle {
    public:
     static constexpr std::int64_t one = 256;    // steps per pixel
-    static constexpr float far_away = 1 << 20;  // px; corners beyond it are nobody's picture
+    static constexpr float far_away = 1 << 20;  // px; fixed point overflows beyond it: corners are clamped
 
     /// Corners in px, either way round.
     FixedTriangle(vec2 a, vec2 b, vec2 c) {

@@ -32,14 +32,14 @@ struct Selection {
     bool uniform = false;  ///< what stays has full strength; else its own
 };
 
-/// Curves of the scene that outlive a frame, with what is derived from them.
+/// Curves of the scene that are cached over frames, with what is derived from them.
 struct KeptCurves {
     Curves pieces;
     mutable Cache derived;
 };
 
-/// Curves of a placement that lie on another one, too (or on itself again). `side` of their pieces numbers what the
-/// definition likes, per set of curves; two pieces with the same number go on from each other.
+/// Curves of a placement that lie on another one, too (or on itself again). `side` of their pieces is an id
+/// chosen by the definition, per set of curves: pieces with equal ids are joined.
 struct SceneCurves {
     Index placement, other;
     std::shared_ptr<const KeptCurves> curves;

@@ -36,7 +36,7 @@ constexpr std::uint64_t kept_frames = 16;
 /// where they pass through each other as there is nothing to see in them.
 constexpr Index heap = 24;
 
-/// Larger numbers are nobody's scene.
+/// Products of larger coordinates overflow.
 constexpr double farthest = 1e18;
 
 /// Crossings of a surface with others, and with itself.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a view can see of a cluster of triangles at most.
+// Conservative bounds of view-dependent quantities over a cluster of triangles.
 #pragma once
 
 #include <cmath>

@@ -111,8 +111,8 @@ Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value&
     });
 }
 
-/// All numbers that a field can have somewhere lie in it. Infinite or NaN where nothing is known: ask it in such a way
-/// that this means "may be".
+/// Conservative bounds of a field's values. Infinite or NaN bounds mean unbounded: every query must treat them as "may
+/// contain".
 struct Range {
     float low, high;
     /// False only where it is certain.

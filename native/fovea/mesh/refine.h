@@ -22,8 +22,8 @@ struct Refinement {
 /// `jets` are exact: the limit surface is bicubic but near cage vertices where not four quads meet, on which refined
 /// vertices lie that have an exact position and normal; their second and third derivatives need not exist, and stand
 /// for those in the middle of the refined quads around. Third derivatives jump where four patches meet: the mean over
-/// the quads around, each counted as it lies in the parameters. At a sharp edge jets are those of one side, the one
-/// of the largest angle. Semi-sharp creases that round off within an eighth of a refined quad count as sharp.
+/// the quads around, weighted by their area in the patch's parameters. At a sharp edge jets are those of one side, the
+/// one of the largest angle. Semi-sharp creases that round off within an eighth of a refined quad count as sharp.
 ///
 /// Catmull & Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", CAD 1978; DeRose, Kass &
 /// Truong, "Subdivision Surfaces in Character Animation", SIGGRAPH 1998 (creases); Stam, "Exact Evaluation of

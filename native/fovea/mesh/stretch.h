@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces as uneven scales and shears show them: in a space of true angles.
+// Surfaces under a non-uniform scale or shear: the object multiplied by the symmetric part of its transform, so that
+// angles in that space are those in the world.
 #pragma once
 
 #include <memory>
@@ -8,10 +9,10 @@
 
 namespace fovea {
 
-/// What a linear map does to angles: it is a stretch, symmetric and positive, before a motion, a mirroring or an even
-/// scale, which leave them as they are. The sum of its squared entries is 3. The identity for maps that keep angles (to
-/// 1e-4), and for those that flatten everything: what they leave has no curvature. Rounded, so that it does not
-/// change while an object turns or grows. Higham, "Computing the Polar Decomposition", SISSC 1986.
+/// The symmetric positive factor of a linear map's polar decomposition, which is all of it that changes angles;
+/// rotation, reflection and uniform scale do not. The sum of its squared entries is 3. The identity for maps that keep
+/// angles (to 1e-4), and for those that flatten everything: what they leave has no curvature. Rounded, so that it does
+/// not change while an object turns or grows. Higham, "Computing the Polar Decomposition", SISSC 1986.
 dmat3 stretch_of(const dmat3& linear);
 
 /// The surface with its vertices stretched: all elements keep their numbers, and what was outside stays outside. In

@@ -7,9 +7,9 @@
 
 namespace fovea {
 
-/// Found, chained and smoothed. Contours are then projected to the smooth surface; features lose the hooks at their
-/// ends and what runs along a contour (`near` of doubles.h; empty: nothing). Of both, the stretches that the rule
-/// selects.
+/// Traces, chains and smooths the curves of one definition. Contours are then projected to the smooth surface; features
+/// lose the spurs at their ends and the stretches that duplicate a contour (`near` of doubles.h; empty: none). Of both,
+/// the stretches that the rule selects by hysteresis.
 CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near = {});
 
 }  // namespace fovea

@@ -9,11 +9,11 @@
 
 namespace fovea {
 
-/// Pieces of curves that a line set has already: of definitions that find the same ones, the first has them.
+/// Which triangles' curves a line set has already: where two definitions trace the same curve, the first keeps it.
 class Claims {
    public:
     explicit Claims(const Surface& surface) : surface_(surface) {}
-    /// Those of `chains` that nobody has yet, which the rule's definition has from now on.
+    /// The parts of `chains` on triangles that are not claimed yet; claims them for the rule's definition.
     CurveChains claim(const CurveRule& rule, CurveChains chains);
 
    private:
@@ -31,9 +31,8 @@ void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds>
 /// Per vertex: 1 at the ends of hard edges of the mesh that have one of `bits`.
 Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds);
 
-/// What is left of chains without the stretches that run for more than four side lengths through triangles with at
-/// least so many corners that are `near` a line: that one is drawn there. Lines that cross it, or go on from its end,
-/// stay.
+/// Chains without the stretches longer than four side lengths whose triangles have at least `corners` vertices `near`
+/// a line: that line is drawn there. What crosses it, or continues it, stays.
 CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners = 3);
 
 }  // namespace fovea

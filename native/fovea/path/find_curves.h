@@ -29,7 +29,8 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
                                                                 const std::vector<std::vector<PlacedSet>>& placed,
                                                                 const Cancel& cancel);
 
-/// Of the frame, in view space. They are of no placement: sets that are for some lines only have none.
+/// Of the frame, in view space. They belong to no placement: line sets filtered by collection, object or material have
+/// none of them.
 std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,
                                               const Cancel& cancel);
 

@@ -38,8 +38,7 @@ struct Paths {
         Column{"free_ends", &Paths::free_ends,
                "(P,) uint8: 1 where the start touches no other line, 2 where the end does not"},
         Column{"of_view", &Paths::of_view,
-               "(P,) uint8: not 0 where no definition of the surface alone finds the path, so that it changes with the "
-               "view; 2 where its ends, too, are where it turns away (cusps)"}};
+               "(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps"}};
     static constexpr std::tuple point_columns{
         Column{"points_obj", &Paths::points_obj, "(N, 3) float32"},
         Column{"arc_obj", &Paths::arc_obj, "(N,) float64 arc length from the path's start, object units"},

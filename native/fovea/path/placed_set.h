@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Line sets as one placement has them: what is for others is gone, and its object's own word is heeded.
+// Line sets restricted to one placement, with the overrides of its object applied.
 #pragma once
 
 #include <fovea/path/line_set.h>

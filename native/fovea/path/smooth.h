@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains across triangles made as smooth as a pen draws them, without leaving the surface.
+// Smoothing of chains across triangles, on the surface.
 #pragma once
 
 #include <fovea/field/curvature.h>

@@ -3,8 +3,8 @@
 // atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
 // Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
 //
-// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. A halo after an overshoot would leave what is beyond the
-// line that it passes behind.
+// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. Halo must precede overshoot: otherwise the overshoot past
+// the occluding line survives.
 #pragma once
 
 #include <fovea/visibility/runs.h>
@@ -31,7 +31,7 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
 /// Lengthens visible runs by the path's `amount_px` where their line ends, straight on beyond it: such a run starts
 /// before, or ends after, the arc lengths of its piece. What the frame cuts stays at the frame, and a line that a
 /// surface hides stops at its edge; a pixel of it may be hidden at its end, and from two on it goes no farther.
-/// By less than nothing, shortens them at all their ends (erosion); runs that vanish go. The result grows with the
+/// Negative amounts erode runs at all their ends; empty runs are removed. The result grows with the
 /// amount, without steps but where runs meet; an amount of 0 leaves a path as it is. Cole 2009, section 5.1.2, dilates
 /// visibility instead, which draws lines on behind what hides them.
 Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which parts of visible lines are the outer boundary of their object: what drafts ask instead of asking at every edge
-// of the mesh whether it is a silhouette.
+// Splits visible runs into outer silhouette and interior contour by casting rays behind them: drafts do so instead of
+// classifying every edge of the mesh.
 // Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
 #pragma once
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What bounds a volume, and what is a sheet.
+// Solids and open sheets among the connected parts of a surface.
 #pragma once
 
 #include <fovea/scene/scene.h>
 
 namespace fovea {
 
-/// Facets of a surface that hide, gathered in bodies: those that hang together by edges. A solid body is closed and
+/// Facets of a surface that hide, gathered in bodies: components connected by edges. A solid body is closed and
 /// consistently oriented: at each of its edges as many sides run one way as the other. All others are sheets, however
 /// small their holes.
 struct Bodies {

@@ -11,7 +11,7 @@ inline constexpr double grid_limit = 549755813888.0;  // 2^39: a determinant the
 
 struct Orientation {
     double value;  ///< six times the signed volume of the tetrahedron; exactly 0 where the points are coplanar
-    int sign;      ///< of `value`, and where that is 0, of the points moved by nothing measurable
+    int sign;      ///< of `value`, or where that is 0 of the points after symbolic perturbation
 };
 
 /// Orientation of four grid points, positive where the fourth lies below the plane of the first three, which seen from

@@ -9,21 +9,22 @@
 
 namespace fovea {
 
-/// Triangles that a ray passes through: those of the facets at the mesh edge whose visibility is asked; those of the
-/// two facets in which a line on two surfaces lies; or, for a line across triangles, those that share a corner with its
-/// own. The contour of the smooth surface runs beside the edges where the mesh turns away, before them or behind, and
-/// often inside the mesh; so it also passes all of the surface that lies along the ray within twice the length of its
-/// triangle. What is folded so near together does not hide its own contours; where triangles are uneven, larger ones
-/// beside a sliver still break a contour for a few pixels. test_contour_visibility.cpp measures the error.
+/// Triangles that a visibility ray ignores:
+/// (a) of a line on a mesh edge, those of the facets at the edge;
+/// (b) of a line on two surfaces, those of both facets;
+/// (c) of a line across a triangle, those that share a corner with it;
+/// (d) of a contour of the smooth surface, which runs beside the mesh's own and often inside the mesh, also all of the
+///     surface along the ray within twice the length of its triangle. So folds that near do not hide their own
+///     contours, and large triangles beside a sliver still break one for a few pixels: test_contour_visibility.cpp
+///     measures the error.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
     const EdgeSide* end = nullptr;
     Triangle around{none, none, none};  ///< vertices; `none`: the line lies on an edge
     float reach = 0.0f;                 ///< view space
-    /// What to add to points before rays ask for them, view space: a line across triangles is seen from a hair's
-    /// breadth above the surface, so that what is rough there does not hide it. Above, at a contour, is aside in the
-    /// image.
+    /// Offset of the ray's target from the surface, view space: keeps roughness from hiding lines across triangles. At
+    /// a contour the offset lies in the image plane.
     vec3 above{0.0f};
     Index facet = none;  ///< of a line on two surfaces, with that of the second
     Index other_placement = none, other_facet = none;

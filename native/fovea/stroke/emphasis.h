@@ -31,7 +31,7 @@ struct EmphasisAlong {
 /// Throws std::invalid_argument where an array has not one value per sample.
 void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis);
 
-/// The emphasis of a run of a piece; nothing where there is none to speak of. What is shown is that of the run's own
+/// The emphasis of a run of a piece; empty where it is zero all along. What is shown is that of the run's own
 /// samples, held at its ends: those beside them are of other runs, or of none.
 void find_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis, Index piece, double start_px, double end_px,
                    EmphasisAlong& out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hand that holds the pen: it trembles, and it presses.
+// Positional jitter and pressure along a centre line.
 #pragma once
 
 #include <cstdint>

@@ -100,10 +100,21 @@ struct FocusPlace {
                                        Field{"object", &FocusPlace::object, "", "", naming(Names::datablock)}};
 };
 
-/// Where the places to look at lie.
+/// What says where to look.
 enum class FocusModel : std::uint8_t { none, image, scene, object, painted };
 template <>
 inline constexpr Choice choices_of<FocusModel>[] = {{"none"}, {"image"}, {"scene"}, {"object"}, {"painted"}};
+
+/// What focus depends on in a picture.
+enum class FocusBasis : std::uint8_t {
+    nothing,
+    image,     ///< where a pixel lies
+    scene,     ///< where in space what it shows lies
+    surfaces,  ///< how near that is to surfaces of the scene
+    attribute  ///< values at the corners of meshes
+};
+inline constexpr FocusBasis basis_of[] = {FocusBasis::nothing, FocusBasis::image, FocusBasis::scene,
+                                          FocusBasis::surfaces, FocusBasis::attribute};
 
 /// What several places make together.
 enum class Combine : std::uint8_t { nearest, sum };
@@ -115,14 +126,14 @@ struct Focus {
     FocusModel model = FocusModel::none;
     std::vector<FocusPlace> points{FocusPlace()};
     Combine combine = Combine::nearest;
-    std::string attribute;  ///< of the model `painted`
+    std::string attribute;  ///< of the basis `attribute`
 
     static constexpr std::size_t most_places = 16;
 
     bool operator==(const Focus&) const = default;
-    bool active() const {
-        return model == FocusModel::painted ? !attribute.empty() : model != FocusModel::none && !points.empty();
-    }
+    FocusBasis basis() const { return basis_of[int(model)]; }
+    bool is_painted() const { return basis() == FocusBasis::attribute; }
+    bool active() const { return is_painted() ? !attribute.empty() : model != FocusModel::none && !points.empty(); }
 
     static constexpr std::tuple fields{Field{"model", &Focus::model}, Field{"points", &Focus::points},
                                        Field{"combine", &Focus::combine},

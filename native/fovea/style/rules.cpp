@@ -45,8 +45,7 @@ void settle(const FocusPlace& place, const Path& where) {
 void settle(const Focus& focus, const Path& where) {
     check(focus.points.size() <= Focus::most_places,
           of(where, "points") + " must be a list of at most " + std::to_string(Focus::most_places) + " points");
-    check(focus.model != FocusModel::painted || !focus.attribute.empty(),
-          of(where, "attribute") + " must name what is painted");
+    check(!focus.is_painted() || !focus.attribute.empty(), of(where, "attribute") + " must name what is painted");
 }
 
 void settle(const Elision& elision, const Path& where) {

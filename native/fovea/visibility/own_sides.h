@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the facets at a line's own mesh edge tell about where it can be seen.
+// Depth slope and facing of the facets at a line's own mesh edge.
 #pragma once
 
 #include <fovea/base/view.h>
@@ -14,8 +14,8 @@ struct OwnSides {
     /// surface that goes on like its own can rise above the line next to it; 0 where both turn away. At most
     /// max_depth_slope (depth.h), reached edge on.
     Array<float> steepness;
-    /// 1 where an opaque body would hide the line itself: both facets turn away from the viewer, or one does and the
-    /// edge is a groove. Such a line is seen only on open surfaces, next to its own facets. 0 where they hide nothing.
+    /// 1 where both adjacent facets are back-facing, or one is and the edge is concave: a solid would hide the line,
+    /// which is seen on open surfaces only, next to its own facets. 0 where the facets do not occlude.
     Array<std::uint8_t> inner;
 };
 

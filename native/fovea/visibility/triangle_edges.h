@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a texel's triangle ends, near the texel: what tells on which side of an occluder's edge a probe lies.
+// Quantized edge equations of the triangle that covers a texel: on which side of an occluder's edge a probe lies.
 #pragma once
 
 #include <fovea/base/types.h>
