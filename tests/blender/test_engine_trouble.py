@@ -14,7 +14,7 @@ from pictures import box_scene, drawn, ink, pixels_of
 from the_addon import fovea, new_object, part
 
 native = part("native")
-session = part("blender.session")
+session = part("render.session")
 
 
 @pytest.fixture

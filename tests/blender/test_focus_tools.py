@@ -9,9 +9,9 @@ import pytest
 from mathutils import Matrix, Vector
 from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
-places, gizmos, overlay = part("blender.focus_places"), part("blender.focus_gizmos"), part("blender.focus_overlay")
-operators, focus_pull = part("blender.focus_operators"), part("blender.focus_pull")
-camera, reading, style = part("blender.camera"), part("blender.reading"), part("style")
+places, gizmos, overlay = part("focus.focus_places"), part("focus.focus_gizmos"), part("ui.focus_overlay")
+operators, focus_pull = part("focus.focus_operators"), part("focus.focus_pull")
+camera, reading, style = part("scene.camera"), part("render.reading"), part("style")
 
 
 @pytest.fixture
@@ -199,7 +199,7 @@ def test_the_overlay_evaluates_the_focus_of_a_view(scene, model):
     painted = box.data.attributes.new("painted", "FLOAT", "POINT")
     painted.data.foreach_set("value", np.ones(8, np.float32))
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    chosen = part("blender.properties").style_of(depsgraph.scene)
+    chosen = part("render.properties").style_of(depsgraph.scene)
     view = camera.of_scene(depsgraph)
     read = None if model == "IMAGE" else reading.Reader().read(depsgraph, chosen)
     found = reading.focus_of_pixels(read, view, chosen.focus, 0.25)
@@ -235,7 +235,7 @@ def leftovers():
 
 
 def test_registered_and_unregistered_again_and_again_they_leave_nothing(scene):
-    tools = [part(f"blender.{name}") for name in fovea.TOOLS]
+    tools = [part(name) for name in fovea.TOOLS]
     before = leftovers()
     for _ in range(20):
         for module in reversed(tools):

@@ -14,7 +14,7 @@ from measure_kept import ball, megabytes
 from pictures import box_scene, drawn
 from the_addon import part, use_style
 
-kept, preferences, session = (part(f"blender.{name}") for name in ("kept", "preferences", "session"))
+kept, preferences, session = part("scene.kept"), part("ui.preferences"), part("render.session")
 
 
 @pytest.fixture
@@ -95,9 +95,9 @@ def test_images_of_materials_count_and_go(scene, tmp_path):
 
 
 def test_what_a_snapshot_needs_stays(scene, tmp_path):
-    read = part("blender.reading").Reader()
+    read = part("render.reading").Reader()
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    found = read.read(depsgraph, part("blender.properties").style_of(scene))
+    found = read.read(depsgraph, part("render.properties").style_of(scene))
     kept.set_limit(1)
     assert len(read._surfaces._entries) == 4, "somebody still looks at it"
     del found

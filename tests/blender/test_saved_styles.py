@@ -7,9 +7,9 @@ import pytest
 from pictures import pixels_of
 from the_addon import empty_scene, lines_of, part, use_style
 
-files, native, pictures = part("blender.style_files"), part("native"), part("blender.style_picture")
-preferences, style, thumbnails = part("blender.preferences"), part("style"), part("blender.panels.thumbnails")
-style_data, properties = part("blender.style_data"), part("blender.properties")
+files, native, pictures = part("style.style_files"), part("native"), part("style.style_picture")
+preferences, style, thumbnails = part("ui.preferences"), part("style"), part("ui.thumbnails")
+style_data, properties = part("style.style_data"), part("render.properties")
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ import pytest
 from native_core import Mesh, box, core, scene, sphere, view
 
 from addon import pipeline, stages, style
-from addon.backend import cpu
 
 SIZE = (160, 120)
 SUN = (0.3, -0.5, 0.8)  # the way to it
@@ -27,7 +26,7 @@ def passes(placed, seen, sources, shading="flat", bands=3, **options):
     """The passes of a picture without lines."""
     parts = {"line_sets": [{"kinds": {"edge_mark": {}}}], "color": {"shading": shading, "bands": bands}}
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, **parts}))
-    made = pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), colors=sources)
+    made = pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(**options), colors=sources)
     made.picture()
     return made.passes()
 

@@ -12,7 +12,6 @@ import pytest
 from native_core import box, core, counts, draw, frame, members, scene, sphere, surface, view
 
 from addon import pipeline, stages
-from addon.backend import cpu
 
 CORNER = ((4, -5, 3), (0, 0, 0))
 CREASES = [({"crease": {}}, 60.0)]
@@ -159,7 +158,7 @@ def test_line_sets_refuse_unknown_names():
     placed, seen = scene([box().surface()]), view(*CORNER)
     for kinds, unknown in (({"outline": {}}, "outline"), ({"crease": {"angel": 3.0}}, "angel")):
         with pytest.raises(ValueError, match=unknown):
-            pipeline.frame(placed, seen, pipeline.style_of_lines(kinds), cpu.Backend(), pipeline.options()).find()
+            pipeline.frame(placed, seen, pipeline.style_of_lines(kinds), core.CpuBackend(), pipeline.options()).find()
     with pytest.raises(ValueError, match="sample_step"):
         frame(placed, seen, CREASES, sample_step=0.0).find()
 

@@ -5,10 +5,9 @@ import json
 
 import numpy as np
 import pytest
-from native_core import box, scene, view
+from native_core import box, core, scene, view
 
 from addon import pipeline, stages, style
-from addon.backend import cpu
 
 
 def parsed(**parts):
@@ -70,7 +69,7 @@ def drawn(look, **notes):
     placed, seen = scene([box().surface()] * 2, matrices), view((0, -12, 3), (0, 0, 0))
     chosen = parsed(line_sets=[{"kinds": {"crease": {}}, **PEN}], focus=look)
     said = stages.Notes(objects=(("A",), ("B",)), **notes)
-    made = pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(), notes=said)
+    made = pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(), notes=said)
     made.filter()
     return made
 

@@ -12,7 +12,7 @@ from mathutils import Quaternion
 from the_addon import part
 from window import screen
 
-overlay, camera, reading = part("blender.focus_overlay"), part("blender.camera"), part("blender.reading")
+overlay, camera, reading = part("ui.focus_overlay"), part("scene.camera"), part("render.reading")
 SHARED = Path(__file__).parents[3] / "shared"
 
 

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings on scenes, objects and materials. A scene says where to look, how to draw, and which style it draws with.
+
+Styles are datablocks of their own: style_data.py.
+"""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
+
+from ..focus import focus_settings
+from . import gpu_context, methods
+from ..scene import own_lines, repair
+from ..style import style_data, style_groups, style_read
+from ..scene.property_kinds import redraw
+
+
+def style_of(scene):
+    """The Style a scene draws with, and where it looks; an evaluated scene's numbers are those of its frame.
+
+    Nothing is made here: scenes without a style draw the default one."""
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    chosen = style_read.read(tree) if tree else style_data.default()
+    if scene.fovea.mix > 0.0 and style_data.is_style(other):
+        chosen = chosen.mixed(style_read.read(other), scene.fovea.mix)
+    transparent = chosen.paper.transparent or scene.render.film_transparent
+    paper = chosen.paper.replace(transparent=transparent)
+    return chosen.replace(paper=paper, focus=focus_settings.focus_of(scene.fovea))
+
+
+def density_map(scene):
+    """The image that says how dense lines may be in a scene, or None."""
+    tree = style_data.of(scene)
+    return tree.fovea.elision.density_image if tree else None
+
+
+def _backend_chosen(settings, context):
+    if settings.backend == "GPU":
+        gpu_context.demand()
+    redraw(settings, context)
+
+
+BACKENDS = [
+    ("AUTO", "Automatic", "GPU where it is hardware, else CPU"),
+    ("CPU", "CPU", "The same picture on every machine"),
+    ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
+]
+USAGES = [
+    ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
+    ("OCCLUDE", "Occlude Only", "Hides what lies behind, has no lines"),
+    ("DRAW", "Draw Only", "Has lines and hides nothing"),
+    ("IGNORE", "Ignore", "Is not there"),
+]
+ESTIMATORS = [
+    ("AUTOMATIC", "Automatic", "Jets, their degree and rings by how noisy the mesh is"),
+    ("JETS", "Jets", "Polynomials fitted to the surroundings of each vertex"),
+    ("ONE_RING", "One-Ring", "Differences of normals: fast, for regular meshes"),
+]
+OCCLUSIONS = [
+    ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is see-through as a whole, as glass is"),
+    ("ALWAYS", "Always", "Hides what lies behind"),
+    ("NEVER", "Never", "Lines behind it show"),
+]
+
+
+def _group(name, annotations, **others):
+    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": annotations, "__module__": __name__, **others})
+
+
+def _scene_group():
+    annotations = {
+        "style": PointerProperty(
+            type=bpy.types.NodeTree,
+            name="Style",
+            description="How the lines look and what lies under them; none: the default style",
+            poll=lambda _settings, tree: style_data.is_style(tree),
+            update=redraw,
+        ),
+        "mixed_style": PointerProperty(
+            type=bpy.types.NodeTree,
+            name="Mix With",
+            description="Another style, into which the drawing may go over: lines of both go from pen to pen, others fade",
+            poll=lambda _settings, tree: style_data.is_style(tree),
+            update=redraw,
+        ),
+        "mix": FloatProperty(
+            name="Mix",
+            description="How far the drawing has gone over into the other style: 0 not at all, 1 wholly",
+            subtype="FACTOR",
+            min=0.0,
+            max=1.0,
+            update=redraw,
+        ),
+        "backend": EnumProperty(
+            name="Device", description="What draws the lines", items=BACKENDS, update=_backend_chosen
+        ),
+        **methods.properties(redraw),
+        **focus_settings.annotations(),
+    }
+    return _group("FoveaSceneSettings", annotations)
+
+
+def _object_group(kinds):
+    annotations = {
+        "usage": EnumProperty(
+            name="Usage",
+            description="Whether the object has lines, and hides those behind it",
+            items=USAGES,
+            update=redraw,
+        ),
+        "priority": FloatProperty(
+            name="Priority",
+            description="Of lines that crowd each other, those of objects with more priority stay",
+            subtype="FACTOR",
+            default=0.5,
+            min=0.0,
+            max=1.0,
+            update=redraw,
+        ),
+        "curvature_estimator": EnumProperty(
+            name="Curvature",
+            description="How curvature, which many lines follow, is found",
+            items=ESTIMATORS,
+            update=redraw,
+        ),
+        "curvature_rings": IntProperty(
+            name="Rings",
+            description="How far around each vertex jets are fitted, 0: by how noisy the mesh is",
+            min=0,
+            max=32,
+            update=redraw,
+        ),
+        "curvature_smoothing": FloatProperty(
+            name="Smoothing",
+            description="How far curvature is averaged, in edge lengths; never across hard edges",
+            min=0.0,
+            max=8.0,
+            update=redraw,
+        ),
+    }
+    annotations |= own_lines.annotations(kinds) | _shape_properties()
+    return _group("FoveaObjectSettings", annotations, **repair.removed_attributes())
+
+
+def _material_group():
+    annotations = {
+        "lines": BoolProperty(
+            name="Lines",
+            description="Faces of this material have lines. Off: only those they share with faces of another material, "
+            "as for an eye or a decal",
+            default=True,
+            update=redraw,
+        ),
+        "occlusion": EnumProperty(
+            name="Hides Lines",
+            description="Whether surfaces of this material hide the lines behind them",
+            items=OCCLUSIONS,
+            update=redraw,
+        ),
+    }
+    return _group("FoveaMaterialSettings", annotations)
+
+
+def _shape_properties():
+    """What is done to an object's mesh before it is drawn: subdivision.py and repair.py."""
+    return {
+        "refine": BoolProperty(
+            name="Refine",
+            description="Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give",
+            update=redraw,
+        ),
+        "refine_level": IntProperty(
+            name="Level",
+            description="Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end",
+            default=2,
+            min=1,
+            max=6,
+            update=redraw,
+        ),
+        "repair_orient": BoolProperty(
+            name="Face Outwards", description="Turn faces that disagree with their neighbours", update=redraw
+        ),
+        "repair_resample": IntProperty(
+            name="Resample", description="Steps towards triangles of equal sides", min=0, max=50, update=redraw
+        ),
+        "repair_edge_length": FloatProperty(
+            name="Edge Length",
+            description="Of the triangles; 0: as the mesh has it on average",
+            subtype="DISTANCE",
+            min=0.0,
+            soft_max=10.0,
+            step=0.1,
+            precision=4,
+            update=redraw,
+        ),
+    }
+
+
+_registered = []  # (type that has the settings, group)
+
+
+def register():
+    style_groups.register()
+    focus_settings.register()
+    _registered[:] = [
+        (bpy.types.Scene, _scene_group()),
+        (bpy.types.Object, _object_group(own_lines.register())),
+        (bpy.types.Material, _material_group()),
+    ]
+    for owner, group in _registered:
+        bpy.utils.register_class(group)
+        owner.fovea = PointerProperty(type=group)
+
+
+def unregister():
+    for owner, group in reversed(_registered):
+        del owner.fovea
+        bpy.utils.unregister_class(group)
+    _registered.clear()
+    own_lines.unregister()
+    focus_settings.unregister()
+    style_groups.unregister()
