@@ -8,7 +8,7 @@ import importlib
 
 MODULES = (
     *("ui.preferences", "render.properties", "style.style_operators", "style.line_set_operators"),
-    *("ui.panels", "render.viewport_settings", "render.engine"),
+    *("ui.panels", "ui.viewport_settings", "render.engine"),
 )
 TOOLS = (
     *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),

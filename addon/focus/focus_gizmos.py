@@ -7,8 +7,8 @@ All is drawn and dragged in pixels of the region; values go through the properti
 import bpy
 
 from ..gpu import overlay as gpu_overlay
-from . import focus_operators, focus_places
 from ..scene.problem import CannotDraw
+from . import focus_operators, focus_places
 
 NEAR, FAR = (1.0, 0.55, 0.1), (0.25, 0.6, 1.0)
 PARTS = ("middle", "near", "far")

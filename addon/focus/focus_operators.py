@@ -5,8 +5,9 @@ import bpy
 from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_3d
 
 from ..scene import camera
-from . import focus_places
+from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
+from . import focus_places
 
 PROMPT = "Pick Focus: click what to look at"
 KEYS = (("MOUSE_LMB", "Look Here"), ("EVENT_SHIFT", "Look Here, Too"), ("EVENT_ESC", "Cancel"))
@@ -79,13 +80,13 @@ def _draw_keys(header, _context):
         header.layout.label(text=text, icon=icon)
 
 
-class FOVEA_OT_pick_focus(bpy.types.Operator):
+class FOVEA_OT_pick_focus(Operator, bpy.types.Operator):
     """Click in a 3D viewport to say where to look: an Empty marks the place. Shift adds another place. In the model
     Place in the Image, click in camera view; in the model Object, the object that is clicked is what to look at"""
 
     bl_idname = "fovea.pick_focus"
     bl_label = "Pick Focus"
-    bl_options = {"REGISTER", "UNDO"}
+    errors, level = (CannotDraw, ValueError), "WARNING"
 
     x: bpy.props.IntProperty(
         name="X", description="Pixels from the left of the viewport's region", options={"SKIP_SAVE"}
@@ -105,11 +106,9 @@ class FOVEA_OT_pick_focus(bpy.types.Operator):
     )
 
     @classmethod
-    def poll(cls, context):
-        if context.mode not in {"OBJECT", "EDIT_MESH", "POSE"} or context.scene is None:
-            cls.poll_message_set("Focus is picked in Object, Edit or Pose mode")
-            return False
-        return True
+    def hindrance(cls, context):
+        fits = context.mode in {"OBJECT", "EDIT_MESH", "POSE"} and context.scene is not None
+        return None if fits else "Focus is picked in Object, Edit or Pose mode"
 
     def invoke(self, context, event):
         self._tell(context, PROMPT)
@@ -137,31 +136,20 @@ class FOVEA_OT_pick_focus(bpy.types.Operator):
             return {"RUNNING_MODAL"}
         return self._end(context, {"FINISHED"})
 
-    def execute(self, context):
+    def act(self, context):
         if self.properties.is_property_set("location"):
-            missed = self._put(context)
+            focus_places.put(context.scene, self.location, add=self.add)
         elif context.region_data is None:
-            missed = "Without a location, focus is picked in a 3D viewport"
-        else:
-            missed = self._pick(context)
-        if missed:
-            self.report({"WARNING"}, missed)
-            return {"CANCELLED"}
-        return {"FINISHED"}
+            raise CannotDraw("Without a location, focus is picked in a 3D viewport")
+        elif missed := pick(context, (self.x, self.y), self.add):
+            raise CannotDraw(missed)
 
     def _pick(self, context):
         """A sentence where nothing was picked."""
         try:
             return pick(context, (self.x, self.y), self.add)
-        except (CannotDraw, ValueError) as problem:
+        except self.errors as problem:
             return str(problem)
-
-    def _put(self, context):
-        try:
-            focus_places.put(context.scene, self.location, add=self.add)
-        except ValueError as problem:
-            return str(problem)
-        return None
 
     def _tell(self, context, text):
         """In the headers of all viewports: nobody knows yet which one will be clicked in."""
@@ -179,9 +167,4 @@ class FOVEA_OT_pick_focus(bpy.types.Operator):
         return result
 
 
-def register():
-    bpy.utils.register_class(FOVEA_OT_pick_focus)
-
-
-def unregister():
-    bpy.utils.unregister_class(FOVEA_OT_pick_focus)
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_pick_focus,))

@@ -4,7 +4,9 @@
 import bpy
 from mathutils import Vector
 
-from ..scene import camera
+from ..scene import animation, camera
+from ..scene.operator import Operator
+from ..scene.problem import CannotDraw
 from . import focus_places
 
 SECONDS = 2  # that a pull takes where the scene is a still
@@ -32,9 +34,10 @@ class Track:
         setattr(self.owner, self.name, self.end)
         self.owner.keyframe_insert(self.name, frame=last)
         path = self.owner.path_from_id(self.name)
-        for curve in curves(self.owner.id_data):
-            if curve.data_path == path:
-                self._ease(curve, first, last, easing)
+        for curves in animation.curves(self.owner.id_data):
+            for curve in curves:
+                if curve.data_path == path:
+                    self._ease(curve, first, last, easing)
 
     def _ease(self, curve, first, last, easing):
         for point in curve.keyframe_points:
@@ -42,16 +45,6 @@ class Track:
                 point.interpolation = easing
                 point.easing = "EASE_IN_OUT"
         curve.update()
-
-
-def curves(owner):
-    """F-curves of an ID; their home moved when actions got layers."""
-    animation = owner.animation_data
-    action = animation.action
-    if "fcurves" in bpy.types.Action.bl_rna.properties:
-        return list(action.fcurves)
-    bags = (strip.channelbag(animation.action_slot) for layer in action.layers for strip in layer.strips)
-    return [curve for bag in bags if bag for curve in bag.fcurves]
 
 
 def pull(scene, at, near, far, first, last, easing):
@@ -102,12 +95,11 @@ def hold(scene, first, last):
     return (scene.frame_start, scene.frame_end) != before
 
 
-class FOVEA_OT_focus_pull(bpy.types.Operator):
+class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
     """Lead the focus from where it is to another place, over some frames: keys the place and its two radii"""
 
     bl_idname = "fovea.focus_pull"
     bl_label = "Focus Pull"
-    bl_options = {"REGISTER", "UNDO"}
 
     target: bpy.props.EnumProperty(name="To", description="Where the focus is led", items=TARGETS)
     object: bpy.props.StringProperty(name="Object", description="Name of the object to lead the focus to")
@@ -133,17 +125,13 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
     )
 
     @classmethod
-    def poll(cls, context):
-        model = context.scene.fovea.focus_model if context.scene else "NONE"
-        if model in {"IMAGE", "SCENE"}:
-            return True
+    def hindrance(cls, context):
         told = {
             "NONE": "There is no focus yet: pick one first",
             "OBJECT": "The focus is an object's surface: pick a place in the scene to lead it elsewhere",
             "PAINTED": "The focus is painted on meshes: pick a place in the scene to lead it elsewhere",
         }
-        cls.poll_message_set(told[model])
-        return False
+        return told.get(context.scene.fovea.focus_model if context.scene else "NONE")
 
     def invoke(self, context, event):
         scene, active = context.scene, context.object
@@ -167,12 +155,10 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
         for name in ("frame_start", "frame_end", "near", "far", "easing"):
             layout.prop(self, name)
 
-    def execute(self, context):
+    def act(self, context):
         scene = context.scene
-        problem = self._problem(scene)
-        if problem:
-            self.report({"ERROR"}, problem)
-            return {"CANCELLED"}
+        if problem := self._problem(scene):
+            raise CannotDraw(problem)
         at = self._at(scene)
         if scene.fovea.focus_model == "IMAGE":
             at = in_frame(scene, at)
@@ -184,7 +170,6 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
         if hold(scene, self.frame_start, self.frame_end):
             told = f"The scene's frames are {scene.frame_start} to {scene.frame_end} now, so that all of the pull is played"
             self.report({"INFO"}, told)
-        return {"FINISHED"}
 
     def _problem(self, scene):
         """A sentence about what is missing, or None."""
@@ -204,9 +189,4 @@ class FOVEA_OT_focus_pull(bpy.types.Operator):
         return Vector(scene.cursor.location if self.target == "CURSOR" else self.location)
 
 
-def register():
-    bpy.utils.register_class(FOVEA_OT_focus_pull)
-
-
-def unregister():
-    bpy.utils.unregister_class(FOVEA_OT_focus_pull)
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_focus_pull,))

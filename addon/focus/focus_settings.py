@@ -2,11 +2,12 @@
 """Where to look, as properties of the scene: a style may be drawn with any focus, and shared by scenes with others."""
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
+from bpy.props import CollectionProperty
 
 from .. import style
-from ..scene.property_kinds import attribute_name, redraw
+from ..scene.property_kinds import choice, number, pointer, text, vector
 
+MOST_LETTERS = 63  # of the name of an attribute, in Blender
 MODELS = [
     ("NONE", "None", "All is in focus"),
     ("IMAGE", "Place in the Image", "Focus falls off from a place in the image"),
@@ -33,20 +34,14 @@ def set_focus(settings, wanted):
 
 def annotations():
     """Annotations of the scene's settings."""
+    painted = "Of meshes: white (1) is in focus, black (0) out of it; half way where there is none"
+    more = {"name": "More Places", "description": "Further places to look at"}
     return {
-        "focus_model": EnumProperty(
-            name="Focus On", description="What says where the viewer shall look", items=MODELS, update=redraw
-        ),
-        "focus_combine": EnumProperty(
-            name="Combine", description="What holds where several places count", items=COMBINATIONS, update=redraw
-        ),
-        "focus_attribute": attribute_name(
-            "Attribute", "Of meshes: white (1) is in focus, black (0) out of it; half way where there is none", "focus"
-        ),
+        "focus_model": choice("Focus On", "What says where the viewer shall look", items=MODELS),
+        "focus_combine": choice("Combine", "What holds where several places count", items=COMBINATIONS),
+        "focus_attribute": text("Attribute", painted, default="focus", maxlen=MOST_LETTERS),
         **_point_annotations(),
-        "focus_points": bpy.props.CollectionProperty(
-            type=FoveaFocusPoint, name="More Places", description="Further places to look at"
-        ),
+        "focus_points": CollectionProperty(type=FoveaFocusPoint, **more),
     }
 
 
@@ -89,47 +84,23 @@ def _set_point(place, point, model):
 
 
 def _point_annotations():
+    place = {"subtype": "XYZ", "size": 2, "default": (0.5, 0.5), "soft_min": 0.0, "soft_max": 1.0}
+    in_image = {"min": 0.0, "soft_max": 2.0}
+    in_scene = {"min": 0.0, "soft_max": 1000.0, "subtype": "DISTANCE"}
+    near, far = ("Inner Radius", "Up to here all is in focus"), ("Outer Radius", "From here on nothing is in focus")
+    at, told = (
+        "From the left and from the top of the camera's frame, 0 to 1",
+        "The place to look at where there is no object",
+    )
     return {
-        "focus_place": FloatVectorProperty(
-            name="Place",
-            description="From the left and from the top of the camera's frame, 0 to 1",
-            subtype="XYZ",
-            size=2,
-            default=(0.5, 0.5),
-            soft_min=0.0,
-            soft_max=1.0,
-            precision=3,
-            step=1,
-            update=redraw,
-        ),
-        "focus_near": _radius("Inner Radius", 0.1, "Up to here all is in focus, in heights of the frame"),
-        "focus_far": _radius("Outer Radius", 0.6, "From here on nothing is in focus, in heights of the frame"),
-        "focus_object": PointerProperty(
-            type=bpy.types.Object,
-            name="Object",
-            description="Its origin, or its surface, is what to look at",
-            update=redraw,
-        ),
-        "focus_location": FloatVectorProperty(
-            name="Location",
-            description="The place to look at where there is no object",
-            size=3,
-            subtype="XYZ",
-            unit="LENGTH",
-            update=redraw,
-        ),
-        "focus_near_distance": _distance_property("Inner Radius", 1.0, "Up to here all is in focus"),
-        "focus_far_distance": _distance_property("Outer Radius", 5.0, "From here on nothing is in focus"),
+        "focus_place": vector("Place", at, precision=3, step=1, **place),
+        "focus_near": number(near[0], f"{near[1]}, in heights of the frame", default=0.1, **in_image),
+        "focus_far": number(far[0], f"{far[1]}, in heights of the frame", default=0.6, **in_image),
+        "focus_object": pointer("Object", "Its origin, or its surface, is what to look at", type=bpy.types.Object),
+        "focus_location": vector("Location", told, size=3, subtype="XYZ", unit="LENGTH"),
+        "focus_near_distance": number(*near, default=1.0, **in_scene),
+        "focus_far_distance": number(*far, default=5.0, **in_scene),
     }
-
-
-def _radius(name, default, told):
-    return FloatProperty(name=name, description=told, default=default, min=0.0, soft_max=2.0, update=redraw)
-
-
-def _distance_property(name, default, told):
-    limits = {"min": 0.0, "soft_max": 1000.0, "subtype": "DISTANCE"}
-    return FloatProperty(name=name, description=told, default=default, update=redraw, **limits)
 
 
 class FoveaFocusPoint(bpy.types.PropertyGroup):
@@ -138,9 +109,4 @@ class FoveaFocusPoint(bpy.types.PropertyGroup):
     __annotations__ = _point_annotations()
 
 
-def register():
-    bpy.utils.register_class(FoveaFocusPoint)
-
-
-def unregister():
-    bpy.utils.unregister_class(FoveaFocusPoint)
+register, unregister = bpy.utils.register_classes_factory((FoveaFocusPoint,))

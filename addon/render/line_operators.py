@@ -7,32 +7,24 @@ from functools import partial
 import bpy
 import numpy as np
 
-from .. import native, pipeline, style
-from . import as_rendered, baking, drawn_lines, properties, reading, session
+from .. import native, pipeline
 from ..scene import camera
+from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
+from . import as_rendered, baking, drawn_lines, properties, reading, session
 
 
-def can_draw(cls, context):
-    """Whether an operator class can draw the context's scene; else its poll message says why not."""
-    if problem := native.problem():
-        cls.poll_message_set(problem)
-    elif context.scene is None or context.scene.camera is None:
-        cls.poll_message_set("The scene has no camera: add one, or make one the scene's active camera")
-    elif context.mode not in {"OBJECT", "POSE"}:
-        cls.poll_message_set("Leave the mode first: this works in Object mode")
-    else:
-        return True
-    return False
+class _OfRender(Operator):
+    """One that draws the context's scene."""
 
-
-@contextmanager
-def reported(operator):
-    """Turns what keeps a picture from being drawn into an error that the operator reports."""
-    try:
-        yield
-    except (CannotDraw, native.Unavailable, style.StyleError) as problem:
-        operator.report({"ERROR"}, str(problem))
+    @classmethod
+    def hindrance(cls, context):
+        if problem := native.problem():
+            return problem
+        if context.scene is None or context.scene.camera is None:
+            return "The scene has no camera: add one, or make one the scene's active camera"
+        fits = context.mode in {"OBJECT", "POSE"}
+        return None if fits else "Leave the mode first: this works in Object mode"
 
 
 @contextmanager
@@ -46,29 +38,22 @@ def progress(context):
         manager.progress_end()
 
 
-class FOVEA_OT_render_lines(bpy.types.Operator):
+class FOVEA_OT_render_lines(_OfRender, bpy.types.Operator):
     """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them. The
     scene may use any render engine"""
 
     bl_idname = "fovea.render_lines"
     bl_label = "Render Line Layer to Image"
-    bl_options = {"REGISTER", "UNDO"}
 
     name: bpy.props.StringProperty(name="Name", description="Of the image", default="Lines")
 
-    @classmethod
-    def poll(cls, context):
-        return can_draw(cls, context)
-
-    def execute(self, context):
-        with reported(self), progress(context) as tell:
+    def act(self, context):
+        with progress(context) as tell:
             drawn = as_rendered.look(context, partial(session.final_image, lines_alone=True, tell=tell))
-            if drawn is None:
-                raise CannotDraw("Stopped before the lines were drawn")
-            image = image_of(self.name, drawn.lines)
-            self.report({"INFO"}, f"The lines are in the image '{image.name}'")
-            return {"FINISHED"}
-        return {"CANCELLED"}
+        if drawn is None:
+            raise CannotDraw("Stopped before the lines were drawn")
+        image = image_of(self.name, drawn.lines)
+        self.report({"INFO"}, f"The lines are in the image '{image.name}'")
 
 
 def image_of(name, pixels):
@@ -82,13 +67,12 @@ def image_of(name, pixels):
     return image
 
 
-class FOVEA_OT_bake_strokes(bpy.types.Operator):
+class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
     """Make objects of the lines that a final render of this frame and view layer has, one per line set, in a new
     collection. Their points know how strong each line is, what kind of line it is, and how wide and opaque its pen"""
 
     bl_idname = "fovea.bake_strokes"
     bl_label = "Bake Strokes"
-    bl_options = {"REGISTER", "UNDO"}
 
     kind: bpy.props.EnumProperty(
         name="Type",
@@ -99,25 +83,18 @@ class FOVEA_OT_bake_strokes(bpy.types.Operator):
         ],
     )
 
-    @classmethod
-    def poll(cls, context):
-        return can_draw(cls, context)
-
-    def execute(self, context):
-        with reported(self):
-            scene, (lines, chosen) = context.scene, as_rendered.look(context, _lines)
-            made = baking.objects(lines, chosen, self.kind, scene.frame_current)
-            if not made:
-                raise CannotDraw("The camera sees no lines")
-            collection = bpy.data.collections.new("Lines")
-            scene.collection.children.link(collection)
-            for obj in made:
-                collection.objects.link(obj)
-                # It is decided what is hidden, and lines of surfaces would be lost in them.
-                obj.show_in_front = True
-            self.report({"INFO"}, f"{len(lines.closed)} strokes in {len(made)} objects")
-            return {"FINISHED"}
-        return {"CANCELLED"}
+    def act(self, context):
+        scene, (lines, chosen) = context.scene, as_rendered.look(context, _lines)
+        made = baking.objects(lines, chosen, self.kind, scene.frame_current)
+        if not made:
+            raise CannotDraw("The camera sees no lines")
+        collection = bpy.data.collections.new("Lines")
+        scene.collection.children.link(collection)
+        for obj in made:
+            collection.objects.link(obj)
+            # It is decided what is hidden, and lines of surfaces would be lost in them.
+            obj.show_in_front = True
+        self.report({"INFO"}, f"{len(lines.closed)} strokes in {len(made)} objects")
 
 
 def _lines(engine, depsgraph):

@@ -3,10 +3,9 @@
 
 import os
 
-from bpy.props import EnumProperty, IntProperty
-
 from .. import native
 from ..gpu import viewport as gpu_viewport
+from ..scene.property_kinds import choice, whole_number
 from . import gpu_context
 
 VISIBILITY = [
@@ -19,35 +18,16 @@ VISIBILITY = [
 PROBES = [(str(n), str(n), "", n) for n in (1, 4, 9, 16)]
 
 
-def properties(update):
-    """Annotations of the scene's settings; `update` is called when one changes."""
+def properties():
+    """Annotations of the scene's settings."""
+    probes = "How often the depth buffer is looked into for every sample: more is smoother and slower"
+    scale = "Texels of the depth buffer to a pixel, along each axis: more is more precise and slower"
+    layers = "Lines that a texel of the item buffer holds"
     return {
-        "visibility": EnumProperty(
-            name="Method", description="How it is decided what is hidden", items=VISIBILITY, update=update
-        ),
-        "probes": EnumProperty(
-            name="Probes",
-            description="How often the depth buffer is looked into for every sample: more is smoother and slower",
-            items=PROBES,
-            default="9",
-            update=update,
-        ),
-        "depth_scale": IntProperty(
-            name="Depth Scale",
-            description="Texels of the depth buffer to a pixel, along each axis: more is more precise and slower",
-            default=2,
-            min=1,
-            max=3,
-            update=update,
-        ),
-        "layers": IntProperty(
-            name="Layers",
-            description="Lines that a texel of the item buffer holds",
-            default=3,
-            min=1,
-            max=3,
-            update=update,
-        ),
+        "visibility": choice("Method", "How it is decided what is hidden", items=VISIBILITY),
+        "probes": choice("Probes", probes, items=PROBES, default="9"),
+        "depth_scale": whole_number("Depth Scale", scale, default=2, min=1, max=3),
+        "layers": whole_number("Layers", layers, default=3, min=1, max=3),
     }
 
 

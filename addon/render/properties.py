@@ -5,13 +5,13 @@ Styles are datablocks of their own: style_data.py.
 """
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
+from bpy.props import PointerProperty
 
 from ..focus import focus_settings
-from . import gpu_context, methods
 from ..scene import own_lines, repair
+from ..scene.property_kinds import SHARE, choice, new_group, number, pointer, redraw, switch, whole_number
 from ..style import style_data, style_groups, style_read
-from ..scene.property_kinds import redraw
+from . import gpu_context, methods
 
 
 def style_of(scene):
@@ -62,136 +62,68 @@ OCCLUSIONS = [
 ]
 
 
-def _group(name, annotations, **others):
-    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": annotations, "__module__": __name__, **others})
-
-
 def _scene_group():
+    of_style = {"type": bpy.types.NodeTree, "poll": lambda _settings, tree: style_data.is_style(tree)}
+    told = "Another style, into which the drawing may go over: lines of both go from pen to pen, others fade"
     annotations = {
-        "style": PointerProperty(
-            type=bpy.types.NodeTree,
-            name="Style",
-            description="How the lines look and what lies under them; none: the default style",
-            poll=lambda _settings, tree: style_data.is_style(tree),
-            update=redraw,
-        ),
-        "mixed_style": PointerProperty(
-            type=bpy.types.NodeTree,
-            name="Mix With",
-            description="Another style, into which the drawing may go over: lines of both go from pen to pen, others fade",
-            poll=lambda _settings, tree: style_data.is_style(tree),
-            update=redraw,
-        ),
-        "mix": FloatProperty(
-            name="Mix",
-            description="How far the drawing has gone over into the other style: 0 not at all, 1 wholly",
-            subtype="FACTOR",
-            min=0.0,
-            max=1.0,
-            update=redraw,
-        ),
-        "backend": EnumProperty(
-            name="Device", description="What draws the lines", items=BACKENDS, update=_backend_chosen
-        ),
-        **methods.properties(redraw),
+        "style": pointer("Style", "How the lines look and what lies under them; none: the default style", **of_style),
+        "mixed_style": pointer("Mix With", told, **of_style),
+        "mix": number("Mix", "How far the drawing has gone over into the other style: 0 not at all, 1 wholly", **SHARE),
+        "backend": choice("Device", "What draws the lines", items=BACKENDS, update=_backend_chosen),
+        **methods.properties(),
         **focus_settings.annotations(),
     }
-    return _group("FoveaSceneSettings", annotations)
+    return new_group("FoveaSceneSettings", "How a scene is drawn.", annotations)
 
 
 def _object_group(kinds):
+    told = "Of lines that crowd each other, those of objects with more priority stay"
     annotations = {
-        "usage": EnumProperty(
-            name="Usage",
-            description="Whether the object has lines, and hides those behind it",
-            items=USAGES,
-            update=redraw,
-        ),
-        "priority": FloatProperty(
-            name="Priority",
-            description="Of lines that crowd each other, those of objects with more priority stay",
-            subtype="FACTOR",
-            default=0.5,
-            min=0.0,
-            max=1.0,
-            update=redraw,
-        ),
-        "curvature_estimator": EnumProperty(
-            name="Curvature",
-            description="How curvature, which many lines follow, is found",
-            items=ESTIMATORS,
-            update=redraw,
-        ),
-        "curvature_rings": IntProperty(
-            name="Rings",
-            description="How far around each vertex jets are fitted, 0: by how noisy the mesh is",
-            min=0,
-            max=32,
-            update=redraw,
-        ),
-        "curvature_smoothing": FloatProperty(
-            name="Smoothing",
-            description="How far curvature is averaged, in edge lengths; never across hard edges",
-            min=0.0,
-            max=8.0,
-            update=redraw,
-        ),
+        "usage": choice("Usage", "Whether the object has lines, and hides those behind it", items=USAGES),
+        "priority": number("Priority", told, default=0.5, **SHARE),
+        **_curvature_properties(),
+        **own_lines.annotations(kinds),
+        **_shape_properties(),
     }
-    annotations |= own_lines.annotations(kinds) | _shape_properties()
-    return _group("FoveaObjectSettings", annotations, **repair.removed_attributes())
+    return new_group("FoveaObjectSettings", "How an object is drawn.", annotations, **repair.removed_attributes())
+
+
+def _curvature_properties():
+    rings = "How far around each vertex jets are fitted, 0: by how noisy the mesh is"
+    smoothing = "How far curvature is averaged, in edge lengths; never across hard edges"
+    return {
+        "curvature_estimator": choice(
+            "Curvature", "How curvature, which many lines follow, is found", items=ESTIMATORS
+        ),
+        "curvature_rings": whole_number("Rings", rings, min=0, max=32),
+        "curvature_smoothing": number("Smoothing", smoothing, min=0.0, max=8.0),
+    }
 
 
 def _material_group():
+    lines = (
+        "Faces of this material have lines. Off: only those they share with faces of another material, "
+        "as for an eye or a decal"
+    )
+    hides = "Whether surfaces of this material hide the lines behind them"
     annotations = {
-        "lines": BoolProperty(
-            name="Lines",
-            description="Faces of this material have lines. Off: only those they share with faces of another material, "
-            "as for an eye or a decal",
-            default=True,
-            update=redraw,
-        ),
-        "occlusion": EnumProperty(
-            name="Hides Lines",
-            description="Whether surfaces of this material hide the lines behind them",
-            items=OCCLUSIONS,
-            update=redraw,
-        ),
+        "lines": switch("Lines", lines, default=True),
+        "occlusion": choice("Hides Lines", hides, items=OCCLUSIONS),
     }
-    return _group("FoveaMaterialSettings", annotations)
+    return new_group("FoveaMaterialSettings", "How a material is drawn.", annotations)
 
 
 def _shape_properties():
     """What is done to an object's mesh before it is drawn: subdivision.py and repair.py."""
+    refine = "Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give"
+    level = "Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end"
+    length = {"subtype": "DISTANCE", "min": 0.0, "soft_max": 10.0, "step": 0.1, "precision": 4}
     return {
-        "refine": BoolProperty(
-            name="Refine",
-            description="Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give",
-            update=redraw,
-        ),
-        "refine_level": IntProperty(
-            name="Level",
-            description="Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end",
-            default=2,
-            min=1,
-            max=6,
-            update=redraw,
-        ),
-        "repair_orient": BoolProperty(
-            name="Face Outwards", description="Turn faces that disagree with their neighbours", update=redraw
-        ),
-        "repair_resample": IntProperty(
-            name="Resample", description="Steps towards triangles of equal sides", min=0, max=50, update=redraw
-        ),
-        "repair_edge_length": FloatProperty(
-            name="Edge Length",
-            description="Of the triangles; 0: as the mesh has it on average",
-            subtype="DISTANCE",
-            min=0.0,
-            soft_max=10.0,
-            step=0.1,
-            precision=4,
-            update=redraw,
-        ),
+        "refine": switch("Refine", refine),
+        "refine_level": whole_number("Level", level, default=2, min=1, max=6),
+        "repair_orient": switch("Face Outwards", "Turn faces that disagree with their neighbours"),
+        "repair_resample": whole_number("Resample", "Steps towards triangles of equal sides", min=0, max=50),
+        "repair_edge_length": number("Edge Length", "Of the triangles; 0: as the mesh has it on average", **length),
     }
 
 

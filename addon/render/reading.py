@@ -4,8 +4,8 @@
 from dataclasses import dataclass
 
 from .. import catalogue, native, pipeline, style
-from ..stages import Notes
 from ..scene import color_sources, notes, scene, surfaces
+from ..stages import Notes
 from . import properties
 
 

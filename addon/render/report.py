@@ -8,7 +8,8 @@ from pathlib import Path
 import bpy
 
 from .. import native
-from . import as_rendered, line_operators, properties, reading, session
+from ..scene.operator import Operator
+from . import as_rendered, properties, reading, session
 
 TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
@@ -159,20 +160,16 @@ def _lines(_engine, depsgraph, note=""):
     return list(report(reading.Reader().read(depsgraph, properties.style_of(depsgraph.scene_eval)), depsgraph, note))
 
 
-class FOVEA_OT_report(bpy.types.Operator):
+class FOVEA_OT_report(Operator, bpy.types.Operator):
     """What of the scene a final render leaves out of the drawing and why, how long the last picture took, and memory:
     shown, and written to a text"""
 
     bl_idname = "fovea.report"
     bl_label = "Report"
-    bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context):
-        if problem := native.problem():
-            cls.poll_message_set(problem)
-            return False
-        return True
+    def hindrance(cls, context):
+        return native.problem()
 
     def invoke(self, context, event):
         result = self.execute(context)
@@ -180,16 +177,13 @@ class FOVEA_OT_report(bpy.types.Operator):
             context.window_manager.popup_menu(_shown, title=f"{TEXT} (all of it is in the text of that name)")
         return result
 
-    def execute(self, context):
-        with line_operators.reported(self):
-            if context.scene.camera:
-                lines = as_rendered.look(context, _lines)
-            else:
-                lines = _lines(None, context.evaluated_depsgraph_get(), NO_CAMERA)
-            text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
-            text.from_string("\n".join(lines) + "\n")
-            return {"FINISHED"}
-        return {"CANCELLED"}
+    def act(self, context):
+        if context.scene.camera:
+            lines = as_rendered.look(context, _lines)
+        else:
+            lines = _lines(None, context.evaluated_depsgraph_get(), NO_CAMERA)
+        text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
+        text.from_string("\n".join(lines) + "\n")
 
 
 def _shown(menu, _context):
@@ -200,9 +194,4 @@ def _shown(menu, _context):
         menu.layout.label(text=f"and {len(lines) - _IN_POPUP} lines more")
 
 
-def register():
-    bpy.utils.register_class(FOVEA_OT_report)
-
-
-def unregister():
-    bpy.utils.unregister_class(FOVEA_OT_report)
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_report,))

@@ -19,8 +19,8 @@ from bpy.app.handlers import persistent
 
 from .. import catalogue, native, pipeline, style
 from ..scene import camera, color_sources, kept, notes, scene, surfaces
-from . import methods, near_frames, properties
 from ..scene.problem import CannotDraw
+from . import methods, near_frames, properties
 
 _log = logging.getLogger(__package__)
 _caches = {}  # depsgraph mode -> SurfaceCache

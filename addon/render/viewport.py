@@ -16,9 +16,10 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import budget, native, pipeline
-from ..gpu import program as gpu_program, viewport as gpu_viewport
+from ..gpu import program as gpu_program
+from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
-from . import caretaker, changes, methods, session, viewport_settings, worker
+from . import caretaker, changes, methods, session, worker
 
 PATIENCE = 0.25  # seconds that draws of the region wait for a picture
 WORD = 0.3  # seconds between words in the header about what is under way
@@ -97,7 +98,7 @@ class Viewport:
             self._take(engine)
             before = self.wanted
             self._want(engine, context, depsgraph, view)
-            self._draw(engine, viewport_settings.budget_ms(depsgraph.scene), start + PATIENCE)
+            self._draw(engine, depsgraph.scene.fovea_viewport.budget_ms, start + PATIENCE)
             if self.wanted is not before:
                 caretaker.note_change()
         if not self.is_final():

@@ -10,7 +10,8 @@ FOCUS_POINT = re.compile(r"(fovea\.focus_points\[)(\d+)(\].*)")
 
 def follow(animated, places, path=LINE_SET):
     """Element i of a list of a style, or of a scene, is now at places[i]; None: it is gone, and what animates it."""
-    for owner in _owners(animated):
+    data = animated.animation_data
+    for owner in (data.drivers, *curves(animated)) if data else ():
         for channel in list(owner):
             found = path.fullmatch(channel.data_path)
             if not found or int(found[2]) >= len(places):
@@ -33,12 +34,9 @@ def own_action(tree):
             data.action_slot = data.action.slots[name]
 
 
-def _owners(animated):
-    """The collections of its curves: those of its drivers, and those of its action."""
+def curves(animated):
+    """The collections of F-curves of an ID that has animation data; their home moved when actions got layers."""
     data = animated.animation_data
-    if data is None:
-        return
-    yield data.drivers
     if data.action is None:
         return
     if not hasattr(data, "action_slot"):  # before Blender 4.4

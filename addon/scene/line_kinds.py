@@ -7,11 +7,8 @@ radians, as Blender shows them.
 
 import math
 
-import bpy
-from bpy.props import BoolProperty, FloatProperty
-
 from .. import catalogue, native
-from .property_kinds import neat, redraw
+from .property_kinds import neat, new_group, number, switch
 
 SLIDE = 20  # how many times the default a parameter is dragged to
 
@@ -66,23 +63,23 @@ def _stored(value, unit):
     return math.radians(value) if unit == "degrees" else value
 
 
-def parameter_property(parameter, **words):
-    """A property for a parameter; `words`: other keywords than by the registry."""
-    text = {"name": parameter["label"], "description": parameter["meaning"], "update": redraw} | words
+def parameter_property(parameter, name=""):
+    """A property for a parameter, called as in the registry where it has no other name."""
+    words = name or parameter["label"], parameter["meaning"]
     if parameter["unit"] == "bool":
-        return BoolProperty(default=bool(parameter["default"]), **text)
+        return switch(*words, default=bool(parameter["default"]))
     low, default, high = (_stored(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
     options = {"default": default, "min": low, "max": high}
     if parameter["unit"] == "degrees":
-        return FloatProperty(subtype="ANGLE", **options, **text)
+        return number(*words, subtype="ANGLE", **options)
     if parameter["name"] == "count":
-        return FloatProperty(precision=0, step=100, **options, **text)
+        return number(*words, precision=0, step=100, **options)
     if (low, high) == (0, 1):
-        return FloatProperty(subtype="FACTOR", **options, **text)
+        return number(*words, subtype="FACTOR", **options)
     # Limits are far out, for models of all kinds; what a hand wants is near the default.
     fine = {"precision": 4, "step": 0.1} if 0 < default < 0.1 else {}
     soft = {"soft_max": min(high, SLIDE * default)} if default > 0 else {}
-    return FloatProperty(**fine, **soft, **options, **text)
+    return number(*words, **fine, **soft, **options)
 
 
 def group():
@@ -90,9 +87,7 @@ def group():
     found = {}
     for definition in definitions():
         name = definition["name"]
-        text = {"name": definition["label"], "description": f"{definition['description']}.\n{definition['source']}"}
-        found[name] = BoolProperty(update=redraw, **text)
+        found[name] = switch(definition["label"], f"{definition['description']}.\n{definition['source']}")
         for parameter in definition["parameters"]:
             found[property_name(definition, parameter)] = parameter_property(parameter)
-    contents = {"__annotations__": found, "__module__": __name__, "__doc__": "Kinds of lines and their parameters."}
-    return type("FoveaLineKinds", (bpy.types.PropertyGroup,), contents)
+    return new_group("FoveaLineKinds", "Kinds of lines and their parameters.", found)

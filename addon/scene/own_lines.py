@@ -5,11 +5,11 @@ registry says that objects may have values of their own."""
 import math
 
 import bpy
-from bpy.props import BoolProperty, PointerProperty
+from bpy.props import PointerProperty
 
 from .. import catalogue
 from .line_kinds import definitions, parameter_property, property_name, value_of
-from .property_kinds import redraw
+from .property_kinds import new_group, switch
 
 ALL_KINDS = 0xFFFFFFFF  # bits of the registry
 AS_THE_SET_SAYS = math.nan
@@ -54,34 +54,19 @@ def _kinds():
     found = {}
     for definition in switchable():
         told = f"{definition['description']}.\nOff: this object does not have them, whichever line set draws them"
-        text = {"name": definition["label"], "description": told}
-        found[definition["name"]] = BoolProperty(default=True, update=redraw, **text)
-    contents = {"__annotations__": found, "__module__": __name__, "__doc__": "Kinds of lines that an object shows."}
-    return type("FoveaOwnKinds", (bpy.types.PropertyGroup,), contents)
+        found[definition["name"]] = switch(definition["label"], told, default=True)
+    return new_group("FoveaOwnKinds", "Kinds of lines that an object shows.", found)
 
 
 def annotations(kinds):
     """Of an object's settings; `kinds`: the registered group."""
-    return {
-        "own_kinds": BoolProperty(
-            name="Own Line Kinds",
-            description="Of the lines that the line sets draw, this object and instances of it have only these kinds",
-            update=redraw,
-        ),
-        "kinds": PointerProperty(type=kinds),
-    } | _of_parameters()
-
-
-def _of_parameters():
-    found = {}
-    for definition, parameter in parameters():
-        name = label(definition, parameter)
-        found[switch_name(definition, parameter)] = BoolProperty(
-            name=f"Own {name}",
-            description=f"This object, and instances of it, have their own {name.lower()} in all line sets",
-            update=redraw,
-        )
-        found[property_name(definition, parameter)] = parameter_property(parameter, name=name)
+    told = "Of the lines that the line sets draw, this object and instances of it have only these kinds"
+    found = {"own_kinds": switch("Own Line Kinds", told), "kinds": PointerProperty(type=kinds)}
+    for known in parameters():
+        name = label(*known)
+        told = f"This object, and instances of it, have their own {name.lower()} in all line sets"
+        found[switch_name(*known)] = switch(f"Own {name}", told)
+        found[property_name(*known)] = parameter_property(known[1], name)
     return found
 
 

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Properties that several groups of settings have, and numbers as they come back from them."""
+"""Properties of what is drawn, groups of them, and numbers as they come back from them.
+
+`switch`, `number` and so on are Blender's functions with a name, a description and their keywords; what changes is drawn
+anew.
+"""
 
 import zlib
 
-from bpy.props import StringProperty
+import bpy
+from bpy import props
 
-MOST_LETTERS = 63  # of the name of an attribute, in Blender
+SHARE = {"subtype": "FACTOR", "min": 0.0, "max": 1.0}
 
 
 def redraw(settings, _context):
@@ -13,13 +18,24 @@ def redraw(settings, _context):
     settings.id_data.update_tag()
 
 
+def _redrawn(made):
+    return lambda name, description, **words: made(name=name, description=description, **{"update": redraw} | words)
+
+
+switch, whole_number, number = map(_redrawn, (props.BoolProperty, props.IntProperty, props.FloatProperty))
+choice, text, pointer = map(_redrawn, (props.EnumProperty, props.StringProperty, props.PointerProperty))
+vector = _redrawn(props.FloatVectorProperty)
+
+
+def new_group(name, told, annotations, **others):
+    """A new class of PropertyGroups; `others`: more of its attributes."""
+    contents = {"__annotations__": annotations, "__module__": __name__, "__doc__": told, **others}
+    return type(name, (bpy.types.PropertyGroup,), contents)
+
+
 def file_names(stems):
     """Items of an enum over file names, numbered by name so that saved files survive new ones."""
     return [(n, n.replace("_", " ").title(), "", "NONE", zlib.crc32(n.encode()) & 0x7FFFFFFF) for n in stems]
-
-
-def attribute_name(name, description, default=""):
-    return StringProperty(name=name, description=description, default=default, maxlen=MOST_LETTERS, update=redraw)
 
 
 def neat(value):

@@ -6,8 +6,9 @@ import math
 import bpy
 
 from .. import style
-from ..stages import REFERENCE_HEIGHT
 from ..scene.line_kinds import definitions
+from ..scene.operator import Operator
+from ..stages import REFERENCE_HEIGHT
 from . import style_data
 
 # Freestyle's word for an edge type -> our lines.
@@ -113,39 +114,27 @@ def _unmatched(line_set):
         yield "the greatest length of lines"
 
 
-class FOVEA_OT_match_freestyle(bpy.types.Operator):
+class FOVEA_OT_match_freestyle(Operator, bpy.types.Operator):
     """Take over the view layer's Freestyle line sets: edge types, crease angle, visibility, and the line styles'
     thickness, color and opacity"""
 
     bl_idname = "fovea.match_freestyle"
     bl_label = "Match Freestyle"
-    bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context):
+    def hindrance(cls, context):
         sets = context.view_layer.freestyle_settings.linesets if context.view_layer else ()
         if not any(line_set.show_render and line_set.linestyle for line_set in sets):
-            cls.poll_message_set("The view layer has no Freestyle line set that is on: there is nothing to match")
-        elif not definitions():
-            cls.poll_message_set("Fovea's native module cannot be used in this Blender")
-        else:
-            return True
-        return False
+            return "The view layer has no Freestyle line set that is on: there is nothing to match"
+        return None if definitions() else "Fovea's native module cannot be used in this Blender"
 
-    def execute(self, context):
+    def act(self, context):
         chosen, told = style_of(context.scene, context.view_layer)
         if not chosen.line_sets:
-            self.report({"ERROR"}, "The Freestyle line sets select no edge types that Fovea draws")
-            return {"CANCELLED"}
+            raise style.StyleError("The Freestyle line sets select no edge types that Fovea draws")
         style_data.use(context.scene, chosen, "Freestyle")
         if told:
             self.report({"WARNING"}, f"Not taken over: {'; '.join(told)}")
-        return {"FINISHED"}
 
 
-def register():
-    bpy.utils.register_class(FOVEA_OT_match_freestyle)
-
-
-def unregister():
-    bpy.utils.unregister_class(FOVEA_OT_match_freestyle)
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_match_freestyle,))

@@ -5,9 +5,9 @@ import bpy
 from bpy.props import EnumProperty
 
 from .. import style
-from . import FILTERS
 from ..scene import animation
-from . import style_data, style_read, style_write
+from . import FILTERS, style_data, style_read, style_write
+from .style_operators import OnStyle
 
 MOST = 64  # line sets of a style
 _FOR_ALL = dict.fromkeys(FILTERS, "") | dict.fromkeys(FILTERS.values(), False)  # as without filters
@@ -24,33 +24,23 @@ def edited_hidden(line_set):
     return line_set.hidden[line_set.hidden_index] if line_set.hidden_index < len(line_set.hidden) else None
 
 
-class _Edit:
-    bl_options = {"REGISTER", "UNDO"}
+class _Edit(OnStyle):
+    """Of the style's properties."""
 
     @classmethod
-    def poll(cls, context):
-        reason = cls.hindrance(style_data.of(context.scene))
-        if reason:
-            cls.poll_message_set(reason)
-        return reason is None
-
-    @classmethod
-    def hindrance(cls, tree):
-        """Why not, or None."""
-        if tree is None:
-            return "The scene draws with the default style: press New for a style of its own"
+    def hindrance_of(cls, tree):
         if tree.library:
             return "The style is linked from another file: duplicate it to edit it"
-        return cls.hindrance_of(tree.fovea)
+        return cls.lacks(tree.fovea)
 
     @classmethod
-    def hindrance_of(cls, held):
+    def lacks(cls, held):
+        """Why it cannot be done to a style's properties, or None."""
         return None if edited(held) else "No line set is chosen"
 
-    def execute(self, context):
-        self.act(style_data.of(context.scene).fovea)
+    def act(self, context):
+        self.edit(style_data.of(context.scene).fovea)
         context.scene.fovea.style.update_tag()
-        return {"FINISHED"}
 
 
 class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
@@ -59,10 +49,10 @@ class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
     bl_idname, bl_label = "fovea.line_set_add", "Add Line Set"
 
     @classmethod
-    def hindrance_of(cls, held):
+    def lacks(cls, held):
         return f"A style has at most {MOST} line sets" if len(held.line_sets) >= MOST else None
 
-    def act(self, held):
+    def edit(self, held):
         source, place = edited(held), min(held.line_set_index, len(held.line_sets))
         like = style_read.line_set(source) if source else style.load("plain").line_sets[0]
         _insert(held, like.replace(name=_free_name(held, "Lines"), hidden=(), **_FOR_ALL), place)
@@ -74,10 +64,10 @@ class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
     bl_idname, bl_label = "fovea.line_set_duplicate", "Duplicate Line Set"
 
     @classmethod
-    def hindrance_of(cls, held):
-        return FOVEA_OT_line_set_add.hindrance_of(held) or super().hindrance_of(held)
+    def lacks(cls, held):
+        return FOVEA_OT_line_set_add.lacks(held) or super().lacks(held)
 
-    def act(self, held):
+    def edit(self, held):
         source = edited(held)
         kept, place = source.kept, held.line_set_index + 1
         _insert(held, style_read.line_set(source).replace(name=_free_name(held, source.name)), place)
@@ -90,10 +80,10 @@ class FOVEA_OT_line_set_remove(_Edit, bpy.types.Operator):
     bl_idname, bl_label = "fovea.line_set_remove", "Remove Line Set"
 
     @classmethod
-    def hindrance_of(cls, held):
-        return super().hindrance_of(held) or ("A style needs a line set" if len(held.line_sets) < 2 else None)
+    def lacks(cls, held):
+        return super().lacks(held) or ("A style needs a line set" if len(held.line_sets) < 2 else None)
 
-    def act(self, held):
+    def edit(self, held):
         count, gone = len(held.line_sets), held.line_set_index
         held.line_sets.remove(gone)
         animation.follow(held.id_data, [None if i == gone else i - (i > gone) for i in range(count)])
@@ -107,7 +97,7 @@ class FOVEA_OT_line_set_move(_Edit, bpy.types.Operator):
 
     direction: EnumProperty(name="Direction", description="Before or after its neighbour", items=DIRECTIONS)
 
-    def act(self, held):
+    def edit(self, held):
         to = held.line_set_index + (-1 if self.direction == "UP" else 1)
         if 0 <= to < len(held.line_sets):
             move(held, held.line_set_index, to)
@@ -119,7 +109,7 @@ class FOVEA_OT_hidden_pen_add(_Edit, bpy.types.Operator):
 
     bl_idname, bl_label = "fovea.hidden_pen_add", "Add Hidden Pen"
 
-    def act(self, held):
+    def edit(self, held):
         line_set = edited(held)
         dashes = style.dashed(style_read.pen(line_set.pen))
         ends = [hidden.last or hidden.first for hidden in line_set.hidden]
@@ -136,10 +126,10 @@ class FOVEA_OT_hidden_pen_remove(_Edit, bpy.types.Operator):
     bl_idname, bl_label = "fovea.hidden_pen_remove", "Remove Hidden Pen"
 
     @classmethod
-    def hindrance_of(cls, held):
-        return super().hindrance_of(held) or (None if edited_hidden(edited(held)) else "The line set has no hidden pen")
+    def lacks(cls, held):
+        return super().lacks(held) or (None if edited_hidden(edited(held)) else "The line set has no hidden pen")
 
-    def act(self, held):
+    def edit(self, held):
         line_set = edited(held)
         line_set.hidden.remove(line_set.hidden_index)
         line_set.hidden_index = max(min(line_set.hidden_index, len(line_set.hidden) - 1), 0)

@@ -36,11 +36,8 @@ class FOVEA_OT_style_mark_asset(OnStyle, bpy.types.Operator):
     )
 
     @classmethod
-    def poll(cls, context):
-        if super().poll(context) and style_data.of(context.scene).library:
-            cls.poll_message_set("The style is linked: open its own file to make it an asset, or duplicate it")
-            return False
-        return super().poll(context)
+    def hindrance_of(cls, tree):
+        return "The style is linked: open its own file to make it an asset, or duplicate it" if tree.library else None
 
     def invoke(self, context, _event):
         known = style_data.of(context.scene).asset_data
@@ -72,15 +69,10 @@ class FOVEA_OT_style_clear_asset(OnStyle, bpy.types.Operator):
     bl_idname, bl_label = "fovea.style_clear_asset", "Clear Style Asset"
 
     @classmethod
-    def poll(cls, context):
-        if not super().poll(context):
-            return False
-        tree = style_data.of(context.scene)
-        if tree.library or not tree.asset_data:
-            linked = "The style is linked: only its own file says whether it is an asset"
-            cls.poll_message_set(linked if tree.library else "The style is no asset")
-            return False
-        return True
+    def hindrance_of(cls, tree):
+        if tree.library:
+            return "The style is linked: only its own file says whether it is an asset"
+        return None if tree.asset_data else "The style is no asset"
 
     def act(self, context):
         style_data.of(context.scene).asset_clear()

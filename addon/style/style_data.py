@@ -11,8 +11,8 @@ import bpy
 
 from .. import style
 from ..focus import focus_settings
-from . import style_read, style_write
 from ..scene.line_kinds import definitions
+from . import style_read, style_write
 
 
 def is_style(tree):

@@ -9,8 +9,8 @@ from pathlib import Path
 import bpy
 
 from .. import native, style
-from . import style_picture
 from ..scene.own_preferences import ADDON, own
+from . import style_picture
 
 _log = logging.getLogger(__package__)
 

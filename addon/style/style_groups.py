@@ -9,20 +9,11 @@ missing in a style (a pen out of focus, a background) has a switch beside it. Wi
 import math
 
 import bpy
-from bpy.props import (
-    BoolProperty,
-    CollectionProperty,
-    EnumProperty,
-    FloatProperty,
-    FloatVectorProperty,
-    IntProperty,
-    PointerProperty,
-    StringProperty,
-)
+from bpy.props import CollectionProperty, IntProperty, PointerProperty, StringProperty
 
 from .. import native, style
 from ..scene import line_kinds
-from ..scene.property_kinds import file_names, redraw
+from ..scene.property_kinds import choice, file_names, new_group, number, pointer, switch, text, vector, whole_number
 
 PLAIN = ("switch", "number", "whole number", "choice", "text", "color")  # types of members that are one property
 ELSEWHERE = ("name", "first")  # members that are properties of another kind
@@ -73,26 +64,25 @@ def grouped(cls):
 def _property(field):
     """The property for a member."""
     default, kind = field["default"], field["type"]
-    text = {"name": field["label"], "description": field["description"], "update": redraw}
+    words = field["label"], field["description"]
     limits = {"min": field["min"], "max": field["max"], "soft_max": field["soft_max"]}
     if kind == "switch":
-        return BoolProperty(default=default, **text)
+        return switch(*words, default=default)
     if field["names"] in FILES:
-        return EnumProperty(items=file_names(FILES[field["names"]]()), default=default, **text)
+        return choice(*words, items=file_names(FILES[field["names"]]()), default=default)
     if kind == "choice":
         items = [(name.upper(), label, told) for name, label, told in field["choices"]]
-        return EnumProperty(items=items, default=default.upper(), **text)
+        return choice(*words, items=items, default=default.upper())
     if kind == "text":
-        return StringProperty(default=default, maxlen=field["most_letters"], **text)
+        return text(*words, default=default, maxlen=field["most_letters"])
     if kind == "color":
-        return FloatVectorProperty(default=default, size=3, **limits, **UNITS[field["unit"]], **text)
+        return vector(*words, default=default, size=3, **limits, **UNITS[field["unit"]])
     if kind == "whole number":
-        return IntProperty(default=default, **{key: int(value) for key, value in limits.items()}, **text)
+        return whole_number(*words, default=default, **{key: int(value) for key, value in limits.items()})
     if field["unit"] == "degrees":
-        return FloatProperty(
-            default=math.radians(default), subtype="ANGLE", min=0.0, max=math.radians(limits["max"]), **text
-        )
-    return FloatProperty(default=default, **limits, **UNITS[field["unit"]], **text)
+        most = math.radians(limits["max"])
+        return number(*words, default=math.radians(default), subtype="ANGLE", min=0.0, max=most)
+    return number(*words, default=default, **limits, **UNITS[field["unit"]])
 
 
 def _plain(cls):
@@ -105,24 +95,18 @@ def _optional(cls, name, default):
 
 
 def _pens():
-    pen, (label, told) = _groups[style.Pen], AWAY
-    return {
-        "pen": PointerProperty(type=pen),
-        "away": BoolProperty(name=label, description=told, update=redraw),
-        "pen_away": PointerProperty(type=pen),
-    }
+    pen = PointerProperty(type=_groups[style.Pen])
+    return {"pen": pen, "away": switch(*AWAY), "pen_away": pen}
 
 
 def _color():
-    label, told = "On Paper", "Where there is nothing, and where colors fade, the paper shows"
-    on_paper = BoolProperty(name=label, description=told, default=True, update=redraw)
+    on_paper = switch("On Paper", "Where there is nothing, and where colors fade, the paper shows", default=True)
     return {"on_paper": on_paper, "background": _optional(style.Color, "background", (1.0, 1.0, 1.0))}
 
 
 def _elision():
     told = "Image over the frame: lines are four times as dense where it is white, a quarter as dense where black"
-    image = PointerProperty(type=bpy.types.Image, name="Density Map", description=told, update=redraw)
-    return {"density_image": image}
+    return {"density_image": pointer("Density Map", told, type=bpy.types.Image)}
 
 
 def _hidden():
@@ -151,9 +135,7 @@ def _style():
     }
 
 
-def _add(name, told, annotations):
-    contents = {"__annotations__": annotations, "__module__": __name__, "__doc__": told}
-    made = type(name, (bpy.types.PropertyGroup,), contents)
+def _add(made):
     bpy.utils.register_class(made)
     _registered.append(made)
     return made
@@ -161,17 +143,14 @@ def _add(name, told, annotations):
 
 def _add_part(cls, name, more=None):
     transfer = {name: PointerProperty(type=_groups[style.Transfer]) for name in transfers(cls)}
-    _groups[cls] = _add(name, cls.__doc__, _plain(cls) | transfer | (more or {}))
+    _groups[cls] = _add(new_group(name, cls.__doc__, _plain(cls) | transfer | (more or {})))
 
 
 def _add_parts():
     _add_part(style.Transfer, "FoveaTransfer")
     _add_part(style.Pen, "FoveaPen")
     _add_part(style.Hidden, "FoveaHiddenPen", _hidden())
-    kinds = line_kinds.group()
-    bpy.utils.register_class(kinds)
-    _registered.append(kinds)
-    _add_part(style.LineSet, "FoveaLineSet", _line_set(kinds))
+    _add_part(style.LineSet, "FoveaLineSet", _line_set(_add(line_kinds.group())))
     _add_part(style.Paper, "FoveaPaper")
     _add_part(style.Color, "FoveaColor", _color())
     _add_part(style.Elision, "FoveaElision", _elision())
@@ -191,7 +170,7 @@ def register():
     if not native.problem():
         _add_parts()
         held |= _style()
-    bpy.types.NodeTree.fovea = PointerProperty(type=_add("FoveaStyle", "A style.", held))
+    bpy.types.NodeTree.fovea = PointerProperty(type=_add(new_group("FoveaStyle", "A style.", held)))
 
 
 def unregister():

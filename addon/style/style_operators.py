@@ -10,6 +10,7 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 from .. import style
 from ..focus import focus_settings
 from ..scene import animation
+from ..scene.operator import Operator
 from . import style_data, style_files, style_read
 
 _items = {}  # kept for Blender, which does not keep what enums are made of
@@ -28,32 +29,28 @@ def _users(_self, _context):
     return _enum("users", style_files.user_names())
 
 
-class StyleOperator:
-    """What all of them have: a scene, undo, and files' troubles as one sentence."""
+class StyleOperator(Operator):
+    """What all of them have: files' troubles as one sentence."""
 
-    bl_options = {"REGISTER", "UNDO"}
+    errors = (OSError, ValueError)
 
-    def execute(self, context):
-        try:
-            self.act(context)
-        except style.StyleError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        except (OSError, ValueError) as error:
-            self.report({"ERROR"}, f"Fovea cannot do that: {error}")
-            return {"CANCELLED"}
-        return {"FINISHED"}
+    @staticmethod
+    def sentence(error):
+        return str(error) if isinstance(error, style.StyleError) else f"Fovea cannot do that: {error}"
 
 
 class OnStyle(StyleOperator):
     """Of the scene's own style."""
 
     @classmethod
-    def poll(cls, context):
+    def hindrance(cls, context):
         if style_data.of(context.scene) is None:
-            cls.poll_message_set("The scene draws with the default style: press New for a style of its own")
-            return False
-        return True
+            return "The scene draws with the default style: press New for a style of its own"
+        return cls.hindrance_of(style_data.of(context.scene))
+
+    @classmethod
+    def hindrance_of(cls, tree):
+        """The same of the style's node tree."""
 
 
 class FOVEA_OT_style_new(StyleOperator, bpy.types.Operator):
@@ -158,15 +155,12 @@ class FOVEA_OT_style_update(OnStyle, bpy.types.Operator):
     bl_options = {"REGISTER"}
 
     @classmethod
-    def poll(cls, context):
-        if not super().poll(context):
-            return False
-        source = style_data.of(context.scene).fovea.source
+    def hindrance_of(cls, tree):
+        source = tree.fovea.source
         if source in style_files.user_names():
-            return True
+            return None
         gone = f"The saved style '{source}' is no more" if source else "This style does not come from a saved one"
-        cls.poll_message_set(f"{gone}: press Save to keep it among yours")
-        return False
+        return f"{gone}: press Save to keep it among yours"
 
     def invoke(self, context, event):
         source = style_data.of(context.scene).fovea.source
@@ -185,11 +179,8 @@ class _OnSaved(StyleOperator):
     bl_options = {"REGISTER"}
 
     @classmethod
-    def poll(cls, _context):
-        if not style_files.user_names():
-            cls.poll_message_set("There are no saved styles of yours: Save keeps one")
-            return False
-        return True
+    def hindrance(cls, _context):
+        return None if style_files.user_names() else "There are no saved styles of yours: Save keeps one"
 
 
 class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
@@ -239,12 +230,4 @@ CLASSES = (
 )
 
 
-def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister():
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
-    _items.clear()
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -7,8 +7,8 @@ from functools import lru_cache
 import numpy as np
 
 from .. import native, pipeline, still_life, style
-from ..stages import ColorSources, View
 from ..scene import scene
+from ..stages import ColorSources, View
 
 SIZE = 256  # pixels along each side
 OVERSIZE = 2  # pixels that become one, along each axis: finer lines than so small a picture has room for

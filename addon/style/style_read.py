@@ -6,8 +6,8 @@ import math
 
 from .. import style
 from ..scene import line_kinds
-from . import style_curves
 from ..scene.property_kinds import neat
+from . import style_curves
 from .style_groups import part, plain_fields, transfers
 
 LEAST_DEPTH = 1e-6  # between near and far

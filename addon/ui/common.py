@@ -62,3 +62,14 @@ def fold(layout, name, title, closed=True):
     header, body = layout.panel(f"fovea_{name}", default_closed=closed)
     header.label(text=title)
     return body
+
+
+def fold_switch(layout, name, owner, switch, heeded=True):
+    """The same of a part that a property in its header switches on."""
+    header, body = layout.panel(f"fovea_{name}", default_closed=True)
+    header.active = heeded
+    header.use_property_split = False
+    header.prop(owner, switch)
+    if body:
+        body.active = heeded and getattr(owner, switch)
+    return body

@@ -14,8 +14,8 @@ from bpy.app.handlers import persistent
 
 from .. import native, style
 from ..gpu import overlay as gpu_overlay
+from ..render import caretaker, properties, reading, viewport
 from ..scene import camera, subdivision
-from ..render import caretaker, properties, reading, viewport, viewport_settings
 from ..scene.problem import CannotDraw
 
 SCALE = 0.25  # of the viewport's size, at rest
@@ -49,7 +49,7 @@ class _Shown:
         found = self._read(context, depsgraph, chosen)
         key = (chosen.focus, view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
         if self.key != key or self.found is not found:
-            budget_ms = viewport_settings.budget_ms(depsgraph.scene)
+            budget_ms = depsgraph.scene.fovea_viewport.budget_ms
             self.key, self.found = key, found
             self.scale = affordable(*self._took, budget_ms) if self._took else LEAST
             self.movement.note_change()

@@ -3,11 +3,10 @@
 
 import bpy
 
-from ..style import FILTERS
-from ..style import style_data
 from ..scene.line_kinds import definitions
+from ..style import FILTERS, style_data
 from ..style.line_set_operators import edited, edited_hidden
-from .common import StylePanel, draw_pen, draw_properties, fold
+from .common import StylePanel, draw_pen, draw_properties, fold, fold_switch
 
 # What lines depend on, by the registry's word for it.
 FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # those of bpy.data
@@ -43,14 +42,20 @@ class RENDER_PT_fovea_lines(StylePanel, bpy.types.Panel):
 
 
 def draw_list(layout, held):
-    row = layout.row()
-    row.template_list("FOVEA_UL_line_sets", "", held, "line_sets", held, "line_set_index", rows=3)
-    side = row.column(align=True)
-    side.operator("fovea.line_set_add", text="", icon="ADD")
-    side.operator("fovea.line_set_remove", text="", icon="REMOVE")
+    side = _draw_list(layout, held, "line_sets", "line_set_index", "line_set", rows=3)
     side.operator("fovea.line_set_duplicate", text="", icon="DUPLICATE")
     side.operator("fovea.line_set_move", text="", icon="TRIA_UP").direction = "UP"
     side.operator("fovea.line_set_move", text="", icon="TRIA_DOWN").direction = "DOWN"
+
+
+def _draw_list(layout, owner, members, index, name, rows):
+    """A list of what one operator of its name adds and another removes; the column of these."""
+    row = layout.row()
+    row.template_list(f"FOVEA_UL_{name}s", "", owner, members, owner, index, rows=rows)
+    side = row.column(align=True)
+    side.operator(f"fovea.{name}_add", text="", icon="ADD")
+    side.operator(f"fovea.{name}_remove", text="", icon="REMOVE")
+    return side
 
 
 def draw_filter(layout, line_set):
@@ -101,11 +106,8 @@ def draw_pens(layout, scene, line_set):
     if body:
         draw_properties(body, line_set, ("corner_angle", "least_length", "overshoot", "halo"))
         draw_pen(body, line_set.pen)
-    header, body = layout.panel("fovea_pen_away", default_closed=True)
-    header.use_property_split = False
-    header.prop(line_set, "away")
+    body = fold_switch(layout, "pen_away", line_set, "away")
     if body:
-        body.active = line_set.away
         body.prop(line_set, "overshoot_away")
         draw_pen(body, line_set.pen_away)
     body = fold(layout, "hidden", "Hidden Lines")
@@ -114,11 +116,7 @@ def draw_pens(layout, scene, line_set):
 
 
 def _draw_hidden(body, scene, line_set):
-    row = body.row()
-    row.template_list("FOVEA_UL_hidden_pens", "", line_set, "hidden", line_set, "hidden_index", rows=2)
-    side = row.column(align=True)
-    side.operator("fovea.hidden_pen_add", text="", icon="ADD")
-    side.operator("fovea.hidden_pen_remove", text="", icon="REMOVE")
+    _draw_list(body, line_set, "hidden", "hidden_index", "hidden_pen", rows=2)
     hidden = edited_hidden(line_set)
     if hidden is None:
         return
@@ -128,11 +126,8 @@ def _draw_hidden(body, scene, line_set):
         body.label(text="Sampled visibility counts one surface at most", icon="INFO")
     draw_properties(body, hidden, ("first", "last"))
     draw_pen(body, hidden.pen)
-    header, away = body.panel("fovea_hidden_away", default_closed=True)
-    header.use_property_split = False
-    header.prop(hidden, "away")
+    away = fold_switch(body, "hidden_away", hidden, "away")
     if away:
-        away.active = hidden.away
         draw_pen(away, hidden.pen_away)
 
 

@@ -76,11 +76,8 @@ class FoveaPreferences(bpy.types.AddonPreferences):
         problem = native.problem()
         if problem:
             column.label(text=problem, icon="ERROR")
-        column.prop(self, "default_style")
-        column.prop(self, "background_gpu")
-        column.prop(self, "threads")
-        column.prop(self, "memory_limit")
-        column.prop(self, "log_level")
+        for name in ("default_style", "background_gpu", "threads", "memory_limit", "log_level"):
+            column.prop(self, name)
 
 
 def apply(preferences):

@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..style import style_data
 from ..focus.focus_place_operators import LISTED
+from ..style import style_data
 from ..style.line_set_operators import edited
 from .common import ENGINE, draw_pen, fold
 from .focus import draw_focus

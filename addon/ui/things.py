@@ -3,11 +3,11 @@
 
 import bpy
 
-from ..scene import own_lines
 from ..render import session
-from ..style import style_data
+from ..scene import own_lines
 from ..scene.line_kinds import property_name
-from .common import FoveaPanel
+from ..style import style_data
+from .common import FoveaPanel, fold, fold_switch
 
 
 class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
@@ -50,12 +50,8 @@ def _draw_own_lines(layout, settings, drawn, has_lines):
         value = row.row(align=True)
         value.active = getattr(settings, own)
         value.prop(settings, property_name(definition, parameter), text="")
-    header, body = layout.panel("fovea_own_kinds", default_closed=True)
-    header.active = has_lines
-    header.use_property_split = False
-    header.prop(settings, "own_kinds")
+    body = fold_switch(layout, "own_kinds", settings, "own_kinds", has_lines)
     if body:
-        body.active = has_lines and settings.own_kinds
         body.use_property_split = False
         for definition in own_lines.switchable():
             row = body.row()
@@ -77,8 +73,7 @@ def _draw_shape(layout, settings):
     layout.prop(settings, "refine")
     if settings.refine:
         layout.prop(settings, "refine_level")
-    header, body = layout.panel("fovea_repair", default_closed=True)
-    header.label(text="Repair")
+    body = fold(layout, "repair", "Repair")
     if body:
         for name in ("orient", "resample"):
             body.prop(settings, f"repair_{name}")

@@ -3,29 +3,25 @@
 
 import bpy
 
+from ..scene.operator import Operator
 from .common import ENGINE, FoveaPanel
 
 FAITHFUL = {"Standard", "Raw"}  # they show colors as they are
 
 
-class FOVEA_OT_standard_view(bpy.types.Operator):
+class FOVEA_OT_standard_view(Operator, bpy.types.Operator):
     """Set the view transform to Standard, which shows the colors of paper and ink as they are. Others make white paper
     gray"""
 
     bl_idname, bl_label = "fovea.standard_view", "Use Standard View Transform"
-    bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context):
-        if not is_gray(context.scene):
-            cls.poll_message_set("The view transform shows colors as they are already")
-            return False
-        return True
+    def hindrance(cls, context):
+        return None if is_gray(context.scene) else "The view transform shows colors as they are already"
 
-    def execute(self, context):
+    def act(self, context):
         settings = context.scene.view_settings
         settings.look, settings.view_transform = "None", "Standard"
-        return {"FINISHED"}
 
 
 def is_gray(scene):

@@ -85,6 +85,11 @@ def test_there_is_a_most_of_places(scene):
     assert len(places.places(scene.fovea)) == style.MOST_PLACES
 
 
+def keyed(scene):
+    """Paths of the scene's F-curves."""
+    return [curve.data_path for curves in part("scene.animation").curves(scene) for curve in curves]
+
+
 def test_places_are_removed_with_what_animates_them(scene):
     for x in range(4):
         bpy.ops.fovea.pick_focus(location=(x, 0, 0), add=x > 0)
@@ -93,8 +98,8 @@ def test_places_are_removed_with_what_animates_them(scene):
     points[0].keyframe_insert("focus_far_distance", frame=1), points[2].keyframe_insert("focus_far_distance", frame=1)
     assert bpy.ops.fovea.focus_place_remove(index=0) == {"FINISHED"}
     assert [places.location(place).x for place in places.places(scene.fovea)] == [0, 2, 3]
-    assert [curve.data_path for curve in focus_pull.curves(scene)] == ["fovea.focus_points[1].focus_far_distance"]
-    assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not focus_pull.curves(scene)
+    assert keyed(scene) == ["fovea.focus_points[1].focus_far_distance"]
+    assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not keyed(scene)
     assert bpy.ops.fovea.focus_place_remove(index=1) == {"CANCELLED"} and len(points) == 1
     assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not bpy.ops.fovea.focus_place_remove.poll()
 

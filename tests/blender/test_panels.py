@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
 
-from types import SimpleNamespace
-
 import bpy
 import pytest
 from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
@@ -103,7 +101,7 @@ def test_what_was_drawn_is_told(scene, monkeypatch):
 
 def test_every_setting_is_in_a_panel(scene):
     shown = set()
-    viewport = part("render.viewport_settings").RENDER_PT_fovea_viewport
+    viewport = part("ui.viewport_settings").RENDER_PT_fovea_viewport
     for model in ("SCENE", "IMAGE", "OBJECT", "PAINTED"):
         for estimator in ("AUTOMATIC", "JETS"):
             for resample in (0, 1):
@@ -112,7 +110,7 @@ def test_every_setting_is_in_a_panel(scene):
                 fovea.curvature_estimator, fovea.repair_resample, fovea.refine = estimator, resample, True
                 shown |= {(type(owner), name) for owner, name in shown_by().props}
     layout = RecordingLayout()
-    viewport.draw(SimpleNamespace(layout=layout), context())
+    viewport.show(None, layout, context())
     shown |= {(type(owner), name) for owner, name in layout.props}
     for owner in with_groups(owners(scene)[1:]):
         for prop in owner.bl_rna.properties:

@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 from bl_ext.user_default.fovea import native, pipeline, style
 from bl_ext.user_default.fovea.scene import camera, scene
-from bl_ext.user_default.fovea.style import style_data
 from bl_ext.user_default.fovea.stages import LineFilters
+from bl_ext.user_default.fovea.style import style_data
 
 from .places import places_of
 
@@ -45,7 +45,9 @@ class World:
         view, kept = view or self.view, []
         seen = scene.seen(native.load(), view)
         with kept_results(pipeline, "frame", kept):
-            image = pipeline.draw(self._placed, seen, style_, backend or native.load().CpuBackend(), self._options, **self._given)
+            image = pipeline.draw(
+                self._placed, seen, style_, backend or native.load().CpuBackend(), self._options, **self._given
+            )
         (frame,) = kept
         shown = np.ones(frame.clipped.samples, np.float32) if frame.shown is None else frame.shown
         return Drawn(image, view, style_, frame, shown)

@@ -3,7 +3,7 @@
 
 import bpy
 
-PANEL_ENGINE = "FOVEA"
+from .common import FoveaPanel
 
 
 class FoveaViewportSettings(bpy.types.PropertyGroup):
@@ -19,27 +19,13 @@ class FoveaViewportSettings(bpy.types.PropertyGroup):
     )
 
 
-class RENDER_PT_fovea_viewport(bpy.types.Panel):
+class RENDER_PT_fovea_viewport(FoveaPanel, bpy.types.Panel):
     bl_label = "Viewport"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "render"
     bl_parent_id = "RENDER_PT_fovea_performance"
-    COMPAT_ENGINES = {PANEL_ENGINE}
 
-    @classmethod
-    def poll(cls, context):
-        return context.engine in cls.COMPAT_ENGINES
-
-    def draw(self, context):
-        self.layout.use_property_split = True
-        self.layout.use_property_decorate = False
-        self.layout.prop(context.scene.fovea_viewport, "budget_ms")
-
-
-def budget_ms(scene):
-    """Milliseconds for a draw of a scene's viewports while something changes."""
-    return scene.fovea_viewport.budget_ms
+    def show(self, layout, context):
+        layout.use_property_decorate = False
+        layout.prop(context.scene.fovea_viewport, "budget_ms")
 
 
 CLASSES = (FoveaViewportSettings, RENDER_PT_fovea_viewport)
