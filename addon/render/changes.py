@@ -11,7 +11,7 @@ import bpy
 
 from .. import catalogue
 from ..scene import notes, scene, subdivision
-from . import properties, session, worker
+from . import properties, reading, session, worker
 
 # What an update of these alone leaves as it was, unless what is placed where tells otherwise.
 HARMLESS = (bpy.types.Scene, bpy.types.Camera, bpy.types.NodeTree, bpy.types.WindowManager, bpy.types.Screen)
@@ -23,7 +23,7 @@ class Scene:
 
     version: int
     style: object
-    gathered: session.Gathered
+    gathered: reading.Read
 
 
 class Changes:

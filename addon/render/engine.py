@@ -2,6 +2,7 @@
 """The render engine: Blender's callbacks, each one call into the session or a viewport."""
 
 import bpy
+from bpy.app.handlers import persistent
 
 from . import as_rendered, gpu_context, session, viewport
 
@@ -30,13 +31,19 @@ class FoveaEngine(bpy.types.RenderEngine):
         viewport.draw(self, context, depsgraph)
 
 
+@persistent
+def _forget(*_arguments):
+    """Another file comes, or the add-on goes."""
+    viewport.stop()
+    session.forget()
+
+
 def register():
     gpu_context.register(FoveaEngine)
-    session.register()
-    viewport.register()
+    bpy.app.handlers.load_pre.append(_forget)
 
 
 def unregister():
-    viewport.unregister()
-    session.unregister()
+    bpy.app.handlers.load_pre.remove(_forget)
+    _forget()
     gpu_context.unregister()

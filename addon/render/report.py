@@ -8,6 +8,7 @@ from pathlib import Path
 import bpy
 
 from .. import native
+from ..scene import surfaces
 from ..scene.operator import Operator
 from . import as_rendered, properties, reading, session
 
@@ -41,7 +42,7 @@ def skipped(read, depsgraph):
     """Sentences about what is not drawn, or not as it is."""
     told = list(read.remarks)
     for surface in read.snapshot.surfaces:
-        if found := session.remark(surface):
+        if found := surfaces.remark(surface.name, surface.report):
             told.append(found)
     objects = depsgraph.scene.objects
     return told + [f"'{obj.name}': {why}" for obj in objects if (why := _why_not(obj, read, depsgraph))]

@@ -10,30 +10,26 @@ import logging
 import threading
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import partial
 
-import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
-from .. import catalogue, native, pipeline, style
-from ..scene import camera, color_sources, kept, notes, scene, surfaces
+from .. import native, pipeline, style
+from ..scene import camera, kept, scene, surfaces
+from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
-from . import methods, near_frames, properties
+from . import methods, near_frames, properties, reading
 
 _log = logging.getLogger(__package__)
-_caches = {}  # depsgraph mode -> SurfaceCache
-_color_caches = {}  # depsgraph mode -> ColorCache
+_readers = {}  # depsgraph mode -> Reader
 _statistics = {}
 _remarked = set()  # what has been said of styles
 
-REMARKS = {  # what a surface's report counts
-    "non_finite_vertices": "vertices have no position and were left out",
-    "degenerate_polygons": "faces have no area and were left out",
-    "duplicate_polygons": "faces repeat others and were left out",
-    "loose_edges": "edges belong to no face and have no lines",
-    "inconsistent_edges": "edges lie between faces that disagree about which side is out",
+PASSES = {  # besides the picture: channels, their names and kind
+    "Lines": (4, "RGBA", "COLOR"),
+    "Colour": (4, "RGBA", "COLOR"),
+    "Focus": (1, "X", "VALUE"),
+    "Depth": (1, "Z", "VALUE"),
 }
 
 
@@ -45,22 +41,24 @@ def last_statistics():
 
 
 def register_passes(engine, scene_, layer):
-    engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
-    engine.register_pass(scene_, layer, "Lines", 4, "RGBA", "COLOR")
     chosen = _style_of(scene_)
-    if chosen and chosen.has_color():
-        engine.register_pass(scene_, layer, "Colour", 4, "RGBA", "COLOR")
-    if chosen and chosen.focus.active():
-        engine.register_pass(scene_, layer, "Focus", 1, "X", "VALUE")
-    if layer.use_pass_z:
-        engine.register_pass(scene_, layer, "Depth", 1, "Z", "VALUE")
+    wanted = {
+        "Lines": True,
+        "Colour": chosen and chosen.has_color(),
+        "Focus": chosen and chosen.focus.active(),
+        "Depth": layer.use_pass_z,
+    }
+    engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
+    for name, channels in PASSES.items():
+        if wanted[name]:
+            engine.register_pass(scene_, layer, name, *channels)
 
 
 def _style_of(scene_):
     """A scene's Style; None where there is none: drawing will say what is wrong."""
     try:
         return properties.style_of(scene_)
-    except (native.Unavailable, style.StyleError):
+    except TOLD:
         return None
 
 
@@ -82,7 +80,7 @@ def reported(tell, what="this view"):
     """Turns what goes wrong while `what` is drawn into one sentence for the user."""
     try:
         yield
-    except (CannotDraw, native.Unavailable, style.StyleError) as problem:
+    except TOLD as problem:
         tell(str(problem))
     except MemoryError:  # numpy's, and std::bad_alloc of the native module
         tell(f"Memory is too small for {what}: make it smaller, or hide or simplify the largest objects")
@@ -91,45 +89,21 @@ def reported(tell, what="this view"):
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
 
 
-@dataclass(frozen=True)
-class Gathered:
-    """A scene as it is drawn, whatever the view; nothing in it is Blender's."""
-
-    snapshot: scene.Snapshot
-    placed: object  # native Scene
-    colors: object  # ColorSources, or None where there is no colour layer to draw
-    notes: object  # stages.Notes
-    changed: bool  # surfaces were made or moved for it
-    seconds: float  # that reading it took
-
-
 def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
-    """Reads what a Style draws of the depsgraph's scene. `viewport`: its SpaceView3D; None for a final render."""
-    start, core = time.perf_counter(), native.load()
-    cache = _caches.setdefault(depsgraph.mode, surfaces.SurfaceCache(core, refit=depsgraph.mode == "VIEWPORT"))
-    with_marks = catalogue.read_edge_marks(chosen.line_sets)
-    colors_cache = _color_caches.setdefault(depsgraph.mode, color_sources.ColorCache(core))
-    colors = color_sources.Gathering(core, colors_cache) if with_colors and chosen.has_color() else None
-    noted = notes.Gathering(core, colors_cache, chosen)
-    beside = {"colors": colors, "notes": noted}
-    snapshot = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
-    if not snapshot.surfaces and not scene.has_anything(depsgraph.scene):
+    """What is Read of the depsgraph's scene for a Style. `viewport`: its SpaceView3D; None for a final render."""
+    if depsgraph.mode not in _readers:
+        _readers[depsgraph.mode] = reading.Reader(refit=depsgraph.mode == "VIEWPORT")
+    found = _readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors)
+    if not found.snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
-    placed = scene.placed(core, snapshot)
-    sources = colors and colors.sources(depsgraph.scene, snapshot.surface_of_placement)
-    told = noted.notes(properties.density_map(depsgraph.scene_eval), snapshot)
-    seconds = time.perf_counter() - start
-
-    _report_skipped(engine, cache.rebuilt, cache.remarks)
+    _report_skipped(engine, found.built, found.remarks)
     _report_unknown(engine, chosen)
     kept.trim()
-    if colors and (remark := colors.remark()):
-        engine.report({"INFO"}, remark)
-    return Gathered(snapshot, placed, sources, told, bool(cache.rebuilt or cache.moved), seconds)
+    return found
 
 
 def draw(found, seen, chosen, backend, options, progress, cancel, near=None):
-    """The Image of what was Gathered as a native View sees it; touches nothing of Blender's unless the backend does.
+    """The Image of what was Read as a native View sees it; touches nothing of Blender's unless the backend does.
     `near`: the lines of the frames around it, for elision smoothed in time."""
     beside = {"colors": found.colors, "notes": found.notes, "near": near}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
@@ -144,7 +118,7 @@ def final_image(engine, depsgraph, **how):
 
 
 def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
-    """What is Gathered for a final render of the depsgraph's scene, what `make` makes of it (arguments as those of
+    """What is Read for a final render of the depsgraph's scene, what `make` makes of it (arguments as those of
     `draw`), and the seconds that other frames took; or None when the user stopped it. `lines_alone`: without what is
     under them, focus and depth. `tell(share, stage)` hears how far it is; None: Blender does."""
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
@@ -216,14 +190,8 @@ def _report_skipped(engine, built, remarks=()):
     for sentence in remarks:
         engine.report({"INFO"}, sentence)
     for surface in built:
-        if found := remark(surface):
+        if found := surfaces.remark(surface.name, surface.report):
             engine.report({"INFO"}, found)
-
-
-def remark(surface):
-    """One sentence about what of a native Surface was left out or looks wrong, or None."""
-    found = [f"{count} {words}" for what, words in REMARKS.items() if (count := getattr(surface.report, what))]
-    return f"'{surface.name}': {'; '.join(found)}" if found else None
 
 
 def _report_unknown(engine, chosen):
@@ -235,7 +203,7 @@ def _report_unknown(engine, chosen):
 
 
 def note_statistics(found, image, near_s=0.0):
-    """Keeps what `last_statistics` tells of the Image of what was Gathered. `near_s`: the seconds that other frames
+    """Keeps what `last_statistics` tells of the Image of what was Read. `near_s`: the seconds that other frames
     took, if any were asked."""
     snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}
     if near_s:
@@ -259,13 +227,9 @@ def note_statistics(found, image, near_s=0.0):
 def _hand_over(engine, layer, passes):
     """Gives the passes {name: (H, W) or (H, W, 4)} of one view layer to Blender. Empties the dict as it goes: Blender
     holds each pass twice until it has merged them."""
-    engine.add_pass("Lines", 4, "RGBA", layer=layer.name)
-    if passes["Colour"] is not None:
-        engine.add_pass("Colour", 4, "RGBA", layer=layer.name)
-    if passes["Focus"] is not None:
-        engine.add_pass("Focus", 1, "X", layer=layer.name)
-    if layer.use_pass_z:
-        engine.add_pass("Depth", 1, "Z", layer=layer.name)
+    for name, (count, channels, _) in PASSES.items():
+        if passes[name] is not None:
+            engine.add_pass(name, count, channels, layer=layer.name)
     height, width = passes["Combined"].shape[:2]
     result = engine.begin_result(0, 0, width, height, layer=layer.name, view=engine.active_view_get())
     for render_pass in result.layers[0].passes:
@@ -276,19 +240,8 @@ def _hand_over(engine, layer, passes):
     engine.end_result(result)
 
 
-@persistent
-def _forget(*_arguments):
+def forget():
     """Another file: nothing that is kept belongs to it."""
-    _caches.clear()
-    _color_caches.clear()
+    _readers.clear()
     _statistics.clear()
     _remarked.clear()
-
-
-def register():
-    bpy.app.handlers.load_pre.append(_forget)
-
-
-def unregister():
-    bpy.app.handlers.load_pre.remove(_forget)
-    _forget()

@@ -9,11 +9,9 @@ the region is drawn.
 
 import time
 import weakref
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
-import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from .. import budget, native, pipeline
 from ..gpu import program as gpu_program
@@ -64,7 +62,7 @@ def draw(engine, context, depsgraph):
 
 
 def gathered(context):
-    """What the context's viewport shows, as it was Gathered for the picture that was drawn last; None where Fovea draws
+    """What the context's viewport shows, as it was Read for the picture that was drawn last; None where Fovea draws
     none there."""
     if context.engine != "FOVEA" or context.space_data.shading.type != "RENDERED":
         return None
@@ -86,7 +84,7 @@ class Viewport:
         self.budget = budget.Budget()
         self._programs = gpu_program.Programs()
         self.wanted = self.shown = self.job = None
-        self._warm = None  # what was Gathered for the picture that was made last
+        self._warm = None  # what was Read for the picture that was made last
         self.playing = False
         self._said_at = 0.0
 
@@ -221,21 +219,10 @@ def _made(wanted, quality, tell, cancel):
 
 def _seen(view):
     """A View, to be compared."""
-    plain = {field.name: getattr(view, field.name) for field in fields(view)}
-    return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in plain.values())
+    return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in vars(view).values())
 
 
-@persistent
-def _stop(*_arguments):
+def stop():
     """Ends all that is under way: another file comes, or the add-on goes."""
     worker.stop()
     caretaker.stop()
-
-
-def register():
-    bpy.app.handlers.load_pre.append(_stop)
-
-
-def unregister():
-    bpy.app.handlers.load_pre.remove(_stop)
-    _stop()

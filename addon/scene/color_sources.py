@@ -6,7 +6,6 @@ import weakref
 
 import numpy as np
 
-from ..stages import ColorSources
 from . import color_nodes, kept, materials, shader_links
 from .color_corners import Corners
 from .color_images import ImageCache
@@ -73,17 +72,16 @@ class Gathering:
 
     def sources(self, scene, surface_of_placement):
         """The ColorSources of a scene whose placements have these surfaces."""
-        made = ColorSources([self.surfaces[i] for i in surface_of_placement], self.lights, _world(scene))
+        surfaces = [self.surfaces[i] for i in surface_of_placement]
+        made = self._core.ColorSources(surfaces, self.lights, _world(scene))
         self._cache.shown[id(made)] = made
         return made
 
-    def remark(self):
-        """A sentence about what could not be followed, or None."""
+    def remarks(self):
+        """A sentence about what could not be followed, if anything."""
         names = sorted(self.unfollowed)
-        if not names:
-            return None
         shown = ", ".join(f"'{name}'" for name in names[:3]) + (f" and {len(names) - 3} more" if names[3:] else "")
-        return f"Colours of nodes that are not followed are drawn as in the viewport: {shown}"
+        return [f"Colours of nodes that are not followed are drawn as in the viewport: {shown}"] if names else []
 
     def _source(self, material):
         name = material and material.name_full

@@ -4,22 +4,25 @@
 import bpy
 import numpy as np
 
-from ..stages import LineFilters
 from ..style import FILTERS
 from . import own_lines
 
 
-def of(line_sets, snapshot):
-    """The LineFilters of a style's line sets on a Snapshot's placements."""
+def of(core, line_sets, snapshot):
+    """What native Overrides say of a style's line sets on a Snapshot's placements, by name."""
     shown = snapshot.shown
     by_material = [_slots_of(line_set, snapshot.slots) for line_set in line_sets]
-    return LineFilters(
-        tuple(_placements(line_set, masks, snapshot) for line_set, masks in zip(line_sets, by_material)),
-        tuple(masks and (snapshot.surface_of_placement, masks) for masks in by_material),
-        None if (shown == own_lines.ALL_KINDS).all() else shown,
-        _own_parameters(snapshot.own_values),
-        _lined(snapshot),
-    )
+
+    def materials(masks):
+        return core.MaterialFilter(snapshot.surface_of_placement, masks) if masks else None
+
+    return {
+        "placements": [_placements(*words, snapshot) for words in zip(line_sets, by_material)],
+        "materials": [materials(masks) for masks in by_material],
+        "shown": None if (shown == own_lines.ALL_KINDS).all() else shown,
+        "parameters": _own_parameters(snapshot.own_values),
+        "lined": materials(_lined(snapshot)),
+    }
 
 
 def _own_parameters(own_values):
@@ -68,6 +71,6 @@ def _slots_of(line_set, slots):
 
 
 def _lined(snapshot):
-    """The materials that have lines; None where all have."""
+    """Per surface the mask of the materials that have lines; None where all have."""
     masks = [np.array([slot.lines for slot in of_surface], np.uint8) for of_surface in snapshot.slots]
-    return None if all(mask.all() for mask in masks) else (snapshot.surface_of_placement, masks)
+    return None if all(mask.all() for mask in masks) else masks

@@ -2,7 +2,6 @@
 """What the artist has said of a scene's placements: priorities, what is painted on meshes, a map of density, and which
 lines they have."""
 
-from ..stages import Notes
 from . import line_filters
 from .color_corners import Corners
 
@@ -25,12 +24,16 @@ class Gathering:
             found.append(corners and corners.values(name))
 
     def notes(self, image, snapshot):
-        """The Notes on a Snapshot's placements; `image`: Blender's, of the density, or None."""
+        """The native Overrides of a Snapshot's placements; `image`: Blender's, of the density, or None."""
         surfaces = snapshot.surface_of_placement
         painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
-        density = image and self._cache.images.texture(image)
-        filters = line_filters.of(self._line_sets, snapshot)
-        return Notes(snapshot.importance, painted, tuple(snapshot.owners), density, filters)
+        return self._core.Overrides(
+            importance=snapshot.importance,
+            painted=painted,
+            objects=snapshot.owners,
+            density_map=image and self._cache.images.texture(image),
+            **line_filters.of(self._core, self._line_sets, snapshot),
+        )
 
 
 def attributes(style):

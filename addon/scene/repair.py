@@ -18,7 +18,7 @@ class Repair:
 
 
 NOTHING = Repair()
-REMARKS = {  # what a report counts
+REMARKS = {  # what a RepairReport counts
     "turned_polygons": "faces were turned around",
     "refused_polygons": "faces are not manifold and were left as they are",
 }
@@ -31,12 +31,6 @@ def of(obj, depsgraph):
     length = settings.repair_edge_length if settings.repair_resample else 0.0
     wanted = Repair(settings.repair_orient, settings.repair_resample, length)
     return None if wanted == NOTHING else wanted
-
-
-def remark(name, report):
-    """One sentence about what was done, as a native RepairReport tells it, or None."""
-    done = [f"{count} {words}" for what, words in REMARKS.items() if (count := getattr(report, what))]
-    return f"'{name}': {'; '.join(done)}" if done else None
 
 
 def remarks_of_removed(obj):

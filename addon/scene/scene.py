@@ -219,28 +219,15 @@ def _mixed(names, persistent):
 
 def placed(core, snapshot):
     """The native Scene of a Snapshot."""
+    found = snapshot
     return core.Scene(
-        snapshot.surfaces,
-        snapshot.surface_of_placement,
-        snapshot.object_to_world,
-        snapshot.persistent_id,
-        snapshot.usage,
+        found.surfaces, found.surface_of_placement, found.object_to_world, found.persistent_id, found.usage
     )
 
 
 def seen(core, view):
     """The native View of a stages.View."""
-    return core.View(
-        view.world_to_view,
-        view.view_to_clip,
-        view.width,
-        view.height,
-        view.orthographic,
-        view.near_clip,
-        view.far_clip,
-        view.reference_scale,
-        view.frame,
-    )
+    return core.View(**vars(view))
 
 
 def has_anything(scene):

@@ -12,6 +12,15 @@ from . import repair as repairs
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 
 
+REMARKS = {  # what a surface's report counts
+    "non_finite_vertices": "vertices have no position and were left out",
+    "degenerate_polygons": "faces have no area and were left out",
+    "duplicate_polygons": "faces repeat others and were left out",
+    "loose_edges": "edges belong to no face and have no lines",
+    "inconsistent_edges": "edges lie between faces that disagree about which side is out",
+}
+
+
 @dataclass
 class _Entry:
     surface: object  # None: a cage without a limit surface
@@ -132,8 +141,8 @@ class SurfaceCache:
         if not repair:
             return mesh
         repaired = self._core.RepairedMesh(name, mesh, **repair.words())
-        if remark := repairs.remark(name, repaired.report):
-            self.remarks.append(remark)
+        if told := remark(name, repaired.report, repairs.REMARKS):
+            self.remarks.append(told)
         return repaired.mesh
 
     def _ordered(self, key):
@@ -156,6 +165,12 @@ class SurfaceCache:
 
     def _hash(self, array):
         return 0 if array is None else self._core.content_hash(array)
+
+
+def remark(name, report, words=REMARKS):
+    """One sentence about what a native report counts (what of a Surface was left out or looks wrong), or None."""
+    found = [f"{count} {told}" for what, told in words.items() if (count := getattr(report, what))]
+    return f"'{name}': {'; '.join(found)}" if found else None
 
 
 def _size(surface):

@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import native, pipeline, still_life, style
 from ..scene import scene
-from ..stages import ColorSources, View
+from ..stages import View
 
 SIZE = 256  # pixels along each side
 OVERSIZE = 2  # pixels that become one, along each axis: finer lines than so small a picture has room for
@@ -60,7 +60,7 @@ def _scene(core):
     ids = np.arange(1, count + 1, dtype=np.uint64)
     placed = core.Scene(surfaces, np.arange(count, dtype=np.int32), places, ids, usage)
     sun = core.Light("sun", (0.0, 0.0, 0.0), still_life.SUN, (3.0, 3.0, 3.0))
-    return placed, ColorSources(colors, [sun], (0.25, 0.25, 0.25))
+    return placed, core.ColorSources(colors, [sun], (0.25, 0.25, 0.25))
 
 
 def _encoded(linear):

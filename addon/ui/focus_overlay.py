@@ -12,11 +12,10 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from .. import native, style
 from ..gpu import overlay as gpu_overlay
 from ..render import caretaker, properties, reading, viewport
 from ..scene import camera, subdivision
-from ..scene.problem import CannotDraw
+from ..scene.operator import TOLD
 
 SCALE = 0.25  # of the viewport's size, at rest
 LEAST = SCALE / 4  # the same while something changes
@@ -104,7 +103,7 @@ def _draw():
     try:
         shown = _shown.setdefault(context.region.as_pointer(), _Shown())
         shown.update(context)
-    except (CannotDraw, native.Unavailable, style.StyleError):
+    except TOLD:
         return  # the panels and the engine say what is wrong
     if shown.veil:
         shown.veil.show(context.region.width, context.region.height)

@@ -10,7 +10,7 @@ from mathutils import Matrix, Vector
 from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
 places, gizmos, overlay = part("focus.focus_places"), part("focus.focus_gizmos"), part("ui.focus_overlay")
-operators, focus_pull = part("focus.focus_operators"), part("focus.focus_pull")
+operators = part("focus.focus_operators")
 camera, reading, style = part("scene.camera"), part("render.reading"), part("style")
 
 

@@ -69,7 +69,7 @@ def test_fields_that_nothing_reads_are_told_once(scene):
     engine = SimpleNamespace(report=lambda kinds, sentence: said.append((kinds, sentence)))
     words = '{"schema": 1, "line_sets": [{"kinds": {"contuor": {}, "crease": {"angel": 3}}, "pen": {"widht": 2}}]}'
     chosen = style.parse(words)
-    session._forget()
+    session.forget()
     for _ in range(3):
         session._report_unknown(engine, chosen)
     session._report_unknown(engine, style.load(style.DEFAULT))

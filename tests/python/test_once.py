@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from native_core import box, core, scene, view
 
-from addon import pipeline, stages, style
+from addon import pipeline, style
 
 AWAY = {"pen": {"width": 3}, "pen_away": {"width": 3, "opacity": 0.1}}
 
@@ -19,7 +19,7 @@ def frame(model, **options):
     focus = {"model": model, "points": [{"object": "A", "at": [-2, 0, 0], "near": 0.5, "far": 3}]}
     sets = [{"kinds": {"contour": {}, "crease": {}}, **AWAY}]
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": sets, "focus": focus}))
-    notes = stages.Notes(objects=(("A",), ("B",)))
+    notes = core.Overrides(objects=(("A",), ("B",)))
     return pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(**options), notes=notes)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from native_core import box, core, scene, view
 
-from addon import pipeline, stages, style
+from addon import pipeline, style
 
 
 def parsed(**parts):
@@ -68,7 +68,7 @@ def drawn(look, **notes):
     matrices[0][0, 3], matrices[1][0, 3] = -2, 2
     placed, seen = scene([box().surface()] * 2, matrices), view((0, -12, 3), (0, 0, 0))
     chosen = parsed(line_sets=[{"kinds": {"crease": {}}, **PEN}], focus=look)
-    said = stages.Notes(objects=(("A",), ("B",)), **notes)
+    said = core.Overrides(objects=(("A",), ("B",)), **notes)
     made = pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(), notes=said)
     made.filter()
     return made
