@@ -23,6 +23,13 @@ TARGETS = [
 ]
 
 
+RADIUS = {
+    "description": "Radius in the end, in the units of the place's own; less than 0: as it is",
+    "default": -1.0,
+    "soft_min": 0.0,
+}
+
+
 class Track:
     """Numbers of an ID that a pull keys: values as they are, and those they come to."""
 
@@ -76,12 +83,6 @@ def _track_of(scene, at):
     return Track(mark, "location", end)
 
 
-def in_frame(scene, at):
-    """Where the camera's frame shows world coordinates: from the left and the top."""
-    x, y = camera.in_frame(bpy.context.evaluated_depsgraph_get(), at)
-    return x, 1 - y
-
-
 def frames_of(scene):
     """The first and the last frame that a pull is offered."""
     first, last = scene.frame_start, scene.frame_end
@@ -108,18 +109,8 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
     )
     frame_start: bpy.props.IntProperty(name="Start", description="The focus sets out at this frame", default=1)
     frame_end: bpy.props.IntProperty(name="End", description="The focus is there at this frame", default=250)
-    near: bpy.props.FloatProperty(
-        name="Inner Radius",
-        description="Radius in the end, in the units of the place's own; less than 0: as it is",
-        default=-1.0,
-        soft_min=0.0,
-    )
-    far: bpy.props.FloatProperty(
-        name="Outer Radius",
-        description="Radius in the end, in the units of the place's own; less than 0: as it is",
-        default=-1.0,
-        soft_min=0.0,
-    )
+    near: bpy.props.FloatProperty(name="Inner Radius", **RADIUS)
+    far: bpy.props.FloatProperty(name="Outer Radius", **RADIUS)
     easing: bpy.props.EnumProperty(
         name="Easing", description="How the focus sets out and arrives", items=EASINGS, default="SINE"
     )
@@ -161,7 +152,8 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
             raise CannotDraw(problem)
         at = self._at(scene)
         if scene.fovea.focus_model == "IMAGE":
-            at = in_frame(scene, at)
+            x, y = camera.in_frame(context.evaluated_depsgraph_get(), at)
+            at = x, 1 - y
         names = focus_places.RADII[scene.fovea.focus_model]
         near, far = (
             getattr(scene.fovea, name) if radius < 0 else radius for name, radius in zip(names, (self.near, self.far))

@@ -11,7 +11,7 @@ from .atlas import Atlas
 from .clock import Clock
 from .elision import ElisionPass, border_of
 from .items import ItemPass, item_of_point
-from .program import Programs, vertex_buffer
+from .program import Programs, triangles
 from .strokes import Picture, StrokePass, box_of, boxes
 from .texture import Target, size_limit, upload_row
 
@@ -179,5 +179,4 @@ def _looks(frame):
 def _batch(surface):
     """The triangles of a native Surface that hide lines, with their facets."""
     corners = native.load().DepthCorners(surface)
-    buffer = vertex_buffer({"position": corners.positions, "facet": corners.facets})
-    return gpu.types.GPUBatch(type="TRIS", buf=buffer)
+    return triangles({"position": corners.positions, "facet": corners.facets})

@@ -6,7 +6,7 @@ import math
 import gpu
 import numpy as np
 
-from .program import vertex_buffer
+from .program import triangles
 from .texture import Target, row_width, upload_row
 
 _BEYOND = 1e30  # px; farther than any sample
@@ -34,8 +34,7 @@ class ElisionPass:
         self._bands = None
         if len(elision.triangles):
             attributes = {"px": elision.px, "across": elision.across, "owner": owners}
-            indices = gpu.types.GPUIndexBuf(type="TRIS", seq=elision.triangles)
-            self._bands = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), elem=indices)
+            self._bands = triangles(attributes, elision.triangles)
         rows = max(1, batch_samples // row_width()) * row_width()
         tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends}
         starts = range(0, len(elision.place), rows)

@@ -5,7 +5,7 @@ import gpu
 import numpy as np
 
 from .. import native
-from .program import vertex_buffer
+from .program import triangles
 from .texture import Target
 
 
@@ -59,6 +59,5 @@ class ItemPass:
             return
         self._room = segments + segments // 4
         corners = np.arange(4 * self._room, dtype=np.uint32)
-        triangles = corners.reshape(-1, 4)[:, (0, 1, 2, 2, 1, 3)].reshape(-1, 3)
-        indices = gpu.types.GPUIndexBuf(type="TRIS", seq=np.ascontiguousarray(triangles))
-        self._quads = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer({"corner": corners}), elem=indices)
+        halves = corners.reshape(-1, 4)[:, (0, 1, 2, 2, 1, 3)].reshape(-1, 3)
+        self._quads = triangles({"corner": corners}, np.ascontiguousarray(halves))

@@ -98,7 +98,7 @@ class Programs:
         """Runs a program over every fragment of the bound target."""
         if self._cover is None:
             corners = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
-            self._cover = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer({"corner": corners}))
+            self._cover = triangles({"corner": corners})
         self._cover.draw(self.bind(name, samplers, **constants))
 
 
@@ -108,6 +108,12 @@ def set_constant(program, name, value):
         program.uniform_int(name, value)
     else:
         program.uniform_float(name, value)
+
+
+def triangles(attributes, corners=None):
+    """A batch of triangles, of vertices with these attributes; `corners`: (T, 3) of their vertices, None: one by one."""
+    words = {} if corners is None else {"elem": gpu.types.GPUIndexBuf(type="TRIS", seq=corners)}
+    return gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), **words)
 
 
 def vertex_buffer(attributes):

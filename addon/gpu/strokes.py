@@ -5,7 +5,7 @@ import gpu
 import numpy as np
 
 from .. import native
-from .program import vertex_buffer
+from .program import triangles
 from .texture import Target, upload_row
 
 
@@ -27,8 +27,7 @@ class StrokePass:
         }
         if spine_ranges is not None:
             attributes["spine_range"] = spine_ranges
-        indices = gpu.types.GPUIndexBuf(type="TRIS", seq=np.ascontiguousarray(strokes.triangles, np.uint32))
-        self._batch = gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), elem=indices)
+        self._batch = triangles(attributes, np.ascontiguousarray(strokes.triangles, np.uint32))
 
     def draw(self, box, program="stroke", samplers=None, **constants):
         """A Target of the pixels of a box (left, lower, right, upper) of the picture."""

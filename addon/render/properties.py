@@ -127,27 +127,30 @@ def _shape_properties():
     }
 
 
-_registered = []  # (type that has the settings, group)
+_registered = []  # (type that has the settings, or None, group)
 
 
 def register():
     style_groups.register()
     focus_settings.register()
+    kinds = own_lines.kinds()
     _registered[:] = [
+        (None, kinds),
         (bpy.types.Scene, _scene_group()),
-        (bpy.types.Object, _object_group(own_lines.register())),
+        (bpy.types.Object, _object_group(kinds)),
         (bpy.types.Material, _material_group()),
     ]
     for owner, group in _registered:
         bpy.utils.register_class(group)
-        owner.fovea = PointerProperty(type=group)
+        if owner:
+            owner.fovea = PointerProperty(type=group)
 
 
 def unregister():
     for owner, group in reversed(_registered):
-        del owner.fovea
+        if owner:
+            del owner.fovea
         bpy.utils.unregister_class(group)
     _registered.clear()
-    own_lines.unregister()
     focus_settings.unregister()
     style_groups.unregister()

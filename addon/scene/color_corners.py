@@ -11,13 +11,14 @@ COLORS = {"FLOAT_COLOR", "BYTE_COLOR"}
 
 
 class Corners:
-    """Read when first asked for; `uvs` and `attributes` hold what was. `cage`: of a refined surface a context with the
-    mesh whose corners were refined, None where the mesh's are the surface's own. `known`: what is kept from picture to
-    picture of refined ones, for evaluating a cage takes as long as evaluating the object."""
+    """Read when first asked for; `uvs` and `attributes` hold what was. `cage()`: a context with the mesh whose corners
+    were refined, where the surface is a refined one; else the mesh's are the surface's own. `known`: what is kept from
+    picture to picture of refined ones, for evaluating a cage takes as long as evaluating the object."""
 
     def __init__(self, core, obj, mesh, surface, cage, known):
         self._core, self._name, self._mesh = core, obj.name_full, mesh
-        self._surface, self._cage, self._known = surface, cage, known
+        self._surface, self._known = surface, known
+        self._cage = cage if isinstance(surface, core.RefinedSurface) else None
         self._index_of = {}
         self.uvs, self.attributes = [], []
 
@@ -63,7 +64,7 @@ class Corners:
         if self._cage is None:
             return values
         # What Blender made of the cage tells whether it has changed.
-        key, seen = (self._name, self._mesh.name_full, name), self._core.content_hash(values)
+        key, seen = (self._name, self._mesh.name_full, name, read), self._core.content_hash(values)
         entry = self._known.get(key)
         if entry is None or entry[0] != seen or entry[1]() is not self._surface:
             with self._cage() as cage:

@@ -17,19 +17,18 @@ class ColorCache:
     def __init__(self, core):
         self.images = ImageCache(core)
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
-        self.painted = {}  # the same of those that are painted, see notes.py
         self.used = 0
         self.shown = weakref.WeakValueDictionary()  # ColorSources that were made with it, by their ids
         kept.add_cache(self)
 
     def items(self, _needed):
         """The kept.Item: all of it, which stays while a scene is there that was read with it."""
-        read = [entry[-1].nbytes for part in (self.refined, self.painted) for entry in part.values()]
+        read = [entry[-1].nbytes for entry in self.refined.values()]
         return [kept.Item(self.used, self.images.size() + sum(read), None if self.shown else self._clear)]
 
     def _clear(self):
-        for part in (self.images, self.refined, self.painted):
-            part.clear()
+        self.images.clear()
+        self.refined.clear()
 
 
 class Gathering:
@@ -51,8 +50,7 @@ class Gathering:
             slots = [self._core.ColorSlot(s.viewport if s.image or s.attribute else s.color) for s in sources]
             self.surfaces.append(self._core.SurfaceColor(slots))
             return
-        refined = isinstance(surface, self._core.RefinedSurface)
-        corners = Corners(self._core, obj, mesh, surface, cage if refined else None, self._cache.refined)
+        corners = Corners(self._core, obj, mesh, surface, cage, self._cache.refined)
         slots = [self._slot(material, corners) for material in found]
         normals = corners.normals()
         self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))

@@ -73,13 +73,12 @@ def creases(mesh, buffers):
 
 
 def ngon_triangles(mesh, polygon_offsets, buffers):
-    """Blender's triangles of the polygons with more than four corners, or (None, None).
-
-    (T, 3) int32 vertices, and (T,) int32 ascending polygons.
+    """Blender's triangles of the polygons with more than four corners, by their names in a native Mesh: (T, 3) int32
+    vertices, and (T,) int32 ascending polygons; none where there are no such polygons.
     """
     is_ngon = np.diff(polygon_offsets) > 4
     if not is_ngon.any():
-        return None, None
+        return {}
     mesh.calc_loop_triangles()
     count = len(mesh.loop_triangles)
     polygon = buffers.take("triangle_polygon", (count,), np.int32)
@@ -87,7 +86,7 @@ def ngon_triangles(mesh, polygon_offsets, buffers):
     vertices = buffers.take("triangle_vertices", (count, 3), np.int32)
     mesh.loop_triangles.foreach_get("vertices", vertices.ravel())
     of_ngon = is_ngon[polygon]
-    return vertices[of_ngon], polygon[of_ngon]
+    return {"ngon_triangles": vertices[of_ngon], "ngon_polygon": polygon[of_ngon]}
 
 
 def _required(mesh, name, buffers, shape, dtype):

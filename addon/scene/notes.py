@@ -18,8 +18,7 @@ class Gathering:
         """As color_sources.Gathering has it. A repaired mesh's corners are no longer those that were painted."""
         corners = None
         if not repaired and len(mesh.loops):
-            refined = isinstance(surface, self._core.RefinedSurface)
-            corners = Corners(self._core, obj, mesh, surface, cage if refined else None, self._cache.painted)
+            corners = Corners(self._core, obj, mesh, surface, cage, self._cache.refined)
         for name, found in self._painted.items():
             found.append(corners and corners.values(name))
 

@@ -4,7 +4,6 @@ registry says that objects may have values of their own."""
 
 import math
 
-import bpy
 from bpy.props import PointerProperty
 
 from .. import catalogue
@@ -49,7 +48,7 @@ def switchable():
     return [definition for definition in definitions() if not definition["in_image"]]
 
 
-def _kinds():
+def kinds():
     """The PropertyGroup of switches, by the registry. All are on: what the line sets draw is shown."""
     found = {}
     for definition in switchable():
@@ -68,17 +67,3 @@ def annotations(kinds):
         found[switch_name(*known)] = switch(f"Own {name}", told)
         found[property_name(*known)] = parameter_property(known[1], name)
     return found
-
-
-_registered = []
-
-
-def register():
-    """The group of kinds, registered."""
-    _registered.append(_kinds())
-    bpy.utils.register_class(_registered[0])
-    return _registered[0]
-
-
-def unregister():
-    bpy.utils.unregister_class(_registered.pop())

@@ -76,10 +76,7 @@ def is_echo(updates):
 def _last_modifier(obj, mode):
     """Index of the last modifier that is on, or None."""
     shown = "show_render" if mode == "RENDER" else "show_viewport"
-    for index in reversed(range(len(obj.modifiers))):
-        if getattr(obj.modifiers[index], shown):
-            return index
-    return None
+    return next((i for i in reversed(range(len(obj.modifiers))) if getattr(obj.modifiers[i], shown)), None)
 
 
 def _level(modifier, depsgraph):

@@ -76,18 +76,14 @@ class SurfaceCache:
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
         entry = self._entries.get(key)
         if entry is None or (entry.topology, entry.positions) != (topology, positions):
-            triangles, polygon = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
-            ngons = (self._hash(triangles), self._hash(polygon))
+            triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
+            ngons = self._hashes(triangles.values())
             if entry is not None and repair is None and (entry.topology, entry.ngons) == (topology, ngons):
-                entry.surface.set_positions(arrays.positions, refit=self._refit)
-                entry.positions = positions
-                self.moved.append(entry.surface)
+                self._move(entry, arrays, positions)
             else:
-                ngon = {"ngon_triangles": triangles, "ngon_polygon": polygon}
-                whole = self._core.Mesh(positions=arrays.positions, **static, **ngon)
+                whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
                 surface = self._core.Surface(name, self._repaired(name, whole, repair))
-                entry = _Entry(surface, topology, positions, ngons)
-                self._entries[key] = entry
+                entry = self._entries[key] = _Entry(surface, topology, positions, ngons)
                 self.rebuilt.append(entry.surface)
         entry.age, entry.used = 0, kept.now()
         return entry.surface
@@ -119,11 +115,9 @@ class SurfaceCache:
         moved = entry is not None and entry.positions != positions
         if entry is None or entry.topology != topology or (moved and repair):
             entry = _Entry(None, topology, positions, ())
-            ngon = {}  # OpenSubdiv needs no triangles, a repair does
-            if repair:
-                triangles, polygon = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers)
-                ngon = {"ngon_triangles": triangles, "ngon_polygon": polygon}
-            whole = self._core.Mesh(positions=arrays.positions, **static, **ngon)
+            # OpenSubdiv needs no triangles, a repair does.
+            triangles = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers) if repair else {}
+            whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
             whole = self._repaired(name, whole, repair)
             try:
                 entry.surface = self._core.RefinedSurface(name, whole, plan.level, plan.round_corners, *creases)
@@ -131,10 +125,14 @@ class SurfaceCache:
             except ValueError as error:
                 self.remarks.append(f"{error}; drawn as Blender subdivides it")
         elif entry.surface is not None and moved:
-            entry.surface.set_positions(arrays.positions, refit=self._refit)
-            entry.positions = positions
-            self.moved.append(entry.surface)
+            self._move(entry, arrays, positions)
         return entry
+
+    def _move(self, entry, arrays, positions):
+        """Gives the surface of an entry the positions of a mesh, whose content hash is given."""
+        entry.surface.set_positions(arrays.positions, refit=self._refit)
+        entry.positions = positions
+        self.moved.append(entry.surface)
 
     def _repaired(self, name, mesh, repair):
         """A native Mesh, repaired where the user wants it."""

@@ -23,10 +23,16 @@ def node_name(part, effect):
     return f"{part}.{effect}"
 
 
+def _node(tree, part, effect):
+    """The node of an effect's curve, or None."""
+    node = tree.nodes.get(node_name(part, effect))
+    return node if node and node.bl_idname == "ShaderNodeFloatCurve" else None
+
+
 def read(tree, part, effect):
     """A Transfer's curve; straight where the node is missing."""
-    node = tree.nodes.get(node_name(part, effect))
-    if node is None or node.bl_idname != "ShaderNodeFloatCurve":
+    node = _node(tree, part, effect)
+    if node is None:
         return ()
     mapping = node.mapping
     curve = mapping.curves[0]
@@ -44,8 +50,8 @@ def read(tree, part, effect):
 
 def write(tree, part, effect, points):
     """Makes the node if need be. A single point holds everywhere, as a pair does."""
-    node = tree.nodes.get(node_name(part, effect))
-    if node is None or node.bl_idname != "ShaderNodeFloatCurve":
+    node = _node(tree, part, effect)
+    if node is None:
         node = tree.nodes.new("ShaderNodeFloatCurve")
         node.name = node.label = node_name(part, effect)
         node.location = (280 * (len(tree.nodes) - 1), 0)

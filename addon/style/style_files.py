@@ -33,15 +33,10 @@ def shipped_names():
 
 
 def names():
-    """The one that the user prefers, then those that ship, then the user's."""
+    """The one that the user prefers, with which New begins, then those that ship, then the user's."""
     found = [*shipped_names(), *(name for name in user_names() if name not in shipped_names())]
     wished = own().default_style if own() else style.DEFAULT
     return sorted(found, key=lambda name: name != wished)
-
-
-def preferred():
-    """The name of the style that New begins with."""
-    return names()[0]
 
 
 def load(name):

@@ -22,9 +22,8 @@ class VIEW3D_PT_fovea_tools(bpy.types.Panel):
 def _in_menu(self, _context):
     """At the end of Render > Fovea, where F3 finds them."""
     self.layout.separator()
-    self.layout.operator("fovea.pick_focus")
-    self.layout.operator("fovea.focus_place_add")
-    self.layout.operator("fovea.focus_place_remove")
+    for name in ("pick_focus", "focus_place_add", "focus_place_remove"):
+        self.layout.operator(f"fovea.{name}")
     self.layout.operator_context = "INVOKE_DEFAULT"
     self.layout.operator("fovea.focus_pull", text="Focus Pull...")
     self.layout.separator()
