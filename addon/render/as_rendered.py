@@ -7,59 +7,47 @@ depsgraph over and draws nothing. Handlers of renders are called, as Blender doe
 out. What has been rendered before is kept, as each scene has a result of its own.
 """
 
+from concurrent.futures import Future
 from contextlib import contextmanager
 
 import bpy
 
 from ..scene.problem import CannotDraw
 
-_look = None  # what the render that is under way is for
-
-
-class _Look:
-    """One use of a render."""
-
-    def __init__(self, take, layer):
-        self.take, self.layer = take, layer
-        self.taken, self.result, self.error = False, None, None
-
-    def run(self, engine, depsgraph):
-        # Without a window Blender renders all view layers; and of a stereo pair the other eye comes, too.
-        if self.taken or depsgraph.view_layer.name != self.layer:
-            return
-        self.taken = True
-        try:
-            self.result = self.take(engine, depsgraph)
-        except Exception as error:  # raised again where the render was asked for
-            self.error = error
+_look = None  # what the render that is under way is for: the Future of its result, `take`, the name of the view layer
 
 
 def looked(engine, depsgraph):
     """Whether a render is not for a picture; then what it is for has been done."""
-    if _look:
-        _look.run(engine, depsgraph)
-    return _look is not None
+    if _look is None:
+        return False
+    outcome, take, layer = _look
+    # Without a window Blender renders all view layers; and of a stereo pair the other eye comes, too.
+    if depsgraph.view_layer.name == layer and not outcome.done():
+        try:
+            outcome.set_result(take(engine, depsgraph))
+        except Exception as error:  # raised again where the render was asked for
+            outcome.set_exception(error)
+    return True
 
 
 def look(context, take):
     """take(engine, depsgraph), called where a render of the context's view layer would be drawn, at the current frame.
     The scene must have a camera. CannotDraw where Blender does not render."""
     global _look
-    layer = context.view_layer
+    layer, outcome = context.view_layer, Future()
     with _copy(context.scene) as scene:
         scene.view_layers[layer.name].use = True
-        done = _look = _Look(take, layer.name)
+        _look = outcome, take, layer.name
         try:
             bpy.ops.render.render(scene=scene.name, layer=layer.name)
         except RuntimeError as error:  # Blender's own words
             raise CannotDraw(str(error).removeprefix("Error: ").strip()) from error
         finally:
             _look = None
-    if done.error:
-        raise done.error
-    if not done.taken:
+    if not outcome.done():
         raise CannotDraw("Blender is rendering: try again when it is done")
-    return done.result
+    return outcome.result()
 
 
 @contextmanager
