@@ -88,10 +88,8 @@ def _point_annotations():
     in_image = {"min": 0.0, "soft_max": 2.0}
     in_scene = {"min": 0.0, "soft_max": 1000.0, "subtype": "DISTANCE"}
     near, far = ("Inner Radius", "Up to here all is in focus"), ("Outer Radius", "From here on nothing is in focus")
-    at, told = (
-        "From the left and from the top of the camera's frame, 0 to 1",
-        "The place to look at where there is no object",
-    )
+    at = "From the left and from the top of the camera's frame, 0 to 1"
+    told = "The place to look at where there is no object"
     return {
         "focus_place": vector("Place", at, precision=3, step=1, **place),
         "focus_near": number(near[0], f"{near[1]}, in heights of the frame", default=0.1, **in_image),
