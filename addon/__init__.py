@@ -7,17 +7,18 @@ Importable without Blender: only `register` touches what needs it.
 import importlib
 
 MODULES = (
-    *("preferences", "properties", "style_operators", "line_set_operators"),
-    *("panels", "viewport_settings", "engine"),
+    *("ui.preferences", "render.properties", "style.style_operators", "style.line_set_operators"),
+    *("ui.panels", "ui.viewport_settings", "render.engine"),
 )
 TOOLS = (
-    *("focus_operators", "focus_place_operators", "focus_pull", "focus_gizmos", "focus_overlay"),
-    *("style_assets", "line_operators", "report", "freestyle", "tools_panel"),
+    *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),
+    *("ui.focus_overlay", "style.style_assets", "render.line_operators", "render.report", "style.freestyle"),
+    "ui.tools_panel",
 )
 
 
 def _modules():
-    return [importlib.import_module(f".blender.{name}", __package__) for name in MODULES + TOOLS]
+    return [importlib.import_module(f".{name}", __package__) for name in MODULES + TOOLS]
 
 
 def register():

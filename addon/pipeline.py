@@ -5,7 +5,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from . import native, style
-from .stages import Image, Notes
+from .stages import Image
 
 FOLDER = Path(__file__).parent  # with the textures and papers that ship
 
@@ -15,12 +15,12 @@ def options(**given):
     return native.load().Options(**given)
 
 
-def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, near=None, progress=None, cancel=None):
+def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=None, progress=None, cancel=None):
     """A native Frame: one picture of a native Scene as a native View sees it, in a Style, none of it made yet.
 
-    `asked`: native Options. `notes`: what the artist says of the scene's placements. `colors`: the ColorSources of the
-    scene, where the style has a color layer. `near`: where `frames_near` asks for them, {how many frames later another
-    is: its native ShownLines}. `progress(share, stage)` is called before each stage."""
+    `asked`: native Options. `notes`: native Overrides, what the artist says of the scene's placements. `colors`: its
+    native ColorSources, where the style has a color layer. `near`: where `frames_near` asks for them, {how many frames
+    later another is: its native ShownLines}. `progress(share, stage)` is called before each stage."""
     core = native.load()
     return core.Frame(
         scene,
@@ -29,8 +29,8 @@ def frame(scene, view, chosen, backend, asked, *, notes=Notes(), colors=None, ne
         options=asked,
         assets=_assets(core),
         backend=backend,
-        overrides=_overrides(core, notes),
-        colors=colors and core.ColorSources(colors.surfaces, colors.lights, colors.world),
+        overrides=notes,
+        colors=colors,
         near=near or {},
         cancel=cancel,
         progress=progress,
@@ -68,22 +68,3 @@ def frames_near(chosen, asked):
 @lru_cache(maxsize=1)
 def _assets(core):
     return core.Assets(FOLDER)
-
-
-def _overrides(core, notes):
-    filters = notes.filters
-
-    def materials(pair):
-        return pair and core.MaterialFilter(*pair)
-
-    return core.Overrides(
-        importance=notes.importance,
-        painted=notes.painted,
-        objects=[list(names) for names in notes.objects],
-        density_map=notes.density_map,
-        placements=filters.placements,
-        materials=[materials(pair) for pair in filters.materials],
-        shown=filters.shown,
-        parameters=filters.parameters,
-        lined=materials(filters.lined),
-    )

@@ -29,38 +29,6 @@ class View:
 
 
 @dataclass(frozen=True)
-class LineFilters:
-    """Which lines n placements have. Materials are a pair: (n,) uint32 mask of each placement, and a list of masks,
-    uint8 by the number of the material on its surface, 0: its faces have no lines; None: all have."""
-
-    placements: tuple = ()  # per line set (n,) uint8 whether its lines are for it, or None for all; (): all, for all
-    materials: tuple = ()  # per line set materials whose lines are for it; (): all, for all
-    shown: np.ndarray | None = None  # (n,) uint32, bits of the registry: what each shows of any set; None: all
-    parameters: dict = field(default_factory=dict)  # {definition: {parameter: (n,) float64, NaN: as the set says}}
-    lined: tuple | None = None  # materials that have lines at all
-
-
-@dataclass(frozen=True)
-class Notes:
-    """What an artist has said of a scene's n placements, beside what they look like."""
-
-    importance: np.ndarray | None = None  # (n,) float32 in [0, 1]; None: all the same
-    painted: dict = field(default_factory=dict)  # {attribute: n arrays (C,) float32 at the mesh's corners, or None}
-    objects: tuple = ()  # n tuples of names: of the object, and of what made an instance of it
-    density_map: object = None  # native ColorTexture over the camera's frame; None: there is none
-    filters: LineFilters = LineFilters()
-
-
-@dataclass(frozen=True)
-class ColorSources:
-    """Where the colors of a scene come from, in native handles."""
-
-    surfaces: list  # a SurfaceColor or None per placement
-    lights: list = field(default_factory=list)  # native Lights; none: one at the eye
-    world: tuple = (0.0, 0.0, 0.0)  # radiance of the sky
-
-
-@dataclass(frozen=True)
 class Image:
     """Scene-linear, premultiplied RGBA passes, bottom row first, as Blender stores them."""
 

@@ -6,14 +6,9 @@ from pathlib import Path
 
 import bpy
 from bl_ext.user_default.fovea import catalogue, style
-from bl_ext.user_default.fovea.blender import (
-    focus_settings,
-    line_kinds,
-    style_data,
-    style_groups,
-    style_read,
-    style_write,
-)
+from bl_ext.user_default.fovea.focus import focus_settings
+from bl_ext.user_default.fovea.scene import line_kinds
+from bl_ext.user_default.fovea.style import style_data, style_groups, style_read, style_write
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 import sheet
-from bl_ext.user_default.fovea.blender import caretaker
+from bl_ext.user_default.fovea.render import caretaker
 from command import pages
 from window import screen
 

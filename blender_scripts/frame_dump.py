@@ -9,7 +9,8 @@ import zipfile
 import bpy
 import numpy as np
 from bl_ext.user_default.fovea import native, pipeline, style
-from bl_ext.user_default.fovea.blender import as_rendered, camera, session
+from bl_ext.user_default.fovea.render import as_rendered, session
+from bl_ext.user_default.fovea.scene import camera
 from command import output
 
 # In the order in which a Frame fills them. Not its scene and textures, which are large, and not its pens: their numbers

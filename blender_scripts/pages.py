@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 from bl_ext.user_default.fovea import native, style
-from bl_ext.user_default.fovea.blender import style_data
+from bl_ext.user_default.fovea.style import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import picture
-from bl_ext.user_default.fovea.blender import style_data
+from bl_ext.user_default.fovea.style import style_data
 from command import output
 
 ASPECT = 16 / 9  # that the columns of a sheet aim for

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from bl_ext.user_default.fovea import style
-from bl_ext.user_default.fovea.blender import style_picture
+from bl_ext.user_default.fovea.style import style_picture
 
 sys.path.insert(0, str(Path(__file__).parent))
 

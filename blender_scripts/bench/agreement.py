@@ -13,8 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 import bpy
 import draw
 import ending
-from bl_ext.user_default.fovea import pipeline
-from bl_ext.user_default.fovea.backend import cpu
+from bl_ext.user_default.fovea import native, pipeline
 from command import draw_options
 
 from bench import quality
@@ -46,7 +45,7 @@ def main(out, *words):
 
     def judged(placed, seen, chosen, backend, asked, **beside):
         def make(asked):
-            return frame(placed, seen, chosen, cpu.Backend(), asked, **beside)
+            return frame(placed, seen, chosen, native.load().CpuBackend(), asked, **beside)
 
         rows.extend(compared(options.scene, make, asked))
         return frame(placed, seen, chosen, backend, asked, **beside)

@@ -109,7 +109,7 @@ class Fovea(Picture):
     def __init__(self, scene):
         super().__init__(scene)
         scene.fovea.backend = self.backend
-        from bl_ext.user_default.fovea.blender import style_data
+        from bl_ext.user_default.fovea.style import style_data
 
         held = style_data.own(scene)
         style_data.choose_lines(held, LINES)
@@ -117,7 +117,7 @@ class Fovea(Picture):
             line_set.kinds.crease_angle = CREASE
 
     def told(self):
-        from bl_ext.user_default.fovea.blender import session
+        from bl_ext.user_default.fovea.render import session
 
         known = session.last_statistics()
         if known.get("backend", "").upper() != self.backend:

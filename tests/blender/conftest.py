@@ -25,7 +25,7 @@ class InsideRender(bpy.types.RenderEngine):
 @pytest.fixture(scope="session")
 def gpu_engine():
     """Registered only where Blender can make a context: it aborts where it cannot."""
-    if part("blender.preferences").gl_renderer() is None:
+    if part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     bpy.utils.register_class(InsideRender)
     yield InsideRender

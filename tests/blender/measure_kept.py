@@ -16,7 +16,7 @@ import numpy as np
 from pictures import box_scene, drawn
 from the_addon import new_mesh, new_object, part, use_style
 
-kept = part("blender.kept")
+kept = part("scene.kept")
 
 
 def ball(name, place, around=140):

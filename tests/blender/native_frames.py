@@ -7,7 +7,7 @@ import landscape
 import numpy as np
 from the_addon import part
 
-native, pipeline, style, cpu = part("native"), part("pipeline"), part("style"), part("backend.cpu")
+native, pipeline, style = part("native"), part("pipeline"), part("style")
 core = native.load()
 
 
@@ -108,7 +108,7 @@ def frame_of(scene, view, line_style=None, *, backend=None, **options):
     """A Frame ready for a backend's `visibility`: its lines are found. By default they are those of pen_and_ink, with a
     sample at every pixel, which the segment atlas looks at once."""
     asked = pipeline.options(**{"visibility": "atlas", "probes": 1, "sample_step": 1.0, **options})
-    frame = pipeline.frame(scene, view, line_style or style.load("pen_and_ink"), backend or cpu.Backend(), asked)
+    frame = pipeline.frame(scene, view, line_style or style.load("pen_and_ink"), backend or core.CpuBackend(), asked)
     frame.find()
     return frame
 

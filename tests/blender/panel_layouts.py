@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import bpy
 from the_addon import add_hidden, empty_scene, lines_of, only_lines, own_style, part, use_style
 
-catalogue, panels = part("catalogue"), part("blender.panels")
+catalogue, panels = part("catalogue"), part("ui.panels")
 
 
 class RecordingLayout:

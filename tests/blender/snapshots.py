@@ -7,8 +7,8 @@ import bpy
 import pytest
 from the_addon import add_camera, empty_scene, part
 
-scene = part("blender.scene")
-surfaces = part("blender.surfaces")
+scene = part("scene.scene")
+surfaces = part("scene.surfaces")
 NATIVE = part("native").load()
 ARRAYS = "positions edge_verts corner_verts corner_edges polygon_offsets ngon_triangles ngon_polygon material occluding"
 ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks"]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from the_addon import add_camera, box_mesh, empty_scene, new_object, part
 
-api = part("blender.api")
+api = part("scene.api")
 
 
 @pytest.fixture
@@ -93,8 +93,8 @@ def test_parameters_are_those_of_the_registry(box):
 
 def test_what_cannot_be_done_is_told(box):
     bpy.context.scene.camera = None
-    with pytest.raises(part("blender.problem").CannotDraw, match="no camera"):
+    with pytest.raises(part("scene.problem").CannotDraw, match="no camera"):
         api.lines("crease")
     empty_scene()
-    with pytest.raises(part("blender.problem").CannotDraw, match="empty"):
+    with pytest.raises(part("scene.problem").CannotDraw, match="empty"):
         api.surfaces()

@@ -9,7 +9,7 @@ import pytest
 from pictures import SIZE, box_scene, layered
 from the_addon import add_camera, box_mesh, new_object, part, use_style
 
-as_rendered, report = part("blender.as_rendered"), part("blender.report")
+as_rendered, report = part("render.as_rendered"), part("render.report")
 
 
 @pytest.fixture
@@ -95,7 +95,7 @@ def test_lines_are_those_of_the_final_render(scene, tmp_path, change):
 
 
 def test_elision_smoothed_in_time_is_too(scene, tmp_path):
-    elision = part("blender.style_data").own(scene).elision
+    elision = part("style.style_data").own(scene).elision
     elision.enabled, elision.frames = True, 1
     in_a_later_frame(scene)
     for step in range(6):
@@ -195,9 +195,9 @@ def test_nothing_is_left_of_the_render(scene, tmp_path):
 
 def test_what_goes_wrong_is_told_and_ends_it(scene):
     def fail(engine, depsgraph):
-        raise part("blender.problem").CannotDraw("so it is")
+        raise part("scene.problem").CannotDraw("so it is")
 
-    with pytest.raises(part("blender.problem").CannotDraw, match="so it is"):
+    with pytest.raises(part("scene.problem").CannotDraw, match="so it is"):
         as_rendered.look(bpy.context, fail)
     scene.camera.data.type = "PANO"
     with pytest.raises(RuntimeError, match="panoramic"):

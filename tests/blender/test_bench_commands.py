@@ -21,7 +21,7 @@ SMALL = ("--size", "160x90", "--scenes", "boxes:3", "--json")
 
 @pytest.fixture(autouse=True)
 def opengl():
-    if part("blender.preferences").gl_renderer() is None:
+    if part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
 
 

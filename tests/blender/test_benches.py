@@ -37,7 +37,7 @@ def test_agreement_judges_the_samples_of_a_render(tmp_path):
 
 
 def test_passes_of_later_stages_are_not_counted_among_those_of_visibility():
-    clock = part("backend.gpu_clock").Clock()
+    clock = part("gpu.clock").Clock()
     with methods.passes(SimpleNamespace(clock=clock)) as found:
         clock.start()
         clock.mark("depth")

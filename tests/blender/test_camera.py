@@ -10,8 +10,8 @@ from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Euler, Matrix, Vector
 from the_addon import add_camera, empty_scene, new_object, part
 
-camera = part("blender.camera")
-CannotDraw = part("blender.problem").CannotDraw
+camera = part("scene.camera")
+CannotDraw = part("scene.problem").CannotDraw
 
 
 @pytest.fixture(autouse=True)

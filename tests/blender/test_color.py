@@ -7,7 +7,7 @@ import pytest
 from pictures import SIZE, box_scene, drawn, layered
 from the_addon import box_mesh, new_mesh, new_object, part
 
-session, style = part("blender.session"), part("style")
+session, style = part("render.session"), part("style")
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def scene(monkeypatch):
 
 def colored(monkeypatch, paper=None, **values):
     """Draws with a colour layer, whatever the panel says."""
-    original = part("blender.properties").style_of
+    original = part("render.properties").style_of
 
     def style_of(scene):
         found = original(scene)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The examples of the page on scripting, run in their order as a reader would paste them."""
 
+import importlib
 import re
 from pathlib import Path
 
 import bpy
-from the_addon import empty_scene, fovea
+from the_addon import empty_scene, fovea, part
 
 PAGE = Path(__file__).parents[2] / "addon" / "docs" / "scripting.md"
 
@@ -27,3 +28,12 @@ def test_the_examples_run(capsys):
     assert {0, 1} <= set(console["runs"]["invisibility"].tolist())
     held = bpy.context.scene.fovea.style.fovea.line_sets["lines"]
     assert held.pen.width == 2.5 and abs(held.kinds.crease_angle - 0.698) < 1e-3
+
+
+def test_scripts_find_modules_by_the_names_that_these_had_before():
+    for name in ("api", "as_rendered", "session", "style_data"):
+        module = part(f"{part('blender').MOVED[name]}.{name}")
+        assert importlib.import_module(f"{fovea.__name__}.blender.{name}") is module
+        exec(f"from {fovea.__name__}.blender import {name}", names := {})
+        assert names[name] is module
+    assert part("blender").session is part("render.session")

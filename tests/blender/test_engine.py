@@ -7,7 +7,7 @@ import pytest
 from pictures import SIZE, box_scene, drawn, ink, layered, pixels_of
 from the_addon import add_camera, box_mesh, new_object, own_style, part
 
-session = part("blender.session")
+session = part("render.session")
 
 
 @pytest.fixture
@@ -40,7 +40,7 @@ def test_an_animation_writes_every_frame(scene, tmp_path):
     assert all(ink(frame).max() > 0.9 for frame in frames)
     assert not np.array_equal(frames[0], frames[1]) and not np.array_equal(frames[1], frames[2])
     # The box moved, its mesh did not.
-    assert session._caches["RENDER"].rebuilt == []
+    assert session._readers["RENDER"].surfaces.rebuilt == []
 
 
 def test_markers_switch_the_camera(scene, tmp_path):
@@ -136,7 +136,7 @@ def test_every_method_draws_much_the_same_and_says_which_it_was(scene, tmp_path,
 
 @pytest.mark.parametrize("visibility", ["EXACT", "ATLAS", "SPINE", "ITEM_BUFFER"])
 def test_a_scene_that_wants_the_gpu_gets_it(scene, tmp_path, visibility):
-    if part("blender.preferences").gl_renderer() is None:
+    if part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     scene.fovea.visibility = visibility
     by_cpu = drawn(scene, tmp_path / "cpu.png")
@@ -156,7 +156,7 @@ def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scen
         drawn(scene, tmp_path / "box.png")
         names[wanted] = set(session.last_statistics()["stages"])
     assert names[True] - names[False] == {"depth"} and names[False] <= names[True]
-    assert names[True] <= part("blender.report").STAGES.keys()
+    assert names[True] <= part("render.report").STAGES.keys()
 
 
 def test_both_views_of_a_stereo_pair_are_drawn(scene, tmp_path):

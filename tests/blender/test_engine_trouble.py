@@ -14,7 +14,7 @@ from pictures import box_scene, drawn, ink, pixels_of
 from the_addon import fovea, new_object, part
 
 native = part("native")
-session = part("blender.session")
+session = part("render.session")
 
 
 @pytest.fixture
@@ -94,7 +94,9 @@ def test_nan_vertices_are_left_out(scene, tmp_path):
 def test_what_was_left_out_is_said_once():
     said = []
     engine = SimpleNamespace(report=lambda kind, message: said.append((kind, message)))
-    report = SimpleNamespace(**dict.fromkeys(session.REMARKS, 0) | {"degenerate_polygons": 3, "non_finite_vertices": 1})
+    report = SimpleNamespace(
+        **dict.fromkeys(part("scene.surfaces").REMARKS, 0) | {"degenerate_polygons": 3, "non_finite_vertices": 1}
+    )
     session._report_skipped(engine, [SimpleNamespace(name="Box", report=report)])
     ((kind, message),) = said
     assert kind == {"INFO"} and "'Box'" in message and "3 faces have no area" in message and "loose" not in message

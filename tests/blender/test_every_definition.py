@@ -95,10 +95,10 @@ def test_no_two_definitions_draw_the_same(drawn, capfd):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_gpu_draws_every_definition_as_the_cpu_does(drawn, name, capfd):
-    if part("blender.preferences").gl_renderer() is None:
+    if part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     picture, _ = drawn("gpu", name, capfd)
-    assert part("blender.session").last_statistics()["backend"] == "gpu"
+    assert part("render.session").last_statistics()["backend"] == "gpu"
     assert np.abs(picture - drawn("cpu", name, capfd)[0]).mean() < 0.002
 
 

@@ -8,7 +8,7 @@ from bpy_extras.object_utils import world_to_camera_view
 from pictures import drawn, ink
 from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, own_style, part, use_style
 
-style, properties = part("style"), part("blender.properties")
+style, properties = part("style"), part("render.properties")
 SIZE = (480, 270)
 
 
@@ -63,7 +63,7 @@ def test_a_place_in_the_image(row, tmp_path):
 
 @pytest.mark.parametrize("backend", ["CPU", "GPU"])
 def test_an_object_in_the_scene(row, tmp_path, backend):
-    if backend == "GPU" and part("blender.preferences").gl_renderer() is None:
+    if backend == "GPU" and part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     row.fovea.backend, row.fovea.focus_model, row.fovea.focus_object = backend, "SCENE", bpy.data.objects["Box5"]
     row.fovea.focus_near_distance, row.fovea.focus_far_distance = 2, 4

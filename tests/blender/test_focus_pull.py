@@ -7,7 +7,7 @@ import pytest
 from mathutils import Vector
 from the_addon import a_box_to_look_at, part
 
-places = part("blender.focus_places")
+places = part("focus.focus_places")
 
 
 @pytest.fixture
@@ -145,6 +145,6 @@ def test_pulls_and_picks_are_undone(scene):
 
 def test_a_still_is_offered_two_seconds(scene):
     scene.render.fps, scene.frame_start, scene.frame_end = 24, 5, 5
-    assert part("blender.focus_pull").frames_of(scene) == (5, 53)
+    assert part("focus.focus_pull").frames_of(scene) == (5, 53)
     scene.frame_end = 100
-    assert part("blender.focus_pull").frames_of(scene) == (5, 100)
+    assert part("focus.focus_pull").frames_of(scene) == (5, 100)

@@ -9,9 +9,9 @@ import pytest
 from mathutils import Matrix, Vector
 from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
-places, gizmos, overlay = part("blender.focus_places"), part("blender.focus_gizmos"), part("blender.focus_overlay")
-operators, focus_pull = part("blender.focus_operators"), part("blender.focus_pull")
-camera, reading, style = part("blender.camera"), part("blender.reading"), part("style")
+places, gizmos, overlay = part("focus.focus_places"), part("focus.focus_gizmos"), part("ui.focus_overlay")
+operators = part("focus.focus_operators")
+camera, reading, style = part("scene.camera"), part("render.reading"), part("style")
 
 
 @pytest.fixture
@@ -85,6 +85,11 @@ def test_there_is_a_most_of_places(scene):
     assert len(places.places(scene.fovea)) == style.MOST_PLACES
 
 
+def keyed(scene):
+    """Paths of the scene's F-curves."""
+    return [curve.data_path for curves in part("scene.animation").curves(scene) for curve in curves]
+
+
 def test_places_are_removed_with_what_animates_them(scene):
     for x in range(4):
         bpy.ops.fovea.pick_focus(location=(x, 0, 0), add=x > 0)
@@ -93,8 +98,8 @@ def test_places_are_removed_with_what_animates_them(scene):
     points[0].keyframe_insert("focus_far_distance", frame=1), points[2].keyframe_insert("focus_far_distance", frame=1)
     assert bpy.ops.fovea.focus_place_remove(index=0) == {"FINISHED"}
     assert [places.location(place).x for place in places.places(scene.fovea)] == [0, 2, 3]
-    assert [curve.data_path for curve in focus_pull.curves(scene)] == ["fovea.focus_points[1].focus_far_distance"]
-    assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not focus_pull.curves(scene)
+    assert keyed(scene) == ["fovea.focus_points[1].focus_far_distance"]
+    assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not keyed(scene)
     assert bpy.ops.fovea.focus_place_remove(index=1) == {"CANCELLED"} and len(points) == 1
     assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not bpy.ops.fovea.focus_place_remove.poll()
 
@@ -199,7 +204,7 @@ def test_the_overlay_evaluates_the_focus_of_a_view(scene, model):
     painted = box.data.attributes.new("painted", "FLOAT", "POINT")
     painted.data.foreach_set("value", np.ones(8, np.float32))
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    chosen = part("blender.properties").style_of(depsgraph.scene)
+    chosen = part("render.properties").style_of(depsgraph.scene)
     view = camera.of_scene(depsgraph)
     read = None if model == "IMAGE" else reading.Reader().read(depsgraph, chosen)
     found = reading.focus_of_pixels(read, view, chosen.focus, 0.25)
@@ -235,7 +240,7 @@ def leftovers():
 
 
 def test_registered_and_unregistered_again_and_again_they_leave_nothing(scene):
-    tools = [part(f"blender.{name}") for name in fovea.TOOLS]
+    tools = [part(name) for name in fovea.TOOLS]
     before = leftovers()
     for _ in range(20):
         for module in reversed(tools):

@@ -16,7 +16,7 @@ import draw
 import frame_dump
 
 as_rendered, session, pipeline, style = (
-    part(name) for name in ("blender.as_rendered", "blender.session", "pipeline", "style")
+    part(name) for name in ("render.as_rendered", "render.session", "pipeline", "style")
 )
 
 

@@ -8,7 +8,7 @@ import bpy
 import pytest
 from the_addon import add_camera, empty_scene, new_object, only_lines, part, use_style
 
-session = part("blender.session")
+session = part("render.session")
 FRAMES = range(1, 13)
 LINES = ("contour", "crease", "intersection", "suggestive_contour", "smooth_contour")
 LINES += ("image_edge", "abstracted_shading")

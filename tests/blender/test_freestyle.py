@@ -8,7 +8,7 @@ import pytest
 from pictures import box_scene, drawn, ink
 from the_addon import part
 
-freestyle, properties = part("blender.freestyle"), part("blender.properties")
+freestyle, properties = part("style.freestyle"), part("render.properties")
 
 
 @pytest.fixture

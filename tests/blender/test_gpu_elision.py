@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import box, core, cpu, moved, pipeline, room, scene_of, style, view_of
+from native_frames import box, core, moved, pipeline, room, scene_of, style, view_of
 from the_addon import part
 
 
@@ -30,14 +30,14 @@ def left(*given, **options):
 
 
 def gpu_backend():
-    return part("backend.gpu").Backend()  # imported late: not every Blender that runs the other tests has a GPU
+    return part("gpu.backend").Backend()  # imported late: not every Blender that runs the other tests has a GPU
 
 
 @pytest.mark.gpu
 @pytest.mark.parametrize("orthographic", [False, True])
 @pytest.mark.parametrize("half_width", [0.5, 3.0, 20.0, None])
 def test_gpu_and_cpu_leave_the_same(orthographic, half_width):
-    on_gpu, on_cpu = (left(b, half_width, orthographic=orthographic) for b in (gpu_backend(), cpu.Backend()))
+    on_gpu, on_cpu = (left(b, half_width, orthographic=orthographic) for b in (gpu_backend(), core.CpuBackend()))
     assert on_gpu.dtype == np.float32 and on_gpu.shape == on_cpu.shape
     assert np.mean(np.abs(on_gpu - on_cpu) <= 0.02) > 0.995
     assert on_cpu.min() >= 0 and on_cpu.max() == 1
@@ -56,13 +56,13 @@ def test_the_same_in_tiles_and_batches(batch_samples):
 
 @pytest.mark.gpu
 def test_the_same_where_hidden_lines_are_drawn_too():
-    on_gpu, on_cpu = (left(b, 4.0, of_hidden=True) for b in (gpu_backend(), cpu.Backend()))
+    on_gpu, on_cpu = (left(b, 4.0, of_hidden=True) for b in (gpu_backend(), core.CpuBackend()))
     assert np.mean(np.abs(on_gpu - on_cpu) <= 0.02) > 0.995
     assert np.mean(on_cpu < 0.9) > 0.05
 
 
 @pytest.mark.gpu
-@pytest.mark.parametrize("backend", [cpu.Backend, gpu_backend])
+@pytest.mark.parametrize("backend", [core.CpuBackend, gpu_backend])
 def test_nothing_to_elide(backend):
     frame = begun(backend(), 3.0, scene_of([(box(), moved((0, 0, 900)))]))
     frame.ink()
@@ -70,14 +70,14 @@ def test_nothing_to_elide(backend):
 
 
 def test_wider_bands_leave_less_and_cut_leaves_nothing_faint():
-    stays = [left(cpu.Backend(), half_width).mean() for half_width in (0.0, 2.0, 5.0, 12.0)]
+    stays = [left(core.CpuBackend(), half_width).mean() for half_width in (0.0, 2.0, 5.0, 12.0)]
     assert stays == sorted(stays, reverse=True) and stays[0] > 0.95 and stays[-1] < 0.9
-    cut = left(cpu.Backend(), 5.0, cut=0.5)
+    cut = left(core.CpuBackend(), 5.0, cut=0.5)
     assert np.all((cut == 0) | (cut >= 0.5)) and 0 < np.mean(cut == 0) < 1
 
 
 def test_a_cancelled_call_stops():
-    frame = begun(cpu.Backend(), 3.0)
+    frame = begun(core.CpuBackend(), 3.0)
     frame.filter()
     frame.cancel.cancel()
     with pytest.raises(core.Cancelled):

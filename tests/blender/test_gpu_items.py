@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import ball, box, core, cpu, exact_samples, frame_of, moved, room, scene_of, view_of
+from native_frames import ball, box, core, exact_samples, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 
@@ -20,7 +20,7 @@ LOW, HIGH = (1, 1), (3, 3)
 @pytest.mark.parametrize("scale, layers", [LOW, (2, 2), HIGH])
 def test_gpu_and_cpu_see_the_same(orthographic, scale, layers):
     seen = frame(scale, layers, view_of(480, 300, orthographic))
-    on_gpu, on_cpu = (backend.visibility(seen) for backend in (part("backend.gpu").Backend(), cpu.Backend()))
+    on_gpu, on_cpu = (backend.visibility(seen) for backend in (part("gpu.backend").Backend(), core.CpuBackend()))
     assert on_gpu.dtype == np.float32 and on_gpu.shape == (seen.clipped.samples,)
     assert np.mean(on_gpu == on_cpu) > 0.995
     assert 0.2 < np.mean(on_cpu) < 0.9
@@ -29,7 +29,7 @@ def test_gpu_and_cpu_see_the_same(orthographic, scale, layers):
 @pytest.mark.gpu
 @pytest.mark.parametrize("batch_samples", [1 << 22, 3000])
 def test_the_same_in_tiles_and_batches(batch_samples):
-    seen, backend = frame(2, 3), part("backend.gpu").Backend()
+    seen, backend = frame(2, 3), part("gpu.backend").Backend()
     whole = backend.visibility(seen)
     backend.most_side, backend.batch_samples = 300, batch_samples
     assert len(seen.layouts(300)) > 3
@@ -39,7 +39,7 @@ def test_the_same_in_tiles_and_batches(batch_samples):
 def agreement(scale, layers):
     seen = frame(scale, layers, view_of(960, 600))
     exact = exact_samples(room(), view_of(960, 600)) >= 0.5
-    return np.mean((cpu.Backend().visibility(seen) >= 0.5) == exact)
+    return np.mean((core.CpuBackend().visibility(seen) >= 0.5) == exact)
 
 
 def test_more_layers_and_texels_come_nearer_to_exact():
@@ -53,7 +53,7 @@ def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
     scene = scene_of([(box((2, 0.8, 1.5)), moved((0, 1.5, 0))), (ball(), moved((0, -2, 0)))])
     view = view_of(480, 300, eye=(1, -8, 2))
     seen, exact = frame(scale, layers, view, scene), exact_samples(scene, view)
-    value = cpu.Backend().visibility(seen)
+    value = core.CpuBackend().visibility(seen)
     edges = np.zeros(len(exact), bool)
     for start, count in zip(seen.clipped.sample_start, seen.clipped.sample_count, strict=True):
         edges[start : start + count] = count > 40  # of the box: the ball's segments are short
@@ -63,7 +63,7 @@ def test_a_ball_in_front_of_a_box_hides_it(scale, layers):
 
 
 @pytest.mark.gpu
-@pytest.mark.parametrize("backend", [cpu.Backend, lambda: part("backend.gpu").Backend()])
+@pytest.mark.parametrize("backend", [core.CpuBackend, lambda: part("gpu.backend").Backend()])
 def test_lines_without_occluders_that_do_not_cross_are_all_seen(backend):
     scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.Usage.DRAW])
     seen = frame(*HIGH, view_of(480, 300), scene)
@@ -72,4 +72,4 @@ def test_lines_without_occluders_that_do_not_cross_are_all_seen(backend):
 
 def test_nothing_to_see():
     seen = frame(*LOW, scene=scene_of([(box(), moved((0, 0, 900)))]))
-    assert cpu.Backend().visibility(seen).shape == (0,)
+    assert core.CpuBackend().visibility(seen).shape == (0,)

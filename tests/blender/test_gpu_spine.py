@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import box, core, cpu, frame_of, moved, pipeline, room, scene_of, style, view_of
+from native_frames import box, core, frame_of, moved, pipeline, room, scene_of, style, view_of
 from the_addon import part
 
 
@@ -27,7 +27,7 @@ def off(a, b):
 @pytest.mark.parametrize("orthographic", [False, True])
 @pytest.mark.parametrize("probes", [1, 9])
 def test_gpu_and_cpu_draw_the_same(orthographic, probes):
-    backends = part("backend.gpu").Backend(), cpu.Backend()
+    backends = part("gpu.backend").Backend(), core.CpuBackend()
     drawn, reference = (picture(room(), view_of(480, 300, orthographic), b, probes=probes) for b in backends)
     assert drawn.shape == (300, 480, 4) and reference[..., 3].mean() > 0.01
     # Where a line touches a surface, one probe more or less sees it.
@@ -36,7 +36,7 @@ def test_gpu_and_cpu_draw_the_same(orthographic, probes):
 
 @pytest.mark.gpu
 @pytest.mark.parametrize("side", [200, 390])
-@pytest.mark.parametrize("make", [lambda: part("backend.gpu").Backend(), cpu.Backend])
+@pytest.mark.parametrize("make", [lambda: part("gpu.backend").Backend(), core.CpuBackend])
 def test_the_same_in_tiles(make, side):
     backend, seen = make(), view_of()
     whole = picture(room(), seen, backend, probes=4)
@@ -48,7 +48,7 @@ def test_the_same_in_tiles(make, side):
 @pytest.mark.parametrize("orthographic", [False, True])
 def test_it_agrees_with_the_atlas(orthographic):
     seen = view_of(480, 300, orthographic)
-    spine, atlas = (picture(room(), seen, cpu.Backend(), method) for method in ("spine", "atlas"))
+    spine, atlas = (picture(room(), seen, core.CpuBackend(), method) for method in ("spine", "atlas"))
     ink = atlas[..., 3].sum()
     assert abs(spine[..., 3].sum() / ink - 1) < 0.02
     assert off(spine, atlas).sum() / ink < 0.06
@@ -59,7 +59,7 @@ def test_what_lies_behind_is_drawn_nowhere():
     scene = scene_of([(box(), moved((0, 0, 0))), (wall, moved((0, -2, 0)))])
     view = view_of(eye=(0, -8, 0.001))
     alone = scene_of([(wall, moved((0, -2, 0)))])
-    both, wall_only = (picture(s, view, cpu.Backend()) for s in (scene, alone))
+    both, wall_only = (picture(s, view, core.CpuBackend()) for s in (scene, alone))
     assert wall_only[..., 3].max() > 0.9 and off(both, wall_only).max() < 0.01
 
 
@@ -67,6 +67,6 @@ def test_without_occluders_it_is_every_line_in_full():
     scene = scene_of([(box(), moved((0, 0, 0)))], usage=[core.Usage.DRAW])
     frame = frame_of(scene, view_of(), bare(), visibility="spine")
     frame.ink()
-    seen = cpu.Backend().draw(frame)
+    seen = core.CpuBackend().draw(frame)
     assert seen[..., 3].max() > 0.9
     np.testing.assert_array_equal(seen, frame.strokes.raster(frame.pens, frame.textures, 320, 200))

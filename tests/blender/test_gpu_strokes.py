@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import core, cpu, frame_of, hills, pipeline, room, scene_of, style, view_of
+from native_frames import core, frame_of, hills, pipeline, room, scene_of, style, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
@@ -11,7 +11,7 @@ PLAIN = core.Pen(look=style.Pen())
 
 
 def on_gpu(strokes, pens, textures, view):
-    return part("backend.gpu").Backend().draw_strokes(strokes, pens, textures, view)
+    return part("gpu.backend").Backend().draw_strokes(strokes, pens, textures, view)
 
 
 def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0, path_px=0.0):
@@ -35,7 +35,7 @@ def test_every_style(name):
     chosen, view = style.load(name), view_of(480, 300)
     drawn, reference = (
         pipeline.draw(room(), view, chosen, backend, pipeline.options()).lines
-        for backend in (part("backend.gpu").Backend(), cpu.Backend())
+        for backend in (part("gpu.backend").Backend(), core.CpuBackend())
     )
     assert drawn.shape == reference.shape == (300, 480, 4) and drawn.dtype == np.float32
     assert reference[..., 3].mean() > 0.01
@@ -98,8 +98,8 @@ def on_both(scene, chosen):
     strokes."""
     frame = frame_of(scene, view_of(320, 200), chosen, visibility="exact")
     frame.ink()
-    drawn = part("backend.gpu").Backend().draw(frame)
-    return drawn, np.abs(drawn - cpu.Backend().draw(frame)).max(axis=2), frame.strokes
+    drawn = part("gpu.backend").Backend().draw(frame)
+    return drawn, np.abs(drawn - core.CpuBackend().draw(frame)).max(axis=2), frame.strokes
 
 
 def test_strokes_that_thin_and_fade_with_strength():

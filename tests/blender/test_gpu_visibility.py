@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import box, core, cpu, exact_samples, frame_of, moved, room, scene_of, view_of
+from native_frames import box, core, exact_samples, frame_of, moved, room, scene_of, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
@@ -12,11 +12,11 @@ NEITHER = 0xFFFFFFFF
 
 
 def gpu_backend():
-    return part("backend.gpu").Backend()  # imported late: not every Blender that runs the other tests has a GPU
+    return part("gpu.backend").Backend()  # imported late: not every Blender that runs the other tests has a GPU
 
 
 def both(frame):
-    return gpu_backend().visibility(frame), cpu.Backend().visibility(frame)
+    return gpu_backend().visibility(frame), core.CpuBackend().visibility(frame)
 
 
 @pytest.mark.parametrize("orthographic", [False, True])
@@ -80,7 +80,7 @@ def test_paths_longer_than_a_row_and_many_batches():
     backend.batch_samples = 3000
     assert len(core.AtlasBatch.of(frame.clipped, 3000)) > 20
     np.testing.assert_array_equal(backend.visibility(frame), whole)
-    assert np.mean(whole == cpu.Backend().visibility(frame)) > 0.999
+    assert np.mean(whole == core.CpuBackend().visibility(frame)) > 0.999
 
 
 def test_nothing_hides_in_front_of_the_near_plane():
@@ -107,7 +107,7 @@ def test_pictures_larger_than_textures_are_looked_at_in_tiles(orthographic, side
 
 def test_the_cpu_looks_in_tiles_too():
     frames = [frame_of(room(), view_of(), visibility=method, probes=4) for method in ("atlas", "item_buffer")]
-    backend = cpu.Backend()
+    backend = core.CpuBackend()
     looks, lines = map(backend.visibility, frames)
     backend.most_side = 200
     assert len(frames[0].layouts(200)) > 3
@@ -115,7 +115,7 @@ def test_the_cpu_looks_in_tiles_too():
     assert np.mean(backend.visibility(frames[1]) == lines) > 0.9995
 
 
-@pytest.mark.parametrize("make", [gpu_backend, cpu.Backend])
+@pytest.mark.parametrize("make", [gpu_backend, core.CpuBackend])
 def test_tiles_need_room(make):
     backend = make()
     backend.most_side = 30

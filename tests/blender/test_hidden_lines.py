@@ -79,14 +79,14 @@ def along(picture, a, b):
 @pytest.mark.parametrize("backend", ["CPU", "GPU"])
 @pytest.mark.parametrize("visibility", ["EXACT", "ATLAS"])
 def test_hidden_edges_are_dashed_and_nothing_else_is_drawn(box, tmp_path, backend, visibility):
-    if backend == "GPU" and part("blender.preferences").gl_renderer() is None:
+    if backend == "GPU" and part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     scene, edges = box
     scene.fovea.backend, scene.fovea.visibility = backend, visibility
     without = ink(drawn(scene, tmp_path / "without.png"))
     draw_hidden(scene)
     added = ink(drawn(scene, tmp_path / "hidden.png")) - without
-    assert part("blender.session").last_statistics()["backend"] == backend.lower()
+    assert part("render.session").last_statistics()["backend"] == backend.lower()
     assert added.min() > -0.02, "hidden lines lie below visible ones"
     places = [tuple(in_pixels(scene, end) for end in edge) for edge in edges]
     beside = np.any([near(added, *place, 3) for place in places], axis=0)

@@ -6,7 +6,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from native_frames import ball, box, cpu, exact_samples, frame_of, moved, scene_of, style, view_of
+from native_frames import ball, box, core, exact_samples, frame_of, moved, scene_of, style, view_of
 from pictures import box_scene, drawn, ink
 from the_addon import only_lines, part
 
@@ -29,7 +29,7 @@ def disc_scene(name):
 @pytest.mark.parametrize("visibility", ["EXACT", "ATLAS"])
 @pytest.mark.parametrize("name", DEFINITIONS)
 def test_a_ball_is_drawn_as_a_ring(name, visibility, backend, tmp_path):
-    if backend == "GPU" and part("blender.preferences").gl_renderer() is None:
+    if backend == "GPU" and part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     scene = disc_scene(name)
     scene.fovea.visibility, scene.fovea.backend = visibility, backend
@@ -40,7 +40,7 @@ def test_a_ball_is_drawn_as_a_ring(name, visibility, backend, tmp_path):
     assert radius.min() > 18 - 2.5 and radius.max() < 18 + 2
     angles = np.floor(np.arctan2(y + 0.5 - 45, x + 0.5 - 80) / (2 * math.pi) * 60)
     assert len(np.unique(angles)) == 60  # all around
-    assert part("blender.session").last_statistics()["strokes"] >= 1
+    assert part("render.session").last_statistics()["strokes"] >= 1
 
 
 @pytest.mark.parametrize("name", DEFINITIONS)
@@ -62,6 +62,6 @@ def test_nothing_hides_them_on_either_backend(orthographic):
     view = view_of(orthographic=orthographic)
     frame = frame_of(scene, view, lines)
     assert frame.clipped.samples > 200 and (frame.paths.placement == 0xFFFFFFFF).all()
-    for backend in (part("backend.gpu").Backend(), cpu.Backend()):
+    for backend in (part("gpu.backend").Backend(), core.CpuBackend()):
         np.testing.assert_array_equal(backend.visibility(frame), 1.0)
     np.testing.assert_allclose(exact_samples(scene, view, lines), 1.0, atol=1e-5)

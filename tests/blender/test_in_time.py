@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 from bench.focus import coherence, world
 
-near_frames, session = part("blender.near_frames"), part("blender.session")
+near_frames, session = part("render.near_frames"), part("render.session")
 FRAMES = range(1, 6)
 
 
@@ -157,7 +157,7 @@ def test_other_frames_are_asked_only_where_they_count(fence, tmp_path, monkeypat
 
 @pytest.mark.parametrize("backend", ["CPU", "GPU"])
 def test_lines_come_and_go_more_slowly(fence, tmp_path, backend):
-    if backend == "GPU" and part("blender.preferences").gl_renderer() is None:
+    if backend == "GPU" and part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     fence.fovea.backend = backend
     kept, pipeline = [], part("pipeline")

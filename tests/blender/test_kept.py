@@ -14,7 +14,7 @@ from measure_kept import ball, megabytes
 from pictures import box_scene, drawn
 from the_addon import part, use_style
 
-kept, preferences, session = (part(f"blender.{name}") for name in ("kept", "preferences", "session"))
+kept, preferences, session = part("scene.kept"), part("ui.preferences"), part("render.session")
 
 
 @pytest.fixture
@@ -24,14 +24,16 @@ def scene():
     for i in range(3):
         ball(f"Ball {i}", (2.0 * i - 2, 0, 0))
     use_style(made, "study")
-    session._forget()
+    session.forget()
     gc.collect()
     yield made
     kept.set_limit(0)
 
 
 def surfaces_kept():
-    return sorted(entry.surface.name for cache in session._caches.values() for entry in cache._entries.values())
+    return sorted(
+        entry.surface.name for reader in session._readers.values() for entry in reader.surfaces._entries.values()
+    )
 
 
 def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, tmp_path):
@@ -40,7 +42,7 @@ def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, 
     assert whole > 10 and len(surfaces_kept()) == 4
     kept.set_limit(int(whole) + 1)
     again = drawn(scene, tmp_path / "b.png")
-    assert len(surfaces_kept()) == 4 and session._caches["RENDER"].rebuilt == []
+    assert len(surfaces_kept()) == 4 and session._readers["RENDER"].surfaces.rebuilt == []
     kept.set_limit(int(0.5 * whole))
     assert 0 < megabytes() <= 0.5 * whole, "at once"
     bounded = drawn(scene, tmp_path / "c.png")
@@ -53,7 +55,7 @@ def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, 
 
 def test_the_longest_unused_goes_first(scene, tmp_path):
     drawn(scene, tmp_path / "a.png")
-    entries = session._caches["RENDER"]._entries
+    entries = session._readers["RENDER"].surfaces._entries
     order = [entry.surface.name for entry in sorted(entries.values(), key=lambda entry: entry.used)]
     kept.set_limit(int(0.75 * megabytes()))
     assert 1 < len(surfaces_kept()) < 4 and surfaces_kept() == sorted(order[-len(surfaces_kept()) :])
@@ -85,7 +87,7 @@ def test_images_of_materials_count_and_go(scene, tmp_path):
     mesh.materials.append(material)
     assert held.color.shading != "PLAIN"
     first = drawn(scene, tmp_path / "a.png")
-    colors = session._color_caches["RENDER"]
+    colors = session._readers["RENDER"].colors
     assert colors.items(set())[0].size == 4 * 1024 * 1024 * 4 // 3
     kept.set_limit(1)
     gc.collect()
@@ -95,15 +97,15 @@ def test_images_of_materials_count_and_go(scene, tmp_path):
 
 
 def test_what_a_snapshot_needs_stays(scene, tmp_path):
-    read = part("blender.reading").Reader()
+    read = part("render.reading").Reader()
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    found = read.read(depsgraph, part("blender.properties").style_of(scene))
+    found = read.read(depsgraph, part("render.properties").style_of(scene))
     kept.set_limit(1)
-    assert len(read._surfaces._entries) == 4, "somebody still looks at it"
+    assert len(read.surfaces._entries) == 4, "somebody still looks at it"
     del found
     gc.collect()
     kept.trim()
-    assert len(read._surfaces._entries) == 0
+    assert len(read.surfaces._entries) == 0
 
 
 def test_the_preference_sets_the_limit(scene):

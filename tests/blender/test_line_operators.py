@@ -7,7 +7,7 @@ import pytest
 from pictures import SIZE, box_scene, drawn, ink, layered
 from the_addon import box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, part, use_style
 
-report, drawn_lines = part("blender.report"), part("blender.drawn_lines")
+report, drawn_lines = part("render.report"), part("render.drawn_lines")
 
 
 @pytest.fixture

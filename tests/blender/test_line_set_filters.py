@@ -8,7 +8,7 @@ from pairs import instanced, pair, sides, striped  # noqa: F401 (fixtures)
 from pictures import drawn, ink
 from the_addon import box_mesh, lines_of, new_object, only_lines, own_style, part
 
-style, properties = part("style"), part("blender.properties")
+style, properties = part("style"), part("render.properties")
 
 
 def check_filter(scene, tmp_path, name, chosen, others):
@@ -153,7 +153,7 @@ def test_filters_hold_on_both_devices(striped, tmp_path, backend):
 
 def test_viewports_hear_of_each_change(striped):
     """What a viewport asks for is another where filters or materials are others; what was read is not kept then."""
-    scene, notes, changes = striped, part("blender.notes"), part("blender.changes")
+    scene, notes, changes = striped, part("scene.notes"), part("render.changes")
     asked = [notes.asked(properties.style_of(scene), None)]
     for name, value in (("object", "Roof"), ("other_objects", True), ("material", "Red"), ("other_materials", True)):
         setattr(lines_of(scene), name, value)

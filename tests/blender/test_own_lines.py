@@ -34,7 +34,7 @@ def test_an_object_has_its_own_kinds(pair, tmp_path):
     assert sides(scene, tmp_path) == (False, True)
     mine.kinds.crease, mine.kinds.contour = True, False
     assert np.array_equal(drawn(scene, tmp_path / "crease.png"), whole), "contours are not drawn anyway"
-    part("blender.style_data").choose_lines(own_style(scene), ("crease", "contour"))
+    part("style.style_data").choose_lines(own_style(scene), ("crease", "contour"))
     mine.kinds.crease, mine.kinds.contour = False, True
     assert sides(scene, tmp_path) == (True, True), "its contours are creases, too: they stay"
 

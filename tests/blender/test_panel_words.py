@@ -35,8 +35,8 @@ def complaints(prop, title=None):
 def test_words_are_as_blenders_own(scene):
     props = [prop for owner in owners(scene) for path, prop in leaves(owner) if not path.endswith(".name")]
     props.append(bpy.context.window_manager.bl_rna.properties["fovea_show_focus"])
-    preferences = part("blender.preferences").FoveaPreferences.__annotations__
-    entry = bpy.context.preferences.addons.get(part("blender.preferences").ADDON)
+    preferences = part("ui.preferences").FoveaPreferences.__annotations__
+    entry = bpy.context.preferences.addons.get(part("ui.preferences").ADDON)
     props += [entry.preferences.bl_rna.properties[name] for name in preferences] if entry else []
     found = [word for prop in props for word in complaints(prop)]
     for name in dir(bpy.ops.fovea):

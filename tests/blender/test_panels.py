@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
 
-from types import SimpleNamespace
-
 import bpy
 import pytest
 from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
 from the_addon import lines_of, only_lines, own_style, part
 
-properties = part("blender.properties")
+properties = part("render.properties")
 
 
 @pytest.fixture
@@ -38,10 +36,10 @@ def test_a_style_is_edited_in_the_sidebar_whichever_engine_draws(scene):
 def test_a_menu_has_every_operator_so_that_it_is_found():
     layout, operators = RecordingLayout(), []
     for name in ("style", "line_sets"):
-        menu = getattr(part("blender.panels.menu"), f"TOPBAR_MT_fovea_{name}")
+        menu = getattr(part("ui.menu"), f"TOPBAR_MT_fovea_{name}")
         menu.show(menu, layout)
     for module in ("style_operators", "line_set_operators"):
-        operators += [cls.bl_idname for cls in part(f"blender.{module}").CLASSES]
+        operators += [cls.bl_idname for cls in part(f"style.{module}").CLASSES]
     assert sorted(layout.operators) == sorted(operators)
 
 
@@ -58,7 +56,7 @@ def test_each_definition_is_shown_once_and_the_parameters_of_those_that_are_on(s
         only_lines(scene, *(d["name"] for d in catalogue.definitions() if on))
         own_style(scene).line_set_index = len(own_style(scene).line_sets) - 1
         kinds = lines_of(scene).kinds
-        layout = shown_by(part("blender.panels.lines").RENDER_PT_fovea_lines)
+        layout = shown_by(part("ui.lines").RENDER_PT_fovea_lines)
         shown = [name for owner, name in layout.props if owner == kinds]
         switched = {d["name"] for d in catalogue.definitions() if getattr(kinds, d["name"])}
         assert len(shown) == len(set(shown)) and {d["name"] for d in catalogue.definitions()} <= set(shown)
@@ -67,9 +65,9 @@ def test_each_definition_is_shown_once_and_the_parameters_of_those_that_are_on(s
 
 
 def test_definitions_are_grouped_by_what_they_depend_on(scene):
-    scopes = part("blender.panels.lines").SCOPES
+    scopes = part("ui.lines").SCOPES
     assert {definition["scope"] for definition in catalogue.definitions()} <= set(scopes)
-    layout = shown_by(part("blender.panels.lines").RENDER_PT_fovea_lines)
+    layout = shown_by(part("ui.lines").RENDER_PT_fovea_lines)
     scope_of = {d["name"]: d["scope"] for d in catalogue.definitions()}
     found = [scope_of[name] for name in layout.shown if name in scope_of]
     assert found == sorted(found, key=list(scopes).index)
@@ -77,7 +75,7 @@ def test_definitions_are_grouped_by_what_they_depend_on(scene):
 
 
 def test_every_effect_shows_its_curve(scene):
-    found = shown_by(part("blender.panels.effects").RENDER_PT_fovea_effects).curves
+    found = shown_by(part("ui.effects").RENDER_PT_fovea_effects).curves
     assert sorted(found) == sorted(node.name for node in scene.fovea.style.nodes) and len(found) == 12
 
 
@@ -96,14 +94,14 @@ def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):
 
 def test_what_was_drawn_is_told(scene, monkeypatch):
     known = {"stages": {"bvh": 20.0, "lines": 1500.0}, "backend": "cpu", "strokes": 3, "visibility": "exact"}
-    monkeypatch.setattr(part("blender.session"), "last_statistics", lambda: known)
+    monkeypatch.setattr(part("render.session"), "last_statistics", lambda: known)
     titles = shown_by().titles
     assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "BVH", "20 ms", "Lines", "1500 ms"} <= set(titles)
 
 
 def test_every_setting_is_in_a_panel(scene):
     shown = set()
-    viewport = part("blender.viewport_settings").RENDER_PT_fovea_viewport
+    viewport = part("ui.viewport_settings").RENDER_PT_fovea_viewport
     for model in ("SCENE", "IMAGE", "OBJECT", "PAINTED"):
         for estimator in ("AUTOMATIC", "JETS"):
             for resample in (0, 1):
@@ -112,7 +110,7 @@ def test_every_setting_is_in_a_panel(scene):
                 fovea.curvature_estimator, fovea.repair_resample, fovea.refine = estimator, resample, True
                 shown |= {(type(owner), name) for owner, name in shown_by().props}
     layout = RecordingLayout()
-    viewport.draw(SimpleNamespace(layout=layout), context())
+    viewport.show(None, layout, context())
     shown |= {(type(owner), name) for owner, name in layout.props}
     for owner in with_groups(owners(scene)[1:]):
         for prop in owner.bl_rna.properties:

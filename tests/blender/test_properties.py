@@ -8,7 +8,7 @@ import bpy
 import pytest
 from the_addon import empty_scene, fovea, lines_of, new_object, own_style, part, use_style
 
-catalogue, properties, style = part("catalogue"), part("blender.properties"), part("style")
+catalogue, properties, style = part("catalogue"), part("render.properties"), part("style")
 
 
 @pytest.fixture
@@ -43,7 +43,7 @@ def test_every_parameter_is_a_property_with_the_registrys_limits(scene, definiti
 
 def test_an_object_may_do_without_every_definition_that_is_of_objects(scene):
     obj = new_object(bpy.data.meshes.new("Mesh"))
-    own_lines, kinds = part("blender.own_lines"), obj.fovea.kinds
+    own_lines, kinds = part("scene.own_lines"), obj.fovea.kinds
     known = kinds.bl_rna.properties
     assert own_lines.of(obj.fovea)[0] == own_lines.ALL_KINDS and math.isnan(own_lines.of(obj.fovea)[1])
     obj.fovea.own_kinds = obj.fovea.own_crease_angle = True
@@ -65,11 +65,11 @@ def test_a_new_scene_draws_the_default_style_and_no_datablock_is_made(scene):
 
 
 def test_fields_that_nothing_reads_are_told_once(scene):
-    session, said = part("blender.session"), []
+    session, said = part("render.session"), []
     engine = SimpleNamespace(report=lambda kinds, sentence: said.append((kinds, sentence)))
     words = '{"schema": 1, "line_sets": [{"kinds": {"contuor": {}, "crease": {"angel": 3}}, "pen": {"widht": 2}}]}'
     chosen = style.parse(words)
-    session._forget()
+    session.forget()
     for _ in range(3):
         session._report_unknown(engine, chosen)
     session._report_unknown(engine, style.load(style.DEFAULT))
@@ -98,7 +98,7 @@ def test_settings_are_saved_with_the_file(scene, tmp_path):
 
 def test_choosing_lines_keeps_those_a_line_set_has_and_the_last_one_draws_the_rest(scene):
     held = use_style(scene, "technical")
-    part("blender.style_data").choose_lines(held, ("silhouette", "crease", "valley"))
+    part("style.style_data").choose_lines(held, ("silhouette", "crease", "valley"))
     found = {line_set.name: set(line_set.kinds) for line_set in properties.style_of(scene).line_sets}
     assert found == {"outline": {"silhouette"}, "marks": set(), "lines": {"crease", "valley"}}
 

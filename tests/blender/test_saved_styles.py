@@ -7,9 +7,9 @@ import pytest
 from pictures import pixels_of
 from the_addon import empty_scene, lines_of, part, use_style
 
-files, native, pictures = part("blender.style_files"), part("native"), part("blender.style_picture")
-preferences, style, thumbnails = part("blender.preferences"), part("style"), part("blender.panels.thumbnails")
-style_data, properties = part("blender.style_data"), part("blender.properties")
+files, native, pictures = part("style.style_files"), part("native"), part("style.style_picture")
+preferences, style, thumbnails = part("ui.preferences"), part("style"), part("ui.thumbnails")
+style_data, properties = part("style.style_data"), part("render.properties")
 
 
 @pytest.fixture
@@ -138,12 +138,12 @@ def test_the_preferred_style_is_what_new_gives_and_comes_first(scene, folder, mo
     scene.fovea.style = None
     plain = properties.style_of(scene)
     monkeypatch.setattr(files, "own", Wanted)
-    assert files.names()[0] == files.preferred() == "own" and sorted(files.names()) == sorted({*style.names(), "own"})
+    assert files.names()[0] == "own" and sorted(files.names()) == sorted({*style.names(), "own"})
     assert properties.style_of(scene) == plain == style.load(style.DEFAULT), "who has no style draws as everywhere"
     bpy.ops.fovea.style_new()
     assert scene.fovea.style.fovea.source == "own" and bpy.ops.fovea.style_update.poll()
     Wanted.default_style = "gone"
-    assert files.preferred() == style.DEFAULT
+    assert files.names()[0] == style.DEFAULT
 
 
 def test_preferences_name_the_default_style():

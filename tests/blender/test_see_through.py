@@ -5,7 +5,7 @@ import bpy
 import pytest
 from the_addon import box_mesh, empty_scene, new_object, part
 
-see_through, report = part("blender.see_through"), part("blender.report")
+see_through, report = part("scene.see_through"), part("render.report")
 TRANSPARENT, GLASS = "it has a Transparent BSDF", "it is glass"
 FACTOR = "its mix factor is {}"
 HIDES, SHOWS = True, False

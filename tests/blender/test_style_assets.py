@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from the_addon import empty_scene, lines_of, part, use_style
 
-assets, native, pictures = part("blender.style_assets"), part("native"), part("blender.style_picture")
-style, style_data, style_read = part("style"), part("blender.style_data"), part("blender.style_read")
+assets, native, pictures = part("style.style_assets"), part("native"), part("style.style_picture")
+style, style_data, style_read = part("style"), part("style.style_data"), part("style.style_read")
 
 
 @pytest.fixture

@@ -9,9 +9,9 @@ import pytest
 from pictures import box_scene, drawn, ink, pixels_of
 from the_addon import empty_scene, lines_of, own_style, part, use_style
 
-catalogue, properties, style = part("catalogue"), part("blender.properties"), part("style")
-style_curves, style_data = part("blender.style_curves"), part("blender.style_data")
-style_read = part("blender.style_read")
+catalogue, properties, style = part("catalogue"), part("render.properties"), part("style")
+style_curves, style_data = part("style.style_curves"), part("style.style_data")
+style_read = part("style.style_read")
 
 
 @pytest.fixture

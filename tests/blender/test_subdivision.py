@@ -7,7 +7,7 @@ import pytest
 from snapshots import NATIVE, capture_engine, fresh_scene, in_render, in_viewport, new_cache  # noqa: F401 (fixtures)
 from the_addon import box_mesh, lines_of, mark_edges, new_mesh, new_object, part
 
-subdivision = part("blender.subdivision")
+subdivision = part("scene.subdivision")
 pytestmark = pytest.mark.usefixtures("fresh_scene")
 
 

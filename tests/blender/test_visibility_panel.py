@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 from the_addon import empty_scene, part
 
-method = part("blender.panels.method")
+method = part("ui.method")
 APPLIES = {  # method: the settings that make a difference
     "AUTO": {"probes", "depth_scale"},  # viewports on a GPU use the atlas
     "ATLAS": {"probes", "depth_scale"},

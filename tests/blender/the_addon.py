@@ -13,18 +13,18 @@ fovea = next(
 
 
 def part(name):
-    """A module of the add-on: part("blender.scene")."""
+    """A module of the add-on: part("scene.scene")."""
     return importlib.import_module(f"{fovea.__name__}.{name}")
 
 
 def own_style(scene):
     """The properties of a scene's own style, the default if it has none."""
-    return part("blender.style_data").own(scene)
+    return part("style.style_data").own(scene)
 
 
 def use_style(scene, wanted):
     """Draws with a Style, or a shipped one; its properties."""
-    return part("blender.style_data").use(scene, wanted)
+    return part("style.style_data").use(scene, wanted)
 
 
 def lines_of(scene):
@@ -34,14 +34,14 @@ def lines_of(scene):
 
 def only_lines(scene, *names):
     """Draws these kinds of lines alone."""
-    part("blender.style_data").choose_lines(own_style(scene), names)
+    part("style.style_data").choose_lines(own_style(scene), names)
 
 
 def add_hidden(line_set, first=1, last=None):
     """A hidden pen of dashes; its properties."""
     style = part("style")
-    dashes = style.dashed(part("blender.style_read").pen(line_set.pen))
-    part("blender.style_write").write_hidden(line_set.hidden.add(), style.Hidden(pen=dashes, first=first, last=last))
+    dashes = style.dashed(part("style.style_read").pen(line_set.pen))
+    part("style.style_write").write_hidden(line_set.hidden.add(), style.Hidden(pen=dashes, first=first, last=last))
     return line_set.hidden[-1]
 
 

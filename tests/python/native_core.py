@@ -14,7 +14,6 @@ if native.problem():
     pytest.skip("the native module is not built", allow_module_level=True)
 
 from addon import pipeline, style
-from addon.backend import cpu
 
 core = native.load()
 SIZE = (96, 64)
@@ -117,7 +116,7 @@ def frame(placed, seen, line_sets=((ALL_LINES, 60.0),), *, notes=None, cancel=No
     sets = [{"kinds": kinds, "corner_angle": angle, **common} for kinds, angle in line_sets]
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": sets}))
     beside = {"notes": notes} if notes else {}
-    return pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), cancel=cancel, **beside)
+    return pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(**options), cancel=cancel, **beside)
 
 
 def draw(placed, seen, line_sets=((ALL_LINES, 60.0),)):

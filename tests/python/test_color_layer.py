@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from native_core import Mesh, box, core, scene, sphere, view
 
-from addon import pipeline, stages, style
-from addon.backend import cpu
+from addon import pipeline, style
 
 SIZE = (160, 120)
 SUN = (0.3, -0.5, 0.8)  # the way to it
@@ -27,14 +26,14 @@ def passes(placed, seen, sources, shading="flat", bands=3, **options):
     """The passes of a picture without lines."""
     parts = {"line_sets": [{"kinds": {"edge_mark": {}}}], "color": {"shading": shading, "bands": bands}}
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, **parts}))
-    made = pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), colors=sources)
+    made = pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(**options), colors=sources)
     made.picture()
     return made.passes()
 
 
 def layer(surfaces, colors, shading="flat", lights=(), world=(0, 0, 0), seen=None, bands=3, matrices=None, usage=None):
     seen = seen or view((4, -3, 2), (0, 0, 0), size=SIZE)
-    sources = stages.ColorSources(list(colors), list(lights), world)
+    sources = core.ColorSources(list(colors), list(lights), world)
     return passes(scene(surfaces, matrices, usage), seen, sources, shading, bands)["color"]
 
 
@@ -214,7 +213,7 @@ def test_what_does_not_fit_is_refused():
 def test_a_picture_larger_than_a_tile_has_no_seam():
     size = (4200, 24)
     seen, placed = view((4, -3, 2), (0, 0, 0), size=size), scene([box((-9, -9, -2), (9, 9, 0)).surface()])
-    found = passes(placed, seen, stages.ColorSources([plain((1, 1, 1))], [], (0, 0, 0)), with_depth=True)
+    found = passes(placed, seen, core.ColorSources([plain((1, 1, 1))], [], (0, 0, 0)), with_depth=True)
     found, hit = found["color"], found["depth"] < 1e9
     assert 0.2 < hit.mean() and np.mean((found[..., 3] > 0.5) == hit) > 0.995
     assert np.abs(np.diff(found[..., 3], axis=1))[:, 2040:2056].max() == 0

@@ -13,7 +13,7 @@ PROJECT = Path(__file__).parents[2]
 NAMES = frozenset(catalogue.by_name())
 LINES = PROJECT / "native" / "fovea" / "line"
 EXEMPT = {
-    "addon/blender/freestyle.py": "an importer: a table says which lines Freestyle's edge types are",
+    "addon/style/freestyle.py": "an importer: a table says which lines Freestyle's edge types are",
 }
 
 
@@ -62,7 +62,7 @@ def test_no_code_but_its_own_file_names_a_line_definition():
         ("native/fovea/path/planted.cpp", 'auto i = definition_index("crease");'),
         ("native/fovea/elision/planted.h", "extern const LineDefinition contour, border;"),
         ("addon/planted.py", 'slow = {"silhouette"}'),
-        ("addon/blender/planted.py", "def drawn(kinds):\n    return kinds.crease"),
+        ("addon/scene/planted.py", "def drawn(kinds):\n    return kinds.crease"),
     ],
 )
 def test_a_definition_that_is_named_elsewhere_is_found(tmp_path, file, text):

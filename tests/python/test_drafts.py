@@ -5,8 +5,7 @@ import numpy as np
 import pytest
 from native_core import box, core, scene, sphere, view
 
-from addon import budget, pipeline, stages, style
-from addon.backend import cpu
+from addon import budget, pipeline, style
 
 DRAFT = budget.QUALITIES[3]
 THICK, THIN = style.Pen(width=8.0), style.Pen(width=2.0)
@@ -32,8 +31,8 @@ def drawn(line_sets, quality=None, placements=()):
         options = budget.coarser(options, quality).replace(outlines=budget.outlines(chosen, quality))
         chosen = budget.simplified(chosen, quality)
     seen = view((0, -14, 4), (0, 0, 0), size=(480, 270))
-    notes = stages.Notes(filters=stages.LineFilters(placements))
-    return pipeline.draw(placed, seen, chosen, cpu.Backend(), options, notes=notes).lines[..., 3]
+    notes = core.Overrides(placements=placements)
+    return pipeline.draw(placed, seen, chosen, core.CpuBackend(), options, notes=notes).lines[..., 3]
 
 
 def apart(a, b):
@@ -105,9 +104,9 @@ def dimmed(model, quality=None, effects=style.Effects(**DIMMED)):
         seen = seen.smaller(quality.scale)
     ball, cube = (sum(map(len, mesh.polygons)) for mesh in (sphere(24), box()))
     painted = {"seen": [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]}
-    sources = stages.ColorSources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3)
-    beside = {"colors": sources, "notes": stages.Notes(painted=painted, objects=(("Ball",), ("Cube",), ("Pair",)))}
-    return pipeline.draw(placed, seen, chosen, cpu.Backend(), options.replace(with_focus=True), **beside)
+    sources = core.ColorSources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3, [], (0, 0, 0))
+    beside = {"colors": sources, "notes": core.Overrides(painted=painted, objects=(("Ball",), ("Cube",), ("Pair",)))}
+    return pipeline.draw(placed, seen, chosen, core.CpuBackend(), options.replace(with_focus=True), **beside)
 
 
 def halves(image):

@@ -12,7 +12,7 @@ from addon import catalogue, style
 PROJECT = Path(__file__).parents[2]
 FOLDERS = ("native/fovea", "native/bindings", "native/tool", "addon", "shaders")
 # Words of the style files that scripts, importers and panels may use as everyone does.
-USERS = ("addon/style.py", "addon/blender/freestyle.py", "addon/blender/api.py", "addon/blender/panels/")
+USERS = ("addon/style/__init__.py", "addon/style/freestyle.py", "addon/scene/api.py", "addon/ui/")
 COMMENTS = {
     ".py": re.compile(r'""".*?"""|#[^\n]*', re.DOTALL),
     ".glsl": re.compile(r"//[^\n]*"),

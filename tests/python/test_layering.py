@@ -4,6 +4,7 @@
 import ast
 import re
 import shutil
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -30,13 +31,14 @@ LIBRARIES = {
 }
 
 # Python module -> where it may be imported.
+BLENDER = r"addon/(scene|focus|style(?!/__init__)|render|ui)/"
 DOORS = {
-    "bpy": r"addon/blender/",
-    "bmesh": r"addon/blender/",
-    "mathutils": r"addon/blender/",
-    "bpy_extras": r"addon/blender/",
-    "gpu": r"addon/backend/gpu\w*\.py",
-    "gpu_extras": r"addon/backend/gpu\w*\.py",
+    "bpy": BLENDER,
+    "bmesh": BLENDER,
+    "mathutils": BLENDER,
+    "bpy_extras": BLENDER,
+    "gpu": r"addon/gpu/",
+    "gpu_extras": r"addon/gpu/",
     "addon": r"nowhere",  # the package has another name once it is installed: imports in it are relative
     "bl_ext": r"nowhere",
     "tests": r"nowhere",
@@ -44,9 +46,9 @@ DOORS = {
     "command": r"nowhere",
 }
 
-# The add-on's own parts -> those they may import; a folder stands for all that is in it.
-PARTS = {
-    "__init__": "blender",
+# The add-on's modules that need no Blender -> those they may import. `style` is the __init__ of its folder.
+MODULES = {
+    "__init__": "",
     "stages": "",
     "native": "_native",
     "style": "catalogue native",
@@ -54,17 +56,16 @@ PARTS = {
     "line_arrays": "native",
     "still_life": "",
     "curve_fit": "",
-    "backend/cpu": "native",
-    "backend/gpu": "backend/gpu native stages",
     "pipeline": "native stages style",
     "budget": "catalogue",
-    "blender": "blender backend budget catalogue curve_fit line_arrays native pipeline stages still_life style",
 }
+# Its folders: each imports itself, those before it, and all modules; `gpu` only the module of the core.
+FOLDERS = "gpu scene focus style render ui".split()
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(backend/(cpu|gpu\w*)|catalogue|line_arrays|pipeline|style|"
-    r"blender/(api|drawn_lines|preferences|reading|scene|session|style_picture|viewport))\.py"
+    r"addon/(gpu/\w+|catalogue|line_arrays|pipeline|scene/api|style/(__init__|style_picture)|"
+    r"render/(drawn_lines|line_operators|methods|reading|session|viewport)|ui/preferences)\.py"
 )
 
 
@@ -93,21 +94,35 @@ def _native_violations(root):
 
 
 def _python_violations(root):
+    imported = {}  # module of the add-on: those it imports
     for file in sorted((root / "addon").rglob("*.py")):
         name = file.relative_to(root).as_posix()
         tree = ast.parse(file.read_text(), name)
         if "native.load" in (ast.unparse(n) for n in ast.walk(tree) if isinstance(n, ast.Attribute)):
             if not re.fullmatch(LOADERS, name):
                 yield f"{name} loads the native module"
-        for module in _imports(tree, file.relative_to(root / "addon")):
+        importer = _module(file.relative_to(root / "addon"))
+        imported[importer] = []
+        for module in _imports(tree, file.relative_to(root / "addon"), root / "addon"):
             if module.startswith("."):
-                if not _may_import(name.removeprefix("addon/").removesuffix(".py"), module[1:]):
+                imported[importer].append(module[1:])
+                if not _may_import(importer, module[1:]):
                     yield f"{name} imports {module[1:]}"
             elif not re.match(DOORS.get(module.split(".")[0], ""), name):
                 yield f"{name} imports {module}, allowed only in {DOORS[module.split('.')[0]]}"
+    try:
+        TopologicalSorter(imported).prepare()
+    except CycleError as error:
+        yield f"modules import each other: {' '.join(error.args[1])}"
 
 
-def _imports(tree, file):
+def _module(file):
+    """A file of the add-on as imports name it: 'folder/module', 'folder', or '__init__' of the add-on itself."""
+    name = file.with_suffix("").as_posix()
+    return name.removesuffix("/__init__")
+
+
+def _imports(tree, file, root):
     """Names of imported modules; those of the add-on as '.folder/module'."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
@@ -117,19 +132,21 @@ def _imports(tree, file):
         elif isinstance(node, ast.ImportFrom):
             base = file.parents[node.level - 1].as_posix().removeprefix(".")
             inside = "/".join(filter(None, [base, (node.module or "").replace(".", "/")]))
-            folder = not node.module or inside in ("backend", "blender")
-            names = ["/".join(filter(None, [inside, alias.name])) for alias in node.names]
-            yield from ("." + module for module in (names if folder else [inside]))
+            for alias in node.names:
+                name = "/".join(filter(None, [inside, alias.name]))
+                is_module = (root / f"{name}.py").exists() or (root / name).is_dir()
+                yield "." + (name if is_module else inside)
 
 
 def _may_import(importer, imported):
-    matches = [part for part in PARTS if importer == part or importer.startswith((part + "/", part + "_"))]
-    if importer == "backend/__init__":
-        return True
-    if not matches:
+    if importer in MODULES:
+        return imported in MODULES[importer].split()
+    folder, other = importer.split("/")[0], imported.split("/")[0]
+    if folder not in FOLDERS:
         return False
-    allowed = PARTS[max(matches, key=len)].split()
-    return any(imported == part or imported.startswith((part + "/", part + "_")) for part in allowed)
+    if imported in MODULES:
+        return folder != "gpu" or imported == "native"
+    return other in FOLDERS[: FOLDERS.index(folder) + 1]
 
 
 def test_readme_names_the_native_folders_in_their_order():
@@ -160,12 +177,17 @@ def test_the_rules_hold():
         ("native/fovea/base/planted.cpp", "#include <nlohmann/json.hpp>", "allowed only in native/(tool/"),
         ("native/surprise/planted.h", "", "not in the order of the data"),
         ("addon/planted.py", "import bpy", "imports bpy"),
-        ("addon/pipeline.py", "from .backend import gpu", "imports backend/gpu"),
-        ("addon/backend/cpu.py", "import gpu", "imports gpu"),
-        ("addon/backend/gpu_planted.py", "from ..blender import scene", "imports blender/scene"),
+        ("addon/style/__init__.py", "import bpy", "imports bpy"),
+        ("addon/pipeline.py", "from .gpu import backend", "imports gpu/backend"),
+        ("addon/scene/camera.py", "import gpu", "imports gpu"),
+        ("addon/gpu/planted.py", "from ..scene import scene", "imports scene/scene"),
+        ("addon/gpu/planted.py", "from .. import style", "imports style"),
+        ("addon/scene/planted.py", "from ..style import style_data", "imports style/style_data"),
+        ("addon/style/planted.py", "from ..ui.preferences import apply", "imports ui/preferences"),
         ("addon/curve_fit.py", "from . import native\nnative.load()", "loads the native module"),
         ("addon/stages.py", "def late():\n    from .style import Pen", "imports style"),
-        ("addon/blender/planted.py", "import addon.style", "imports addon.style"),
+        ("addon/scene/planted.py", "import addon.style", "imports addon.style"),
+        ("addon/planted/file.py", "from .. import native", "imports native"),
     ],
 )
 def test_a_broken_rule_is_found(tmp_path, file, text, complaint):
@@ -175,3 +197,13 @@ def test_a_broken_rule_is_found(tmp_path, file, text, complaint):
     planted.parent.mkdir(parents=True, exist_ok=True)
     planted.write_text(text)
     assert any(file in sentence and complaint in sentence for sentence in violations(tmp_path))
+
+
+def test_modules_that_import_each_other_are_found(tmp_path):
+    for folder in ("native", "addon"):
+        shutil.copytree(PROJECT / folder, tmp_path / folder)
+    (tmp_path / "addon/scene/problem.py").write_text("def late():\n    from .camera import of_scene")
+    assert any(
+        "scene/camera scene/problem scene/camera" in s or "scene/problem scene/camera" in s
+        for s in violations(tmp_path)
+    )

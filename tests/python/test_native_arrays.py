@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 from native_core import box, core, counts, draw, frame, members, scene, sphere, surface, view
 
-from addon import pipeline, stages
-from addon.backend import cpu
+from addon import pipeline
 
 CORNER = ((4, -5, 3), (0, 0, 0))
 CREASES = [({"crease": {}}, 60.0)]
@@ -159,7 +158,7 @@ def test_line_sets_refuse_unknown_names():
     placed, seen = scene([box().surface()]), view(*CORNER)
     for kinds, unknown in (({"outline": {}}, "outline"), ({"crease": {"angel": 3.0}}, "angel")):
         with pytest.raises(ValueError, match=unknown):
-            pipeline.frame(placed, seen, pipeline.style_of_lines(kinds), cpu.Backend(), pipeline.options()).find()
+            pipeline.frame(placed, seen, pipeline.style_of_lines(kinds), core.CpuBackend(), pipeline.options()).find()
     with pytest.raises(ValueError, match="sample_step"):
         frame(placed, seen, CREASES, sample_step=0.0).find()
 
@@ -227,10 +226,11 @@ def test_filters_of_line_sets_are_arrays_over_placements_and_materials():
     placed, rows = scene([mesh.surface()]), np.zeros(1, np.uint32)
 
     def edges(*of_set, **own):
-        placements, materials = (tuple(each) for each in ((of_set[:1], of_set[1:])))
-        made = frame(
-            placed, view(*CORNER), CREASES, notes=stages.Notes(filters=stages.LineFilters(placements, materials, **own))
-        )
+        materials = [rule and core.MaterialFilter(*rule) for rule in of_set[1:]]
+        if "lined" in own:
+            own["lined"] = core.MaterialFilter(*own["lined"])
+        said = core.Overrides(placements=of_set[:1], materials=materials, **own)
+        made = frame(placed, view(*CORNER), CREASES, notes=said)
         made.find()
         return len(made.paths.place) - len(made.paths)
 

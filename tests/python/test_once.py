@@ -5,10 +5,9 @@ import json
 
 import numpy as np
 import pytest
-from native_core import box, scene, view
+from native_core import box, core, scene, view
 
-from addon import pipeline, stages, style
-from addon.backend import cpu
+from addon import pipeline, style
 
 AWAY = {"pen": {"width": 3}, "pen_away": {"width": 3, "opacity": 0.1}}
 
@@ -20,8 +19,8 @@ def frame(model, **options):
     focus = {"model": model, "points": [{"object": "A", "at": [-2, 0, 0], "near": 0.5, "far": 3}]}
     sets = [{"kinds": {"contour": {}, "crease": {}}, **AWAY}]
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": sets, "focus": focus}))
-    notes = stages.Notes(objects=(("A",), ("B",)))
-    return pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(**options), notes=notes)
+    notes = core.Overrides(objects=(("A",), ("B",)))
+    return pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(**options), notes=notes)
 
 
 def passes(model, **options):

@@ -5,10 +5,9 @@ import json
 
 import numpy as np
 import pytest
-from native_core import box, scene, view
+from native_core import box, core, scene, view
 
-from addon import pipeline, stages, style
-from addon.backend import cpu
+from addon import pipeline, style
 
 
 def parsed(**parts):
@@ -69,8 +68,8 @@ def drawn(look, **notes):
     matrices[0][0, 3], matrices[1][0, 3] = -2, 2
     placed, seen = scene([box().surface()] * 2, matrices), view((0, -12, 3), (0, 0, 0))
     chosen = parsed(line_sets=[{"kinds": {"crease": {}}, **PEN}], focus=look)
-    said = stages.Notes(objects=(("A",), ("B",)), **notes)
-    made = pipeline.frame(placed, seen, chosen, cpu.Backend(), pipeline.options(), notes=said)
+    said = core.Overrides(objects=(("A",), ("B",)), **notes)
+    made = pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(), notes=said)
     made.filter()
     return made
 

@@ -10,7 +10,7 @@ import pytest
 from native_core import Mesh, core, scene
 from test_textures import read_png
 
-from addon import pipeline, stages, style
+from addon import pipeline, style
 from addon.style import LineSet, Paper
 
 PROJECT = Path(__file__).parents[2]
@@ -73,7 +73,7 @@ def drawn(paper, lines=(0, 0, 0, 0), layer=None, *, seen=None, background=None, 
     if layer is not None:
         chosen = chosen.replace(color=style.Color(shading="flat", opacity=layer[3], background=background))
         base = tuple(value / layer[3] for value in layer[:3])
-        sources = stages.ColorSources([core.SurfaceColor([core.ColorSlot(base)])])
+        sources = core.ColorSources([core.SurfaceColor([core.ColorSlot(base)])], [], (0, 0, 0))
     return pipeline.draw(placed, seen or camera(), chosen, Even(lines), pipeline.options(), colors=sources).combined
 
 

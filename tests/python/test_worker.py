@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from addon.blender import worker
+from addon.render import worker
 
 
 class Stopped(Exception):

@@ -8,7 +8,7 @@ from slow import held
 from the_addon import part
 from window import screen
 
-viewport, worker = part("blender.viewport"), part("blender.worker")
+viewport, worker = part("render.viewport"), part("render.worker")
 
 
 class Waits:
@@ -100,5 +100,5 @@ def nudge():
 
 def restyle():
     bpy.context.scene.fovea.focus_model = "NONE"
-    held_style = part("blender.style_data").own(bpy.context.scene)
+    held_style = part("style.style_data").own(bpy.context.scene)
     held_style.line_sets[0].pen.width += 0.5

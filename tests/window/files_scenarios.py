@@ -8,8 +8,8 @@ from slow import held
 from the_addon import add_camera, box_mesh, new_object, part
 from window import screen
 
-style_data, style_read = part("blender.style_data"), part("blender.style_read")
-focus_settings = part("blender.focus_settings")
+style_data, style_read = part("style.style_data"), part("style.style_read")
+focus_settings = part("focus.focus_settings")
 
 
 def styled():

@@ -10,7 +10,7 @@ from showing import still
 from the_addon import part
 from window import screen
 
-places = part("blender.focus_places")
+places = part("focus.focus_places")
 REACH = 0.06  # of the frame's width: half the side of what is looked at around a place
 
 

@@ -13,7 +13,7 @@ from mathutils import Vector
 from the_addon import add_camera, box_mesh, new_object, part
 from window import screen
 
-places, operators = part("blender.focus_places"), part("blender.focus_operators")
+places, operators = part("focus.focus_places"), part("focus.focus_operators")
 
 
 def opened(engine="FOVEA"):

@@ -8,7 +8,7 @@ from showing import Steps, calm, of_file, opened, still, turn
 from the_addon import part, use_style
 from window import screen
 
-style_data = part("blender.style_data")
+style_data = part("style.style_data")
 LAST = 20
 
 

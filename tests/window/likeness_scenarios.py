@@ -8,7 +8,7 @@ from showing import calm, opened, still, turn
 from the_addon import part
 from window import screen
 
-camera = part("blender.camera")
+camera = part("scene.camera")
 
 
 def frame():
@@ -76,7 +76,7 @@ def camera_view(folder):
     yield from beside("moved")
     left, lower, width, height = (round(number) for number in frame())
     before = still(folder, "before")
-    for line_set in part("blender.style_data").own(scene).line_sets:
+    for line_set in part("style.style_data").own(scene).line_sets:
         line_set.pen.width *= 1.25
     yield from watch.refined()
     wider = screen.picture()[lower : lower + height, left : left + width]
@@ -141,7 +141,7 @@ def on_gpu(folder):
         screen.swap()
         yield
     yield from watch.refined()
-    told["drawn by"] = part("blender.session").last_statistics()["backend"]
+    told["drawn by"] = part("render.session").last_statistics()["backend"]
     settings.backend, settings.visibility = "CPU", "AUTO"
     turn(-15)
     yield from watch.refined()

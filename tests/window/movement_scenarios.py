@@ -50,7 +50,7 @@ def orbit(folder):
 def shapes(folder):
     """Shape keys, an armature, playback, a style, several viewports, orthographic views."""
     watch = yield from opened("boxes:2")
-    steps, layer, held = Steps(watch), bpy.context.view_layer, part("blender.style_data").own(bpy.context.scene)
+    steps, layer, held = Steps(watch), bpy.context.view_layer, part("style.style_data").own(bpy.context.scene)
     obj = new_object(box_mesh(1.5), "Shaped", (0, 0, 5))
     obj.shape_key_add(name="Basis")
     key = obj.shape_key_add(name="Wide")

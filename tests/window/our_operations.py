@@ -5,7 +5,7 @@ import bpy
 from operations import choose, done, place, told
 from the_addon import part
 
-style_data = part("blender.style_data")
+style_data = part("style.style_data")
 
 
 def object_property(lot):

@@ -11,7 +11,7 @@ from mathutils import Quaternion
 from the_addon import part
 from window import screen
 
-overlay, camera, reading = part("blender.focus_overlay"), part("blender.camera"), part("blender.reading")
+overlay, camera, reading = part("ui.focus_overlay"), part("scene.camera"), part("render.reading")
 SHARED = Path(__file__).parents[3] / "shared"
 
 
@@ -82,7 +82,12 @@ def rendered(folder, spec="office"):
         scales.append((self.scale / overlay.SCALE, self.key != key))
 
     reads, read = [], reading.Reader.read
-    overlay._Shown.update, reading.Reader.read = update, lambda *words: reads.append(1) or read(*words)
+
+    def counted(reader, *words):
+        reads.extend(own for own in overlay._readers if own is reader)  # others read what the engine draws
+        return read(reader, *words)
+
+    overlay._Shown.update, reading.Reader.read = update, counted
     yield from screen.rest(4)
     screen.swap()
     np.save(folder / "rendered.npy", screen.picture())

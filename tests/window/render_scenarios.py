@@ -28,7 +28,7 @@ def beside_a_viewport(_folder):
     screen.swap()
     yield from watch.refined()
     told["apart"] = float(np.abs(screen.picture()[16:] - before).max())
-    told["report"] = bpy.data.texts[part("blender.report").TEXT].as_string()
+    told["report"] = bpy.data.texts[part("render.report").TEXT].as_string()
     told["result"] = [image.name for image in bpy.data.images if image.type == "RENDER_RESULT"]
     told["windows"] = len(bpy.context.window_manager.windows)
     scene.render.engine = "BLENDER_WORKBENCH"

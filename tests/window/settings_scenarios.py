@@ -80,7 +80,7 @@ def every_property(folder):
     watch = yield from opened("boxes:2")
     scene = bpy.context.scene
     bpy.data.images.new("Density", 8, 8)
-    part("blender.style_data").new("Other", part("style").load("pencil"))
+    part("style.style_data").new("Other", part("style").load("pencil"))
     held = use_style(scene, "xray_focus")
     while len(held.line_sets) > 1:
         held.line_sets.remove(0)

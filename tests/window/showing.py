@@ -18,7 +18,7 @@ from watch import Watch
 from window import screen
 
 SHARED = Path(__file__).parents[3] / "shared"
-caretaker = part("blender.caretaker")
+caretaker = part("render.caretaker")
 
 
 def opened(spec=None):

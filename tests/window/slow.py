@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 from the_addon import part
 
-session, worker = part("blender.session"), part("blender.worker")
+session, worker = part("render.session"), part("render.worker")
 
 
 class Held:

@@ -4,7 +4,7 @@
 from the_addon import part
 from window import screen
 
-viewport, session, Budget = part("blender.viewport"), part("blender.session"), part("budget").Budget
+viewport, session, Budget = part("render.viewport"), part("render.session"), part("budget").Budget
 
 
 class Watch:

@@ -14,9 +14,8 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import bpy
 import numpy as np
 import scenes
-from bl_ext.user_default.fovea import style
-from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import gpu_context
+from bl_ext.user_default.fovea import native, style
+from bl_ext.user_default.fovea.render import gpu_context
 
 from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, world
 from bench.visibility.worker import middle, orbit
@@ -76,9 +75,9 @@ def stage_costs(scene, workbench, place):
     """Of watercolor, which has all effects of colour, with focus in the middle of the image."""
     middle_ = style.Focus(model="image", points=(style.FocusPlace(at=(0.5, 0.5, 0.0), near=0.1, far=0.6),))
     chosen = world.named_style("watercolor").replace(focus=middle_)
-    told, backends = [("Workbench, ms a frame", workbench, None)], [cpu.Backend()]
+    told, backends = [("Workbench, ms a frame", workbench, None)], [native.load().CpuBackend()]
     if gpu_context.available():
-        from bl_ext.user_default.fovea.backend import gpu
+        from bl_ext.user_default.fovea.gpu import backend as gpu
 
         backends.append(gpu.Backend())
     for backend in backends:

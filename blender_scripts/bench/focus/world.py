@@ -2,14 +2,13 @@
 """A scene as the stages take it, drawn again and again, with what went through the pipeline kept."""
 
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
 from bl_ext.user_default.fovea import native, pipeline, style
-from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import camera, scene, style_data
-from bl_ext.user_default.fovea.stages import LineFilters
+from bl_ext.user_default.fovea.scene import camera, line_filters, scene
+from bl_ext.user_default.fovea.style import style_data
 
 from .places import places_of
 
@@ -45,7 +44,9 @@ class World:
         view, kept = view or self.view, []
         seen = scene.seen(native.load(), view)
         with kept_results(pipeline, "frame", kept):
-            image = pipeline.draw(self._placed, seen, style_, backend or cpu.Backend(), self._options, **self._given)
+            image = pipeline.draw(
+                self._placed, seen, style_, backend or native.load().CpuBackend(), self._options, **self._given
+            )
         (frame,) = kept
         shown = np.ones(frame.clipped.samples, np.float32) if frame.shown is None else frame.shown
         return Drawn(image, view, style_, frame, shown)
@@ -57,8 +58,6 @@ def measure(work, size, named="watercolor"):
 
     def measured(placed, seen, style_, backend, options, **given):
         pipeline.draw = draw
-        # Styles drawn here have other line sets than the scene's, and none is for some lines alone.
-        given["notes"] = replace(given["notes"], filters=LineFilters())
         outcome.append(work(World(placed, views[-1], options.replace(with_depth=True), given)))
         return draw(placed, seen, plain(), backend, options, **given)
 
@@ -67,17 +66,19 @@ def measure(work, size, named="watercolor"):
     render.resolution_percentage = 100
     bpy.context.scene.fovea.backend = "CPU"
     style_data.use(bpy.context.scene, named)
-    of_render = camera.of_render
+    of_render, of_sets = camera.of_render, line_filters.of
 
     def of_render_kept(*arguments):
         views.append(of_render(*arguments))
         return views[-1]
 
     pipeline.draw, camera.of_render = measured, of_render_kept
+    # Styles drawn here have other line sets than the scene's, and none is for some lines alone.
+    line_filters.of = lambda *_: {}
     try:
         bpy.ops.render.render()
     finally:
-        pipeline.draw, camera.of_render = draw, of_render
+        pipeline.draw, camera.of_render, line_filters.of = draw, of_render, of_sets
     return outcome[0]
 
 

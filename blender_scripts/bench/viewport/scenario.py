@@ -8,7 +8,8 @@ from pathlib import Path
 
 import bpy
 import scenes
-from bl_ext.user_default.fovea.blender import session, style_data, viewport
+from bl_ext.user_default.fovea.render import session, viewport
+from bl_ext.user_default.fovea.style import style_data
 from mathutils import Quaternion
 from window import screen
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from bl_ext.user_default.fovea import pipeline
-from bl_ext.user_default.fovea.backend import gpu
+from bl_ext.user_default.fovea.gpu import backend as gpu
 
 from .plain_lines import PlainLines
 

@@ -6,8 +6,8 @@ Everything lies in vertex buffers from the first frame on, but for lines that ch
 import gpu
 import numpy as np
 from bl_ext.user_default.fovea import native
-from bl_ext.user_default.fovea.backend.gpu_program import vertex_buffer
-from bl_ext.user_default.fovea.backend.gpu_texture import Target
+from bl_ext.user_default.fovea.gpu.program import vertex_buffer
+from bl_ext.user_default.fovea.gpu.texture import Target
 from mathutils import Matrix
 
 # Lines are drawn a little nearer, so that their own surface does not hide them.

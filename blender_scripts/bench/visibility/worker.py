@@ -16,8 +16,8 @@ import bpy
 import numpy as np
 import scenes
 from bl_ext.user_default.fovea import native, pipeline
-from bl_ext.user_default.fovea.backend import cpu
-from bl_ext.user_default.fovea.blender import camera, scene, style_data
+from bl_ext.user_default.fovea.scene import camera, scene
+from bl_ext.user_default.fovea.style import style_data
 from mathutils import Matrix, Vector
 
 from bench.visibility import methods, quality
@@ -49,7 +49,7 @@ def main(asked):
         pipeline.draw = draw
         world = World(placed, kept["snapshot"].object_to_world)
         run(world, orbit(kept["view"], pivot, asked["frames"]), style, options, asked)
-        return draw(placed, seen, style, cpu.Backend(), options, **watching)
+        return draw(placed, seen, style, native.load().CpuBackend(), options, **watching)
 
     camera.of_render = remembering(kept, "view", camera.of_render)
     scene.gather = remembering(kept, "snapshot", scene.gather)

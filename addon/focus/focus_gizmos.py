@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Gizmos of the focus: the two radii of every place as rings, and its middle where no object marks it.
+
+All is drawn and dragged in pixels of the region; values go through the properties, so that keyframes and undo hold.
+"""
+
+import bpy
+
+from ..gpu import overlay as gpu_overlay
+from ..scene.problem import CannotDraw
+from . import focus_operators, focus_places
+
+NEAR, FAR = (1.0, 0.55, 0.1), (0.25, 0.6, 1.0)
+PARTS = ("middle", "near", "far")
+_REACH = 8  # pixels from a ring or a middle at which the pointer takes hold of it
+
+
+class FOVEA_GT_focus_handle(bpy.types.Gizmo):
+    """One ring, or the middle, of one place."""
+
+    bl_idname = "FOVEA_GT_focus_handle"
+    __slots__ = ("index", "part", "before")
+
+    def place(self, context):
+        """The place, or None where it has been removed or this part of it cannot be dragged."""
+        settings = context.scene.fovea
+        if self.index > len(settings.focus_points):
+            return None
+        place = settings if self.index == 0 else settings.focus_points[self.index - 1]
+        marked = settings.focus_model == "SCENE" and place.focus_object
+        return None if self.part == "middle" and marked else place
+
+    def seen(self, context):
+        """(look, place, middle in pixels, radius in pixels), or None where it is not to be seen."""
+        place, model = self.place(context), context.scene.fovea.focus_model
+        try:
+            look = focus_operators.look(context)
+        except CannotDraw:
+            return None
+        if place is None or model not in ("IMAGE", "SCENE") or (model == "IMAGE" and look.frame is None):
+            return None
+        middle = look.centre(place, model)
+        if middle is None:
+            return None
+        radius = 0.0 if self.part == "middle" else getattr(place, self.name(model)) * look.unit(place, model)
+        return look, place, middle, radius
+
+    def name(self, model):
+        """The property that is dragged."""
+        if self.part == "middle":
+            return "focus_place" if model == "IMAGE" else "focus_location"
+        return focus_places.RADII[model][self.part == "far"]
+
+    def draw(self, context):
+        found = self.seen(context)
+        if found is None:
+            return
+        _, _, middle, radius = found
+        color = FAR if self.part == "far" else NEAR
+        if self.is_highlight or self.is_modal:
+            color = tuple(0.5 + 0.5 * v for v in color)
+        if self.part == "middle":
+            gpu_overlay.dot(middle, 5.0, (*color, 1.0))
+        else:
+            gpu_overlay.ring(middle, radius, (*color, 0.9), 3.0 if self.is_highlight else 2.0)
+
+    def test_select(self, context, location):
+        found = self.seen(context)
+        if found is None:
+            return -1
+        _, _, middle, radius = found
+        away = ((location[0] - middle.x) ** 2 + (location[1] - middle.y) ** 2) ** 0.5
+        return 0 if abs(away - radius) < _REACH else -1
+
+    def invoke(self, context, event):
+        place, model = self.place(context), context.scene.fovea.focus_model
+        # A radius may take the other with it.
+        names = (self.name(model),) if self.part == "middle" else focus_places.RADII[model]
+        values = {name: getattr(place, name) for name in names}
+        self.before = {name: v if isinstance(v, float) else tuple(v) for name, v in values.items()}
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event, tweak):
+        found = self.seen(context)
+        if found is not None:
+            look, place, middle, _ = found
+            drag(look, place, context.scene.fovea.focus_model, self.part, middle, event, slow="PRECISE" in tweak)
+            context.area.header_text_set(self.told(place, context.scene.fovea.focus_model))
+        return {"RUNNING_MODAL"}
+
+    def told(self, place, model):
+        value, label = getattr(place, self.name(model)), place.bl_rna.properties[self.name(model)].name
+        numbers = (value,) if isinstance(value, float) else value
+        return f"{label}: {', '.join(f'{v:.3f}' for v in numbers)}"
+
+    def exit(self, context, cancel):
+        context.area.header_text_set(None)
+        place = self.place(context)
+        if place is None:
+            return
+        for name, value in self.before.items():
+            if cancel:
+                setattr(place, name, value)
+            else:
+                focus_places.key(context.scene, place, name)
+        if not cancel:
+            bpy.ops.ed.undo_push(message="Drag Focus")
+
+
+def drag(look, place, model, part, middle, event, slow=False):
+    """Sets a place, or a radius of it, to where the pointer is. The radii stay in order."""
+    px = (event.mouse_region_x, event.mouse_region_y)
+    if part == "middle":
+        look.move(place, model, px)
+        return
+    near, far = focus_places.RADII[model]
+    unit = look.unit(place, model)
+    if not unit:
+        return
+    wanted = ((px[0] - middle[0]) ** 2 + (px[1] - middle[1]) ** 2) ** 0.5 / unit
+    name = far if part == "far" else near
+    if slow:
+        old = getattr(place, name)
+        wanted = old + 0.1 * (wanted - old)
+    setattr(place, name, wanted)
+    if part == "near" and getattr(place, far) < wanted:
+        setattr(place, far, wanted)
+    if part == "far" and getattr(place, near) > wanted:
+        setattr(place, near, wanted)
+
+
+class VIEW3D_GGT_fovea_focus(bpy.types.GizmoGroup):
+    """Places to look at, and their radii."""
+
+    bl_idname = "VIEW3D_GGT_fovea_focus"
+    bl_label = "Focus"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "WINDOW"
+    bl_options = {"PERSISTENT", "SHOW_MODAL_ALL"}
+
+    @classmethod
+    def poll(cls, context):
+        if context.engine != "FOVEA" or not context.space_data.overlay.show_overlays:
+            return False
+        model = context.scene.fovea.focus_model
+        in_camera = context.region_data.view_perspective == "CAMERA"
+        return model == "SCENE" or (model == "IMAGE" and in_camera)
+
+    def setup(self, context):
+        self.make(context)
+
+    def refresh(self, context):
+        if len(self.gizmos) != len(PARTS) * len(focus_places.places(context.scene.fovea)):
+            self.make(context)
+
+    def make(self, context):
+        self.gizmos.clear()
+        for index in range(len(focus_places.places(context.scene.fovea))):
+            for part in PARTS:
+                handle = self.gizmos.new(FOVEA_GT_focus_handle.bl_idname)
+                handle.index, handle.part, handle.use_draw_modal = index, part, True
+
+
+CLASSES = (FOVEA_GT_focus_handle, VIEW3D_GGT_fovea_focus)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators on the list of places to look at; a click in the viewport picks them, too: focus_operators.py."""
+
+import bpy
+
+from ..scene import animation
+from ..scene.operator import Operator
+from . import focus_places
+
+LISTED = ("IMAGE", "SCENE", "OBJECT")  # models that have places
+
+
+class FOVEA_OT_focus_place_add(Operator, bpy.types.Operator):
+    """Look at one more place: the active object, or the middle of the picture"""
+
+    bl_idname, bl_label = "fovea.focus_place_add", "Add Focus Place"
+    errors, level = (ValueError,), "WARNING"
+
+    @classmethod
+    def hindrance(cls, context):
+        listed = context.scene is not None and context.scene.fovea.focus_model in LISTED
+        return None if listed else "There is no focus on a place yet: pick one first"
+
+    def act(self, context):
+        settings = context.scene.fovea
+        place = focus_places.another(settings, settings.focus_model)
+        active = context.view_layer.objects.active
+        if settings.focus_model != "IMAGE" and all(p.focus_object != active for p in focus_places.places(settings)):
+            place.focus_object = active
+        context.scene.update_tag()
+
+
+class FOVEA_OT_focus_place_remove(Operator, bpy.types.Operator):
+    """Look no longer at this place. The object that marks it stays"""
+
+    bl_idname, bl_label = "fovea.focus_place_remove", "Remove Focus Place"
+    errors, level = (ValueError,), "WARNING"
+
+    index: bpy.props.IntProperty(
+        name="Index", description="Of the further places, from 0; -1: the last one", default=-1
+    )
+
+    @classmethod
+    def hindrance(cls, context):
+        several = context.scene is not None and context.scene.fovea.focus_points
+        return None if several else "There is one place at most: choose None to look at all alike"
+
+    def act(self, context):
+        points = context.scene.fovea.focus_points
+        gone, count = self.index % len(points) if self.index < 0 else self.index, len(points)
+        if gone >= count:
+            raise ValueError(f"There are only {count} further places")
+        points.remove(gone)
+        left = [None if i == gone else i - (i > gone) for i in range(count)]
+        animation.follow(context.scene, left, animation.FOCUS_POINT)
+        context.scene.update_tag()
+
+
+CLASSES = (FOVEA_OT_focus_place_add, FOVEA_OT_focus_place_remove)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Focus Pull: keyframes that lead from one place to look at to another."""
+
+import bpy
+from mathutils import Vector
+
+from ..scene import animation, camera
+from ..scene.operator import Operator
+from ..scene.problem import CannotDraw
+from . import focus_places
+
+SECONDS = 2  # that a pull takes where the scene is a still
+EASINGS = [  # interpolation of the keyframes
+    ("LINEAR", "Linear", "At one speed"),
+    ("SINE", "Gentle", "Slowly off and slowly there"),
+    ("CUBIC", "Strong", "More slowly off and there, faster between"),
+    ("EXPO", "Sudden", "Still for long, then fast"),
+]
+TARGETS = [
+    ("OBJECT", "Object", "To an object's origin"),
+    ("CURSOR", "3D Cursor", "To the 3D cursor"),
+    ("LOCATION", "Location", "To world coordinates"),
+]
+
+
+RADIUS = {
+    "description": "Radius in the end, in the units of the place's own; less than 0: as it is",
+    "default": -1.0,
+    "soft_min": 0.0,
+}
+
+
+class Track:
+    """Numbers of an ID that a pull keys: values as they are, and those they come to."""
+
+    def __init__(self, owner, name, end):
+        self.owner, self.name, self.end = owner, name, end
+
+    def key(self, first, last, easing):
+        self.owner.keyframe_insert(self.name, frame=first)
+        setattr(self.owner, self.name, self.end)
+        self.owner.keyframe_insert(self.name, frame=last)
+        path = self.owner.path_from_id(self.name)
+        for curves in animation.curves(self.owner.id_data):
+            for curve in curves:
+                if curve.data_path == path:
+                    self._ease(curve, first, last, easing)
+
+    def _ease(self, curve, first, last, easing):
+        for point in curve.keyframe_points:
+            if first <= point.co.x < last:
+                point.interpolation = easing
+                point.easing = "EASE_IN_OUT"
+        curve.update()
+
+
+def pull(scene, at, near, far, first, last, easing):
+    """Keys the first place: as it is at the frame `first`, at world coordinates with other radii at `last`; then shows
+    the frame that was shown. In the model IMAGE `at` is of the frame, from the left and the top."""
+    settings, model = scene.fovea, scene.fovea.focus_model
+    names = focus_places.RADII[model]
+    tracks = [Track(settings, name, radius) for name, radius in zip(names, (near, far))]
+    if model == "IMAGE":
+        tracks.append(Track(settings, "focus_place", at))
+    elif settings.focus_object:
+        tracks.append(_track_of(scene, at))
+    else:
+        tracks.append(Track(settings, "focus_location", at))
+    for track in tracks:
+        track.key(first, last, easing)
+    scene.frame_set(scene.frame_current)
+
+
+def _track_of(scene, at):
+    """An Empty's own location. What marks the place and is no Empty stays where it is: an Empty takes its part."""
+    mark = scene.fovea.focus_object
+    if mark.type != "EMPTY":
+        scene.fovea.focus_object = None
+        mark = focus_places.put(scene, mark.matrix_world.translation).focus_object
+    end = Vector(at)
+    if mark.parent:
+        end = (mark.parent.matrix_world @ mark.matrix_parent_inverse).inverted() @ end
+    return Track(mark, "location", end)
+
+
+def frames_of(scene):
+    """The first and the last frame that a pull is offered."""
+    first, last = scene.frame_start, scene.frame_end
+    return first, last if last > first else first + SECONDS * scene.render.fps
+
+
+def hold(scene, first, last):
+    """Widens the scene's range of frames until it holds a pull; whether it had to."""
+    before = scene.frame_start, scene.frame_end
+    scene.frame_start, scene.frame_end = min(scene.frame_start, first), max(scene.frame_end, last)
+    return (scene.frame_start, scene.frame_end) != before
+
+
+class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
+    """Lead the focus from where it is to another place, over some frames: keys the place and its two radii"""
+
+    bl_idname = "fovea.focus_pull"
+    bl_label = "Focus Pull"
+
+    target: bpy.props.EnumProperty(name="To", description="Where the focus is led", items=TARGETS)
+    object: bpy.props.StringProperty(name="Object", description="Name of the object to lead the focus to")
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="World coordinates to lead the focus to", subtype="XYZ", unit="LENGTH"
+    )
+    frame_start: bpy.props.IntProperty(name="Start", description="The focus sets out at this frame", default=1)
+    frame_end: bpy.props.IntProperty(name="End", description="The focus is there at this frame", default=250)
+    near: bpy.props.FloatProperty(name="Inner Radius", **RADIUS)
+    far: bpy.props.FloatProperty(name="Outer Radius", **RADIUS)
+    easing: bpy.props.EnumProperty(
+        name="Easing", description="How the focus sets out and arrives", items=EASINGS, default="SINE"
+    )
+
+    @classmethod
+    def hindrance(cls, context):
+        told = {
+            "NONE": "There is no focus yet: pick one first",
+            "OBJECT": "The focus is an object's surface: pick a place in the scene to lead it elsewhere",
+            "PAINTED": "The focus is painted on meshes: pick a place in the scene to lead it elsewhere",
+        }
+        return told.get(context.scene.fovea.focus_model if context.scene else "NONE")
+
+    def invoke(self, context, event):
+        scene, active = context.scene, context.object
+        if active and active != scene.fovea.focus_object:
+            self.object = active.name
+        self.target = "OBJECT" if self.object in scene.objects else "CURSOR"
+        self.location = scene.cursor.location
+        self.frame_start, self.frame_end = frames_of(scene)
+        names = focus_places.RADII[scene.fovea.focus_model]
+        self.near, self.far = (getattr(scene.fovea, name) for name in names)
+        return context.window_manager.invoke_props_dialog(self, confirm_text="Key Focus")
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "target")
+        if self.target == "OBJECT":
+            layout.prop_search(self, "object", context.scene, "objects")
+        elif self.target == "LOCATION":
+            layout.prop(self, "location")
+        for name in ("frame_start", "frame_end", "near", "far", "easing"):
+            layout.prop(self, name)
+
+    def act(self, context):
+        scene = context.scene
+        if problem := self._problem(scene):
+            raise CannotDraw(problem)
+        at = self._at(scene)
+        if scene.fovea.focus_model == "IMAGE":
+            x, y = camera.in_frame(context.evaluated_depsgraph_get(), at)
+            at = x, 1 - y
+        names = focus_places.RADII[scene.fovea.focus_model]
+        near, far = (
+            getattr(scene.fovea, name) if radius < 0 else radius for name, radius in zip(names, (self.near, self.far))
+        )
+        pull(scene, at, near, max(near, far), self.frame_start, self.frame_end, self.easing)
+        if hold(scene, self.frame_start, self.frame_end):
+            told = f"The scene's frames are {scene.frame_start} to {scene.frame_end} now, so that all of the pull is played"
+            self.report({"INFO"}, told)
+
+    def _problem(self, scene):
+        """A sentence about what is missing, or None."""
+        if self.frame_end <= self.frame_start:
+            return f"The pull ends at frame {self.frame_end}, not after {self.frame_start}, where it starts"
+        if self.target == "OBJECT" and self.object not in scene.objects:
+            return f"There is no object '{self.object}' in the scene" if self.object else "Choose an object to lead to"
+        if self.target == "OBJECT" and scene.objects[self.object] == scene.fovea.focus_object:
+            return f"'{self.object}' is where the focus is already"
+        if scene.fovea.focus_model == "IMAGE" and scene.camera is None:
+            return "The scene has no camera, in whose frame the place would be"
+        return None
+
+    def _at(self, scene):
+        if self.target == "OBJECT":
+            return scene.objects[self.object].matrix_world.translation.copy()
+        return Vector(scene.cursor.location if self.target == "CURSOR" else self.location)
+
+
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_focus_pull,))

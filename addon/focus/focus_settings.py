@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where to look, as properties of the scene: a style may be drawn with any focus, and shared by scenes with others."""
+
+import bpy
+from bpy.props import CollectionProperty
+
+from .. import style
+from ..scene.property_kinds import choice, number, pointer, text, vector
+
+MOST_LETTERS = 63  # of the name of an attribute, in Blender
+MODELS = [
+    ("NONE", "None", "All is in focus"),
+    ("IMAGE", "Place in the Image", "Focus falls off from a place in the image"),
+    ("SCENE", "Place in the Scene", "Focus falls off from an object's origin, or a point, in space"),
+    ("OBJECT", "Object", "Focus falls off from an object's surface, and from those of its instances"),
+    ("PAINTED", "Painted", "An attribute of the meshes says what is in focus: white is, black is not"),
+]
+COMBINATIONS = [
+    ("NEAREST", "Nearest", "Of several places the nearest counts"),
+    ("SUM", "Sum", "What several places leave in focus adds up"),
+]
+
+
+def set_focus(settings, wanted):
+    """Sets where to look to what a Focus says."""
+    settings.focus_model, settings.focus_combine = wanted.model.upper(), wanted.combine.upper()
+    if wanted.model == "painted":
+        settings.focus_attribute = wanted.attribute
+    settings.focus_points.clear()
+    for i, point in enumerate(wanted.points):
+        place = settings if i == 0 else settings.focus_points.add()
+        _set_point(place, point, wanted.model)
+
+
+def annotations():
+    """Annotations of the scene's settings."""
+    painted = "Of meshes: white (1) is in focus, black (0) out of it; half way where there is none"
+    more = {"name": "More Places", "description": "Further places to look at"}
+    return {
+        "focus_model": choice("Focus On", "What says where the viewer shall look", items=MODELS),
+        "focus_combine": choice("Combine", "What holds where several places count", items=COMBINATIONS),
+        "focus_attribute": text("Attribute", painted, default="focus", maxlen=MOST_LETTERS),
+        **_point_annotations(),
+        "focus_points": CollectionProperty(type=FoveaFocusPoint, **more),
+    }
+
+
+def focus_of(settings):
+    """The Focus that the properties describe."""
+    model = settings.focus_model
+    if model == "NONE":
+        return style.Focus()
+    attribute = settings.focus_attribute if model == "PAINTED" else ""
+    return style.Focus(
+        model=model.lower(), points=_points(settings), combine=settings.focus_combine.lower(), attribute=attribute
+    )
+
+
+def _points(settings):
+    return tuple(_point(place, settings.focus_model) for place in (settings, *settings.focus_points))
+
+
+def _point(place, model):
+    name = ""
+    if model == "IMAGE":
+        at, near, far = (*place.focus_place, 0.0), place.focus_near, place.focus_far
+    else:
+        source = place.focus_object
+        at = source.matrix_world.translation if source else place.focus_location
+        at, near, far = tuple(at), place.focus_near_distance, place.focus_far_distance
+        if source and model == "OBJECT":
+            name = source.name_full
+    return style.FocusPlace(at=tuple(float(v) for v in at), near=near, far=max(near, far), object=name)
+
+
+def _set_point(place, point, model):
+    if model == "image":
+        place.focus_place = point.at[:2]
+        place.focus_near, place.focus_far = point.near, point.far
+    else:
+        named = (obj for obj in bpy.data.objects if point.object and obj.name_full == point.object)
+        place.focus_object, place.focus_location = next(named, None), point.at
+        place.focus_near_distance, place.focus_far_distance = point.near, point.far
+
+
+def _point_annotations():
+    place = {"subtype": "XYZ", "size": 2, "default": (0.5, 0.5), "soft_min": 0.0, "soft_max": 1.0}
+    in_image = {"min": 0.0, "soft_max": 2.0}
+    in_scene = {"min": 0.0, "soft_max": 1000.0, "subtype": "DISTANCE"}
+    near, far = ("Inner Radius", "Up to here all is in focus"), ("Outer Radius", "From here on nothing is in focus")
+    at = "From the left and from the top of the camera's frame, 0 to 1"
+    told = "The place to look at where there is no object"
+    return {
+        "focus_place": vector("Place", at, precision=3, step=1, **place),
+        "focus_near": number(near[0], f"{near[1]}, in heights of the frame", default=0.1, **in_image),
+        "focus_far": number(far[0], f"{far[1]}, in heights of the frame", default=0.6, **in_image),
+        "focus_object": pointer("Object", "Its origin, or its surface, is what to look at", type=bpy.types.Object),
+        "focus_location": vector("Location", told, size=3, subtype="XYZ", unit="LENGTH"),
+        "focus_near_distance": number(*near, default=1.0, **in_scene),
+        "focus_far_distance": number(*far, default=5.0, **in_scene),
+    }
+
+
+class FoveaFocusPoint(bpy.types.PropertyGroup):
+    """A further place to look at."""
+
+    __annotations__ = _point_annotations()
+
+
+register, unregister = bpy.utils.register_classes_factory((FoveaFocusPoint,))

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Line elision on the GPU (native/elision): the bands of lines by rank, and what each sample finds of its own."""
+
+import math
+
+import gpu
+import numpy as np
+
+from .program import triangles
+from .texture import Target, row_width, upload_row
+
+_BEYOND = 1e30  # px; farther than any sample
+
+
+def border_of(elision):
+    """Pixels around a sample of a native Elision in which it looks for anything."""
+    return math.ceil(elision.band[:, 0].max(initial=0.0) * elision.END_REACH + elision.WINDOW_LENGTH_PX)
+
+
+class ElisionPass:
+    """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that they hold."""
+
+    def __init__(self, programs, elision, batch_samples):
+        self._programs, self._border = programs, border_of(elision)
+        self._window = {
+            "columns": elision.WINDOW_COLUMNS,
+            "most_rows": elision.MOST_WINDOW_ROWS,
+            "window_length": elision.WINDOW_LENGTH_PX,
+            "end_reach": elision.END_REACH,
+            "reach": elision.reach_px,
+        }
+        owners = elision.owner
+        self._most_rank = float(owners[:, 2].max(initial=0.0))
+        self._bands = None
+        if len(elision.triangles):
+            attributes = {"px": elision.px, "across": elision.across, "owner": owners}
+            self._bands = triangles(attributes, elision.triangles)
+        rows = max(1, batch_samples // row_width()) * row_width()
+        tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends}
+        starts = range(0, len(elision.place), rows)
+        self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
+
+    def look(self, box, view, clock):
+        """Fills in the samples of a box (left, lower, right, upper) of a View's picture; a box at the picture's edge
+        has those beyond it, too."""
+        if self._bands is None:
+            return
+        whole = (0, 0, view.width, view.height)
+        drawn = [max(e - self._border, w) for e, w in zip(box[:2], whole[:2], strict=True)]
+        drawn += [min(e + self._border, w) for e, w in zip(box[2:], whole[2:], strict=True)]
+        layers = self._draw(drawn)
+        clock.mark("priority buffer", layers[1])
+        decided = [_BEYOND * (1 if w else -1) if e == w else e for e, w in zip(box, whole, strict=True)]
+        for batch in self._batches:
+            with batch.target.bind():
+                self._programs.cover(
+                    "elision",
+                    {**batch.samplers, "layer0": layers[0].color, "layer1": layers[1].color},
+                    tile=decided,
+                    buffer_origin=drawn[:2],
+                    sample_total=batch.count,
+                    **self._window,
+                )
+        clock.mark("samples", self._batches[-1].target)
+
+    def _draw(self, box):
+        """Targets of the two layers of a box."""
+        left, lower, right, upper = box
+        size = (right - left, upper - lower)
+        layers = []
+        for number in range(2):
+            target = Target(*size, "RG32UI", depth=layers[0].depth if layers else True)
+            target.color.clear(format="UINT", value=(0, 0))
+            # Where no layer is in front, anything but the target itself may stand for it.
+            front = layers[0].color if layers else gpu.types.GPUTexture((1, 1), format="RG32UI")
+            with target.bind() as framebuffer:
+                framebuffer.clear(depth=0.0)
+                gpu.state.depth_test_set("GREATER")
+                gpu.state.depth_mask_set(True)
+                program = self._programs.bind(
+                    "priority",
+                    {"layer0": front},
+                    buffer_origin=(left, lower),
+                    buffer_size=size,
+                    most_rank=self._most_rank,
+                    layers_in_front=number,
+                )
+                self._bands.draw(program)
+            layers.append(target)
+        return layers
+
+    def read(self):
+        """(D, 2) float32: pixels of each sample's band that others take, pixels that it has."""
+        parts = [batch.target.read(2).reshape(-1, 2)[: batch.count] for batch in self._batches]
+        return np.concatenate(parts) if parts else np.zeros((0, 2), np.float32)
+
+
+class _Batch:
+    def __init__(self, tables):
+        self.count = len(tables["places"])
+        self.samplers = {name: upload_row(table) for name, table in tables.items()}
+        self.target = Target(row_width(), -(-self.count // row_width()), "RG32F")
+        with self.target.bind() as framebuffer:
+            framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The item buffer on the GPU (native/fovea/visibility/item_buffer.h): lines drawn by number, layer behind layer."""
+
+import gpu
+import numpy as np
+
+from .. import native
+from .program import triangles
+from .texture import Target
+
+
+def item_of_point(clipped):
+    """(M,) float32: what the lines from each point are called, piece + 1."""
+    return np.repeat(np.arange(1, len(clipped) + 1, dtype=np.float32), np.diff(clipped.offsets))
+
+
+class ItemPass:
+    """Draws the segments that an Atlas has on the GPU already; keeps no more than numbered corners."""
+
+    def __init__(self, programs):
+        self._programs = programs
+        self._room, self._quads = 0, None
+
+    def draw(self, atlas, depth, layout, count):
+        """Targets of the nearest lines at each texel of a depth Target, of those behind them, and so on."""
+        layers = []
+        for number in range(count):
+            target = Target(layout.width, layout.height, "R32F", depth=layers[0].depth if layers else True)
+            # Where there are no two layers in front, anything but the target itself may stand for them.
+            front = [*(layer.color for layer in layers), depth.color, depth.color]
+            samplers = {"depth_buffer": depth.color, "layer0": front[0], "layer1": front[1]}
+            with target.bind() as framebuffer:
+                framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0), depth=0.0)
+                gpu.state.depth_test_set("GREATER_EQUAL")
+                gpu.state.depth_mask_set(True)
+                for batch in atlas.batches:
+                    self._lines(batch, layout, samplers, number)
+            layers.append(target)
+        return layers
+
+    def _lines(self, batch, layout, samplers, layers_in_front):
+        options = native.load().ItemOptions()
+        program = self._programs.bind(
+            "item",
+            {"segments": batch.samplers["segments"], "items": batch.samplers["items"], **samplers},
+            border=(layout.border_x, layout.border_y),
+            buffer_size=(layout.width, layout.height),
+            buffer_scale=float(layout.scale),
+            slope_factor=options.slope_factor,
+            bias=options.bias,
+            layers_in_front=layers_in_front,
+        )
+        self._keep_room(len(batch.points))
+        self._quads.draw_range(program, elem_start=0, elem_count=6 * len(batch.points))
+
+    def _keep_room(self, segments):
+        """Corners 4 i .. 4 i + 3 of every segment i, in two triangles."""
+        if segments <= self._room:
+            return
+        self._room = segments + segments // 4
+        corners = np.arange(4 * self._room, dtype=np.uint32)
+        halves = corners.reshape(-1, 4)[:, (0, 1, 2, 2, 1, 3)].reshape(-1, 3)
+        self._quads = triangles({"corner": corners}, np.ascontiguousarray(halves))

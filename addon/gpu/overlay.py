@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What lies over a viewport: rings, dots and translucent pictures, in pixels of the region that Blender is drawing."""
+
+import gpu
+import numpy as np
+from gpu_extras.batch import batch_for_shader
+from gpu_extras.presets import draw_texture_2d
+
+from .texture import upload
+
+_SEGMENTS = 96
+_ANGLES = np.linspace(0, 2 * np.pi, _SEGMENTS + 1)
+_CIRCLE = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros_like(_ANGLES)], axis=1)
+
+
+def ring(centre, radius, color, width):
+    """A circle of a width in pixels; color: RGBA in the display's space."""
+    shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
+    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
+    shader.uniform_float("lineWidth", width)
+    _draw(shader, "LINE_STRIP", centre, radius, color)
+
+
+def dot(centre, radius, color):
+    """A disc."""
+    _draw(gpu.shader.from_builtin("UNIFORM_COLOR"), "TRI_FAN", centre, radius, color)
+
+
+def _draw(shader, kind, centre, radius, color):
+    points = (radius * _CIRCLE + (*centre, 0)).astype(np.float32)
+    shader.uniform_float("color", color)
+    gpu.state.blend_set("ALPHA")
+    batch_for_shader(shader, kind, {"pos": points}).draw(shader)
+    gpu.state.blend_set("NONE")
+
+
+class Veil:
+    """A picture (H, W, 4) float32, bottom row first, in the display's space, alpha not multiplied in."""
+
+    def __init__(self, pixels):
+        self._texture = upload(pixels, "RGBA16F")
+
+    def show(self, width, height):
+        """Over a region of that many pixels."""
+        gpu.state.blend_set("ALPHA")
+        draw_texture_2d(self._texture, (0, 0), width, height)
+        gpu.state.blend_set("NONE")

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shader programs, put together from shaders/programs.toml. Needs a GPU context from the first program() on."""
+
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import gpu
+import numpy as np
+
+from .. import native
+
+LIMITS = ("ROW_WIDTH", "OWNER_STRIDE")  # of the core's that sources name
+_PACKAGE = Path(__file__).resolve().parents[1]
+
+
+@cache
+def _folder():
+    """The shaders lie in the extension, or beside it in a checkout."""
+    for folder in (_PACKAGE / "shaders", _PACKAGE.parent / "shaders"):
+        if (folder / "programs.toml").is_file():
+            return folder
+    raise FileNotFoundError(f"Fovea's shaders are missing from {_PACKAGE}; install the extension again")
+
+
+@cache
+def manifest():
+    """Name of each program -> its description."""
+    return tomllib.loads((_folder() / "programs.toml").read_text())
+
+
+def compile_program(name):
+    """A new gpu.types.GPUShader; it lives no longer than the context it was made in."""
+    description = manifest()[name]
+    info = gpu.types.GPUShaderCreateInfo()
+    for slot, (attribute, kind) in enumerate(description.get("inputs", {}).items()):
+        info.vertex_in(slot, kind, attribute)
+    interface = gpu.types.GPUStageInterfaceInfo(f"fovea_{name}_interface")
+    for varying, kind in description.get("smooth", {}).items():
+        interface.smooth(kind, varying)
+    for varying, kind in description.get("flat", {}).items():
+        interface.flat(kind, varying)
+    if "smooth" in description or "flat" in description:
+        info.vertex_out(interface)
+    for slot, (output, kind) in enumerate(description["outputs"].items()):
+        info.fragment_out(slot, kind, output)
+    for slot, (sampler, kind) in enumerate(description.get("samplers", {}).items()):
+        info.sampler(slot, kind, sampler)
+    for constant, kind in description.get("constants", {}).items():
+        info.push_constant(kind, constant)
+    for word in description.get("defines", ()):
+        info.define(word)
+    for limit in LIMITS:
+        info.define(limit, str(getattr(native.load().AtlasBatch, limit)))
+    if description.get("writes_depth"):
+        _declare_depth(info)
+    info.vertex_source(_source(description["vertex"]))
+    info.fragment_source(_source(description["fragment"]))
+    return gpu.shader.create_from_info(info)
+
+
+def _declare_depth(info):
+    """Lets the fragment stage write gl_FragDepth. Blender 4.3 cannot declare it; only its OpenGL does without."""
+    if hasattr(info, "depth_write"):
+        info.depth_write("ANY")
+    elif gpu.platform.backend_type_get() != "OPENGL":
+        return
+    info.define("WRITES_DEPTH")
+
+
+def _source(files):
+    return "\n".join((_folder() / file).read_text() for file in files)
+
+
+class Programs:
+    """Programs by name, compiled when first asked for; dropped with the context."""
+
+    def __init__(self):
+        self._programs = {}
+        self._cover = None
+
+    def get(self, name):
+        if name not in self._programs:
+            self._programs[name] = compile_program(name)
+        return self._programs[name]
+
+    def bind(self, name, samplers=None, **constants):
+        """Binds a program with its textures and push constants: int, float, or a sequence of floats."""
+        program = self.get(name)
+        program.bind()
+        for sampler, texture in (samplers or {}).items():
+            program.uniform_sampler(sampler, texture)
+        for constant, value in constants.items():
+            set_constant(program, constant, value)
+        return program
+
+    def cover(self, name, samplers, **constants):
+        """Runs a program over every fragment of the bound target."""
+        if self._cover is None:
+            corners = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
+            self._cover = triangles({"corner": corners})
+        self._cover.draw(self.bind(name, samplers, **constants))
+
+
+def set_constant(program, name, value):
+    """Sets a push constant; floats, ints, and matrices as 16 numbers column by column."""
+    if isinstance(value, int):
+        program.uniform_int(name, value)
+    else:
+        program.uniform_float(name, value)
+
+
+def triangles(attributes, corners=None):
+    """A batch of triangles, of vertices with these attributes; `corners`: (T, 3) of their vertices, None: one by one."""
+    words = {} if corners is None else {"elem": gpu.types.GPUIndexBuf(type="TRIS", seq=corners)}
+    return gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), **words)
+
+
+def vertex_buffer(attributes):
+    """A vertex buffer; each attribute an (n, 1..4) array, float32 or uint32."""
+    form = gpu.types.GPUVertFormat()
+    arrays = {}
+    for name, values in attributes.items():
+        integer = values.dtype.kind == "u"
+        arrays[name] = values = np.ascontiguousarray(values, np.uint32 if integer else np.float32)
+        form.attr_add(
+            id=name,
+            comp_type="U32" if integer else "F32",
+            len=1 if values.ndim == 1 else values.shape[1],
+            fetch_mode="INT" if integer else "FLOAT",
+        )
+    buffer = gpu.types.GPUVertBuf(format=form, len=len(values))
+    for name, values in arrays.items():
+        buffer.attr_fill(id=name, data=values)
+    return buffer

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Strokes on the GPU: uploaded once, drawn into as many targets as the picture needs."""
+
+import gpu
+import numpy as np
+
+from .. import native
+from .program import triangles
+from .texture import Target, upload_row
+
+
+class StrokePass:
+    """Strokes with their pens. `spine_ranges`: (V, 2) per vertex, the first and last entry of its piece among the
+    segments of the spine test."""
+
+    def __init__(self, programs, strokes, pens, textures, spine_ranges=None):
+        table = native.load().PenTable(pens, textures)
+        self._programs = programs
+        self._samplers = {"pens": upload_row(table.pens), "ink": upload_row(table.ink)}
+        attributes = {
+            "px": strokes.px,
+            "arc": strokes.arc,
+            "width_opacity": np.stack((strokes.half_width, strokes.opacity), axis=1),
+            "mixes": strokes.mix,
+            "path_px": strokes.path_px,
+            "pen": strokes.pen,
+        }
+        if spine_ranges is not None:
+            attributes["spine_range"] = spine_ranges
+        self._batch = triangles(attributes, np.ascontiguousarray(strokes.triangles, np.uint32))
+
+    def draw(self, box, program="stroke", samplers=None, **constants):
+        """A Target of the pixels of a box (left, lower, right, upper) of the picture."""
+        left, lower, right, upper = box
+        target = Target(right - left, upper - lower, "RGBA32F")
+        with target.bind() as framebuffer:
+            framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))
+            gpu.state.blend_set("ALPHA_PREMULT")
+            program = self._programs.bind(
+                program,
+                {**self._samplers, **(samplers or {})},
+                image_origin=(left, lower),
+                image_size=(target.width, target.height),
+                **constants,
+            )
+            self._batch.draw(program)
+        return target
+
+
+def boxes(width, height, side):
+    """Boxes of at most `side` pixels along each axis that make up a picture."""
+    corners = [(x, y) for y in range(0, height, side) for x in range(0, width, side)]
+    return [(x, y, min(x + side, width), min(y + side, height)) for x, y in corners]
+
+
+def box_of(layout, view):
+    """The pixels of the picture that a DepthLayout decides; may be empty."""
+    left, lower, right, upper = layout.core
+    return max(int(left), 0), max(int(lower), 0), min(int(right), view.width), min(int(upper), view.height)
+
+
+class Picture:
+    """(height, width, 4) float32, put together from boxes."""
+
+    def __init__(self, view):
+        self.pixels = np.zeros((view.height, view.width, 4), np.float32)
+
+    def paste(self, box, target):
+        left, lower, right, upper = box
+        self.pixels[lower:upper, left:right] = target.read(4)

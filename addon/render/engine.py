@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The render engine: Blender's callbacks, each one call into the session or a viewport."""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from . import as_rendered, gpu_context, session, viewport
+
+
+class FoveaEngine(bpy.types.RenderEngine):
+    bl_idname = "FOVEA"
+    bl_label = "Fovea"
+    bl_use_preview = False
+    bl_use_eevee_viewport = True  # the material preview is EEVEE's
+    bl_use_shading_nodes_custom = False
+
+    backend = None  # made when first needed
+    viewport = None  # what is kept for the viewport that this draws
+
+    def update_render_passes(self, scene=None, renderlayer=None):
+        session.register_passes(self, scene, renderlayer)
+
+    def render(self, depsgraph):
+        if not as_rendered.looked(self, depsgraph):
+            session.render(self, depsgraph)
+
+    def view_update(self, context, depsgraph):
+        viewport.update(self, depsgraph)
+
+    def view_draw(self, context, depsgraph):
+        viewport.draw(self, context, depsgraph)
+
+
+@persistent
+def _forget(*_arguments):
+    """Another file comes, or the add-on goes."""
+    viewport.stop()
+    session.forget()
+
+
+def register():
+    gpu_context.register(FoveaEngine)
+    bpy.app.handlers.load_pre.append(_forget)
+
+
+def unregister():
+    bpy.app.handlers.load_pre.remove(_forget)
+    _forget()
+    gpu_context.unregister()

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether renders get a GPU context. Blender reads that when it registers the engine: asking for one registers it anew.
+
+A context costs memory and time, in software OpenGL (which runs on the CPU) more than it is worth: there only a scene
+that wants the GPU, or FOVEA_BACKEND=gpu, brings one.
+"""
+
+import functools
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..scene.own_preferences import own
+
+SEEN = "FOVEA_GL_RENDERER"  # set for child processes: what the probe found, empty for nothing usable
+SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software")
+
+_engine = None  # the registered class
+
+
+def available():
+    """Whether renders of this process get a context."""
+    return bool(_engine and _engine.bl_use_gpu_context)
+
+
+def demand():
+    """A scene wants the GPU: renders get a context from now on, where one can be made."""
+    if _engine and not available() and gl_renderer() is not None:
+        bpy.utils.unregister_class(_engine)
+        _engine.bl_use_gpu_context = True
+        bpy.utils.register_class(_engine)
+
+
+@functools.cache
+def gl_renderer():
+    """Name of the OpenGL renderer that a render in this process would get; None where it must not ask for one.
+
+    Blender without a window aborts when it is asked for a context that it cannot make, so a child process tries first.
+    """
+    if os.environ.get("FOVEA_BACKEND", "").lower() == "cpu":
+        return None
+    if not bpy.app.background:
+        return "window"
+    # Elsewhere than on Linux there is no cheap way to know.
+    if not sys.platform.startswith("linux") or (own() and not own().background_gpu):
+        return None
+    if SEEN not in os.environ:
+        os.environ[SEEN] = _probe()
+    return os.environ[SEEN] or None
+
+
+def _probe():
+    script = Path(__file__).with_name("gl_probe.py")
+    try:
+        found = subprocess.run([sys.executable, "-I", str(script)], capture_output=True, text=True, timeout=20)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        print(f"Fovea: no GPU context for renders: {error}")
+        return ""
+    return found.stdout.strip() if found.returncode == 0 else ""
+
+
+@persistent
+def _file_loaded(*_arguments):
+    if any(scene.fovea.backend == "GPU" for scene in bpy.data.scenes):
+        demand()
+
+
+def register(engine):
+    """Registers the engine class."""
+    global _engine
+    _engine = engine
+    renderer = gl_renderer()
+    wanted = os.environ.get("FOVEA_BACKEND", "").lower() == "gpu"
+    hardware = renderer is not None and not any(name in renderer.lower() for name in SOFTWARE)
+    engine.bl_use_gpu_context = renderer is not None and (wanted or hardware)
+    bpy.utils.register_class(engine)
+    bpy.app.handlers.load_post.append(_file_loaded)
+
+
+def unregister():
+    global _engine
+    bpy.app.handlers.load_post.remove(_file_loaded)
+    bpy.utils.unregister_class(_engine)
+    _engine = None

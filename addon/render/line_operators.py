@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a final render has of lines: as an image with alpha, and as objects."""
+
+from contextlib import contextmanager
+from functools import partial
+
+import bpy
+import numpy as np
+
+from .. import native, pipeline
+from ..scene import camera
+from ..scene.operator import Operator
+from ..scene.problem import CannotDraw
+from . import as_rendered, baking, drawn_lines, properties, reading, session
+
+
+class _OfRender(Operator):
+    """One that draws the context's scene."""
+
+    @classmethod
+    def hindrance(cls, context):
+        if problem := native.problem():
+            return problem
+        if context.scene is None or context.scene.camera is None:
+            return "The scene has no camera: add one, or make one the scene's active camera"
+        fits = context.mode in {"OBJECT", "POSE"}
+        return None if fits else "Leave the mode first: this works in Object mode"
+
+
+@contextmanager
+def progress(context):
+    """A function to tell shares of the work to, shown at the pointer."""
+    manager = context.window_manager
+    manager.progress_begin(0.0, 1.0)
+    try:
+        yield lambda share, _text: manager.progress_update(share)
+    finally:
+        manager.progress_end()
+
+
+class FOVEA_OT_render_lines(_OfRender, bpy.types.Operator):
+    """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them. The
+    scene may use any render engine"""
+
+    bl_idname = "fovea.render_lines"
+    bl_label = "Render Line Layer to Image"
+
+    name: bpy.props.StringProperty(name="Name", description="Of the image", default="Lines")
+
+    def act(self, context):
+        with progress(context) as tell:
+            drawn = as_rendered.look(context, partial(session.final_image, lines_alone=True, tell=tell))
+        if drawn is None:
+            raise CannotDraw("Stopped before the lines were drawn")
+        image = image_of(self.name, drawn.lines)
+        self.report({"INFO"}, f"The lines are in the image '{image.name}'")
+
+
+def image_of(name, pixels):
+    """A new image of (H, W, 4) float32, scene-linear, premultiplied; packed, so that it is saved and undone."""
+    height, width = pixels.shape[:2]
+    image = bpy.data.images.new(name, width, height, alpha=True, float_buffer=True)
+    image.alpha_mode = "PREMUL"
+    image.pixels.foreach_set(np.ascontiguousarray(pixels, np.float32).ravel())
+    image.update()
+    image.pack()
+    return image
+
+
+class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
+    """Make objects of the lines that a final render of this frame and view layer has, one per line set, in a new
+    collection. Their points know how strong each line is, what kind of line it is, and how wide and opaque its pen"""
+
+    bl_idname = "fovea.bake_strokes"
+    bl_label = "Bake Strokes"
+
+    kind: bpy.props.EnumProperty(
+        name="Type",
+        description="What is made of the strokes",
+        items=[
+            ("GREASE_PENCIL", "Grease Pencil", "Strokes with the pens' widths and colors, as the camera sees them"),
+            ("MESH", "Mesh", "Vertices and edges"),
+        ],
+    )
+
+    def act(self, context):
+        scene, (lines, chosen) = context.scene, as_rendered.look(context, _lines)
+        made = baking.objects(lines, chosen, self.kind, scene.frame_current)
+        if not made:
+            raise CannotDraw("The camera sees no lines")
+        collection = bpy.data.collections.new("Lines")
+        scene.collection.children.link(collection)
+        for obj in made:
+            collection.objects.link(obj)
+            # It is decided what is hidden, and lines of surfaces would be lost in them.
+            obj.show_in_front = True
+        self.report({"INFO"}, f"{len(lines.closed)} strokes in {len(made)} objects")
+
+
+def _lines(engine, depsgraph):
+    """DrawnLines of a final render's depsgraph, and the Style that draws them."""
+    chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.options()
+    near = session.lines_near(engine, depsgraph, chosen, native.load().CpuBackend(), options)
+    found = reading.Reader().read(depsgraph, chosen)
+    if not found.snapshot.surfaces:
+        raise CannotDraw("There is nothing in the scene that has lines")
+    return drawn_lines.of(found, camera.of_render(engine, depsgraph), chosen, options, near), chosen
+
+
+CLASSES = (FOVEA_OT_render_lines, FOVEA_OT_bake_strokes)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which backend draws, and how it is decided what is hidden: the scene's properties, and what they come to."""
+
+import os
+
+from .. import native
+from ..gpu import viewport as gpu_viewport
+from ..scene.property_kinds import choice, whole_number
+from . import gpu_context
+
+VISIBILITY = [
+    ("AUTO", "Automatic", "Exact in renders and on software OpenGL, the segment atlas in viewports", 0),
+    ("ATLAS", "Segment Atlas", "A depth buffer decides what is hidden, at every sample along the lines", 2),
+    ("SPINE", "Spine Test", "A depth buffer decides what is hidden while strokes are drawn; ends have no caps", 3),
+    ("ITEM_BUFFER", "Item Buffer", "Lines are drawn by number and seen where their number is found: for comparison", 4),
+    ("EXACT", "Exact", "Rays decide what is hidden", 1),
+]
+PROBES = [(str(n), str(n), "", n) for n in (1, 4, 9, 16)]
+
+
+def properties():
+    """Annotations of the scene's settings."""
+    probes = "How often the depth buffer is looked into for every sample: more is smoother and slower"
+    scale = "Texels of the depth buffer to a pixel, along each axis: more is more precise and slower"
+    layers = "Lines that a texel of the item buffer holds"
+    return {
+        "visibility": choice("Method", "How it is decided what is hidden", items=VISIBILITY),
+        "probes": choice("Probes", probes, items=PROBES, default="9"),
+        "depth_scale": whole_number("Depth Scale", scale, default=2, min=1, max=3),
+        "layers": whole_number("Layers", layers, default=3, min=1, max=3),
+    }
+
+
+def quality(settings):
+    """The part of the native Options that sampled methods heed."""
+    return {"probes": int(settings.probes), "depth_scale": settings.depth_scale, "layers": settings.layers}
+
+
+def choose(engine, settings, *, in_viewport):
+    """(backend, name of the visibility method) for a scene's settings. Call it where a picture is drawn: only there is
+    a GPU context.
+
+    The environment's FOVEA_BACKEND goes before the scene's choice. Renders are exact unless they are told otherwise, so
+    that frames drawn on different machines do not differ; viewports are quick where the GPU is. The backend stays with
+    the engine, which lives as long as the context: through an animation, or while a viewport is open.
+    """
+    wanted = os.environ.get("FOVEA_BACKEND", settings.backend).upper()
+    usable = wanted != "CPU" and gpu_context.available()
+    hardware = usable and not gpu_viewport.is_software()
+    name = "gpu" if usable and (wanted == "GPU" or hardware) else "cpu"
+    if wanted == "GPU" and name == "cpu":
+        engine.report({"INFO"}, "OpenGL cannot be used here: drawn by the CPU")
+    if engine.backend is None or engine.backend.name != name:
+        engine.backend = _backend(name)
+    automatic = "ATLAS" if in_viewport and hardware else "EXACT"
+    return engine.backend, (automatic if settings.visibility == "AUTO" else settings.visibility).lower()
+
+
+def _backend(name):
+    if name == "cpu":
+        return native.load().CpuBackend()
+    from ..gpu.backend import Backend  # loaded only where there is a GPU
+
+    return Backend()

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings on scenes, objects and materials. A scene says where to look, how to draw, and which style it draws with.
+
+Styles are datablocks of their own: style_data.py.
+"""
+
+import bpy
+from bpy.props import PointerProperty
+
+from ..focus import focus_settings
+from ..scene import own_lines, repair
+from ..scene.property_kinds import SHARE, choice, new_group, number, pointer, redraw, switch, whole_number
+from ..style import style_data, style_groups, style_read
+from . import gpu_context, methods
+
+
+def style_of(scene):
+    """The Style a scene draws with, and where it looks; an evaluated scene's numbers are those of its frame.
+
+    Nothing is made here: scenes without a style draw the default one."""
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    chosen = style_read.read(tree) if tree else style_data.default()
+    if scene.fovea.mix > 0.0 and style_data.is_style(other):
+        chosen = chosen.mixed(style_read.read(other), scene.fovea.mix)
+    transparent = chosen.paper.transparent or scene.render.film_transparent
+    paper = chosen.paper.replace(transparent=transparent)
+    return chosen.replace(paper=paper, focus=focus_settings.focus_of(scene.fovea))
+
+
+def density_map(scene):
+    """The image that says how dense lines may be in a scene, or None."""
+    tree = style_data.of(scene)
+    return tree.fovea.elision.density_image if tree else None
+
+
+def _backend_chosen(settings, context):
+    if settings.backend == "GPU":
+        gpu_context.demand()
+    redraw(settings, context)
+
+
+BACKENDS = [
+    ("AUTO", "Automatic", "GPU where it is hardware, else CPU"),
+    ("CPU", "CPU", "The same picture on every machine"),
+    ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
+]
+USAGES = [
+    ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
+    ("OCCLUDE", "Occlude Only", "Hides what lies behind, has no lines"),
+    ("DRAW", "Draw Only", "Has lines and hides nothing"),
+    ("IGNORE", "Ignore", "Is not there"),
+]
+ESTIMATORS = [
+    ("AUTOMATIC", "Automatic", "Jets, their degree and rings by how noisy the mesh is"),
+    ("JETS", "Jets", "Polynomials fitted to the surroundings of each vertex"),
+    ("ONE_RING", "One-Ring", "Differences of normals: fast, for regular meshes"),
+]
+OCCLUSIONS = [
+    ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is see-through as a whole, as glass is"),
+    ("ALWAYS", "Always", "Hides what lies behind"),
+    ("NEVER", "Never", "Lines behind it show"),
+]
+
+
+def _scene_group():
+    of_style = {"type": bpy.types.NodeTree, "poll": lambda _settings, tree: style_data.is_style(tree)}
+    told = "Another style, into which the drawing may go over: lines of both go from pen to pen, others fade"
+    annotations = {
+        "style": pointer("Style", "How the lines look and what lies under them; none: the default style", **of_style),
+        "mixed_style": pointer("Mix With", told, **of_style),
+        "mix": number("Mix", "How far the drawing has gone over into the other style: 0 not at all, 1 wholly", **SHARE),
+        "backend": choice("Device", "What draws the lines", items=BACKENDS, update=_backend_chosen),
+        **methods.properties(),
+        **focus_settings.annotations(),
+    }
+    return new_group("FoveaSceneSettings", "How a scene is drawn.", annotations)
+
+
+def _object_group(kinds):
+    told = "Of lines that crowd each other, those of objects with more priority stay"
+    annotations = {
+        "usage": choice("Usage", "Whether the object has lines, and hides those behind it", items=USAGES),
+        "priority": number("Priority", told, default=0.5, **SHARE),
+        **_curvature_properties(),
+        **own_lines.annotations(kinds),
+        **_shape_properties(),
+    }
+    return new_group("FoveaObjectSettings", "How an object is drawn.", annotations, **repair.removed_attributes())
+
+
+def _curvature_properties():
+    rings = "How far around each vertex jets are fitted, 0: by how noisy the mesh is"
+    smoothing = "How far curvature is averaged, in edge lengths; never across hard edges"
+    return {
+        "curvature_estimator": choice(
+            "Curvature", "How curvature, which many lines follow, is found", items=ESTIMATORS
+        ),
+        "curvature_rings": whole_number("Rings", rings, min=0, max=32),
+        "curvature_smoothing": number("Smoothing", smoothing, min=0.0, max=8.0),
+    }
+
+
+def _material_group():
+    lines = (
+        "Faces of this material have lines. Off: only those they share with faces of another material, "
+        "as for an eye or a decal"
+    )
+    hides = "Whether surfaces of this material hide the lines behind them"
+    annotations = {
+        "lines": switch("Lines", lines, default=True),
+        "occlusion": choice("Hides Lines", hides, items=OCCLUSIONS),
+    }
+    return new_group("FoveaMaterialSettings", "How a material is drawn.", annotations)
+
+
+def _shape_properties():
+    """What is done to an object's mesh before it is drawn: subdivision.py and repair.py."""
+    refine = "Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give"
+    level = "Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end"
+    length = {"subtype": "DISTANCE", "min": 0.0, "soft_max": 10.0, "step": 0.1, "precision": 4}
+    return {
+        "refine": switch("Refine", refine),
+        "refine_level": whole_number("Level", level, default=2, min=1, max=6),
+        "repair_orient": switch("Face Outwards", "Turn faces that disagree with their neighbours"),
+        "repair_resample": whole_number("Resample", "Steps towards triangles of equal sides", min=0, max=50),
+        "repair_edge_length": number("Edge Length", "Of the triangles; 0: as the mesh has it on average", **length),
+    }
+
+
+_registered = []  # (type that has the settings, or None, group)
+
+
+def register():
+    style_groups.register()
+    focus_settings.register()
+    kinds = own_lines.kinds()
+    _registered[:] = [
+        (None, kinds),
+        (bpy.types.Scene, _scene_group()),
+        (bpy.types.Object, _object_group(kinds)),
+        (bpy.types.Material, _material_group()),
+    ]
+    for owner, group in _registered:
+        bpy.utils.register_class(group)
+        if owner:
+            owner.fovea = PointerProperty(type=group)
+
+
+def unregister():
+    for owner, group in reversed(_registered):
+        if owner:
+            del owner.fovea
+        bpy.utils.unregister_class(group)
+    _registered.clear()
+    focus_settings.unregister()
+    style_groups.unregister()

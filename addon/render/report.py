@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Report: what of the scene a final render leaves out and why, how long the last picture took, and memory."""
+
+import sys
+from collections import Counter
+from pathlib import Path
+
+import bpy
+
+from .. import native
+from ..scene import surfaces
+from ..scene.operator import Operator
+from . import as_rendered, properties, reading, session
+
+TEXT = "Fovea Report"  # name of the text datablock
+NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
+USAGES = {  # of objects without lines, and what that means
+    "IGNORE": "is ignored, as its line drawing setting says",
+    "OCCLUDE": "only hides what lies behind it, as its line drawing setting says",
+}
+STAGES = {  # of a picture, in words
+    "near_frames": "frames around it",
+    "ingest": "reading the scene",
+    "bvh": "preparing rays",
+    "lines": "finding lines",
+    "project": "projecting lines",
+    "visibility": "what is hidden",
+    "runs": "joining, tidying",
+    "elision": "elision",
+    "shape": "shaping strokes",
+    "strokes": "drawing strokes",
+    "color": "colours under lines",
+    "focus": "focus and its effects",
+    "paper": "paper",
+    "depth": "depth pass",
+}
+_IN_POPUP = 24  # lines that a popup shows
+_NAMED = 3  # objects of many that have the same to be said of them
+
+
+def skipped(read, depsgraph):
+    """Sentences about what is not drawn, or not as it is."""
+    told = list(read.remarks)
+    for surface in read.snapshot.surfaces:
+        if found := surfaces.remark(surface.name, surface.report):
+            told.append(found)
+    objects = depsgraph.scene.objects
+    return told + [f"'{obj.name}': {why}" for obj in objects if (why := _why_not(obj, read, depsgraph))]
+
+
+def _why_not(obj, read, depsgraph):
+    """Why an object has no lines; None where it has some, or where nobody would expect any."""
+    if obj.type not in {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD", "VOLUME"}:
+        return None
+    if obj.fovea.usage in USAGES:
+        return USAGES[obj.fovea.usage]
+    if not obj.visible_camera:
+        return "is invisible to cameras, as its visibility settings say"
+    if obj.name in read.snapshot.objects:
+        return None
+    if hidden := _hidden(obj, depsgraph):
+        return hidden
+    if obj.type in {"CURVES", "POINTCLOUD", "VOLUME"}:
+        return "has no surface whose lines could be drawn"
+    if any(modifier.show_render for modifier in obj.modifiers):
+        return "has no faces and no edges, or its modifiers leave none, or it only makes instances of others"
+    return "has no faces and no edges"
+
+
+def _hidden(obj, depsgraph):
+    """What hides an object from renders, or from viewports if that is what is read; None: nothing does."""
+    layer = depsgraph.view_layer
+    if obj.name not in layer.objects:
+        return f"is not in the view layer '{layer.name}'"
+    if depsgraph.mode != "RENDER":
+        return None if obj.visible_get() else "is hidden in viewports"
+    if obj.hide_render:
+        return "is disabled in renders"
+    if obj.users_collection and all(collection.hide_render for collection in obj.users_collection):
+        return "is in a collection that is disabled in renders"
+    return None
+
+
+def drawn(read):
+    """Lines about what is drawn."""
+    surfaces, placed = read.snapshot.surfaces, Counter(read.snapshot.surface_of_placement.tolist())
+    triangles = sum(len(surfaces[i].triangles) * count for i, count in placed.items())
+    if not surfaces:
+        yield "Nothing: there is nothing in the scene that has lines"
+        return
+    yield f"objects and instances: {len(read.snapshot.objects)}, meshes: {len(surfaces)}, triangles: {triangles}"
+
+
+def transparency(read):
+    """Lines about materials that hide nothing, or hide although something shows through them."""
+    remarks = {slot.name: slot.remark for slots in read.snapshot.slots for slot in slots if slot.remark}
+    yield from (f"'{name}' {remark}" for name, remark in sorted(remarks.items()))
+
+
+def times(statistics):
+    """Lines about the last picture's stages; `statistics` as of session.last_statistics."""
+    if not statistics:
+        yield "No picture has been drawn yet"
+        return
+    stages = statistics["stages"]
+    how = f"{statistics['visibility']} visibility, by the {statistics['backend']}"
+    yield f"{sum(stages.values()):.0f} ms, {statistics['strokes']} strokes, {how}"
+    for name, duration in stages.items():
+        yield f"    {STAGES.get(name, name):24} {duration:8.1f} ms"
+
+
+def memory():
+    """Lines about this process: MB that it has, and has had at most, as far as the system tells."""
+    status = Path("/proc/self/status")
+    if status.exists():
+        found = dict(line.split(":", 1) for line in status.read_text().splitlines() if ":" in line)
+        yield f"Blender uses {_megabytes(found['VmRSS'])} MB, and has used {_megabytes(found['VmHWM'])} MB at most"
+    elif sys.platform == "darwin":
+        import resource  # not there on Windows
+
+        yield f"Blender has used {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 20} MB at most"
+    else:
+        yield "This system does not tell"
+
+
+def _megabytes(text):
+    return int(text.split()[0]) // 1024
+
+
+def report(read, depsgraph, note=""):
+    """The whole report, in lines; a `note` goes before all."""
+    curvature = session.last_statistics().get("curvature", {})
+    parts = {
+        "Drawn": list(drawn(read)),
+        "Left out, or looks wrong": skipped(read, depsgraph) or ["Nothing was left out"],
+        "Transparency": list(transparency(read)),
+        "Last picture": list(times(session.last_statistics())),
+        "Curvature": list(_grouped(curvature)),
+        "Memory": list(memory()),
+    }
+    if note:
+        yield note
+    for title, lines in parts.items():
+        if lines:
+            yield title
+            yield from (f"  {line}" for line in lines)
+
+
+def _grouped(reasons):
+    """Lines that say each of the reasons {name: reason} once."""
+    names = {}
+    for name, reason in reasons.items():
+        names.setdefault(reason, []).append(f"'{name}'")
+    for reason, found in names.items():
+        more = f" and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
+        yield f"{', '.join(found[:_NAMED])}{more}: {reason}"
+
+
+def _lines(_engine, depsgraph, note=""):
+    """The report on a depsgraph's scene."""
+    return list(report(reading.Reader().read(depsgraph, properties.style_of(depsgraph.scene_eval)), depsgraph, note))
+
+
+class FOVEA_OT_report(Operator, bpy.types.Operator):
+    """What of the scene a final render leaves out of the drawing and why, how long the last picture took, and memory:
+    shown, and written to a text"""
+
+    bl_idname = "fovea.report"
+    bl_label = "Report"
+
+    @classmethod
+    def hindrance(cls, context):
+        return native.problem()
+
+    def invoke(self, context, event):
+        result = self.execute(context)
+        if result == {"FINISHED"}:
+            context.window_manager.popup_menu(_shown, title=f"{TEXT} (all of it is in the text of that name)")
+        return result
+
+    def act(self, context):
+        if context.scene.camera:
+            lines = as_rendered.look(context, _lines)
+        else:
+            lines = _lines(None, context.evaluated_depsgraph_get(), NO_CAMERA)
+        text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
+        text.from_string("\n".join(lines) + "\n")
+
+
+def _shown(menu, _context):
+    lines = bpy.data.texts[TEXT].as_string().splitlines()
+    for line in lines[:_IN_POPUP]:
+        menu.layout.label(text=line)
+    if len(lines) > _IN_POPUP:
+        menu.layout.label(text=f"and {len(lines) - _IN_POPUP} lines more")
+
+
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_report,))

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the colours of a scene come from: materials, images, attributes, lights and the world, as plain arrays."""
+
+import math
+import weakref
+
+import numpy as np
+
+from . import color_nodes, kept, materials, shader_links
+from .color_corners import Corners
+from .color_images import ImageCache
+
+
+class ColorCache:
+    """What is kept from picture to picture."""
+
+    def __init__(self, core):
+        self.images = ImageCache(core)
+        self.refined = {}  # attributes of refined surfaces, see color_corners.py
+        self.used = 0
+        self.shown = weakref.WeakValueDictionary()  # ColorSources that were made with it, by their ids
+        kept.add_cache(self)
+
+    def items(self, _needed):
+        """The kept.Item: all of it, which stays while a scene is there that was read with it."""
+        read = [entry[-1].nbytes for entry in self.refined.values()]
+        return [kept.Item(self.used, self.images.size() + sum(read), None if self.shown else self._clear)]
+
+    def _clear(self):
+        self.images.clear()
+        self.refined.clear()
+
+
+class Gathering:
+    """Colours as a scene is walked over: one entry per native surface, in the scene's order."""
+
+    def __init__(self, core, cache):
+        self._core, self._cache = core, cache
+        cache.used = kept.now()
+        self._sources = {}  # by material
+        self.surfaces, self.lights = [], []
+        self.unfollowed = set()  # materials whose nodes were not followed
+
+    def add_surface(self, obj, mesh, surface, cage, repaired):
+        """The colours of an evaluated mesh whose native surface is given; `cage()`: a context with what a refined one
+        was made from. Of a repaired one only the materials count: its corners are no longer the mesh's."""
+        found = materials.of(obj, mesh)
+        if repaired or not len(mesh.loops):
+            sources = [self._source(material) for material in found]
+            slots = [self._core.ColorSlot(s.viewport if s.image or s.attribute else s.color) for s in sources]
+            self.surfaces.append(self._core.SurfaceColor(slots))
+            return
+        corners = Corners(self._core, obj, mesh, surface, cage, self._cache.refined)
+        slots = [self._slot(material, corners) for material in found]
+        normals = corners.normals()
+        self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))
+
+    def add_light(self, instance):
+        """An instance of a light."""
+        data, matrix = instance.object.data, np.array(instance.matrix_world)
+        strength = data.energy * 2.0 ** getattr(data, "exposure", 0.0)
+        # Blender's watts: those of points and spots go out all around, those of areas to one side.
+        spread = {"SUN": 1.0, "POINT": 4 * math.pi, "SPOT": 4 * math.pi, "AREA": math.pi}[data.type]
+        cone = ()
+        if data.type == "SPOT":
+            outer = math.cos(data.spot_size / 2)
+            cone = (outer, outer + (1 - outer) * data.spot_blend)
+        shade = tuple(channel * strength / spread for channel in data.color)
+        self.lights.append(self._core.Light(data.type.lower(), matrix[:3, 3], -matrix[:3, 2], shade, *cone))
+
+    def sources(self, scene, surface_of_placement):
+        """The ColorSources of a scene whose placements have these surfaces."""
+        surfaces = [self.surfaces[i] for i in surface_of_placement]
+        made = self._core.ColorSources(surfaces, self.lights, _world(scene))
+        self._cache.shown[id(made)] = made
+        return made
+
+    def remarks(self):
+        """A sentence about what could not be followed, if anything."""
+        names = sorted(self.unfollowed)
+        shown = ", ".join(f"'{name}'" for name in names[:3]) + (f" and {len(names) - 3} more" if names[3:] else "")
+        return [f"Colours of nodes that are not followed are drawn as in the viewport: {shown}"] if names else []
+
+    def _source(self, material):
+        name = material and material.name_full
+        if name not in self._sources:
+            self._sources[name] = found = color_nodes.source(material)
+            if not found.followed:
+                self.unfollowed.add(name)
+        return self._sources[name]
+
+    def _slot(self, material, corners):
+        """The native slot; where an image, a UV map or an attribute is missing the viewport colour stands for it."""
+        source = self._source(material)
+        texture = source.image and self._cache.images.texture(source.image)
+        uv = corners.uv(source.uv, source.place) if texture else None
+        attribute = None if source.attribute is None else corners.attribute(source.attribute)
+        if (source.image and uv is None) or (material and source.attribute is not None and attribute is None):
+            self.unfollowed.add(material.name_full)
+            return self._core.ColorSlot(source.viewport, unlit=source.unlit)
+        own = (1.0, 1.0, 1.0) if attribute is not None else source.color
+        return self._core.ColorSlot(own, texture, uv, attribute, source.unlit)
+
+
+def _world(scene):
+    """Radiance of the sky: the background's colour, or the world's own where nodes make it."""
+    world = scene.world
+    if world is None:
+        return (0.0, 0.0, 0.0)
+    output = world.node_tree.get_output_node("ALL") if world.node_tree and getattr(world, "use_nodes", True) else None
+    shader = shader_links.source(output.inputs["Surface"]) if output else None
+    if shader is not None and shader.type == "BACKGROUND" and not shader.inputs["Color"].links:
+        strength = shader.inputs["Strength"].default_value
+        return tuple(strength * channel for channel in tuple(shader.inputs["Color"].default_value)[:3])
+    return tuple(world.color)

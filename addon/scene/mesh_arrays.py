@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's mesh arrays as numpy arrays: whole attributes at once into buffers that are used again for every mesh."""
+
+import math
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+
+@dataclass(frozen=True)
+class MeshArrays:
+    """V vertices, E edges, C corners, F polygons. Views into shared buffers: good until the next mesh is read."""
+
+    positions: np.ndarray  # (V, 3) float32, object space
+    edge_verts: np.ndarray  # (E, 2) int32
+    corner_verts: np.ndarray  # (C,) int32
+    corner_edges: np.ndarray  # (C,) int32, the edge to the polygon's next corner
+    polygon_offsets: np.ndarray  # (F + 1,) int32, first corner of each polygon
+    material: np.ndarray | None  # (F,) int32, slot; None: all in the first
+    sharp_edges: np.ndarray | None  # (E,) bool; None: none
+    seams: np.ndarray | None  # (E,) bool
+    edge_marks: np.ndarray | None  # (E,) bool, Freestyle's
+
+
+class Buffers:
+    """Arrays by name that only grow: fresh memory costs more than reading the mesh does."""
+
+    def __init__(self):
+        self._arrays = {}
+
+    def take(self, name, shape, dtype):
+        """An uninitialized array of that shape; the one taken last under the name is void."""
+        size = math.prod(shape)
+        array = self._arrays.get(name)
+        if array is None or array.size < size:
+            array = self._arrays[name] = np.empty(size + size // 8, dtype)
+        return array[:size].reshape(shape)
+
+
+def is_edited(obj):
+    """Whether an evaluated object's mesh is in edit mode, be it in that of another object: then its arrays may be
+    missing, and `to_mesh` makes them."""
+    return obj.mode == "EDIT" or obj.data.is_editmode
+
+
+def read(mesh, buffers, *, with_marks):
+    """The arrays of an evaluated mesh. Freestyle marks are slow to read before Blender 5.0: only `with_marks`."""
+    vertices, edges, corners = len(mesh.vertices), len(mesh.edges), len(mesh.loops)
+    polygons = len(mesh.polygons)
+    offsets = buffers.take("offsets", (polygons + 1,), np.int32)
+    mesh.polygons.foreach_get("loop_start", offsets[:-1])
+    offsets[-1] = corners
+    flag = (edges,)
+    return MeshArrays(
+        positions=_required(mesh, "position", buffers, (vertices, 3), np.float32),
+        edge_verts=_required(mesh, ".edge_verts", buffers, (edges, 2), np.int32),
+        corner_verts=_required(mesh, ".corner_vert", buffers, (corners,), np.int32),
+        corner_edges=_required(mesh, ".corner_edge", buffers, (corners,), np.int32),
+        polygon_offsets=offsets,
+        material=_optional(mesh, "material_index", buffers, (polygons,), np.int32),
+        sharp_edges=_optional(mesh, "sharp_edge", buffers, flag, np.bool_),
+        # The seams' attribute lost its dot in Blender 5.0.
+        seams=_optional(mesh, ".uv_seam" if ".uv_seam" in mesh.attributes else "uv_seam", buffers, flag, np.bool_),
+        edge_marks=_freestyle_marks(mesh, buffers) if with_marks else None,
+    )
+
+
+def creases(mesh, buffers):
+    """Crease weights of edges (E,) and vertices (V,) float32 from 0 to 1; None where there are none."""
+    of_edges = _optional(mesh, "crease_edge", buffers, (len(mesh.edges),), np.float32)
+    return of_edges, _optional(mesh, "crease_vert", buffers, (len(mesh.vertices),), np.float32)
+
+
+def ngon_triangles(mesh, polygon_offsets, buffers):
+    """Blender's triangles of the polygons with more than four corners, by their names in a native Mesh: (T, 3) int32
+    vertices, and (T,) int32 ascending polygons; none where there are no such polygons.
+    """
+    is_ngon = np.diff(polygon_offsets) > 4
+    if not is_ngon.any():
+        return {}
+    mesh.calc_loop_triangles()
+    count = len(mesh.loop_triangles)
+    polygon = buffers.take("triangle_polygon", (count,), np.int32)
+    mesh.loop_triangles.foreach_get("polygon_index", polygon)
+    vertices = buffers.take("triangle_vertices", (count, 3), np.int32)
+    mesh.loop_triangles.foreach_get("vertices", vertices.ravel())
+    of_ngon = is_ngon[polygon]
+    return {"ngon_triangles": vertices[of_ngon], "ngon_polygon": polygon[of_ngon]}
+
+
+def _required(mesh, name, buffers, shape, dtype):
+    """An attribute that exists whenever its domain has elements."""
+    array = buffers.take(name, shape, dtype)
+    if array.size:
+        mesh.attributes[name].data.foreach_get("vector" if name == "position" else "value", array.ravel())
+    return array
+
+
+def _optional(mesh, name, buffers, shape, dtype):
+    attribute = mesh.attributes.get(name)
+    if attribute is None or shape[0] == 0:
+        return None
+    array = buffers.take(name, shape, dtype)
+    attribute.data.foreach_get("value", array)
+    return array
+
+
+def _freestyle_marks(mesh, buffers):
+    """Freestyle's edge marks: an edge property up to Blender 4.5, an attribute from 5.0."""
+    if "use_freestyle_mark" not in bpy.types.MeshEdge.bl_rna.properties:
+        return _optional(mesh, "freestyle_edge", buffers, (len(mesh.edges),), np.bool_)
+    array = buffers.take("freestyle_edge", (len(mesh.edges),), np.bool_)
+    mesh.edges.foreach_get("use_freestyle_mark", array)
+    return array if array.any() else None

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which lines an object has of its own accord, whatever the line sets say: its kinds, and the parameters of which the
+registry says that objects may have values of their own."""
+
+import math
+
+from bpy.props import PointerProperty
+
+from .. import catalogue
+from .line_kinds import definitions, parameter_property, property_name, value_of
+from .property_kinds import new_group, switch
+
+ALL_KINDS = 0xFFFFFFFF  # bits of the registry
+AS_THE_SET_SAYS = math.nan
+
+
+def of(settings):
+    """(bits of the registry that an object shows, its value of each of `parameters()` or NaN, ...) of its settings."""
+    kinds = ALL_KINDS
+    if settings.own_kinds:
+        for bit, definition in enumerate(definitions()):
+            if not getattr(settings.kinds, definition["name"], True):
+                kinds &= ~(1 << bit)
+    return kinds, *(_own_value(settings, *known) for known in parameters())
+
+
+def _own_value(settings, definition, parameter):
+    own = getattr(settings, switch_name(definition, parameter))
+    return value_of(settings, definition, parameter) if own else AS_THE_SET_SAYS
+
+
+def parameters():
+    """(definition, parameter) of which an object may have a value of its own; none without the native module."""
+    return catalogue.per_object() if definitions() else ()
+
+
+def switch_name(definition, parameter):
+    """The property that says whether an object has a value of its own."""
+    return f"own_{property_name(definition, parameter)}"
+
+
+def label(definition, parameter):
+    return f"{definition['label']} {parameter['label']}"
+
+
+def switchable():
+    """Definitions that an object may do without: lines found in the picture are of no object."""
+    return [definition for definition in definitions() if not definition["in_image"]]
+
+
+def kinds():
+    """The PropertyGroup of switches, by the registry. All are on: what the line sets draw is shown."""
+    found = {}
+    for definition in switchable():
+        told = f"{definition['description']}.\nOff: this object does not have them, whichever line set draws them"
+        found[definition["name"]] = switch(definition["label"], told, default=True)
+    return new_group("FoveaOwnKinds", "Kinds of lines that an object shows.", found)
+
+
+def annotations(kinds):
+    """Of an object's settings; `kinds`: the registered group."""
+    told = "Of the lines that the line sets draw, this object and instances of it have only these kinds"
+    found = {"own_kinds": switch("Own Line Kinds", told), "kinds": PointerProperty(type=kinds)}
+    for known in parameters():
+        name = label(*known)
+        told = f"This object, and instances of it, have their own {name.lower()} in all line sets"
+        found[switch_name(*known)] = switch(f"Own {name}", told)
+        found[property_name(*known)] = parameter_property(known[1], name)
+    return found

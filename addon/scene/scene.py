@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Blender's evaluated scene holds for a drawing: one native surface per mesh, and where each is placed."""
+
+import hashlib
+from dataclasses import dataclass
+from functools import partial
+
+import bpy
+import numpy as np
+
+from . import kept, materials, own_lines, repair, subdivision
+from .mesh_arrays import is_edited
+
+DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
+VIEWPORTS = 4  # that keep what only they show
+USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """A scene as the native side takes it; n placements of m surfaces."""
+
+    surfaces: list  # m native surfaces
+    slots: list  # m tuples of materials.Slot
+    surface_of_placement: np.ndarray  # (n,) int32
+    object_to_world: np.ndarray  # (n, 4, 4) float64
+    persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
+    usage: np.ndarray  # (n,) uint8, bits as above
+    objects: list  # n object names
+    owners: list  # n tuples of full names: the object's, and that of what made an instance of it
+    importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
+    shown: np.ndarray  # (n,) uint32, bits of the registry: the kinds of lines that the objects show
+    own_values: list  # per parameter of own_lines.parameters(): (n,) float64 of the objects' own, NaN: none
+
+
+class _Gathering:
+    """Placements as they are met; one surface per evaluated mesh, choice of materials and settings."""
+
+    def __init__(self, cache, depsgraph, viewport, with_marks, beside):
+        self.beside = beside
+        self.cache, self.with_marks = cache, with_marks
+        self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
+        self.surfaces, self.slots = [], []
+        self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
+        self.known_own = {}
+        self.rows = []  # (step of the walk, surface, hash of names, usage, object, owners, *own) per placement
+
+    def usage(self, instance):
+        """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
+        obj = instance.object
+        owner = (instance.parent if instance.is_instance else None) or obj
+        identity = (obj.name_full, owner.name_full, instance.show_self)
+        if identity not in self.known_usage:
+            self.known_usage[identity] = self._usage(obj, owner) if instance.show_self else 0
+        return self.known_usage[identity]
+
+    def _usage(self, obj, owner):
+        # Instances are short-lived copies, and so are objects shown as the mesh Blender made of them: settings are
+        # those of what they are copies of (asking a copy for them leaks memory).
+        same = obj == owner
+        obj = obj.original.evaluated_get(self.depsgraph)
+        owner = obj if same else owner.original.evaluated_get(self.depsgraph)
+        usage = USAGE[obj.fovea.usage] if same else USAGE[obj.fovea.usage] & USAGE[owner.fovea.usage]
+        if not obj.visible_camera or owner.indirect_only_get(view_layer=self.layer):
+            return 0
+        if self.viewport is not None and not owner.visible_in_viewport_get(self.viewport):
+            return 0
+        holdout = obj.is_holdout or owner.holdout_get(view_layer=self.layer)
+        return OCCLUDE | HOLDOUT if holdout and usage & OCCLUDE else usage
+
+    def curvature(self, obj):
+        """How the curvature of an object's surface is to be estimated, as its native surface takes it."""
+        settings = obj.original.evaluated_get(self.depsgraph).fovea
+        rings = settings.curvature_rings if settings.curvature_estimator == "JETS" else 0
+        return settings.curvature_estimator.lower(), 0, rings, settings.curvature_smoothing
+
+    def surface_index(self, obj, mesh):
+        # Meshes stay where they are while one depsgraph is walked over, so here a pointer may name one (but not one
+        # that is thrown away at once). The object counts because it may bring its own materials.
+        place = obj.name_full if is_edited(obj) else mesh.as_pointer()
+        met = (place, obj.name_full)
+        if met not in self.index_of:
+            slots = materials.slots(obj, mesh, self.known_materials)
+            plan, mend = subdivision.plan(obj, mesh, self.depsgraph), repair.of(obj, self.depsgraph)
+            curvature = self.curvature(obj)
+            shared = (place, slots, plan, mend, curvature)
+            if shared not in self.index_of:
+                self.index_of[shared] = len(self.surfaces)
+                surface = self.surface(obj, mesh, slots, plan, mend)
+                if self.cache.rebuilt[-1:] == [surface]:
+                    self.cache.remarks += repair.remarks_of_removed(obj)
+                surface.set_field_options(*curvature)
+                cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+                for gathering in self.beside:
+                    gathering.add_surface(obj, mesh, surface, cage, repaired=mend is not None)
+                self.surfaces.append(surface)
+                self.slots.append(slots)
+            self.index_of[met] = self.index_of[shared]
+        return self.index_of[met]
+
+    def surface(self, obj, mesh, slots, plan, mend):
+        """The native surface of an evaluated mesh, refined and repaired as the user wants it."""
+        key, found = (obj.name_full, mesh.name_full, slots), None
+        if plan is not None:
+            cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, with_marks=self.with_marks)
+        if found is None:
+            found = self.cache.surface(key, obj.name, mesh, slots, mend, with_marks=self.with_marks)
+        return found
+
+    def add(self, step, obj, mesh, instance, usage):
+        """One placement of an evaluated mesh; `step` counts the depsgraph's instances."""
+        if not len(mesh.edges):
+            return
+        index = self.surface_index(obj, mesh)
+        if usage & OCCLUDE and all(slot.holdout for slot in self.slots[index]):
+            usage = OCCLUDE | HOLDOUT
+        parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
+        names, owners = (obj.name_full, parent), (obj.name_full, parent) if parent else (obj.name_full,)
+        self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, *self.own(obj)))
+
+    def own(self, obj):
+        """An object's priority, and lines of its own accord, asked of what it is a copy of (see `_usage`)."""
+        if obj.name_full not in self.known_own:
+            settings = obj.original.evaluated_get(self.depsgraph).fovea
+            self.known_own[obj.name_full] = (settings.priority, *own_lines.of(settings))
+        return self.known_own[obj.name_full]
+
+    def name_hash(self, *names):
+        if names not in self.known_names:
+            digest = hashlib.blake2b("\0".join(names).encode(), digest_size=8).digest()
+            self.known_names[names] = int.from_bytes(digest, "little")
+        return self.known_names[names]
+
+    def snapshot(self, matrices, persistent):
+        """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
+        columns = zip(*self.rows) if self.rows else ((),) * 8
+        steps, surface, names, usage, objects, owners, importance, shown, *own_values = columns
+        chosen = np.array(steps, np.intp)
+        return Snapshot(
+            self.surfaces,
+            self.slots,
+            np.array(surface, np.int32),
+            matrices[chosen],
+            _mixed(np.array(names, np.uint64), persistent[chosen]),
+            np.array(usage, np.uint8),
+            list(objects),
+            list(owners),
+            np.array(importance, np.float32),
+            np.array(shown, np.uint32),
+            [np.array(values, np.float64) for values in own_values],
+        )
+
+
+def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, notes=None):
+    """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `colors`: a
+    color_sources.Gathering to fill on the way, or None; `notes`: the same of notes.
+
+    Curves, text, surfaces and metaballs come as the meshes Blender makes of them. Objects and collections that are
+    hidden are not among the depsgraph's instances.
+    """
+    gathering = _Gathering(cache, depsgraph, viewport, with_marks, [beside for beside in (colors, notes) if beside])
+    cache.begin()
+    for step, instance in enumerate(depsgraph.object_instances):
+        obj = instance.object
+        if colors and obj.type == "LIGHT" and instance.show_self:
+            colors.add_light(instance)
+        # What Blender converts to a mesh appears twice, as itself and as the mesh.
+        if not isinstance(obj.data, bpy.types.Mesh):
+            continue
+        usage = gathering.usage(instance)
+        if usage and is_edited(obj):
+            # Its arrays are empty until Blender is asked for them.
+            gathering.add(step, obj, obj.to_mesh(), instance, usage)
+            obj.to_mesh_clear()
+        elif usage:
+            gathering.add(step, obj, obj.data, instance, usage)
+    # View layers and viewports may show different parts of a scene, and take turns.
+    cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
+    found = gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
+    kept.add_snapshot(found)
+    return found
+
+
+def placements(depsgraph, viewport):
+    """What is placed where in a viewport (its SpaceView3D), of which material, cameras aside; to be compared."""
+    shown = []
+    for instance in depsgraph.object_instances:
+        obj = instance.object
+        if obj.type == "CAMERA":
+            shown.append(None)
+            continue
+        owner = (instance.parent if instance.is_instance else None) or obj
+        worn = [slot.material and slot.material.name_full for slot in obj.material_slots]
+        seen = instance.show_self and owner.visible_in_viewport_get(viewport)
+        shown.append((owner.name_full, obj.name_full, seen, worn))
+    arrays = _instance_arrays(depsgraph.object_instances)
+    kept = np.array([told is not None for told in shown], np.bool_)
+    return shown, *(array[kept].tobytes() for array in arrays)
+
+
+def _instance_arrays(instances):
+    """(k, 4, 4) float64 object to world and (k, 8) int32 persistent ids, in the order they are walked over."""
+    count = len(instances)
+    matrices, persistent = np.empty((count, 4, 4), np.float32), np.empty((count, 8), np.int32)
+    instances.foreach_get("matrix_world", matrices.ravel())
+    instances.foreach_get("persistent_id", persistent.ravel())
+    return matrices.transpose(0, 2, 1).astype(np.float64), persistent
+
+
+def _mixed(names, persistent):
+    """(n,) uint64 ids from (n,) hashes of names and (n, 8) persistent ids: neither changes from frame to frame."""
+    mixed = names
+    for column in persistent.T.astype(np.uint32):
+        mixed = (mixed ^ column) * np.uint64(0x9E3779B97F4A7C15)
+        mixed ^= mixed >> np.uint64(32)
+    return mixed
+
+
+def placed(core, snapshot):
+    """The native Scene of a Snapshot."""
+    found = snapshot
+    return core.Scene(
+        found.surfaces, found.surface_of_placement, found.object_to_world, found.persistent_id, found.usage
+    )
+
+
+def seen(core, view):
+    """The native View of a stages.View."""
+    return core.View(**vars(view))
+
+
+def has_anything(scene):
+    """Whether some object of the scene, hidden or not, could ever have lines."""
+    kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD"}
+    return any(obj.type in kinds or obj.instance_type != "NONE" for obj in scene.objects)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which objects are drawn on the limit surface of their subdivision, and the cages that it is the limit of."""
+
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from .mesh_arrays import is_edited
+
+MOST_LEVELS = 7  # native/fovea/mesh/refine.h
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How a mesh is refined."""
+
+    level: int
+    round_corners: bool = True
+    use_creases: bool = True
+    modifier: int | None = None  # of the object, whose place the limit surface takes; None: the mesh itself is the cage
+
+
+def plan(obj, mesh, depsgraph):
+    """The Plan for an instance's evaluated mesh, or None when it is drawn as it is.
+
+    An object whose last modifier is a Catmull-Clark subdivision is refined from what comes before it, any other one
+    only where the user wants it. A modifier that is not to place vertices on the limit surface, and one in edit mode,
+    are left to Blender.
+    """
+    real = obj.original.evaluated_get(depsgraph)  # instances are short-lived copies
+    wanted = real.fovea.refine_level if real.fovea.refine else 0
+    if real.data == mesh and not is_edited(real):
+        index = _last_modifier(real, depsgraph.mode)
+        modifier = None if index is None else real.modifiers[index]
+        if modifier is not None and modifier.type == "SUBSURF" and modifier.subdivision_type == "CATMULL_CLARK":
+            level = _level(modifier, depsgraph)
+            if 0 < level <= MOST_LEVELS and modifier.use_limit_surface:
+                round_corners = modifier.boundary_smooth == "ALL"
+                return Plan(max(level, wanted), round_corners, modifier.use_creases, index)
+    return Plan(wanted) if wanted else None
+
+
+@contextmanager
+def cage(obj, mesh, chosen, depsgraph):
+    """The mesh that a Plan refines, good inside the `with`.
+
+    Blender evaluates the object's modifiers once more without the last. It is switched off on Blender's evaluated copy
+    of the object, and on again before anyone else looks: the user's object is never touched. Blender reports an update
+    of the object all the same, of which nothing has changed (`is_echo`).
+    """
+    if chosen.modifier is None:
+        yield mesh
+        return
+    real = obj.original.evaluated_get(depsgraph)
+    switches = _switched_off(real.modifiers, chosen.modifier)
+    try:
+        # Only with all layers does Blender evaluate anew instead of copying what it has.
+        result = real.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
+    finally:
+        _switch(real.modifiers, switches)
+    try:
+        yield result
+    finally:
+        real.to_mesh_clear()
+
+
+def is_echo(updates):
+    """Whether a depsgraph's updates come from nothing but a `cage` that was read."""
+    parts = ("is_updated_geometry", "is_updated_transform", "is_updated_shading")
+    found = [isinstance(u.id, bpy.types.Object) and not any(getattr(u, part) for part in parts) for u in updates]
+    return bool(found) and all(found)
+
+
+def _last_modifier(obj, mode):
+    """Index of the last modifier that is on, or None."""
+    shown = "show_render" if mode == "RENDER" else "show_viewport"
+    return next((i for i in reversed(range(len(obj.modifiers))) if getattr(obj.modifiers[i], shown)), None)
+
+
+def _level(modifier, depsgraph):
+    """The modifier's level as Blender evaluates it."""
+    in_render = depsgraph.mode == "RENDER"
+    level = modifier.render_levels if in_render else modifier.levels
+    settings = depsgraph.scene.render
+    if settings.use_simplify:
+        level = min(level, settings.simplify_subdivision_render if in_render else settings.simplify_subdivision)
+    return level
+
+
+def _switched_off(modifiers, index):
+    """Switches one modifier off; what `_switch` takes to restore all."""
+    before = {}
+    for name in ("show_viewport", "show_render"):
+        before[name] = np.empty(len(modifiers), np.bool_)
+        modifiers.foreach_get(name, before[name])
+    off = {name: values.copy() for name, values in before.items()}
+    for values in off.values():
+        values[index] = False
+    _switch(modifiers, off)
+    return before
+
+
+def _switch(modifiers, switches):
+    """Sets {switch: (n,) bool}."""
+    for name, values in switches.items():
+        modifiers.foreach_set(name, values)

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Match Freestyle: a Style from a view layer's Freestyle line sets."""
+
+import math
+
+import bpy
+
+from .. import style
+from ..scene.line_kinds import definitions
+from ..scene.operator import Operator
+from ..stages import REFERENCE_HEIGHT
+from . import style_data
+
+# Freestyle's word for an edge type -> our lines.
+KINDS = {
+    "silhouette": ("contour", "border"),
+    "border": ("border",),
+    "crease": ("crease",),
+    "ridge_valley": ("ridge", "valley"),
+    "suggestive_contour": ("suggestive_contour",),
+    "material_boundary": ("material_boundary",),
+    "contour": ("silhouette",),
+    "external_contour": ("silhouette",),
+    "edge_mark": ("edge_mark",),
+}
+# Of our lines, one that has all of the other.
+HAS = {"contour": "silhouette"}
+# Our parameters, of Freestyle's settings: its crease angle is that between faces, ours between normals.
+PARAMETERS = {"crease": lambda settings: {"angle": 180 - math.degrees(settings.crease_angle)}}
+_RELATIVE_HEIGHT = 480  # Freestyle's relative thickness is in pixels of an image so high
+
+
+def style_of(scene, layer):
+    """(Style, sentences about what it cannot tell) of a view layer's Freestyle settings."""
+    settings, told, sets = layer.freestyle_settings, [], []
+    for line_set in settings.linesets:
+        if not line_set.show_render:
+            continue
+        told += [f"'{line_set.name}': {what}" for what in _unmatched(line_set)]
+        kinds = _kinds(line_set, settings)
+        if kinds:
+            sets.append(_line_set(line_set, kinds, scene))
+    return style.Style(line_sets=tuple(sets)), told
+
+
+def _kinds(line_set, settings):
+    """{definition: parameters} of a line set."""
+    wanted = [word for word in KINDS if getattr(line_set, f"select_{word}") or not line_set.select_by_edge_types]
+    names = dict.fromkeys(name for word in wanted for name in KINDS[word])
+    had = {HAS.get(name) for name in names}
+    return {name: PARAMETERS[name](settings) if name in PARAMETERS else {} for name in names if name not in had}
+
+
+def _line_set(line_set, kinds, scene):
+    chosen = line_set.linestyle
+    pen = _pen(chosen, scene)
+    first, last = _range(line_set)
+    hidden = (style.Hidden(pen=pen, first=max(first, 1), last=last),) if last is None or last > 0 else ()
+    least = chosen.length_min if chosen.use_length_min else 0.0
+    return style.LineSet(
+        name=line_set.name,
+        kinds=kinds,
+        least_length=min(least * _pixel(scene), 1000.0),
+        pen=pen if first == 0 else style.Pen(opacity=0.0),
+        hidden=hidden,
+    )
+
+
+def _range(line_set):
+    """Least and most surfaces (None: any number) that hide what a line set draws."""
+    if not line_set.select_by_visibility or line_set.visibility == "VISIBLE":
+        return (0, 0) if line_set.select_by_visibility else (0, None)
+    if line_set.visibility == "HIDDEN":
+        return 1, None
+    return line_set.qi_start, line_set.qi_end
+
+
+def _pen(chosen, scene):
+    relative = scene.render.line_thickness_mode == "RELATIVE"
+    width = chosen.thickness * (REFERENCE_HEIGHT / _RELATIVE_HEIGHT if relative else scene.render.line_thickness)
+    return style.Pen(
+        color=tuple(chosen.color),
+        opacity=chosen.alpha,
+        width=width,
+        width_unit="reference" if relative else "pixels",
+        texture="dashes" if chosen.use_dashed_line else "solid",
+        cap="round" if chosen.caps == "ROUND" else "butt",
+    )
+
+
+def _pixel(scene):
+    """Reference pixels of a pixel of the scene's image."""
+    return REFERENCE_HEIGHT / (scene.render.resolution_y * scene.render.resolution_percentage / 100)
+
+
+def _unmatched(line_set):
+    """What a line set has that is not taken over."""
+    chosen = line_set.linestyle
+    if line_set.select_by_edge_types and line_set.edge_type_negation == "EXCLUSIVE":
+        yield "lines that are not of its edge types"
+    if line_set.select_by_edge_types and line_set.edge_type_combination == "AND":
+        yield "lines that are of all its edge types at once"
+    if line_set.select_by_edge_types and any(getattr(line_set, f"exclude_{word}") for word in KINDS):
+        yield "edge types that it excludes"
+    if line_set.select_by_collection:
+        yield "lines of a collection alone"
+    if line_set.select_by_face_marks:
+        yield "face marks"
+    for words in ("color", "alpha", "thickness", "geometry"):
+        # Every new line style samples its lines.
+        if any(modifier.use and modifier.type != "SAMPLING" for modifier in getattr(chosen, f"{words}_modifiers")):
+            yield f"{words} modifiers"
+    if chosen.use_length_max:
+        yield "the greatest length of lines"
+
+
+class FOVEA_OT_match_freestyle(Operator, bpy.types.Operator):
+    """Take over the view layer's Freestyle line sets: edge types, crease angle, visibility, and the line styles'
+    thickness, color and opacity"""
+
+    bl_idname = "fovea.match_freestyle"
+    bl_label = "Match Freestyle"
+
+    @classmethod
+    def hindrance(cls, context):
+        sets = context.view_layer.freestyle_settings.linesets if context.view_layer else ()
+        if not any(line_set.show_render and line_set.linestyle for line_set in sets):
+            return "The view layer has no Freestyle line set that is on: there is nothing to match"
+        return None if definitions() else "Fovea's native module cannot be used in this Blender"
+
+    def act(self, context):
+        chosen, told = style_of(context.scene, context.view_layer)
+        if not chosen.line_sets:
+            raise style.StyleError("The Freestyle line sets select no edge types that Fovea draws")
+        style_data.use(context.scene, chosen, "Freestyle")
+        if told:
+            self.report({"WARNING"}, f"Not taken over: {'; '.join(told)}")
+
+
+register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_match_freestyle,))

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The PropertyGroups that hold a style, in a node tree: one for each of the core's records, made from what is declared
+of their members (native/fovea/style).
+
+A number, word or switch that is added to a record is a property here, with its label, range and unit. What may be
+missing in a style (a pen out of focus, a background) has a switch beside it. Without the core there are none.
+"""
+
+import math
+
+import bpy
+from bpy.props import CollectionProperty, IntProperty, PointerProperty, StringProperty
+
+from .. import native, style
+from ..scene import line_kinds
+from ..scene.property_kinds import choice, file_names, new_group, number, pointer, switch, text, vector, whole_number
+
+PLAIN = ("switch", "number", "whole number", "choice", "text", "color")  # types of members that are one property
+ELSEWHERE = ("name", "first")  # members that are properties of another kind
+UNITS = {  # what of a property tells the unit
+    "": {"step": 10},
+    "share": {"subtype": "FACTOR"},
+    "reference pixels": {"subtype": "PIXEL"},
+    "scene": {"subtype": "DISTANCE"},
+    "millimeters": {"subtype": "DISTANCE_CAMERA"},
+    "light": {"subtype": "COLOR"},
+    "seed": {"precision": 0, "step": 100},
+}
+FILES = {"texture": style.textures, "paper": style.papers}
+AWAY = ("Pen out of Focus", "Lines out of focus are drawn with a pen of their own")
+
+_groups = {}  # the core's record: its group, once they are registered
+_registered = []  # groups, in order
+
+
+def part(cls):
+    """The name of the property that holds a record of the core's, and of the group of curves of its effects."""
+    return cls.__name__.lower()
+
+
+def plain_fields(cls):
+    """What is declared of members of a record that are one property each, and never missing."""
+    fields = (f for f in cls.fields if f["type"] in PLAIN and f["default"] is not None)
+    return [f for f in fields if f["name"] not in ELSEWHERE]
+
+
+def transfers(cls):
+    """{name: what is declared} of the members of a record that are transfer functions."""
+    return {f["name"]: f for f in cls.fields if f["type"] == "transfer"}
+
+
+def grouped(cls):
+    """Names of the plain members of a record, by the groups that are declared, in their order; words that say what a
+    group's first is measured in or fixed to stand right after it."""
+    groups = {}
+    for field in plain_fields(cls):
+        groups.setdefault(field["group"], []).append(field)
+    return [
+        [f["name"] for f in (fields[0], *sorted(fields[1:], key=lambda f: f["type"] != "choice"))]
+        for fields in groups.values()
+    ]
+
+
+def _property(field):
+    """The property for a member."""
+    default, kind = field["default"], field["type"]
+    words = field["label"], field["description"]
+    limits = {"min": field["min"], "max": field["max"], "soft_max": field["soft_max"]}
+    if kind == "switch":
+        return switch(*words, default=default)
+    if field["names"] in FILES:
+        return choice(*words, items=file_names(FILES[field["names"]]()), default=default)
+    if kind == "choice":
+        items = [(name.upper(), label, told) for name, label, told in field["choices"]]
+        return choice(*words, items=items, default=default.upper())
+    if kind == "text":
+        return text(*words, default=default, maxlen=field["most_letters"])
+    if kind == "color":
+        return vector(*words, default=default, size=3, **limits, **UNITS[field["unit"]])
+    if kind == "whole number":
+        return whole_number(*words, default=default, **{key: int(value) for key, value in limits.items()})
+    if field["unit"] == "degrees":
+        most = math.radians(limits["max"])
+        return number(*words, default=math.radians(default), subtype="ANGLE", min=0.0, max=most)
+    return number(*words, default=default, **limits, **UNITS[field["unit"]])
+
+
+def _plain(cls):
+    return {field["name"]: _property(field) for field in plain_fields(cls)}
+
+
+def _optional(cls, name, default):
+    """The property for a member that may be missing, and is `default` then."""
+    return _property(style.field(cls, name) | {"default": default})
+
+
+def _pens():
+    pen = PointerProperty(type=_groups[style.Pen])
+    return {"pen": pen, "away": switch(*AWAY), "pen_away": pen}
+
+
+def _color():
+    on_paper = switch("On Paper", "Where there is nothing, and where colors fade, the paper shows", default=True)
+    return {"on_paper": on_paper, "background": _optional(style.Color, "background", (1.0, 1.0, 1.0))}
+
+
+def _elision():
+    told = "Image over the frame: lines are four times as dense where it is white, a quarter as dense where black"
+    return {"density_image": pointer("Density Map", told, type=bpy.types.Image)}
+
+
+def _hidden():
+    first = style.field(style.Hidden, "first")
+    last = style.field(style.Hidden, "last") | {"default": 0, "min": 0, "type": "whole number"}
+    return {**_pens(), "first": _property(first), "last": _property(last)}
+
+
+def _line_set(kinds):
+    return {
+        **_pens(),
+        "kinds": PointerProperty(type=kinds),
+        "overshoot_away": _optional(style.LineSet, "overshoot_away", 0.0),
+        "hidden": CollectionProperty(type=_groups[style.Hidden]),
+        "hidden_index": IntProperty(name="Hidden Pen", description="The hidden pen that is edited", min=0),
+        "kept": StringProperty(options={"HIDDEN"}),
+    }
+
+
+def _style():
+    parts = (style.Paper, style.Color, style.Elision, style.Effects, style.Distance)
+    return {
+        **{part(cls): PointerProperty(type=_groups[cls]) for cls in parts},
+        "line_sets": CollectionProperty(type=_groups[style.LineSet]),
+        "line_set_index": IntProperty(name="Line Set", description="The line set that is edited", min=0),
+    }
+
+
+def _add(made):
+    bpy.utils.register_class(made)
+    _registered.append(made)
+    return made
+
+
+def _add_part(cls, name, more=None):
+    transfer = {name: PointerProperty(type=_groups[style.Transfer]) for name in transfers(cls)}
+    _groups[cls] = _add(new_group(name, cls.__doc__, _plain(cls) | transfer | (more or {})))
+
+
+def _add_parts():
+    _add_part(style.Transfer, "FoveaTransfer")
+    _add_part(style.Pen, "FoveaPen")
+    _add_part(style.Hidden, "FoveaHiddenPen", _hidden())
+    _add_part(style.LineSet, "FoveaLineSet", _line_set(_add(line_kinds.group())))
+    _add_part(style.Paper, "FoveaPaper")
+    _add_part(style.Color, "FoveaColor", _color())
+    _add_part(style.Elision, "FoveaElision", _elision())
+    _add_part(style.Effects, "FoveaEffects")
+    _add_part(style.Distance, "FoveaDistance")
+
+
+def register():
+    """Puts a style in every node tree; `schema` is 0 where there is none."""
+    held = {
+        "schema": IntProperty(options={"HIDDEN"}),
+        "untouched": StringProperty(options={"HIDDEN"}),
+        "source": StringProperty(options={"HIDDEN"}),  # its file name, now or once, among those that ship or are saved
+        "brought": StringProperty(options={"HIDDEN"}),  # the .blend file and the name that it was appended from
+        "kept": StringProperty(options={"HIDDEN"}),
+    }
+    if not native.problem():
+        _add_parts()
+        held |= _style()
+    bpy.types.NodeTree.fovea = PointerProperty(type=_add(new_group("FoveaStyle", "A style.", held)))
+
+
+def unregister():
+    del bpy.types.NodeTree.fovea
+    for group in reversed(_registered):
+        bpy.utils.unregister_class(group)
+    _registered.clear()
+    _groups.clear()

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all panels have in common, and properties shown in several of them."""
+
+from .. import style
+from ..style import style_data, style_groups
+
+ENGINE = "FOVEA"
+HEEDED = {  # of a pen: when it makes a difference
+    "texture_anchor": lambda pen: pen.texture != "solid",
+    "length_scale": lambda pen: pen.texture != "solid",
+    "wobble_length": lambda pen: pen.wobble > 0,
+    "seed": lambda pen: pen.wobble > 0,
+}
+
+
+class FoveaPanel:
+    """In the render tab."""
+
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "render"
+    COMPAT_ENGINES = {ENGINE}
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine in cls.COMPAT_ENGINES
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = True
+        self.show(self.layout, context)
+
+
+class StylePanel(FoveaPanel):
+    """Of what the scene's own style says."""
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and style_data.of(context.scene) is not None
+
+
+def draw_properties(layout, group, names, heeded=True):
+    """Greyed out where they make no difference."""
+    column = layout.column()
+    column.active = heeded
+    for name in names:
+        column.prop(group, name)
+    return column
+
+
+def draw_pen(layout, pen, most=None):
+    """Its first groups of properties, `most` or all of them."""
+    for group in style_groups.grouped(style.Pen)[:most]:
+        column = layout.column()
+        for name in group:
+            draw_properties(column, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+        layout.separator()
+
+
+def fold(layout, name, title, closed=True):
+    """The body of a part that can be folded, or None where it is."""
+    header, body = layout.panel(f"fovea_{name}", default_closed=closed)
+    header.label(text=title)
+    return body
+
+
+def fold_switch(layout, name, owner, switch, heeded=True):
+    """The same of a part that a property in its header switches on."""
+    header, body = layout.panel(f"fovea_{name}", default_closed=True)
+    header.active = heeded
+    header.use_property_split = False
+    header.prop(owner, switch)
+    if body:
+        body.active = heeded and getattr(owner, switch)
+    return body

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panel: how lines that crowd each other are thinned, and which of them stay."""
+
+import bpy
+
+from .. import style
+from ..style import style_data
+from ..style.style_groups import plain_fields
+from .common import StylePanel, draw_properties, fold
+
+PAINTED = "painted"  # the weight that counts only where something is painted
+
+
+class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
+    bl_label = "Elision"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header(self, context):
+        self.layout.prop(style_data.of(context.scene).fovea.elision, "enabled", text="")
+
+    def show(self, layout, context):
+        elision = style_data.of(context.scene).fovea.elision
+        layout.active = elision.enabled
+        if context.scene.fovea.visibility == "SPINE":
+            layout.label(text="The spine test knows too late what is seen to thin it", icon="INFO")
+        draw_properties(layout, elision, ("fade_from", "cut", "frames"))
+        body = fold(layout, "elision_priority", "Priority")
+        if body:
+            body.active = elision.enabled
+            weights = [f["name"] for f in plain_fields(style.Elision) if f["group"] == "weights"]
+            draw_properties(body, elision, [name for name in weights if name != PAINTED])
+            _draw_attribute(body, elision, "priority_attribute", context.object)
+            draw_properties(body, elision, (PAINTED,), bool(elision.priority_attribute))
+        body = fold(layout, "elision_density", "Density")
+        if body:
+            body.active = elision.enabled
+            _draw_attribute(body, elision, "density_attribute", context.object)
+            body.prop(elision, "density_image")
+
+
+def _draw_attribute(layout, elision, name, obj):
+    """Its name, to be chosen from those of the active object where that is a mesh."""
+    if obj is not None and obj.type == "MESH":
+        layout.prop_search(elision, name, obj.data, "attributes", icon="GROUP_VCOL")
+    else:
+        layout.prop(elision, name)
+
+
+CLASSES = (RENDER_PT_fovea_elision,)

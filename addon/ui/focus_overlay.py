@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An overlay of 3D viewports that shows focus as colors: warm where it is, cool far from it.
+
+The native module evaluates it at low resolution, when a viewport is drawn and its view, the focus or the scene has
+changed since: with every change, as finely as is done in the time for a draw, and once more when all rests. Idle
+viewports draw nothing. The scene is read for it only where Fovea does not draw the viewport anyway.
+"""
+
+import time
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from ..gpu import overlay as gpu_overlay
+from ..render import caretaker, properties, reading, viewport
+from ..scene import camera, subdivision
+from ..scene.operator import TOLD
+
+SCALE = 0.25  # of the viewport's size, at rest
+LEAST = SCALE / 4  # the same while something changes
+# Colours from focus 0 to 1, in the display's space; what they cover shows through.
+STOPS = np.array([(0.95, 0.25, 0.1), (1.0, 0.8, 0.2), (0.3, 0.75, 0.6), (0.15, 0.3, 0.8)], np.float32)
+OPACITY = 0.45
+
+_shown = {}  # region's address -> _Shown
+_readers = []  # one, while it is needed
+
+
+class _Shown:
+    """What is kept for one region."""
+
+    def __init__(self):
+        self.veil = None
+        self.scale = SCALE  # of what is shown
+        self.movement = caretaker.Movement()
+        self._took = None  # what was evaluated last: its scale, and the ms that it took
+        self.forget()
+
+    def forget(self):
+        """The scene has changed."""
+        self.read = self.found = self.key = None
+
+    def update(self, context):
+        """Evaluates focus anew where something has changed, or finely where all has come to rest."""
+        depsgraph = context.evaluated_depsgraph_get()
+        chosen, view = properties.style_of(depsgraph.scene_eval), camera.of_region(context, depsgraph)
+        found = self._read(context, depsgraph, chosen)
+        key = (chosen.focus, view.world_to_view.tobytes(), view.view_to_clip.tobytes(), view.width, view.height)
+        if self.key != key or self.found is not found:
+            budget_ms = depsgraph.scene.fovea_viewport.budget_ms
+            self.key, self.found = key, found
+            self.scale = affordable(*self._took, budget_ms) if self._took else LEAST
+            self.movement.note_change()
+        elif self.scale < SCALE and self.movement.rests():
+            self.scale = SCALE
+        else:
+            return
+        start = time.perf_counter()
+        values = reading.focus_of_pixels(found, view, chosen.focus, self.scale)
+        self._took = self.scale, 1000 * (time.perf_counter() - start)
+        self.veil = None if values is None else gpu_overlay.Veil(colors(values))
+
+    def _read(self, context, depsgraph, chosen):
+        """What is there to be looked at: what Fovea draws in the region, or else what is read for this."""
+        if chosen.focus.model == "image":  # is there whatever the scene holds
+            return None
+        if drawn := viewport.gathered(context):
+            return drawn
+        # Painted or an object's, focus asks more of a scene.
+        if self.read is None or self.key is None or self.key[0] != chosen.focus:
+            self.read = _reader().read(depsgraph, chosen, context.space_data)
+        return self.read
+
+
+def _reader():
+    if not _readers:
+        _readers.append(reading.Reader())
+    return _readers[0]
+
+
+def affordable(scale, ms, budget_ms):
+    """The scale that is done within a budget, as one is known to take so long: most of it grows with the pixels."""
+    return min(max(scale * (budget_ms / max(ms, 1e-3)) ** 0.5, LEAST), SCALE)
+
+
+def colors(values):
+    """(H, W, 4) float32 of (H, W) focus."""
+    at = np.clip(values, 0, 1) * (len(STOPS) - 1)
+    below = np.minimum(at.astype(np.intp), len(STOPS) - 2)
+    share = (at - below)[..., None]
+    mixed = STOPS[below] * (1 - share) + STOPS[below + 1] * share
+    return np.concatenate([mixed, np.full((*values.shape, 1), OPACITY)], axis=2, dtype=np.float32)
+
+
+def _draw():
+    """Called when Blender has drawn a 3D viewport."""
+    context = bpy.context
+    if not (context.window_manager.fovea_show_focus and context.space_data.overlay.show_overlays):
+        return
+    if context.scene.fovea.focus_model == "NONE":
+        return
+    try:
+        shown = _shown.setdefault(context.region.as_pointer(), _Shown())
+        shown.update(context)
+    except TOLD:
+        return  # the panels and the engine say what is wrong
+    if shown.veil:
+        shown.veil.show(context.region.width, context.region.height)
+    if shown.scale < SCALE and not bpy.app.timers.is_registered(_refine):
+        bpy.app.timers.register(_refine, first_interval=caretaker.REST)
+
+
+def _refine():
+    """Has what was drawn coarsely drawn again when all rests: a timer, there only until then."""
+    coarse = [shown for shown in _shown.values() if shown.scale < SCALE]
+    if not all(shown.movement.rests() for shown in coarse):
+        return caretaker.TICK
+    if coarse:
+        _redraw(bpy.context.window_manager)
+    return None
+
+
+def _toggled(manager, _context):
+    if not manager.fovea_show_focus:
+        _forget()
+    _redraw(manager)
+
+
+def _redraw(manager):
+    for window in manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                area.tag_redraw()
+
+
+@persistent
+def _changed(_scene, depsgraph):
+    """Something in the scene changed, unless it was us who read a cage: it is read again when it is shown next."""
+    if not subdivision.is_echo(depsgraph.updates):
+        for shown in list(_shown.values()):
+            shown.forget()
+
+
+@persistent
+def _forget(*_arguments):
+    _shown.clear()
+    _readers.clear()
+    if bpy.app.timers.is_registered(_refine):
+        bpy.app.timers.unregister(_refine)
+
+
+def _in_popover(self, context):
+    """In the viewport's overlays."""
+    if context.engine == "FOVEA":
+        self.layout.label(text="Fovea")
+        self.layout.prop(context.window_manager, "fovea_show_focus")
+
+
+_HANDLERS = (("depsgraph_update_post", _changed), ("frame_change_post", _changed), ("load_pre", _forget))
+_handle = None
+
+
+def register():
+    global _handle
+    bpy.types.WindowManager.fovea_show_focus = bpy.props.BoolProperty(
+        name="Focus as Colors",
+        description="Show in 3D viewports what is in focus (red) and out of it (blue), while overlays are shown",
+        options={"SKIP_SAVE"},
+        update=_toggled,
+    )
+    _handle = bpy.types.SpaceView3D.draw_handler_add(_draw, (), "WINDOW", "POST_PIXEL")
+    for name, function in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(function)
+    bpy.types.VIEW3D_PT_overlay.append(_in_popover)
+
+
+def unregister():
+    global _handle
+    bpy.types.VIEW3D_PT_overlay.remove(_in_popover)
+    for name, function in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(function)
+    bpy.types.SpaceView3D.draw_handler_remove(_handle, "WINDOW")
+    _handle = None
+    del bpy.types.WindowManager.fovea_show_focus
+    _forget()

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panel: the line sets of the style, and of the one that is edited its pens and its kinds, from the registry."""
+
+import bpy
+
+from ..scene.line_kinds import definitions
+from ..style import FILTERS, style_data
+from ..style.line_set_operators import edited, edited_hidden
+from .common import StylePanel, draw_pen, draw_properties, fold, fold_switch
+
+# What lines depend on, by the registry's word for it.
+FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # those of bpy.data
+SCOPES = {"view": "Lines of the View", "surface": "Lines of the Shape", "scene": "Lines of the Scene"}
+
+
+class FOVEA_UL_line_sets(bpy.types.UIList):
+    """Line sets by name."""
+
+    def draw_item(self, _context, layout, _data, item, _icon, _active_data, _active, _index=0, _flag=0):
+        layout.prop(item, "name", text="", emboss=False, icon="GREASEPENCIL")
+
+
+class FOVEA_UL_hidden_pens(bpy.types.UIList):
+    """Hidden pens by what hides their lines."""
+
+    def draw_item(self, _context, layout, _data, item, _icon, _active_data, _active, _index=0, _flag=0):
+        last = f"to {item.last}" if item.last else "or more"
+        layout.label(text=f"Hidden by {item.first} {last}" if item.last != item.first else f"Hidden by {item.first}")
+
+
+class RENDER_PT_fovea_lines(StylePanel, bpy.types.Panel):
+    bl_label = "Lines"
+
+    def show(self, layout, context):
+        held = style_data.of(context.scene).fovea
+        draw_list(layout, held)
+        line_set = edited(held)
+        if line_set:
+            draw_filter(layout, line_set)
+            draw_kinds(layout, held, line_set)
+            draw_pens(layout, context.scene, line_set)
+
+
+def draw_list(layout, held):
+    side = _draw_list(layout, held, "line_sets", "line_set_index", "line_set", rows=3)
+    side.operator("fovea.line_set_duplicate", text="", icon="DUPLICATE")
+    side.operator("fovea.line_set_move", text="", icon="TRIA_UP").direction = "UP"
+    side.operator("fovea.line_set_move", text="", icon="TRIA_DOWN").direction = "DOWN"
+
+
+def _draw_list(layout, owner, members, index, name, rows):
+    """A list of what one operator of its name adds and another removes; the column of these."""
+    row = layout.row()
+    row.template_list(f"FOVEA_UL_{name}s", "", owner, members, owner, index, rows=rows)
+    side = row.column(align=True)
+    side.operator(f"fovea.{name}_add", text="", icon="ADD")
+    side.operator(f"fovea.{name}_remove", text="", icon="REMOVE")
+    return side
+
+
+def draw_filter(layout, line_set):
+    """Which objects and materials have these lines; each of them can be turned round."""
+    column = layout.column()
+    for name, others in FILTERS.items():
+        chosen, known = getattr(line_set, name), FILTERED_BY[name]
+        row = column.row(align=True)
+        search = row.row(align=True)
+        search.use_property_decorate = False
+        search.alert = bool(chosen) and chosen not in getattr(bpy.data, known)
+        search.prop_search(line_set, name, bpy.data, known)
+        turn = row.row(align=True)
+        turn.active = bool(chosen)
+        turn.prop(line_set, others, text="", icon="ARROW_LEFTRIGHT")
+
+
+def is_for_all(line_set):
+    return not any(getattr(line_set, name) for name in FILTERS)
+
+
+def draw_kinds(layout, held, line_set):
+    """Switches by what lines depend on, and the parameters of those that are on."""
+    before = list(held.line_sets)[: held.line_set_index]
+    for scope, title in SCOPES.items():
+        group = [definition for definition in definitions() if definition["scope"] == scope]
+        body = fold(layout, f"lines_{scope}", title, closed=False) if group else None
+        for definition in group if body else ():
+            _draw_kind(body, line_set, definition, before)
+
+
+def _draw_kind(body, line_set, definition, before):
+    name, kinds = definition["name"], line_set.kinds
+    # Full width: most names are too long for half of it.
+    switch = body.row()
+    switch.use_property_split = False
+    switch.prop(kinds, name)
+    # Sets above have them already; and lines found in the picture are of no object.
+    taken = any(getattr(above.kinds, name) and is_for_all(above) for above in before)
+    switch.active = not taken and (is_for_all(line_set) or not definition["in_image"])
+    if getattr(kinds, name):
+        for parameter in definition["parameters"]:
+            body.prop(kinds, f"{name}_{parameter['name']}")
+
+
+def draw_pens(layout, scene, line_set):
+    body = fold(layout, "pen", "Pen", closed=False)
+    if body:
+        draw_properties(body, line_set, ("corner_angle", "least_length", "overshoot", "halo"))
+        draw_pen(body, line_set.pen)
+    body = fold_switch(layout, "pen_away", line_set, "away")
+    if body:
+        body.prop(line_set, "overshoot_away")
+        draw_pen(body, line_set.pen_away)
+    body = fold(layout, "hidden", "Hidden Lines")
+    if body:
+        _draw_hidden(body, scene, line_set)
+
+
+def _draw_hidden(body, scene, line_set):
+    _draw_list(body, line_set, "hidden", "hidden_index", "hidden_pen", rows=2)
+    hidden = edited_hidden(line_set)
+    if hidden is None:
+        return
+    if scene.fovea.visibility == "SPINE":
+        body.label(text="The spine test draws visible lines only", icon="INFO")
+    elif scene.fovea.visibility != "EXACT":
+        body.label(text="Sampled visibility counts one surface at most", icon="INFO")
+    draw_properties(body, hidden, ("first", "last"))
+    draw_pen(body, hidden.pen)
+    away = fold_switch(body, "hidden_away", hidden, "away")
+    if away:
+        draw_pen(away, hidden.pen_away)
+
+
+CLASSES = (FOVEA_UL_line_sets, FOVEA_UL_hidden_pens, RENDER_PT_fovea_lines)

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The submenu of Blender's Render menu: what F3 finds. The tools are appended to it by tools_panel.py."""
+
+import bpy
+
+from ..style.line_set_operators import CLASSES as LINE_SETS
+from ..style.style_operators import CLASSES as STYLES
+
+ASKING = ("import", "export", "save")  # of the style operators: those that ask something first
+
+
+class _OfOperators:
+    """`operators`: classes; `choice`: the property of which each value is an entry, where one has it."""
+
+    def draw(self, _context):
+        self.show(self.layout)
+
+    def show(self, layout):
+        for cls in self.operators:
+            _draw_operator(layout, cls, self.choice)
+
+
+class TOPBAR_MT_fovea_style(_OfOperators, bpy.types.Menu):
+    bl_label = "Style"
+    operators, choice = STYLES, "style"
+
+
+class TOPBAR_MT_fovea_line_sets(_OfOperators, bpy.types.Menu):
+    bl_label = "Line Sets"
+    operators, choice = LINE_SETS, "direction"
+
+
+class TOPBAR_MT_fovea(bpy.types.Menu):
+    bl_label = "Fovea"
+
+    def draw(self, _context):
+        self.layout.menu("TOPBAR_MT_fovea_style")
+        self.layout.menu("TOPBAR_MT_fovea_line_sets")
+
+
+def _draw_operator(layout, cls, choice):
+    """An entry for an operator class, or one for each value of its property `choice`, if it has that."""
+    if choice in getattr(cls, "__annotations__", ()):
+        layout.operator_menu_enum(cls.bl_idname, choice, text=cls.bl_label)
+        return
+    asks = cls.bl_idname.rpartition("_")[2] in ASKING
+    layout.operator(cls.bl_idname, text=f"{cls.bl_label}..." if asks else cls.bl_label)
+
+
+def append(menu, _context):
+    menu.layout.separator()
+    menu.layout.menu("TOPBAR_MT_fovea")
+
+
+CLASSES = (TOPBAR_MT_fovea_style, TOPBAR_MT_fovea_line_sets, TOPBAR_MT_fovea)

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panels: how it is decided what is hidden, and what draws."""
+
+import bpy
+
+from ..render import session
+from .common import FoveaPanel, draw_properties, fold
+
+STAGES = {"bvh": "BVH"}  # whose names are no words
+
+
+class RENDER_PT_fovea_visibility(FoveaPanel, bpy.types.Panel):
+    bl_label = "Visibility"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def show(self, layout, context):
+        settings = context.scene.fovea
+        layout.prop(settings, "visibility")
+        sampled, items = settings.visibility != "EXACT", settings.visibility == "ITEM_BUFFER"
+        draw_properties(layout, settings, ("probes",), sampled and not items)
+        draw_properties(layout, settings, ("layers",), items)
+        draw_properties(layout, settings, ("depth_scale",), sampled)
+        used = session.last_statistics().get("visibility")
+        if used:
+            layout.label(text=f"Last drawn: {used}", icon="INFO")
+
+
+class RENDER_PT_fovea_performance(FoveaPanel, bpy.types.Panel):
+    bl_label = "Performance"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def show(self, layout, context):
+        layout.prop(context.scene.fovea, "backend")
+        known = session.last_statistics()
+        body = fold(layout, "last_drawn", f"Last Drawn in {_seconds(known):.2f} s") if known else None
+        if body:
+            _draw_statistics(body, known)
+
+
+def _seconds(known):
+    return sum(known["stages"].values()) / 1000
+
+
+def _draw_statistics(layout, known):
+    """What drew how much, and how long each stage took."""
+    rows = [("Device", known["backend"].upper()), ("Strokes", str(known["strokes"]))]
+    rows += [(STAGES.get(stage, stage.title()), f"{spent:.0f} ms") for stage, spent in known["stages"].items()]
+    column = layout.column(align=True)
+    for name, value in rows:
+        row = column.split(factor=0.5)
+        row.label(text=name)
+        row.label(text=value)
+
+
+CLASSES = (RENDER_PT_fovea_visibility, RENDER_PT_fovea_performance)

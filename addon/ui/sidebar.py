@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sidebar of the 3D view: what one needs while working."""
+
+import bpy
+
+from ..focus.focus_place_operators import LISTED
+from ..style import style_data
+from ..style.line_set_operators import edited
+from .common import ENGINE, draw_pen, fold
+from .focus import draw_focus
+from .lines import draw_list
+from .style import draw_gallery, draw_style
+from .view_transform import draw_view_transform
+
+
+class _SidePanel:
+    """In the tab Fovea; with any engine where the scene has a style, as the line layer may lie over its pictures."""
+
+    bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Fovea"
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine == ENGINE or style_data.of(context.scene) is not None
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.show(self.layout, context)
+
+
+class VIEW3D_PT_fovea_style(_SidePanel, bpy.types.Panel):
+    bl_label = "Style"
+
+    def show(self, layout, context):
+        if context.engine == ENGINE:
+            draw_view_transform(layout, context.scene)
+        draw_style(layout, context)
+        body = fold(layout, "side_gallery", "Gallery")
+        if body:
+            draw_gallery(body)
+
+
+class VIEW3D_PT_fovea_focus(_SidePanel, bpy.types.Panel):
+    bl_label = "Focus"
+
+    def show(self, layout, context):
+        draw_focus(layout, context.scene.fovea)
+        tools = layout.column(align=True)
+        tools.operator("fovea.pick_focus", icon="EYEDROPPER")
+        if context.scene.fovea.focus_model in LISTED:
+            tools.operator("fovea.focus_place_add", icon="ADD")
+        tools.operator("fovea.focus_pull", icon="DECORATE_ANIMATE")
+        shown = layout.column()
+        shown.active = context.scene.fovea.focus_model != "NONE"
+        shown.prop(context.window_manager, "fovea_show_focus")
+
+
+class VIEW3D_PT_fovea_lines(_SidePanel, bpy.types.Panel):
+    bl_label = "Lines"
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and style_data.of(context.scene) is not None
+
+    def show(self, layout, context):
+        held = style_data.of(context.scene).fovea
+        draw_list(layout, held)
+        line_set = edited(held)
+        if line_set:
+            draw_pen(layout, line_set.pen, 3)  # the rest is in the render tab
+
+
+CLASSES = (VIEW3D_PT_fovea_style, VIEW3D_PT_fovea_focus, VIEW3D_PT_fovea_lines)

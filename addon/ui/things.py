@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panels of objects, materials and view layers."""
+
+import bpy
+
+from ..render import session
+from ..scene import own_lines
+from ..scene.line_kinds import property_name
+from ..style import style_data
+from .common import FoveaPanel, fold, fold_switch
+
+
+class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
+    bl_label = "Line Drawing"
+    bl_context = "object"
+
+    def show(self, layout, context):
+        obj, settings = context.object, context.object.fovea
+        layout.prop(settings, "usage", text="Usage")
+        layout.prop(obj, "is_holdout")
+        has_lines = settings.usage in {"BOTH", "DRAW"}
+        _draw_own_lines(layout, settings, _kinds_of_style(context.scene), has_lines)
+        column = layout.column()
+        column.active = has_lines
+        _draw_curvature(column, obj)
+        _draw_shape(layout, settings)
+
+
+def _kinds_of_style(scene):
+    """Names of the definitions that the scene's style draws."""
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    if tree:
+        drawn = style_data.drawn_kinds(tree.fovea)
+    else:
+        drawn = {name for line_set in style_data.default().line_sets for name in line_set.kinds}
+    mixed = scene.fovea.mix > 0.0 and style_data.is_style(other)
+    return drawn | style_data.drawn_kinds(other.fovea) if mixed else drawn
+
+
+def _draw_own_lines(layout, settings, drawn, has_lines):
+    """Priority, and what the object says of its lines itself; `drawn`: the kinds that the style has."""
+    column = layout.column()
+    column.active = has_lines
+    column.prop(settings, "priority")
+    for definition, parameter in own_lines.parameters():
+        name, own = definition["name"], own_lines.switch_name(definition, parameter)
+        row = layout.row(align=True, heading=own_lines.label(definition, parameter))
+        row.active = has_lines and name in drawn and (not settings.own_kinds or getattr(settings.kinds, name))
+        row.prop(settings, own, text="")
+        value = row.row(align=True)
+        value.active = getattr(settings, own)
+        value.prop(settings, property_name(definition, parameter), text="")
+    body = fold_switch(layout, "own_kinds", settings, "own_kinds", has_lines)
+    if body:
+        body.use_property_split = False
+        for definition in own_lines.switchable():
+            row = body.row()
+            row.active = definition["name"] in drawn
+            row.prop(settings.kinds, definition["name"])
+
+
+def _draw_curvature(layout, obj):
+    layout.prop(obj.fovea, "curvature_estimator")
+    if obj.fovea.curvature_estimator == "JETS":
+        layout.prop(obj.fovea, "curvature_rings")
+    layout.prop(obj.fovea, "curvature_smoothing")
+    reason = session.last_statistics().get("curvature", {}).get(obj.name)
+    if reason:
+        layout.label(text=reason, icon="INFO")
+
+
+def _draw_shape(layout, settings):
+    layout.prop(settings, "refine")
+    if settings.refine:
+        layout.prop(settings, "refine_level")
+    body = fold(layout, "repair", "Repair")
+    if body:
+        for name in ("orient", "resample"):
+            body.prop(settings, f"repair_{name}")
+        if settings.repair_resample:
+            body.prop(settings, "repair_edge_length")
+
+
+class MATERIAL_PT_fovea(FoveaPanel, bpy.types.Panel):
+    bl_label = "Line Drawing"
+    bl_context = "material"
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and context.material is not None
+
+    def show(self, layout, context):
+        layout.prop(context.material.fovea, "lines")
+        layout.prop(context.material.fovea, "occlusion")
+
+
+class VIEWLAYER_PT_fovea(FoveaPanel, bpy.types.Panel):
+    bl_label = "Passes"
+    bl_context = "view_layer"
+
+    def show(self, layout, context):
+        layout.prop(context.view_layer, "use_pass_z", text="Depth")
+
+
+CLASSES = (OBJECT_PT_fovea, MATERIAL_PT_fovea, VIEWLAYER_PT_fovea)

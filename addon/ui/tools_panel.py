@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the operators are found: a panel of the 3D view's Fovea tab, and a menu, whose entries F3 finds."""
+
+import bpy
+
+LINES = ("fovea.render_lines", "fovea.bake_strokes", "fovea.match_freestyle", "fovea.report")
+
+
+class VIEW3D_PT_fovea_tools(bpy.types.Panel):
+    bl_label = "Tools"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Fovea"
+    bl_order = 10  # below what one draws with
+
+    def draw(self, context):
+        column = self.layout.column(align=True)
+        for name in LINES:
+            column.operator(name)
+
+
+def _in_menu(self, _context):
+    """At the end of Render > Fovea, where F3 finds them."""
+    self.layout.separator()
+    for name in ("pick_focus", "focus_place_add", "focus_place_remove"):
+        self.layout.operator(f"fovea.{name}")
+    self.layout.operator_context = "INVOKE_DEFAULT"
+    self.layout.operator("fovea.focus_pull", text="Focus Pull...")
+    self.layout.separator()
+    for name in LINES:
+        self.layout.operator(name)
+    self.layout.operator("fovea.standard_view")
+
+
+def register():
+    bpy.utils.register_class(VIEW3D_PT_fovea_tools)
+    bpy.types.TOPBAR_MT_fovea.append(_in_menu)
+
+
+def unregister():
+    bpy.types.TOPBAR_MT_fovea.remove(_in_menu)
+    bpy.utils.unregister_class(VIEW3D_PT_fovea_tools)
