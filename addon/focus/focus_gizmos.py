@@ -8,7 +8,7 @@ import bpy
 
 from ..gpu import overlay as gpu_overlay
 from ..scene.problem import CannotDraw
-from . import focus_operators, focus_places
+from . import focus_kinds, focus_operators, focus_places
 
 NEAR, FAR = (1.0, 0.55, 0.1), (0.25, 0.6, 1.0)
 PARTS = ("middle", "near", "far")
@@ -27,29 +27,29 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
         if self.index > len(settings.focus_points):
             return None
         place = settings if self.index == 0 else settings.focus_points[self.index - 1]
-        marked = settings.focus_model == "SCENE" and place.focus_object
+        marked = not focus_kinds.of(settings).in_frame and place.focus_object
         return None if self.part == "middle" and marked else place
 
     def seen(self, context):
         """(look, place, middle in pixels, radius in pixels), or None where it is not to be seen."""
-        place, model = self.place(context), context.scene.fovea.focus_model
+        place, kind = self.place(context), focus_kinds.of(context.scene.fovea)
         try:
             look = focus_operators.look(context)
         except CannotDraw:
             return None
-        if place is None or model not in ("IMAGE", "SCENE") or (model == "IMAGE" and look.frame is None):
+        if place is None or kind.no_pull or (kind.in_frame and look.frame is None):
             return None
-        middle = look.centre(place, model)
+        middle = look.centre(place, kind)
         if middle is None:
             return None
-        radius = 0.0 if self.part == "middle" else getattr(place, self.name(model)) * look.unit(place, model)
+        radius = 0.0 if self.part == "middle" else getattr(place, self.name(kind)) * look.unit(place, kind)
         return look, place, middle, radius
 
-    def name(self, model):
+    def name(self, kind):
         """The property that is dragged."""
         if self.part == "middle":
-            return "focus_place" if model == "IMAGE" else "focus_location"
-        return focus_places.RADII[model][self.part == "far"]
+            return "focus_place" if kind.in_frame else "focus_location"
+        return kind.radii[self.part == "far"]
 
     def draw(self, context):
         found = self.seen(context)
@@ -73,9 +73,9 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
         return 0 if abs(away - radius) < _REACH else -1
 
     def invoke(self, context, event):
-        place, model = self.place(context), context.scene.fovea.focus_model
+        place, kind = self.place(context), focus_kinds.of(context.scene.fovea)
         # A radius may take the other with it.
-        names = (self.name(model),) if self.part == "middle" else focus_places.RADII[model]
+        names = (self.name(kind),) if self.part == "middle" else kind.radii
         values = {name: getattr(place, name) for name in names}
         self.before = {name: v if isinstance(v, float) else tuple(v) for name, v in values.items()}
         return {"RUNNING_MODAL"}
@@ -84,12 +84,13 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
         found = self.seen(context)
         if found is not None:
             look, place, middle, _ = found
-            drag(look, place, context.scene.fovea.focus_model, self.part, middle, event, slow="PRECISE" in tweak)
-            context.area.header_text_set(self.told(place, context.scene.fovea.focus_model))
+            kind = focus_kinds.of(context.scene.fovea)
+            drag(look, place, kind, self.part, middle, event, slow="PRECISE" in tweak)
+            context.area.header_text_set(self.told(place, kind))
         return {"RUNNING_MODAL"}
 
-    def told(self, place, model):
-        value, label = getattr(place, self.name(model)), place.bl_rna.properties[self.name(model)].name
+    def told(self, place, kind):
+        value, label = getattr(place, self.name(kind)), place.bl_rna.properties[self.name(kind)].name
         numbers = (value,) if isinstance(value, float) else value
         return f"{label}: {', '.join(f'{v:.3f}' for v in numbers)}"
 
@@ -107,14 +108,14 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
             bpy.ops.ed.undo_push(message="Drag Focus")
 
 
-def drag(look, place, model, part, middle, event, slow=False):
+def drag(look, place, kind, part, middle, event, slow=False):
     """Sets a place, or a radius of it, to where the pointer is. The radii stay in order."""
     px = (event.mouse_region_x, event.mouse_region_y)
     if part == "middle":
-        look.move(place, model, px)
+        look.move(place, kind, px)
         return
-    near, far = focus_places.RADII[model]
-    unit = look.unit(place, model)
+    near, far = kind.radii
+    unit = look.unit(place, kind)
     if not unit:
         return
     wanted = ((px[0] - middle[0]) ** 2 + (px[1] - middle[1]) ** 2) ** 0.5 / unit
@@ -142,9 +143,9 @@ class VIEW3D_GGT_fovea_focus(bpy.types.GizmoGroup):
     def poll(cls, context):
         if context.engine != "FOVEA" or not context.space_data.overlay.show_overlays:
             return False
-        model = context.scene.fovea.focus_model
+        kind = focus_kinds.of(context.scene.fovea)
         in_camera = context.region_data.view_perspective == "CAMERA"
-        return model == "SCENE" or (model == "IMAGE" and in_camera)
+        return not kind.no_pull and (in_camera or not kind.in_frame)
 
     def setup(self, context):
         self.make(context)

@@ -7,7 +7,7 @@ from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_
 from ..scene import camera
 from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
-from . import focus_places
+from . import focus_kinds, focus_places
 
 PROMPT = "Pick Focus: click what to look at"
 KEYS = (("MOUSE_LMB", "Look Here"), ("EVENT_SHIFT", "Look Here, Too"), ("EVENT_ESC", "Cancel"))
@@ -42,8 +42,8 @@ def look(context):
 def pick(context, px, add):
     """Sets the focus to what a pixel of a context's viewport shows. A sentence where it does not."""
     scene, seen = context.scene, look(context)
-    model = scene.fovea.focus_model
-    if model == "IMAGE" and seen.frame:
+    kind = focus_kinds.of(scene.fovea)
+    if kind.in_frame and seen.frame:
         at = seen.in_frame(px)
         if not all(0 <= v <= 1 for v in at):
             return "That is outside of the camera's frame: the focus stays where it is"
@@ -53,7 +53,7 @@ def pick(context, px, add):
     if found is None:
         return MISSED
     at, obj = found
-    if model == "OBJECT":
+    if kind.is_surface:
         focus_places.put_object(scene, obj, add=add)
         return None
     unit = seen.unit_at(at)

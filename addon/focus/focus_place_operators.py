@@ -5,9 +5,7 @@ import bpy
 
 from ..scene import animation
 from ..scene.operator import Operator
-from . import focus_places
-
-LISTED = ("IMAGE", "SCENE", "OBJECT")  # models that have places
+from . import focus_kinds, focus_places
 
 
 class FOVEA_OT_focus_place_add(Operator, bpy.types.Operator):
@@ -18,14 +16,16 @@ class FOVEA_OT_focus_place_add(Operator, bpy.types.Operator):
 
     @classmethod
     def hindrance(cls, context):
-        listed = context.scene is not None and context.scene.fovea.focus_model in LISTED
+        listed = context.scene is not None and focus_kinds.of(context.scene.fovea).place
         return None if listed else "There is no focus on a place yet: pick one first"
 
     def act(self, context):
         settings = context.scene.fovea
-        place = focus_places.another(settings, settings.focus_model)
+        place = focus_places.another(settings)
         active = context.view_layer.objects.active
-        if settings.focus_model != "IMAGE" and all(p.focus_object != active for p in focus_places.places(settings)):
+        if not focus_kinds.of(settings).in_frame and all(
+            p.focus_object != active for p in focus_places.places(settings)
+        ):
             place.focus_object = active
         context.scene.update_tag()
 

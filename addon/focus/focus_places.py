@@ -6,9 +6,8 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_locat
 from mathutils import Vector
 
 from .. import style
+from . import focus_kinds
 
-RADII = {"IMAGE": ("focus_near", "focus_far"), "SCENE": ("focus_near_distance", "focus_far_distance")}
-RADII["OBJECT"] = RADII["SCENE"]
 EMPTY = "Focus"  # name of the objects that are made to mark places
 
 
@@ -27,8 +26,8 @@ def put(scene, at, *, add=False):
     """Makes world coordinates the place to look at, or one more; the place. An Empty marks it: that which marks it
     already, or a new one. ValueError where there are as many as can be."""
     settings = scene.fovea
-    place = another(settings, "SCENE") if add and settings.focus_model == "SCENE" else settings
-    settings.focus_model = "SCENE"
+    place = another(settings) if add and settings.focus_model == focus_kinds.PICKED else settings
+    settings.focus_model = focus_kinds.PICKED
     mark = place.focus_object
     if mark is None or mark.type != "EMPTY":
         mark = bpy.data.objects.new(EMPTY, None)
@@ -44,7 +43,7 @@ def put(scene, at, *, add=False):
 def put_object(scene, obj, *, add=False):
     """Makes an object's surface the place to look at, or one more."""
     settings = scene.fovea
-    place = another(settings, "OBJECT") if add else settings
+    place = another(settings) if add else settings
     place.focus_object = obj
     return place
 
@@ -52,7 +51,7 @@ def put_object(scene, obj, *, add=False):
 def put_in_image(scene, at, *, add=False):
     """Makes a place of the camera's frame (from the left and the top) the one to look at, or one more."""
     settings = scene.fovea
-    place = another(settings, "IMAGE") if add else settings
+    place = another(settings) if add else settings
     place.focus_place = at
     key(scene, place, "focus_place")
     return place
@@ -64,12 +63,12 @@ def key(scene, owner, name):
         owner.keyframe_insert(name)
 
 
-def another(settings, model):
+def another(settings):
     """One more place, with the radii of the first."""
     if len(settings.focus_points) + 1 >= style.MOST_PLACES:
         raise ValueError(f"There are {style.MOST_PLACES} places to look at already, no more can be added")
     place = settings.focus_points.add()
-    for name in RADII[model]:
+    for name in focus_kinds.of(settings).radii:
         setattr(place, name, getattr(settings, name))
     return place
 
@@ -91,16 +90,16 @@ class Look:
     def __init__(self, region, view, frame):
         self.region, self.view, self.frame = region, view, frame
 
-    def centre(self, place, model):
+    def centre(self, place, kind):
         """Pixels of a place, or None where it is not to be seen."""
-        if model == "IMAGE":
+        if kind.in_frame:
             left, lower, width, height = self.frame
             return Vector((left + place.focus_place[0] * width, lower + (1 - place.focus_place[1]) * height))
         return location_3d_to_region_2d(self.region, self.view, location(place))
 
-    def unit(self, place, model):
+    def unit(self, place, kind):
         """Pixels of one unit of a place's radii."""
-        return self.frame[3] if model == "IMAGE" else self.unit_at(location(place))
+        return self.frame[3] if kind.in_frame else self.unit_at(location(place))
 
     def unit_at(self, at):
         """Pixels of one unit of the scene, across the view."""
@@ -114,9 +113,9 @@ class Look:
         left, lower, width, height = self.frame
         return (px[0] - left) / width, 1 - (px[1] - lower) / height
 
-    def move(self, place, model, px):
+    def move(self, place, kind, px):
         """Moves a place to pixels of the region; in the scene across the view, as far away as it is."""
-        if model == "IMAGE":
+        if kind.in_frame:
             place.focus_place = self.in_frame(px)
             return
         at = region_2d_to_location_3d(self.region, self.view, px, location(place))
@@ -128,7 +127,7 @@ class Look:
 
 def fit_radii(settings, height):
     """Radii by what is to be seen, `height` units at the place, unless somebody has chosen them."""
-    near, far = RADII["SCENE"]
+    near, far = focus_kinds.IN_SPACE
     if height > 0 and not (settings.is_property_set(near) or settings.is_property_set(far)):
         setattr(settings, near, 0.1 * height)
         setattr(settings, far, 0.4 * height)

@@ -7,7 +7,7 @@ from mathutils import Vector
 from ..scene import animation, camera
 from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
-from . import focus_places
+from . import focus_kinds, focus_places
 
 SECONDS = 2  # that a pull takes where the scene is a still
 EASINGS = [  # interpolation of the keyframes
@@ -56,11 +56,10 @@ class Track:
 
 def pull(scene, at, near, far, first, last, easing):
     """Keys the first place: as it is at the frame `first`, at world coordinates with other radii at `last`; then shows
-    the frame that was shown. In the model IMAGE `at` is of the frame, from the left and the top."""
-    settings, model = scene.fovea, scene.fovea.focus_model
-    names = focus_places.RADII[model]
-    tracks = [Track(settings, name, radius) for name, radius in zip(names, (near, far))]
-    if model == "IMAGE":
+    the frame that was shown. Where places lie in the camera's frame `at` is of the frame, from the left and the top."""
+    settings, kind = scene.fovea, focus_kinds.of(scene.fovea)
+    tracks = [Track(settings, name, radius) for name, radius in zip(kind.radii, (near, far))]
+    if kind.in_frame:
         tracks.append(Track(settings, "focus_place", at))
     elif settings.focus_object:
         tracks.append(_track_of(scene, at))
@@ -117,12 +116,7 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
 
     @classmethod
     def hindrance(cls, context):
-        told = {
-            "NONE": "There is no focus yet: pick one first",
-            "OBJECT": "The focus is an object's surface: pick a place in the scene to lead it elsewhere",
-            "PAINTED": "The focus is painted on meshes: pick a place in the scene to lead it elsewhere",
-        }
-        return told.get(context.scene.fovea.focus_model if context.scene else "NONE")
+        return (focus_kinds.of(context.scene.fovea) if context.scene else focus_kinds.KINDS["NONE"]).no_pull
 
     def invoke(self, context, event):
         scene, active = context.scene, context.object
@@ -131,7 +125,7 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         self.target = "OBJECT" if self.object in scene.objects else "CURSOR"
         self.location = scene.cursor.location
         self.frame_start, self.frame_end = frames_of(scene)
-        names = focus_places.RADII[scene.fovea.focus_model]
+        names = focus_kinds.of(scene.fovea).radii
         self.near, self.far = (getattr(scene.fovea, name) for name in names)
         return context.window_manager.invoke_props_dialog(self, confirm_text="Key Focus")
 
@@ -151,10 +145,11 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         if problem := self._problem(scene):
             raise CannotDraw(problem)
         at = self._at(scene)
-        if scene.fovea.focus_model == "IMAGE":
+        kind = focus_kinds.of(scene.fovea)
+        if kind.in_frame:
             x, y = camera.in_frame(context.evaluated_depsgraph_get(), at)
             at = x, 1 - y
-        names = focus_places.RADII[scene.fovea.focus_model]
+        names = kind.radii
         near, far = (
             getattr(scene.fovea, name) if radius < 0 else radius for name, radius in zip(names, (self.near, self.far))
         )
@@ -171,7 +166,7 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
             return f"There is no object '{self.object}' in the scene" if self.object else "Choose an object to lead to"
         if self.target == "OBJECT" and scene.objects[self.object] == scene.fovea.focus_object:
             return f"'{self.object}' is where the focus is already"
-        if scene.fovea.focus_model == "IMAGE" and scene.camera is None:
+        if focus_kinds.of(scene.fovea).in_frame and scene.camera is None:
             return "The scene has no camera, in whose frame the place would be"
         return None
 

@@ -6,15 +6,10 @@ from bpy.props import CollectionProperty
 
 from .. import style
 from ..scene.property_kinds import choice, number, pointer, text, vector
+from . import focus_kinds
 
 MOST_LETTERS = 63  # of the name of an attribute, in Blender
-MODELS = [
-    ("NONE", "None", "All is in focus"),
-    ("IMAGE", "Place in the Image", "Focus falls off from a place in the image"),
-    ("SCENE", "Place in the Scene", "Focus falls off from an object's origin, or a point, in space"),
-    ("OBJECT", "Object", "Focus falls off from an object's surface, and from those of its instances"),
-    ("PAINTED", "Painted", "An attribute of the meshes says what is in focus: white is, black is not"),
-]
+MODELS = [(name, kind.label, kind.description) for name, kind in focus_kinds.KINDS.items()]
 COMBINATIONS = [
     ("NEAREST", "Nearest", "Of several places the nearest counts"),
     ("SUM", "Sum", "What several places leave in focus adds up"),
@@ -24,12 +19,13 @@ COMBINATIONS = [
 def set_focus(settings, wanted):
     """Sets where to look to what a Focus says."""
     settings.focus_model, settings.focus_combine = wanted.model.upper(), wanted.combine.upper()
-    if wanted.model == "painted":
+    kind = focus_kinds.of(settings)
+    if "focus_attribute" in kind.settings:
         settings.focus_attribute = wanted.attribute
     settings.focus_points.clear()
     for i, point in enumerate(wanted.points):
         place = settings if i == 0 else settings.focus_points.add()
-        _set_point(place, point, wanted.model)
+        _set_point(place, point, kind)
 
 
 def annotations():
@@ -47,40 +43,37 @@ def annotations():
 
 def focus_of(settings):
     """The Focus that the properties describe."""
-    model = settings.focus_model
-    if model == "NONE":
+    kind = focus_kinds.of(settings)
+    if not kind.is_on:
         return style.Focus()
-    attribute = settings.focus_attribute if model == "PAINTED" else ""
+    attribute = settings.focus_attribute if "focus_attribute" in kind.settings else ""
+    points = tuple(_point(place, kind) for place in (settings, *settings.focus_points))
     return style.Focus(
-        model=model.lower(), points=_points(settings), combine=settings.focus_combine.lower(), attribute=attribute
+        model=settings.focus_model.lower(),
+        points=points,
+        combine=settings.focus_combine.lower(),
+        attribute=attribute,
     )
 
 
-def _points(settings):
-    return tuple(_point(place, settings.focus_model) for place in (settings, *settings.focus_points))
-
-
-def _point(place, model):
-    name = ""
-    if model == "IMAGE":
-        at, near, far = (*place.focus_place, 0.0), place.focus_near, place.focus_far
-    else:
-        source = place.focus_object
-        at = source.matrix_world.translation if source else place.focus_location
-        at, near, far = tuple(at), place.focus_near_distance, place.focus_far_distance
-        if source and model == "OBJECT":
-            name = source.name_full
+def _point(place, kind):
+    source = None if kind.in_frame else place.focus_object
+    at = (*place.focus_place, 0.0) if kind.in_frame else place.focus_location
+    if source:
+        at = source.matrix_world.translation
+    near, far = (getattr(place, name) for name in kind.radii)
+    name = source.name_full if source and kind.is_surface else ""
     return style.FocusPlace(at=tuple(float(v) for v in at), near=near, far=max(near, far), object=name)
 
 
-def _set_point(place, point, model):
-    if model == "image":
+def _set_point(place, point, kind):
+    if kind.in_frame:
         place.focus_place = point.at[:2]
-        place.focus_near, place.focus_far = point.near, point.far
     else:
         named = (obj for obj in bpy.data.objects if point.object and obj.name_full == point.object)
         place.focus_object, place.focus_location = next(named, None), point.at
-        place.focus_near_distance, place.focus_far_distance = point.near, point.far
+    for name, radius in zip(kind.radii, (point.near, point.far)):
+        setattr(place, name, radius)
 
 
 def _point_annotations():

@@ -37,7 +37,7 @@ class Gathering:
 
 def attributes(style):
     """Names of the attributes that a Style asks for."""
-    wanted = {style.focus.attribute} if style.focus.model == "painted" else set()
+    wanted = {style.focus.attribute}
     if style.elision.enabled:
         wanted |= {style.elision.priority_attribute, style.elision.density_attribute}
     return sorted(wanted - {""})

@@ -3,14 +3,8 @@
 
 import bpy
 
-from ..focus import focus_place_operators
+from ..focus import focus_kinds
 from .common import FoveaPanel
-
-NAMES = {  # model: properties of a place
-    "IMAGE": ("place", "near", "far"),
-    "SCENE": ("object", "location", "near_distance", "far_distance"),
-    "OBJECT": ("object", "near_distance", "far_distance"),
-}
 
 
 class RENDER_PT_fovea_focus(FoveaPanel, bpy.types.Panel):
@@ -23,26 +17,27 @@ class RENDER_PT_fovea_focus(FoveaPanel, bpy.types.Panel):
 def draw_focus(layout, settings):
     """Where to look, as the scene says."""
     layout.prop(settings, "focus_model")
-    if settings.focus_model == "PAINTED":
-        layout.prop(settings, "focus_attribute")
-    if settings.focus_model not in focus_place_operators.LISTED:
+    kind = focus_kinds.of(settings)
+    for name in kind.settings:
+        layout.prop(settings, name)
+    if not kind.place:
         return
-    _draw_place(layout, settings, settings.focus_model)
+    _draw_place(layout, settings, kind)
     for index, place in enumerate(settings.focus_points):
         box = layout.box()
         row = box.row()
         row.label(text=f"Place {index + 2}")
         row.operator("fovea.focus_place_remove", text="", icon="X", emboss=False).index = index
-        _draw_place(box, place, settings.focus_model)
+        _draw_place(box, place, kind)
     if settings.focus_points:
         layout.prop(settings, "focus_combine")
 
 
-def _draw_place(layout, place, model):
+def _draw_place(layout, place, kind):
     column = layout.column()
-    for name in NAMES[model]:
-        if name != "location" or place.focus_object is None:
-            column.prop(place, f"focus_{name}")
+    for name in kind.place:
+        if name != "focus_location" or place.focus_object is None:
+            column.prop(place, name)
 
 
 CLASSES = (RENDER_PT_fovea_focus,)

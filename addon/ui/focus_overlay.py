@@ -12,6 +12,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
+from ..focus import focus_kinds
 from ..gpu import overlay as gpu_overlay
 from ..render import caretaker, properties, reading, viewport
 from ..scene import camera, subdivision
@@ -63,7 +64,7 @@ class _Shown:
 
     def _read(self, context, depsgraph, chosen):
         """What is there to be looked at: what Fovea draws in the region, or else what is read for this."""
-        if chosen.focus.model == "image":  # is there whatever the scene holds
+        if focus_kinds.KINDS[chosen.focus.model.upper()].in_frame:  # is there whatever the scene holds
             return None
         if drawn := viewport.gathered(context):
             return drawn
@@ -98,7 +99,7 @@ def _draw():
     context = bpy.context
     if not (context.window_manager.fovea_show_focus and context.space_data.overlay.show_overlays):
         return
-    if context.scene.fovea.focus_model == "NONE":
+    if not focus_kinds.of(context.scene.fovea).is_on:
         return
     try:
         shown = _shown.setdefault(context.region.as_pointer(), _Shown())

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..focus.focus_place_operators import LISTED
+from ..focus import focus_kinds
 from ..style import style_data
 from ..style.line_set_operators import edited
 from .common import ENGINE, draw_pen, fold
@@ -46,11 +46,11 @@ class VIEW3D_PT_fovea_focus(_SidePanel, bpy.types.Panel):
         draw_focus(layout, context.scene.fovea)
         tools = layout.column(align=True)
         tools.operator("fovea.pick_focus", icon="EYEDROPPER")
-        if context.scene.fovea.focus_model in LISTED:
+        if focus_kinds.of(context.scene.fovea).place:
             tools.operator("fovea.focus_place_add", icon="ADD")
         tools.operator("fovea.focus_pull", icon="DECORATE_ANIMATE")
         shown = layout.column()
-        shown.active = context.scene.fovea.focus_model != "NONE"
+        shown.active = focus_kinds.of(context.scene.fovea).is_on
         shown.prop(context.window_manager, "fovea_show_focus")
 
 

@@ -9,6 +9,7 @@ import pytest
 from mathutils import Matrix, Vector
 from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
+KINDS = part("focus.focus_kinds").KINDS
 places, gizmos, overlay = part("focus.focus_places"), part("focus.focus_gizmos"), part("ui.focus_overlay")
 operators = part("focus.focus_operators")
 camera, reading, style = part("scene.camera"), part("render.reading"), part("style")
@@ -170,28 +171,29 @@ def test_chosen_radii_stay(scene):
 def test_a_dragged_ring_goes_through_the_pointer(scene, model):
     seen, settings = look(frame=(40, 20, 300, 150)), scene.fovea
     settings.focus_model, settings.focus_location = model, (1, 0.5, 2)
-    middle = seen.centre(settings, model)
-    for name, name_of in (("near", places.RADII[model][0]), ("far", places.RADII[model][1])):
-        gizmos.drag(seen, settings, model, name, middle, at(middle.x + 30, middle.y + 40))
-        assert getattr(settings, name_of) * seen.unit(settings, model) == pytest.approx(50, abs=1e-3)
+    kind = KINDS[model]
+    middle = seen.centre(settings, kind)
+    for name, name_of in zip(("near", "far"), kind.radii):
+        gizmos.drag(seen, settings, kind, name, middle, at(middle.x + 30, middle.y + 40))
+        assert getattr(settings, name_of) * seen.unit(settings, kind) == pytest.approx(50, abs=1e-3)
 
 
 def test_radii_stay_in_order(scene):
     seen, settings = look(), scene.fovea
-    settings.focus_model = "SCENE"
-    middle = seen.centre(settings, "SCENE")
-    gizmos.drag(seen, settings, "SCENE", "far", middle, at(middle.x + 10, middle.y))
+    settings.focus_model, kind = "SCENE", KINDS["SCENE"]
+    middle = seen.centre(settings, kind)
+    gizmos.drag(seen, settings, kind, "far", middle, at(middle.x + 10, middle.y))
     assert settings.focus_near_distance == settings.focus_far_distance
-    gizmos.drag(seen, settings, "SCENE", "near", middle, at(middle.x + 80, middle.y))
+    gizmos.drag(seen, settings, kind, "near", middle, at(middle.x + 80, middle.y))
     assert settings.focus_near_distance == settings.focus_far_distance
 
 
 def test_a_dragged_middle_is_under_the_pointer(scene):
     seen, settings = look(frame=(40, 20, 300, 150)), scene.fovea
     settings.focus_location = (1, 0.5, 2)
-    for model in ("SCENE", "IMAGE"):
-        gizmos.drag(seen, settings, model, "middle", None, at(130, 90))
-        assert (seen.centre(settings, model) - Vector((130, 90))).length < 1e-2
+    for kind in (KINDS["SCENE"], KINDS["IMAGE"]):
+        gizmos.drag(seen, settings, kind, "middle", None, at(130, 90))
+        assert (seen.centre(settings, kind) - Vector((130, 90))).length < 1e-2
     assert settings.focus_location.z == pytest.approx(2, abs=1e-5), "it moves across the view"
     assert settings.focus_place[0] == pytest.approx(90 / 300) and settings.focus_place[1] == pytest.approx(1 - 70 / 150)
 

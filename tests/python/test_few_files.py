@@ -58,3 +58,19 @@ def test_a_number_of_a_pen_is_its_declaration_and_its_use(name):
 def test_an_effect_is_its_declaration_and_what_answers(name):
     files = naming(rf"\bEffects::{name}\b|\beffects(\.|->){name}\b")
     assert "native/fovea/style/focus.h" in files and len(files) <= 3, files
+
+
+def test_every_kind_of_focus_is_in_the_core_and_in_the_table_of_blenders():
+    (model,) = (f for f in style.Focus.fields if f["name"] == "model")
+    table = sources()["addon/focus/focus_kinds.py"]
+    assert [name.upper() for name, *_ in model["choices"]] == re.findall(
+        r'^    "([A-Z]+)": Kind\(', table, re.MULTILINE
+    )
+
+
+@pytest.mark.parametrize("name", [name for f in style.Focus.fields for name, *_ in f.get("choices", ())])
+def test_a_kind_of_focus_is_its_declaration_and_an_entry_of_a_table(name):
+    """Of several places together: what is done with them, too."""
+    of_focus = naming(r"\bFocusModel\b|\bfocus_model\b|\bCombine\b|\bfocus_combine\b|\bfocus_kinds\b|\bclass Kind\b")
+    files = set(naming(rf'\bFocusModel::{name}\b|\bCombine::{name}\b|"{name}"|"{name.upper()}"')) & set(of_focus)
+    assert "native/fovea/style/focus.h" in files and len(files) <= 4, files

@@ -163,7 +163,8 @@ def rings(folder):
     screen.swap()
     told, shown = {}, screen.picture()
     np.save(folder / "rings.npy", shown)
-    middle, unit = look().centre(scene.fovea, "SCENE"), look().unit(scene.fovea, "SCENE")
+    kind = part("focus.focus_kinds").of(scene.fovea)
+    middle, unit = look().centre(scene.fovea, kind), look().unit(scene.fovea, kind)
     yield from drag(middle + Vector((0, 4 * unit)), middle + Vector((0, 5 * unit)))
     told["far"] = scene.fovea.focus_far_distance
     yield from drag(middle + Vector((0, -2 * unit)), middle + Vector((0, -unit)))
