@@ -53,15 +53,13 @@ int rings_for(double noise, const std::function<double(int)>& residual) {
 Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                    const FieldOptions& options) {
     Choice choice;
-    choice.jets = {.degree = 4, .rings = 3, .hard_angle = options.hard_angle};
+    choice.jets = {.degree = 4, .rings = 3};
     choice.smoothing = options.smoothing;
     if (options.degree && options.rings) {
         choice.reason = "jets as asked for";
     } else {
         const auto residual = [&](int degree, int rings) {
-            JetOptions jets{.degree = degree, .rings = rings, .hard_angle = options.hard_angle};
-            jets.even = degree == 3;
-            return jet_noise(surface, neighbours, normals, jets);
+            return jet_noise(surface, neighbours, normals, {.degree = degree, .rings = rings, .even = degree == 3});
         };
         // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
         const double noise = std::min(residual(4, 3), residual(4, 2));

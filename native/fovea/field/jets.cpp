@@ -8,7 +8,6 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/implicit.h>
-#include <fovea/field/normals.h>
 #include <fovea/field/principal.h>
 #include <fovea/field/walk.h>
 
@@ -52,7 +51,7 @@ struct Look {
         const std::size_t padded = (found.size() + unrolled - 1) / unrolled * unrolled;
         for (auto* values : {&around.x, &around.y, &around.z, &around.weight}) values->assign(padded, 0.0);
         const dvec3 origin(surface.positions[found[0]]);
-        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertex_rows.size(found[0]), found.size() - 1);
+        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertices.size(found[0]), found.size() - 1);
         double sum = 0.0;
         around.edge_length = 0.0;
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -200,11 +199,6 @@ bool look_around(const Surface& surface, const Neighbours& neighbours, const Jet
 }
 
 }  // namespace
-
-Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options) {
-    const auto neighbours = neighbours_of(surface, options.hard_angle);
-    return jet_curvature(surface, *neighbours, vertex_normals(surface, *neighbours), options);
-}
 
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                                const JetOptions& options) {

@@ -2,7 +2,7 @@
 // Tangent directions carried from one tangent plane to another.
 #pragma once
 
-#include <fovea/base/types.h>
+#include <fovea/field/curvature.h>
 
 namespace fovea {
 
@@ -21,5 +21,11 @@ struct Turn {
         pt = glm::dot(p1, t), pb = glm::dot(p1, b), qt = glm::dot(q1, t), qb = glm::dot(q1, b);
     }
 };
+
+/// h(t, t), h(t, b) and h(b, b) of a point whose directions (e1, e2) were turned.
+inline dvec3 turned_form(const Curvature& c, const Turn& turn) {
+    return {c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt, c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb,
+            c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb};
+}
 
 }  // namespace fovea

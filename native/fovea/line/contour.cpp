@@ -27,8 +27,8 @@ void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds
 
 }  // namespace
 
-extern const LineDefinition contour, smooth_contour;
-const LineDefinition contour = {
+extern const LineDefinition smooth_contour;
+extern const LineDefinition contour = {
     .name = "contour",
     .label = "Contour",
     .source = "Cole 2009, section 2.2; Benard & Hertzmann 2019",

@@ -37,8 +37,7 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
 
 }  // namespace
 
-extern const LineDefinition crease;
-const LineDefinition crease = {
+extern const LineDefinition crease = {
     .name = "crease",
     .label = "Crease",
     .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",

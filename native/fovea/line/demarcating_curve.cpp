@@ -72,8 +72,7 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
 
 }  // namespace
 
-extern const LineDefinition demarcating_curve;
-const LineDefinition demarcating_curve = {
+extern const LineDefinition demarcating_curve = {
     .name = "demarcating_curve",
     .label = "Demarcating Curve",
     .source = "Kolomenkin, Shimshoni & Tal 2008",
@@ -81,7 +80,7 @@ const LineDefinition demarcating_curve = {
     .scope = Scope::surface,
     .importance = 0.25,
     .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
+    .rule = feature_rule(parameters, 2, find),
 };
 
 }  // namespace fovea

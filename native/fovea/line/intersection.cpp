@@ -179,8 +179,7 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
 
 }  // namespace
 
-extern const LineDefinition intersection;
-const LineDefinition intersection = {
+extern const LineDefinition intersection = {
     .name = "intersection",
     .label = "Intersection",
     .source = "Saito & Takahashi 1990; Edelsbrunner & Mücke 1990, Simulation of Simplicity",

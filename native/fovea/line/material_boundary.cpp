@@ -21,8 +21,7 @@ void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds
 
 }  // namespace
 
-extern const LineDefinition material_boundary;
-const LineDefinition material_boundary = {
+extern const LineDefinition material_boundary = {
     .name = "material_boundary",
     .label = "Material Boundary",
     .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",

@@ -15,18 +15,35 @@ namespace fovea {
 using Triangle = glm::uvec3;
 using Edge = glm::uvec2;
 
-/// A mesh as Blender holds it, borrowed. Optional arrays may be empty.
-struct MeshArrays {
-    In<vec3> positions;             ///< per vertex, object space
-    In<glm::ivec2> edge_verts;      ///< per edge
-    In<int> corner_verts;           ///< per corner
-    In<int> corner_edges;           ///< per corner: the edge to the polygon's next corner
-    In<int> polygon_offsets;        ///< polygons + 1: corners of polygon f
-    In<glm::ivec3> ngon_triangles;  ///< vertices; triangulation of polygons with more than 4 corners, by polygon
-    In<int> ngon_polygon;           ///< per ngon triangle: its polygon, ascending
-    In<int> material;               ///< optional, per polygon
-    In<std::uint8_t> occluding;     ///< optional, per polygon: 0 where the material lets lines behind it show
-    In<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
+/// Which corner of a triangle a vertex is.
+inline int corner_of(const Triangle& t, Index vertex) { return t.x == vertex ? 0 : t.y == vertex ? 1 : 2; }
+
+/// A mesh as Blender holds it. Optional arrays may be empty.
+template <template <typename> typename ArrayOf>
+struct MeshOf {
+    ArrayOf<vec3> positions;             ///< per vertex, object space
+    ArrayOf<glm::ivec2> edge_verts;      ///< per edge
+    ArrayOf<int> corner_verts;           ///< per corner
+    ArrayOf<int> corner_edges;           ///< per corner: the edge to the polygon's next corner
+    ArrayOf<int> polygon_offsets;        ///< polygons + 1: corners of polygon f
+    ArrayOf<glm::ivec3> ngon_triangles;  ///< vertices; triangulation of polygons with more than 4 corners, by polygon
+    ArrayOf<int> ngon_polygon;           ///< per ngon triangle: its polygon, ascending
+    ArrayOf<int> material;               ///< optional, per polygon
+    ArrayOf<std::uint8_t> occluding;     ///< optional, per polygon: 0 where the material lets lines behind it show
+    ArrayOf<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
+};
+
+/// Borrowed.
+using MeshArrays = MeshOf<In>;
+
+template <typename T>
+using Owned = std::vector<T>;
+
+struct OwnedMesh : MeshOf<Owned> {
+    MeshArrays arrays() const {
+        return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
+                material,  occluding,  sharp,        seam,         edge_mark};
+    }
 };
 
 /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
@@ -155,8 +172,7 @@ class Surface {
     std::string name_;
     Rows polygons_;  // corners of polygons
     Array<Index> corner_verts_, corner_edges_;
-    Rows edge_corners_rows_;  // corners that run along each mesh edge
-    Array<Index> edge_corners_;
+    Lists<Index> edge_corners_;  // corners that run along each mesh edge
     Array<Triangle> ngon_triangles_;
     Rows ngon_rows_;  // per polygon: its rows of ngon_triangles_
     Array<std::uint8_t> polygon_occludes_;

@@ -82,8 +82,7 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t
     for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
         if (without.empty() || !without[piece.triangle]) mark(piece.triangle, true);
     for (const Index v : at)
-        for (Index i = neighbours->triangle_rows.begin(v); i < neighbours->triangle_rows.end(v); ++i)
-            mark(neighbours->triangles[i], false);
+        for (const Index triangle : neighbours->triangles[v]) mark(triangle, false);
     return near;
 }
 

@@ -8,10 +8,14 @@
 
 namespace fovea {
 
+/// The lines across triangles that one definition finds, as they are drawn: found, chained and smoothed. Contours are
+/// then projected to the smooth surface; features lose the hooks at their ends and what runs along a contour (`near` of
+/// doubles.h; empty: nothing). Of both, the stretches that the rule selects.
+CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near = {});
+
 /// Curves across triangles that one definition finds for one line set.
 struct FoundCurves {
-    std::uint8_t line_set;
-    Index definition;
+    Index line_set, definition;
     std::shared_ptr<const CurveChains> chains;
     Index other = none;  // the second placement on which they lie
 };
@@ -28,6 +32,20 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
                                                                 const std::vector<LineSet>& sets, const OwnLines& own,
                                                                 const std::vector<std::vector<PlacedSet>>& placed,
                                                                 const Cancel& cancel);
+
+/// Calls visit(set's number, kind, rule) for all kinds whose rule is a Rule, but for those that an earlier set has
+/// which is for all lines.
+template <typename Rule, typename Visit>
+void each_with_rule(const std::vector<LineSet>& sets, const Visit& visit) {
+    Kinds done = 0;
+    for (Index s = 0; s < sets.size(); ++s)
+        for (const LineKind& kind : sets[s].kinds) {
+            const auto* rule = std::get_if<Rule>(&line_definitions()[kind.definition]->rule);
+            if (!rule || (done >> kind.definition & 1)) continue;
+            if (sets[s].is_for_all()) done |= Kinds(1) << kind.definition;
+            visit(s, kind, *rule);
+        }
+}
 
 /// Of the frame, in view space. They are of no placement: sets that are for some lines only have none.
 std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,

@@ -97,7 +97,7 @@ void Tracer::surfaces_before(const vec3& point, const Ignore& ignore, int most, 
     arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
     arguments.filter = Count::filter;
     RTCRay made = embree_ray(ray);
-    rtcOccluded1(bvh_->top, &made, &arguments);
+    rtcOccluded1(bvh_->top.get(), &made, &arguments);
     each_surface(counted.met, [&](const Hit& hit) { surfaces.push_back(hit); });
 }
 
