@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include <fovea/field/exact_curvature.h>
 #include <fovea/field/fields.h>
 #include <fovea/field/jets.h>
-#include <fovea/field/limit_curvature.h>
 #include <fovea/mesh/refine.h>
 
 #include "analytic.h"

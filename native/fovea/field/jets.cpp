@@ -7,8 +7,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
-#include <fovea/field/implicit.h>
-#include <fovea/field/principal.h>
+#include <fovea/field/exact_curvature.h>
 #include <fovea/field/walk.h>
 
 namespace fovea {
@@ -102,7 +101,8 @@ void add_up(const Surroundings& points, double* moments, double* heights) {
     for (int k = 0; k < size; ++k) heights[k] = z_sums[k][0] + z_sums[k][1];
 }
 
-/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false when they are not determined.
+/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false, and `a` is not touched, when
+/// they are not determined.
 /// The normal matrix holds moments only, terms(2 degree) of them.
 template <int degree>
 bool fit(const Surroundings& points, double* a) {
@@ -152,12 +152,8 @@ bool fit(const Surroundings& points, double* a) {
 int fit_up_to(const JetOptions& options, const Surroundings& points, double* a) {
     std::fill_n(a, terms(max_degree), 0.0);
     if (options.degree >= 4 && fit<4>(points, a)) return 4;
-    std::fill_n(a, terms(max_degree), 0.0);
     if (options.degree >= 3 && fit<3>(points, a)) return 3;
-    std::fill_n(a, terms(max_degree), 0.0);
-    if (fit<2>(points, a)) return 2;
-    std::fill_n(a, terms(max_degree), 0.0);
-    return 0;
+    return fit<2>(points, a) ? 2 : 0;
 }
 
 /// Of F = z - f(x, y) at x = y = 0, lengths in units of `scale`.

@@ -63,9 +63,9 @@ class HardEdges {
     }
 
     bool folded(Index edge) const {
-        const Index begin = surface_.edge_rows.begin(edge);
-        if (surface_.edge_rows.size(edge) != 2) return false;
-        const EdgeSide a = surface_.edge_sides[begin], b = surface_.edge_sides[begin + 1];
+        const In<EdgeSide> sides = surface_.sides(edge);
+        if (sides.size() != 2) return false;
+        const EdgeSide a = sides[0], b = sides[1];
         const dvec3 first = normal(a.facet()), second = normal(b.facet());
         const double cosine = glm::dot(first, second) * (a.forward() == b.forward() ? -1.0 : 1.0);
         if (!(cosine < least_cosine_)) return false;

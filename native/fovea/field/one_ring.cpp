@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include <fovea/base/parallel.h>
+#include <fovea/field/frames.h>
 #include <fovea/field/normals.h>
-#include <fovea/field/principal.h>
-#include <fovea/field/turn.h>
 
 namespace fovea {
 namespace {

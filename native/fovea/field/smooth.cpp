@@ -5,9 +5,8 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <fovea/base/parallel.h>
+#include <fovea/field/frames.h>
 #include <fovea/field/normals.h>
-#include <fovea/field/principal.h>
-#include <fovea/field/turn.h>
 #include <fovea/field/walk.h>
 
 namespace fovea {

@@ -70,7 +70,7 @@ Curves find(const SurfaceView& seen, const ApparentRidge& values) {
                               if (bulges ? !values.ridges : !values.valleys) return;
                               append_maximum(
                                   surface, *sides, triangle, [&](Index v) { return at(v).uphill; }, 0.0f,
-                                  [&](Index v) { return at(v).margin; }, fading(thresholds), out);
+                                  [&](Index v) { return at(v).margin; }, thresholds, out);
                           });
 }
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 
 #include <fovea/base/parallel.h>
 #include <fovea/line/seen_cluster.h>

@@ -66,7 +66,7 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
         const auto at = [&](Index v) -> const Corner& { return corners[v == t.x ? 0 : v == t.y ? 1 : 2]; };
         append_zero(
             surface, *sides, triangle, [&](Index v) { return at(v).bend; },
-            [&](Index v) { return at(v).strength - thresholds.low; }, fading(thresholds), out);
+            [&](Index v) { return at(v).strength - thresholds.low; }, thresholds, out);
     });
 }
 

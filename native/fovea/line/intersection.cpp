@@ -7,6 +7,7 @@
 //      a heap none with each other.
 // Crossings are kept with the first surface, by the second's version and its placement relative to the first, to single
 // precision: nothing is found again when the camera, or two objects together, move, and pairs of instances share.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -16,7 +17,6 @@
 #include <fovea/base/hash.h>
 #include <fovea/line/definition.h>
 #include <fovea/scene/crossings.h>
-#include <fovea/scene/overlaps.h>
 
 namespace fovea {
 namespace {
@@ -99,6 +99,34 @@ bool relate(const Scene& scene, Pair& pair) {
         for (int row = 0; row < 3; ++row) map[column][row] = rounded(map[column][row], column < 3 ? turn : shift);
     pair.key = hash_bytes(&map, sizeof(map), second.surface->version());
     return true;
+}
+
+/// Pairs (i, j), i < j, of positions in `placements` (indices into the scene) whose boxes along the world's axes meet,
+/// ascending. Placements without triangles are in none.
+std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Index> placements) {
+    struct Entry {
+        Box box;
+        Index position;
+    };
+    std::vector<Entry> entries;
+    for (Index i = 0; i < placements.size(); ++i) {
+        const Placement& placement = scene.placements[placements[i]];
+        const auto tree = triangle_tree(*placement.surface);
+        if (tree->empty()) continue;
+        const Box box = tree->bounds().mapped(Affine(placement.object_to_world));
+        if (box.meets(box)) entries.push_back({box, i});  // not where a placement is no number
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.position < b.position;
+    });
+    // Sweep along x: what begins before a box ends may meet it.
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        for (std::size_t j = i + 1; j < entries.size() && entries[j].box.low.x <= entries[i].box.high.x; ++j)
+            if (entries[i].box.meets(entries[j].box))
+                pairs.push_back(std::minmax({entries[i].position, entries[j].position}));
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 /// Per position in `drawn`: 1 where a placement lies in a heap of its surface's.

@@ -22,7 +22,7 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
         return cluster.facing().high <= 0.0f || cluster.bounds().curvature <= 0.9999f * thresholds.low ||
                !cluster.laplacian().may_hold(0.0f);
     };
-    return trace_zero_set_in_front(seen, none_in, value, margin, fading(thresholds));
+    return trace_zero_set_in_front(seen, none_in, value, margin, thresholds);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ inline Curves find_suggestive(const SurfaceView& seen, const ThresholdValues& va
         const float most = cluster.bounds().third + 2.0f * turned * k * k;
         return most <= 0.9999f * thresholds.low * std::max(facing.low, least_facing);
     };
-    return trace_zero_set_in_front(seen, none_in, value, margin, fading(thresholds));
+    return trace_zero_set_in_front(seen, none_in, value, margin, thresholds);
 }
 
 }  // namespace fovea

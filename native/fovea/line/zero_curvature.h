@@ -2,7 +2,6 @@
 // What lines of zero curvature share.
 #pragma once
 
-#include <fovea/line/seen_vertices.h>
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
@@ -22,7 +21,7 @@ inline constexpr auto find_zero_curvature = [](const SurfaceView& seen, const Th
     return trace_zero_set(
         seen.surface, [&](Index v) { return curvature(fields->curvature[v]); },
         [&](Index v) { return share * std::abs(fields->curvature[v].k1 - fields->curvature[v].k2) - thresholds.low; },
-        fading(thresholds));
+        thresholds);
 };
 
 }  // namespace fovea

@@ -6,7 +6,6 @@
 #include <atomic>
 
 #include <fovea/base/check.h>
-#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea {

@@ -116,6 +116,7 @@ class Surface {
     Array<Index> facet_polygon;
     Rows edge_rows;  ///< per entry of `edges`: its sides
     Array<EdgeSide> edge_sides;
+    In<EdgeSide> sides(Index edge) const { return {edge_sides.data() + edge_rows.begin(edge), edge_rows.size(edge)}; }
     vec3 center{0.0f};    ///< of the bounding box
     float radius = 0.0f;  ///< of the sphere around it that holds all vertices
     /// Per vertex, of the smooth surface that the vertices lie on; empty where nothing but the vertices is known.

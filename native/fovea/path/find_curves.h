@@ -2,7 +2,6 @@
 // The lines across triangles that line sets ask for.
 #pragma once
 
-#include <fovea/base/check.h>
 #include <fovea/path/chain_curves.h>
 #include <fovea/path/placed_set.h>
 

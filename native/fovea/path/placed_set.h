@@ -2,6 +2,8 @@
 // Line sets as one placement has them: what is for others is gone, and its object's own word is heeded.
 #pragma once
 
+#include <algorithm>
+
 #include <fovea/path/line_set.h>
 
 namespace fovea {
@@ -14,8 +16,7 @@ struct PlacedSet {
     std::vector<std::uint8_t> materials = {};  ///< per number, 0: without these lines; all others: with
 
     bool has(Index definition) const {
-        return std::any_of(kinds.begin(), kinds.end(),
-                           [&](const LineKind& kind) { return kind.definition == definition; });
+        return std::ranges::find(kinds, definition, &LineKind::definition) != kinds.end();
     }
     bool has_material(int number) const {
         return number < 0 || std::size_t(number) >= materials.size() || materials[number];
@@ -44,9 +45,8 @@ inline int material_of_triangle(const Surface& surface, Index triangle) {
 /// Whether holds(material) for one of the faces beside an edge.
 template <typename Holds>
 bool any_beside(const Surface& surface, Index edge, const Holds& holds) {
-    for (Index i = surface.edge_rows.begin(edge); i < surface.edge_rows.end(edge); ++i)
-        if (holds(material_of_facet(surface, surface.edge_sides[i].facet()))) return true;
-    return false;
+    const auto on_side = [&](EdgeSide side) { return holds(material_of_facet(surface, side.facet())); };
+    return std::ranges::any_of(surface.sides(edge), on_side);
 }
 
 /// Per triangle: 1 unless holds(material).

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/polygon_surface.h>
 
 namespace fovea {
 namespace {

@@ -72,7 +72,7 @@ struct Tracer::Count : RayContext {
     void add(const RTCFilterFunctionNArguments& at) {
         const Hit hit{placement(at), RTCHitN_primID(at.hit, 1, 0), RTCRayN_tfar(at.ray, 1, 0)};
         if (!tracer.surely_before(hit, ray)) return;
-        const Bodies& of = bodies.of(hit.placement);
+        const Bodies& of = *bodies[hit.placement];
         const Index body = of.of_facet[scene.placements[hit.placement].surface->triangle_facet[hit.triangle]];
         // Both in object space, where winding tells in from out.
         const float along = RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +

@@ -2,7 +2,6 @@
 #include <fovea/scene/crossings.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <tuple>
