@@ -5,7 +5,6 @@
 #include <cmath>
 #include <tbb/enumerable_thread_specific.h>
 
-#include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/exact_curvature.h>
 #include <fovea/field/walk.h>
@@ -179,11 +178,6 @@ Curvature to_object(CurvatureD c, const Surroundings& around) {
     return rounded(c);
 }
 
-void check_jets(const JetOptions& options) {
-    check(options.degree >= 2 && options.degree <= max_degree, "jets: degree must be 2, 3 or 4");
-    check(options.rings >= 1 && options.rings <= 32, "jets: rings must be 1 to 32");
-}
-
 /// Surroundings of vertex v, placed; false where v has no normal.
 bool look_around(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, const vec3& normal,
                  Index v, Look& look) {
@@ -198,7 +192,6 @@ bool look_around(const Surface& surface, const Neighbours& neighbours, const Jet
 
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                                const JetOptions& options) {
-    check_jets(options);
     Array<Curvature> result(surface.vertex_count());
     tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
     parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -216,7 +209,6 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
 
 double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                  const JetOptions& options, Index samples) {
-    check_jets(options);
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
     Look look(surface.vertex_count());
     std::vector<double> noise;

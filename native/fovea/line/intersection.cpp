@@ -45,27 +45,24 @@ struct KeptPairs {
         std::shared_ptr<const KeptCurves> curves;
         std::uint64_t frame = 0;  ///< when it was last asked for
     };
-    struct State {
-        std::mutex mutex;
-        std::map<std::uint64_t, Entry> entries;
-    };
-    std::unique_ptr<State> state = std::make_unique<State>();
+    std::mutex mutex;
+    std::map<std::uint64_t, Entry> entries;
 
-    std::shared_ptr<const KeptCurves> find(std::uint64_t key, std::uint64_t frame) const {
-        const std::lock_guard lock(state->mutex);
-        const auto it = state->entries.find(key);
-        if (it == state->entries.end()) return nullptr;
+    std::shared_ptr<const KeptCurves> find(std::uint64_t key, std::uint64_t frame) {
+        const std::lock_guard lock(mutex);
+        const auto it = entries.find(key);
+        if (it == entries.end()) return nullptr;
         it->second.frame = frame;
         return it->second.curves;
     }
-    void keep(std::uint64_t key, std::uint64_t frame, std::shared_ptr<const KeptCurves> curves) const {
-        const std::lock_guard lock(state->mutex);
-        state->entries[key] = {std::move(curves), frame};
+    void keep(std::uint64_t key, std::uint64_t frame, std::shared_ptr<const KeptCurves> curves) {
+        const std::lock_guard lock(mutex);
+        entries[key] = {std::move(curves), frame};
     }
     /// Lets go of what has not been asked for.
-    void forget(std::uint64_t frame) const {
-        const std::lock_guard lock(state->mutex);
-        std::erase_if(state->entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
+    void forget(std::uint64_t frame) {
+        const std::lock_guard lock(mutex);
+        std::erase_if(entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
     }
 };
 
@@ -184,12 +181,12 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
     static std::atomic<std::uint64_t> frames{0};
     const std::uint64_t frame = ++frames;
     const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
-    std::vector<std::shared_ptr<const KeptPairs>> stores(pairs.size());
+    std::vector<std::shared_ptr<KeptPairs>> stores(pairs.size());
     std::vector<SceneCurves> found(pairs.size());
     std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;  // the first pair that lacks each
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Surface& surface = *scene.placements[pairs[i].first].surface;
-        stores[i] = surface.cache().get<KeptPairs>(0, [] { return KeptPairs(); });
+        stores[i] = *surface.cache().get<std::shared_ptr<KeptPairs>>(0, [] { return std::make_shared<KeptPairs>(); });
         found[i] = {pairs[i].first, pairs[i].second, stores[i]->find(pairs[i].key, frame)};
         if (!found[i].curves) missing.try_emplace({stores[i].get(), pairs[i].key}, i);
     }

@@ -10,10 +10,10 @@ namespace {
 
 void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
-    const auto material = [&](EdgeSide side) { return surface.polygon_material[surface.facet_polygon[side.facet()]]; };
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
-        return std::ranges::any_of(sides, [&](EdgeSide side) { return material(side) != material(sides[0]); });
+        return std::ranges::any_of(
+            sides, [&](EdgeSide side) { return surface.material(side.facet()) != surface.material(sides[0].facet()); });
     });
 }
 

@@ -39,6 +39,7 @@ using MeshArrays = MeshOf<In>;
 template <typename T>
 using Owned = std::vector<T>;
 
+/// One that owns its arrays.
 struct OwnedMesh : MeshOf<Owned> {
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
@@ -72,10 +73,31 @@ struct EdgeSide {
     bool forward() const { return packed & 1; }
 };
 
+/// What a surface consists of.
+struct SurfaceArrays {
+    // Topology, as given. Polygons that were skipped keep their number and have no facets.
+    Array<Edge> edges;               ///< mesh edges, then the diagonals of bent polygons
+    Index mesh_edges = 0;            ///< how many of `edges` are the mesh's own
+    Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
+    Array<int> polygon_material;     ///< per polygon
+
+    // Geometry.
+    Array<vec3> positions;      ///< object space; one spare entry at the end (Embree reads 16 bytes)
+    Array<Triangle> triangles;  ///< vertices; occluding ones first
+    Array<Index> triangle_facet;
+    Index occluding_triangles = 0;  ///< how many of `triangles` hide what lies behind
+    Array<vec4> facet_plane;        ///< unit normal n and offset d: n.x = d; outward by winding
+    Array<Index> facet_polygon;
+    Rows edge_rows;  ///< per entry of `edges`: its sides
+    Array<EdgeSide> edge_sides;
+    vec3 center{0.0f};    ///< of the bounding box
+    float radius = 0.0f;  ///< of the sphere around it that holds all vertices
+};
+
 /// A facet is the largest piece known to be flat: a whole polygon when it is planar (to 0.1 degrees), else each of its
 /// triangles. Facing, contours and creases are asked of facets, so a diagonal of a flat polygon is never a candidate,
 /// and a diagonal of a bent one can be a contour.
-class Surface {
+class Surface : public SurfaceArrays {
    public:
     /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
     Surface(std::string name, const MeshArrays& mesh);
@@ -100,27 +122,12 @@ class Surface {
     const dmat3& stretch() const { return stretch_; }
     const SurfaceReport& report() const { return report_; }
 
-    // Topology, as given. Polygons that were skipped keep their number and have no facets.
-    Array<Edge> edges;               ///< mesh edges, then the diagonals of bent polygons
-    Index mesh_edges = 0;            ///< how many of `edges` are the mesh's own
-    Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
-    Array<int> polygon_material;     ///< per polygon
-
-    // Geometry.
-    Array<vec3> positions;  ///< object space; one spare entry at the end (Embree reads 16 bytes)
-    Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
-    Array<Triangle> triangles;  ///< vertices; occluding ones first
-    Array<Index> triangle_facet;
-    Index occluding_triangles = 0;  ///< how many of `triangles` hide what lies behind
-    Array<vec4> facet_plane;        ///< unit normal n and offset d: n.x = d; outward by winding
-    Array<Index> facet_polygon;
-    Rows edge_rows;  ///< per entry of `edges`: its sides
-    Array<EdgeSide> edge_sides;
-    In<EdgeSide> sides(Index edge) const { return {edge_sides.data() + edge_rows.begin(edge), edge_rows.size(edge)}; }
-    vec3 center{0.0f};    ///< of the bounding box
-    float radius = 0.0f;  ///< of the sphere around it that holds all vertices
     /// Per vertex, of the smooth surface that the vertices lie on; empty where nothing but the vertices is known.
     Array<HeightJet> jets;
+
+    Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
+    In<EdgeSide> sides(Index edge) const { return {edge_sides.data() + edge_rows.begin(edge), edge_rows.size(edge)}; }
+    int material(Index facet) const { return polygon_material[facet_polygon[facet]]; }
 
     /// Where a line can lie: on an edge, by its number, or in a triangle, numbered after the edges.
     Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }

@@ -57,29 +57,18 @@ void Surface::build_geometry() {
 }
 
 Surface::Surface(const Surface& source, const dmat3& stretch)
-    : edges(source.edges),
-      mesh_edges(source.mesh_edges),
-      edge_marks(source.edge_marks),
-      polygon_material(source.polygon_material),
-      positions(source.positions.size()),
-      triangles(source.triangles),
-      triangle_facet(source.triangle_facet),
-      occluding_triangles(source.occluding_triangles),
-      facet_plane(source.facet_plane.size()),
-      facet_polygon(source.facet_polygon),
-      edge_rows(source.edge_rows),
-      edge_sides(source.edge_sides),
+    : SurfaceArrays(source),
       name_(source.name_),
       polygons_(source.polygons_),
       report_(source.report_),
       source_(&source),
       stretch_(stretch),
       version_(source.version_) {
-    parallel_for(positions.size(), [&](std::size_t v) { positions[v] = vec3(stretch * dvec3(source.positions[v])); });
+    parallel_for(positions.size(), [&](std::size_t v) { positions[v] = vec3(stretch * dvec3(positions[v])); });
     const dmat3 of_planes = glm::transpose(glm::inverse(stretch));
     parallel_for(facet_plane.size(), [&](std::size_t f) {
-        const dvec3 n = of_planes * dvec3(source.facet_plane[f]);
-        facet_plane[f] = vec4(dvec4(n, source.facet_plane[f].w) / glm::length(n));
+        const dvec3 n = of_planes * dvec3(facet_plane[f]);
+        facet_plane[f] = vec4(dvec4(n, facet_plane[f].w) / glm::length(n));
     });
     bound();
 }

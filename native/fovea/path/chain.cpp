@@ -21,28 +21,23 @@ using End = Index;
 class Links {
    public:
     Links(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad)
-        : seen_(seen),
-          surface_(seen.surface),
-          in_image_(in_image),
-          edges_(edges),
-          labels_(labels),
-          link_(edges.size() * 2, none) {
+        : seen_(seen), in_image_(in_image), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
         // Cosines of unit vectors may come out a little below -1, so that half a turn needs room.
         for (double angle : corner_angle_rad)
             least_cosine_.push_back(angle < std::numbers::pi ? static_cast<float>(std::cos(angle)) : -2.0f);
-        at_vertex_ = lists_of<End>(surface_.vertex_count(), [&](const auto& give) {
+        at_vertex_ = lists_of<End>(seen_.surface.vertex_count(), [&](const auto& give) {
             for (End end = 0; end < link_.size(); ++end) give(vertex(end), end);
         });
-        parallel_for(surface_.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
+        parallel_for(seen_.surface.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
     }
 
     const Array<End>& next() const { return link_; }
-    Index vertex(End end) const { return surface_.edges[edges_[end / 2]][end % 2]; }
+    Index vertex(End end) const { return seen_.surface.edges[edges_[end / 2]][end % 2]; }
 
    private:
     /// Unit vector along the edge, away from this end; zero for an edge without length.
     vec3 direction(End end) const {
-        const dvec3 here(surface_.positions[vertex(end)]), there(surface_.positions[vertex(end ^ 1)]);
+        const dvec3 here(seen_.surface.positions[vertex(end)]), there(seen_.surface.positions[vertex(end ^ 1)]);
         const dvec3 d = in_image_ ? image_direction(here, there) : there - here;
         const double length = glm::length(d);
         return length > 0.0 ? vec3(d / length) : vec3(0.0f);
@@ -86,7 +81,6 @@ class Links {
     }
 
     const SurfaceView& seen_;
-    const Surface& surface_;
     const bool in_image_;
     In<Index> edges_;
     In<std::uint8_t> labels_;

@@ -18,15 +18,10 @@ namespace {
 /// Room around the frame, as a share of its half size: strokes must not end where one can see it.
 constexpr double frame_margin = 0.1;
 
-/// Those of a style that depend on the surface alone.
-struct StaticCurves {
-    std::vector<FoundCurves> found;
-};
-
 /// What one placement contributes.
 struct PlacementPaths {
     std::shared_ptr<const EdgePaths> edges;
-    std::shared_ptr<const StaticCurves> kept_curves;
+    std::shared_ptr<const std::vector<FoundCurves>> kept_curves;  // those that depend on the surface alone
     std::vector<FoundCurves> seen_curves;
 };
 
@@ -110,8 +105,8 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
         paths.edges =
             cache.get<EdgePaths>(sets_hash, [&] { return find_edges(seen, sets, sets_hash, false, {}).first; });
     }
-    paths.kept_curves = cache.get<StaticCurves>(
-        sets_hash, [&] { return StaticCurves{find_curves({.surface = seen.surface}, sets, true)}; });
+    paths.kept_curves = cache.get<std::vector<FoundCurves>>(
+        sets_hash, [&] { return find_curves({.surface = seen.surface}, sets, true); });
     if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
     return paths;
 }
@@ -242,7 +237,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
             add(drawn[i], edges->kept, false);
             add(drawn[i], edges->seen, true);
         }
-        for (const FoundCurves& c : found[i].kept_curves->found) add(drawn[i], c, false);
+        for (const FoundCurves& c : *found[i].kept_curves) add(drawn[i], c, false);
         for (const FoundCurves& c : found[i].seen_curves) add(drawn[i], c, true);
     }
     for (const FoundCurves& c : in_image) add(none, c, true);

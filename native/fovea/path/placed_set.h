@@ -35,17 +35,14 @@ Kinds asked_of(const std::vector<PlacedSet>& sets);
 /// Whether some set has lines on faces of some materials alone.
 bool any_by_material(const std::vector<PlacedSet>& sets);
 
-inline int material_of_facet(const Surface& surface, Index facet) {
-    return surface.polygon_material[surface.facet_polygon[facet]];
-}
 inline int material_of_triangle(const Surface& surface, Index triangle) {
-    return material_of_facet(surface, surface.triangle_facet[triangle]);
+    return surface.material(surface.triangle_facet[triangle]);
 }
 
 /// Whether holds(material) for one of the faces beside an edge.
 template <typename Holds>
 bool any_beside(const Surface& surface, Index edge, const Holds& holds) {
-    const auto on_side = [&](EdgeSide side) { return holds(material_of_facet(surface, side.facet())); };
+    const auto on_side = [&](EdgeSide side) { return holds(surface.material(side.facet())); };
     return std::ranges::any_of(surface.sides(edge), on_side);
 }
 

@@ -70,17 +70,9 @@ bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
 }
 
 RTCRay embree_ray(const Ray& ray) {
-    RTCRay made{};
-    made.org_x = ray.origin.x;
-    made.org_y = ray.origin.y;
-    made.org_z = ray.origin.z;
-    made.dir_x = ray.direction.x;
-    made.dir_y = ray.direction.y;
-    made.dir_z = ray.direction.z;
-    made.tnear = ray.near_t;
-    made.tfar = ray.far_t;
-    made.mask = ~0u;
-    return made;
+    const vec3 &from = ray.origin, &along = ray.direction;
+    // Origin, near end; direction, time; far end, mask; number, flags.
+    return {from.x, from.y, from.z, ray.near_t, along.x, along.y, along.z, 0.0f, ray.far_t, ~0u, 0, 0};
 }
 
 }  // namespace fovea
