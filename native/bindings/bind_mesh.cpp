@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <fovea/field/fields.h>
-#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/polygon_surface.h>
 #include <fovea/mesh/refine.h>
 #include <fovea/mesh/surface.h>
 #include <fovea/repair/repair.h>

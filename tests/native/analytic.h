@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include <fovea/field/implicit.h>
+#include <fovea/field/exact_curvature.h>
 
 #include "meshes.h"
 

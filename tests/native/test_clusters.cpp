@@ -95,7 +95,7 @@ TEST(Clusters, HoldEveryTriangleOnce) {
         const auto clusters = clusters_of(*surface);
         std::vector<int> times(surface->triangles.size(), 0);
         for (Index c = 0; c < clusters->count(); ++c) {
-            const In<Index> vertices = clusters->vertices_of(c);
+            const In<Index> vertices = clusters->vertices[c];
             EXPECT_EQ(std::set(vertices.begin(), vertices.end()).size(), vertices.size());
             if (c + 1 < clusters->count()) {
                 EXPECT_EQ(clusters->end(c) - clusters->begin(c), triangles_of_cluster);
@@ -131,7 +131,7 @@ TEST(Clusters, RangesHoldWhatVerticesHave) {
                 for (const ClusterBounds* b : {&hierarchy->clusters[c], &hierarchy->groups[c / Hierarchy::group]}) {
                     const SeenCluster cluster(seen, *b);
                     const Range facing = cluster.facing(), bend = cluster.radial(), laplace = cluster.laplacian();
-                    for (Index v : clusters->vertices_of(c)) {
+                    for (Index v : clusters->vertices[c]) {
                         const Curvature& k = fields->curvature[v];
                         const SeenOf<float> s = see_vertex(seen, k, v);
                         const RadialOf<float> r = radial(k, s);
@@ -179,17 +179,13 @@ TEST(Clusters, LinesAreThoseOfAllVertices) {
     for (const Eye& eye : eyes()) {
         const SurfaceView seen = view_of(*surface, eye);
         const auto at = [&](Index v) { return see_vertex(seen, fields->curvature[v], v); };
-        const auto front = [&](Index t) {
-            const Triangle& c = surface->triangles[t];
-            return at(c.x).facing > 0.0f || at(c.y).facing > 0.0f || at(c.z).facing > 0.0f;
-        };
         const auto strength = [](float) { return 1.0f; };
         const auto margin = [&](Index v) {
             const float derivative = radial(fields->curvature[v], at(v)).derivative;
             return vec2(derivative / std::max(at(v).facing, 0.05f) - 0.01f * unit, at(v).facing);
         };
         const Curves all = trace_zero_set(
-            *surface, front, [&](Index v) { return radial(fields->curvature[v], at(v)).scaled; }, margin, strength);
+            *surface, [&](Index v) { return radial(fields->curvature[v], at(v)).scaled; }, margin, strength);
         const Curves found = rule_of<CurveRule>("suggestive_contour").find(seen, {0.01, 1.0, 0.0});
         ASSERT_EQ(found.size(), all.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -209,7 +205,7 @@ TEST(Clusters, WorkGrowsSlowerThanTheMesh) {
         const auto clusters = clusters_of(*surface);
         double count = 0;
         const auto none_in = [](const SeenCluster& cluster) { return !cluster.facing().may_hold(0.0f); };
-        for (Index c : clusters_with_lines(seen, *hierarchy, none_in)) count += double(clusters->vertices_of(c).size());
+        for (Index c : clusters_with_lines(seen, *hierarchy, none_in)) count += double(clusters->vertices[c].size());
         glances.push_back(count);
     }
     EXPECT_GT(glances[0], 0.0);

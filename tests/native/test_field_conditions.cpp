@@ -7,8 +7,6 @@
 #include <tbb/global_control.h>
 
 #include <fovea/field/fields.h>
-#include <fovea/field/jets.h>
-#include <fovea/field/one_ring.h>
 #include <fovea/mesh/stretch.h>
 
 #include "field_errors.h"
@@ -19,8 +17,13 @@ using namespace fovea::analytic;
 namespace {
 
 using Estimate = Array<Curvature> (*)(const Surface&);
-const Estimate estimates[] = {[](const Surface& s) { return jet_curvature(s); },
-                              [](const Surface& s) { return one_ring_curvature(s); }};
+Array<Curvature> jets(const Surface& surface) {
+    return fields_of(surface, {.estimator = Estimator::jets, .degree = 4, .rings = 3})->curvature;
+}
+Array<Curvature> one_rings(const Surface& surface) {
+    return fields_of(surface, {.estimator = Estimator::one_ring})->curvature;
+}
+const Estimate estimates[] = {jets, one_rings};
 
 bool finite(const Curvature& c) {
     float sum = c.k1 + c.k2 + c.C[0] + c.C[1] + c.C[2] + c.C[3];
@@ -59,7 +62,7 @@ TEST(FieldConditions, SphereIsRoundEverywhere) {
     Mesh mesh = meshes::sphere(48);
     for (vec3& p : mesh.positions) p *= 2.0f;
     const auto surface = mesh.surface();
-    for (const Curvature& c : jet_curvature(*surface)) {
+    for (const Curvature& c : jets(*surface)) {
         EXPECT_NEAR(c.k1, 0.5f, 2e-3f);
         EXPECT_NEAR(c.k2, 0.5f, 2e-3f);
         for (float third : c.C) EXPECT_NEAR(third, 0.0f, 2e-2f);

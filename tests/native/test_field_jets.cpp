@@ -2,7 +2,7 @@
 // Curvature by jets against surfaces whose curvature is known.
 #include <gtest/gtest.h>
 
-#include <fovea/field/jets.h>
+#include <fovea/field/fields.h>
 
 #include "field_errors.h"
 
@@ -13,7 +13,8 @@ namespace {
 
 Errors jet_errors(const Sample& sample, int degree, int rings) {
     const auto surface = sample.mesh.surface();
-    return errors_of(sample, jet_curvature(*surface, {.degree = degree, .rings = rings}));
+    return errors_of(sample,
+                     fields_of(*surface, {.estimator = Estimator::jets, .degree = degree, .rings = rings})->curvature);
 }
 
 }  // namespace

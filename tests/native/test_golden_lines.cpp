@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <fovea/field/implicit.h>
+#include <fovea/field/exact_curvature.h>
 #include <fovea/field/view_curvature.h>
 
 using namespace fovea;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include <fovea/path/curves_of.h>
+#include <fovea/path/find_curves.h>
 #include <fovea/path/hysteresis.h>
 
 #include "analytic.h"

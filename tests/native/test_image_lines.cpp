@@ -5,7 +5,7 @@
 
 #include <fovea/image/gaussian.h>
 #include <fovea/image/local_fit.h>
-#include <fovea/line/hysteresis.h>
+#include <fovea/line/image_curves.h>
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/sampled.h>
 

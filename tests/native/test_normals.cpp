@@ -96,12 +96,10 @@ TEST(NeighboursOf, AreMutualWhereNothingIsHard) {
         const auto surface = mesh.surface();
         const auto around = neighbours_of(*surface, no_hard_edges);
         for (Index v = 0; v < surface->vertex_count(); ++v)
-            for (Index i = around->vertex_rows.begin(v); i < around->vertex_rows.end(v); ++i) {
-                const Index w = around->vertices[i];
-                const auto of_w = around->vertices.begin() + around->vertex_rows.begin(w);
-                EXPECT_TRUE(std::binary_search(of_w, of_w + around->vertex_rows.size(w), v)) << mesh.name;
-            }
-        EXPECT_EQ(around->vertices.size(), 2 * (surface->edges.size())) << mesh.name << ": each edge from both ends";
+            for (const Index w : around->vertices[v])
+                EXPECT_TRUE(std::ranges::binary_search(around->vertices[w], v)) << mesh.name;
+        EXPECT_EQ(around->vertices.values.size(), 2 * (surface->edges.size()))
+            << mesh.name << ": each edge from both ends";
     }
 }
 

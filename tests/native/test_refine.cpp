@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include <fovea/field/exact_curvature.h>
 #include <fovea/field/fields.h>
 #include <fovea/field/jets.h>
-#include <fovea/field/limit_curvature.h>
 #include <fovea/mesh/refine.h>
 
 #include "analytic.h"
@@ -185,7 +185,8 @@ TEST(Refine, NormalsTurnAsTheCurvatureSays) {
 
 TEST(Refine, JetsFittedToADenseMeshAgree) {
     const RefinedSurface surface = refined(torus_cage(12, 8), 5);
-    const Array<Curvature> fitted = jet_curvature(surface, {.degree = 4, .rings = 3});
+    const Array<Curvature> fitted =
+        fields_of(surface, {.estimator = Estimator::jets, .degree = 4, .rings = 3})->curvature;
     const Array<Curvature> exact = fields_of(surface)->curvature;
     std::vector<double> k, c;
     double squares = 0.0;
@@ -299,8 +300,8 @@ TEST(Refine, NormalsAreThoseOfTheFacetsWhereverFourQuadsDoNotMeet) {
         const RefinedSurface surface = refined(cage, 5);
         const auto neighbours = neighbours_of(surface);
         for (Index v = 0; v < surface.vertex_count(); ++v)
-            for (Index i = neighbours->triangle_rows.begin(v); i < neighbours->triangle_rows.end(v); ++i) {
-                const vec4 plane = surface.facet_plane[surface.triangle_facet[neighbours->triangles[i]]];
+            for (const Index t : neighbours->triangles[v]) {
+                const vec4 plane = surface.facet_plane[surface.triangle_facet[t]];
                 EXPECT_GT(glm::dot(vec3(plane), surface.jets[v].normal), 0.99f);
             }
     }

@@ -5,7 +5,7 @@
 #include <fovea/field/view_curvature.h>
 #include <fovea/line/zero_set.h>
 #include <fovea/mesh/triangle_sides.h>
-#include <fovea/path/curves_of.h>
+#include <fovea/path/find_curves.h>
 #include <fovea/path/smooth.h>
 
 #include "analytic.h"
@@ -19,10 +19,8 @@ namespace {
 /// The zero set of a function of positions, as chains.
 template <typename Value>
 CurveChains zero_set(const Surface& surface, const Value& value) {
-    const auto all = [](Index) { return true; };
     const auto one = [](auto) { return 1.0f; };
-    return chain_curves(
-        trace_zero_set(surface, all, [&](Index v) { return value(surface.positions[v], v); }, one, one));
+    return chain_curves(trace_zero_set(surface, [&](Index v) { return value(surface.positions[v], v); }, one, one));
 }
 
 /// Sum of the angles by which a chain turns.

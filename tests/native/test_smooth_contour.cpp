@@ -5,8 +5,8 @@
 
 #include <fovea/field/view_curvature.h>
 #include <fovea/line/zero_set.h>
-#include <fovea/path/curves_of.h>
 #include <fovea/path/doubles.h>
+#include <fovea/path/find_curves.h>
 
 #include "analytic.h"
 #include "drawing.h"
@@ -119,10 +119,9 @@ TEST(SmoothContour, NoOtherLineRunsAlongIt) {
     const auto near = near_smooth_contour(seen);
     const dvec3 aside = glm::normalize(glm::cross(oblique, dvec3(0, 0, 1)));
     const auto circle = [&](const dvec3& normal, double offset) {
-        const auto all = [](Index) { return true; };
         const auto one = [](auto) { return 1.0f; };
         const auto height = [&](Index v) { return float(glm::dot(normal, dvec3(surface->positions[v])) - offset); };
-        return chain_curves(trace_zero_set(*surface, all, height, one, one));
+        return chain_curves(trace_zero_set(*surface, height, one, one));
     };
     ASSERT_EQ(circle(oblique, 0.03).rows.count(), 1u);
     EXPECT_EQ(without_doubles(circle(oblique, 0.03), *surface, near).rows.count(), 0u);

@@ -2,7 +2,7 @@
 // Topology of surfaces: edge table, facets, marks, what is refused.
 #include <gtest/gtest.h>
 
-#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/polygon_surface.h>
 #include <fovea/mesh/surface.h>
 
 #include "meshes.h"

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include <fovea/line/zero_set.h>
+#include <fovea/line/cluster_trace.h>
 #include <fovea/path/chain_curves.h>
 
 #include "meshes.h"
@@ -24,7 +24,7 @@ const auto full = [](float) { return 1.0f; };
 template <typename Value>
 CurveChains zero_set(const Surface& surface, const Value& value) {
     return chain_curves(
-        trace_zero_set(surface, everywhere, [&](Index v) { return float(value(surface.positions[v])); }, sure, full));
+        trace_zero_set(surface, [&](Index v) { return float(value(surface.positions[v])); }, sure, full));
 }
 
 double length(const CurveChains& chains) {
@@ -90,7 +90,7 @@ TEST(ZeroSet, OnlyWhatIsAboveTheMarginIsKept) {
     const float half = std::abs(surface->positions[0].x);
     const auto x = [&](Index v) { return surface->positions[v].x - 0.013f * half; };
     const auto margin = [&](Index v) { return surface->positions[v].y - 0.21f * half; };
-    const CurveChains line = chain_curves(trace_zero_set(*surface, everywhere, x, margin, [&](float m) { return m; }));
+    const CurveChains line = chain_curves(trace_zero_set(*surface, x, margin, [&](float m) { return m; }));
     ASSERT_EQ(line.rows.count(), 1u);
     EXPECT_NEAR(length(line), 0.79 * half, 1e-5);
     for (std::size_t i = 0; i < line.point.size(); ++i)
@@ -108,8 +108,8 @@ TEST(ZeroSet, NaNAndBrokenTrianglesGiveNoLine) {
     const auto x = [&](Index v) { return surface->positions[v].x - 0.01f; };
     const auto margin = [&](Index v) { return surface->positions[v].y > 0 ? infinity : -infinity; };
     const auto uphill = [&](Index v) { return vec3(x(v) > 0 ? -infinity : infinity, 0, 0); };
-    for (const Curves& curves : {trace_zero_set(*surface, everywhere, x, margin, full),
-                                 trace_maxima(*surface, everywhere, uphill, 0.0f, sure, full)})
+    for (const Curves& curves :
+         {trace_zero_set(*surface, x, margin, full), trace_maxima(*surface, everywhere, uphill, 0.0f, sure, full)})
         for (const CurvePiece& p : curves)
             for (int k = 0; k < 2; ++k)
                 EXPECT_TRUE(std::isfinite(p.point[k].x + p.point[k].y + p.point[k].z + p.strength[k]));
@@ -118,8 +118,9 @@ TEST(ZeroSet, NaNAndBrokenTrianglesGiveNoLine) {
 TEST(ZeroSet, LevelsAreCurvesOfTheirOwn) {
     // Three levels may cross the same side; each is one circle.
     const auto surface = sphere(8).surface();
-    const CurveChains circles =
-        chain_curves(trace_levels(*surface, [&](Index v) { return surface->positions[v].z; }, 0.05f, 0.02f, 3));
+    const auto nowhere = [](const SeenCluster&) { return false; };
+    const auto height = [&](Index v) { return surface->positions[v].z; };
+    const CurveChains circles = chain_curves(trace_levels({.surface = *surface}, nowhere, height, {0.05f, 0.02f, 3}));
     ASSERT_EQ(circles.rows.count(), 3u);
     EXPECT_EQ(std::set(circles.anchor.begin(), circles.anchor.end()).size(), 3u);
     for (Index c = 0; c < 3; ++c) {
@@ -147,8 +148,7 @@ TEST(Maxima, OfARidgedFieldIsTheRidgeWhicheverWayItsVectorsTurn) {
 
 TEST(ChainCurves, PiecesFollowOneAnotherInAnyOrder) {
     const auto surface = sphere(32).surface();
-    Curves pieces =
-        trace_zero_set(*surface, everywhere, [&](Index v) { return surface->positions[v].x - 0.1f; }, sure, full);
+    Curves pieces = trace_zero_set(*surface, [&](Index v) { return surface->positions[v].x - 0.1f; }, sure, full);
     std::reverse(pieces.begin(), pieces.end());
     for (std::size_t i = 0; i < pieces.size(); i += 2) {
         std::swap(pieces[i].side[0], pieces[i].side[1]);

@@ -4,15 +4,13 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace fovea {
 
 /// Throws std::invalid_argument with `message` (name the object, say what is wrong and what to do) unless `condition`.
-inline void check(bool condition, const std::string& message) {
-    if (!condition) throw std::invalid_argument(message);
-}
-inline void check(bool condition, const char* message) {
-    if (!condition) throw std::invalid_argument(message);
+inline void check(bool condition, std::string_view message) {
+    if (!condition) throw std::invalid_argument(std::string(message));
 }
 
 }  // namespace fovea

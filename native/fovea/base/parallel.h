@@ -13,6 +13,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
+#include <utility>
 #include <vector>
 
 #include <fovea/base/fork_join.h>
@@ -55,6 +56,17 @@ void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     parallel_for(blocks, one, 1);
 }
 
+/// What body(begin, end, out) appends to `out` for such blocks, in their order.
+template <typename T, typename Body>
+Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body) {
+    std::vector<std::vector<T>> parts((count + size - 1) / size);
+    parallel_blocks(count, size,
+                    [&](std::size_t b, std::size_t begin, std::size_t end) { body(begin, end, parts[b]); });
+    Array<T> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 /// first() and second(), perhaps at once.
 template <typename First, typename Second>
 void parallel_invoke(const First& first, const Second& second) {
@@ -86,6 +98,32 @@ void counts_to_offsets(Counts& counts) {
         sum += n;
     }
     counts.push_back(sum);
+}
+
+/// Lists of counts[k] indices each: those from first(k) on.
+template <typename First>
+Lists<Index> lists_from(Array<Index> counts, const First& first) {
+    Lists<Index> lists;
+    lists.offsets = std::move(counts);
+    counts_to_offsets(lists.offsets);
+    lists.values.resize(lists.offsets.back());
+    parallel_for(lists.count(), [&](std::size_t k) {
+        std::copy_n(first(Index(k)), lists.size(Index(k)), lists.values.begin() + lists.begin(Index(k)));
+    });
+    return lists;
+}
+
+/// Lists of what each(give) gives with give(list, value), in the order in which it comes; `each` is asked twice.
+template <typename T, typename Each>
+Lists<T> lists_of(std::size_t count, const Each& each) {
+    Lists<T> lists;
+    lists.offsets.assign(count, 0);
+    each([&](std::size_t list, const T&) { ++lists.offsets[list]; });
+    counts_to_offsets(lists.offsets);
+    lists.values.resize(lists.offsets.back());
+    Array<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
+    each([&](std::size_t list, const T& value) { lists.values[next[list]++] = value; });
+    return lists;
 }
 
 }  // namespace fovea

@@ -59,4 +59,11 @@ struct Rows {
     Index size(Index i) const { return offsets[i + 1] - offsets[i]; }
 };
 
+/// Lists of values, one after the other.
+template <typename T>
+struct Lists : Rows {
+    Array<T> values;
+    In<T> operator[](Index i) const { return {values.data() + begin(i), size(i)}; }
+};
+
 }  // namespace fovea

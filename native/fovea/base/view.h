@@ -47,11 +47,16 @@ inline dvec2 to_pixels(const View& view, const dvec4& clip) {
     return {(clip.x / clip.w * 0.5 + 0.5) * view.width, (clip.y / clip.w * 0.5 + 0.5) * view.height};
 }
 
-/// The view-space point at a pixel position whose distance along -z is given. `clip_to_view`: inverse of view_to_clip.
-inline dvec3 from_pixels(const View& view, const dmat4& clip_to_view, const dvec2& px, double distance) {
+/// Where the way to a pixel position crosses the near plane, in view space. `clip_to_view`: inverse of view_to_clip.
+inline dvec3 on_near_plane(const View& view, const dmat4& clip_to_view, const dvec2& px) {
     const dvec2 ndc(px.x / view.width * 2.0 - 1.0, px.y / view.height * 2.0 - 1.0);
-    const dvec4 on_near = clip_to_view * dvec4(ndc, -1.0, 1.0);
-    const dvec3 point = dvec3(on_near) / on_near.w;
+    const dvec4 point = clip_to_view * dvec4(ndc, -1.0, 1.0);
+    return dvec3(point) / point.w;
+}
+
+/// The view-space point at a pixel position whose distance along -z is given.
+inline dvec3 from_pixels(const View& view, const dmat4& clip_to_view, const dvec2& px, double distance) {
+    const dvec3 point = on_near_plane(view, clip_to_view, px);
     return view.orthographic ? dvec3(point.x, point.y, -distance) : point * (distance / -point.z);
 }
 

@@ -85,17 +85,9 @@ Clusters make_clusters(const Surface& surface) {
                 clusters.corners[i][k] = known.number[v];
             }
     });
-    clusters.vertex_rows.offsets.resize(all);
-    for (Index c = 0; c < all; ++c) clusters.vertex_rows.offsets[c] = static_cast<Index>(vertices[c].size());
-    counts_to_offsets(clusters.vertex_rows.offsets);
-    clusters.vertices.resize(clusters.vertex_rows.offsets.back());
-    parallel_for(
-        all,
-        [&](std::size_t c) {
-            const Index first = clusters.vertex_rows.begin(Index(c));
-            std::copy(vertices[c].begin(), vertices[c].end(), clusters.vertices.begin() + first);
-        },
-        64);
+    Array<Index> counts(all);
+    for (Index c = 0; c < all; ++c) counts[c] = static_cast<Index>(vertices[c].size());
+    clusters.vertices = lists_from(std::move(counts), [&](Index c) { return vertices[c].begin(); });
     return clusters;
 }
 
@@ -221,7 +213,7 @@ std::shared_ptr<const Hierarchy> hierarchy_of(const Surface& surface) {
         hierarchy.groups.resize((clusters->count() + Hierarchy::group - 1) / Hierarchy::group);
         parallel_blocks(clusters->count(), Hierarchy::group, [&](std::size_t g, std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c)
-                hierarchy.clusters[c] = bounds_of(surface, fields->curvature, clusters->vertices_of(Index(c)));
+                hierarchy.clusters[c] = bounds_of(surface, fields->curvature, clusters->vertices[Index(c)]);
             hierarchy.groups[g] = bounds_of(In<ClusterBounds>(hierarchy.clusters).subspan(begin, end - begin));
         });
         return hierarchy;

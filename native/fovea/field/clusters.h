@@ -33,12 +33,8 @@ struct ClusterBounds {
 struct Clusters {
     Array<Index> triangles;       ///< cluster c has those from c * triangles_of_cluster on, ascending
     Array<glm::u16vec3> corners;  ///< per entry of `triangles`: its vertices, as places in the cluster's row
-    Rows vertex_rows;
-    Array<Index> vertices;  ///< each once per cluster
-    Index count() const { return vertex_rows.count(); }
-    In<Index> vertices_of(Index c) const {
-        return In<Index>(vertices).subspan(vertex_rows.begin(c), vertex_rows.size(c));
-    }
+    Lists<Index> vertices;        ///< per cluster, each once
+    Index count() const { return vertices.count(); }
     Index begin(Index c) const { return c * triangles_of_cluster; }
     Index end(Index c) const { return std::min(begin(c + 1), static_cast<Index>(triangles.size())); }
 };

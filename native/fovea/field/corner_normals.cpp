@@ -5,24 +5,16 @@
 
 #include <fovea/base/parallel.h>
 #include <fovea/field/fields.h>
+#include <fovea/mesh/corners.h>
 
 namespace fovea {
 namespace {
-
-double corner_angle(const Surface& surface, Index triangle, Index vertex) {
-    const Triangle& t = surface.triangles[triangle];
-    const int i = t.x == vertex ? 0 : t.y == vertex ? 1 : 2;
-    const dvec3 p(surface.positions[vertex]);
-    const dvec3 a = dvec3(surface.positions[t[(i + 1) % 3]]) - p, b = dvec3(surface.positions[t[(i + 2) % 3]]) - p;
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 /// Of the triangles around a vertex that go on smoothly from one of them.
 vec3 smooth_side(const Surface& surface, const Neighbours& all, Index vertex, const vec3& own) {
     const double least_cosine = std::cos(glm::radians(default_hard_angle));
     dvec3 sum(0.0);
-    for (Index i = all.triangle_rows.begin(vertex); i < all.triangle_rows.end(vertex); ++i) {
-        const Index t = all.triangles[i];
+    for (const Index t : all.triangles[vertex]) {
         const vec3 normal(surface.facet_plane[surface.triangle_facet[t]]);
         const double cosine = glm::dot(dvec3(normal), dvec3(own));
         // Neighbours may disagree about which side is out.

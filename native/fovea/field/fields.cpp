@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
+#include <format>
 #include <functional>
 #include <vector>
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
-#include <fovea/field/implicit.h>
+#include <fovea/field/exact_curvature.h>
 #include <fovea/field/jets.h>
-#include <fovea/field/limit_curvature.h>
 #include <fovea/field/normals.h>
 #include <fovea/field/one_ring.h>
 #include <fovea/field/smooth.h>
@@ -53,15 +52,13 @@ int rings_for(double noise, const std::function<double(int)>& residual) {
 Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                    const FieldOptions& options) {
     Choice choice;
-    choice.jets = {.degree = 4, .rings = 3, .hard_angle = options.hard_angle};
+    choice.jets = {.degree = 4, .rings = 3};
     choice.smoothing = options.smoothing;
     if (options.degree && options.rings) {
         choice.reason = "jets as asked for";
     } else {
         const auto residual = [&](int degree, int rings) {
-            JetOptions jets{.degree = degree, .rings = rings, .hard_angle = options.hard_angle};
-            jets.even = degree == 3;
-            return jet_noise(surface, neighbours, normals, jets);
+            return jet_noise(surface, neighbours, normals, {.degree = degree, .rings = rings, .even = degree == 3});
         };
         // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
         const double noise = std::min(residual(4, 3), residual(4, 2));
@@ -75,15 +72,13 @@ Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const A
                 choice.smoothing = smoothing_of_noise;
             kind = noisy ? "noisy" : "slightly noisy";
         }
-        char text[120];
-        std::snprintf(text, sizeof text, "positions are %s (%.2g %% of an edge off a smooth surface): jets", kind,
-                      100.0 * noise);
-        choice.reason = text;
+        choice.reason =
+            std::format("positions are {} ({:.2g} % of an edge off a smooth surface): jets", kind, 100.0 * noise);
     }
     if (options.degree) choice.jets.degree = options.degree;
     if (options.rings) choice.jets.rings = options.rings;
-    choice.reason += " of degree " + std::to_string(choice.jets.degree) + " over " + std::to_string(choice.jets.rings) +
-                     (choice.jets.rings == 1 ? " ring" : " rings");
+    choice.reason += std::format(" of degree {} over {} ring{}", choice.jets.degree, choice.jets.rings,
+                                 choice.jets.rings == 1 ? "" : "s");
     return choice;
 }
 
@@ -154,9 +149,7 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
     }
     if (smoothing > 0.0) {
         fields.curvature = smooth(surface, neighbours, fields.curvature, smoothing);
-        char text[60];
-        std::snprintf(text, sizeof text, ", smoothed over %.3g edges", smoothing);
-        fields.reason += text;
+        fields.reason += std::format(", smoothed over {:.3g} edges", smoothing);
     }
     fields.feature_size = feature_size_of(surface, neighbours, fields.curvature);
     return fields;

@@ -34,7 +34,4 @@ std::string fields_reason(const Surface& surface);
 /// Hash of all options.
 std::uint64_t hash_of(const FieldOptions& options);
 
-/// What tells options apart where something is kept by them.
-std::uint64_t key_of(const FieldOptions& options);
-
 }  // namespace fovea

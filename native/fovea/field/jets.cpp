@@ -5,11 +5,8 @@
 #include <cmath>
 #include <tbb/enumerable_thread_specific.h>
 
-#include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
-#include <fovea/field/implicit.h>
-#include <fovea/field/normals.h>
-#include <fovea/field/principal.h>
+#include <fovea/field/exact_curvature.h>
 #include <fovea/field/walk.h>
 
 namespace fovea {
@@ -52,7 +49,7 @@ struct Look {
         const std::size_t padded = (found.size() + unrolled - 1) / unrolled * unrolled;
         for (auto* values : {&around.x, &around.y, &around.z, &around.weight}) values->assign(padded, 0.0);
         const dvec3 origin(surface.positions[found[0]]);
-        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertex_rows.size(found[0]), found.size() - 1);
+        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertices.size(found[0]), found.size() - 1);
         double sum = 0.0;
         around.edge_length = 0.0;
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -103,7 +100,8 @@ void add_up(const Surroundings& points, double* moments, double* heights) {
     for (int k = 0; k < size; ++k) heights[k] = z_sums[k][0] + z_sums[k][1];
 }
 
-/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false when they are not determined.
+/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false, and `a` is not touched, when
+/// they are not determined.
 /// The normal matrix holds moments only, terms(2 degree) of them.
 template <int degree>
 bool fit(const Surroundings& points, double* a) {
@@ -153,12 +151,8 @@ bool fit(const Surroundings& points, double* a) {
 int fit_up_to(const JetOptions& options, const Surroundings& points, double* a) {
     std::fill_n(a, terms(max_degree), 0.0);
     if (options.degree >= 4 && fit<4>(points, a)) return 4;
-    std::fill_n(a, terms(max_degree), 0.0);
     if (options.degree >= 3 && fit<3>(points, a)) return 3;
-    std::fill_n(a, terms(max_degree), 0.0);
-    if (fit<2>(points, a)) return 2;
-    std::fill_n(a, terms(max_degree), 0.0);
-    return 0;
+    return fit<2>(points, a) ? 2 : 0;
 }
 
 /// Of F = z - f(x, y) at x = y = 0, lengths in units of `scale`.
@@ -184,11 +178,6 @@ Curvature to_object(CurvatureD c, const Surroundings& around) {
     return rounded(c);
 }
 
-void check_jets(const JetOptions& options) {
-    check(options.degree >= 2 && options.degree <= max_degree, "jets: degree must be 2, 3 or 4");
-    check(options.rings >= 1 && options.rings <= 32, "jets: rings must be 1 to 32");
-}
-
 /// Surroundings of vertex v, placed; false where v has no normal.
 bool look_around(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, const vec3& normal,
                  Index v, Look& look) {
@@ -201,14 +190,8 @@ bool look_around(const Surface& surface, const Neighbours& neighbours, const Jet
 
 }  // namespace
 
-Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options) {
-    const auto neighbours = neighbours_of(surface, options.hard_angle);
-    return jet_curvature(surface, *neighbours, vertex_normals(surface, *neighbours), options);
-}
-
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                                const JetOptions& options) {
-    check_jets(options);
     Array<Curvature> result(surface.vertex_count());
     tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
     parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -226,7 +209,6 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
 
 double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                  const JetOptions& options, Index samples) {
-    check_jets(options);
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
     Look look(surface.vertex_count());
     std::vector<double> noise;

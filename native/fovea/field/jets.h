@@ -10,9 +10,8 @@ namespace fovea {
 struct JetOptions {
     int degree = 4;  ///< of the polynomial, 2 to 4; degree 2 leaves C at what the frame alone gives
     int rings = 3;   ///< of neighbours that are fitted, 1 to 32; more rings: smoother, slower
-    bool even =
-        false;  ///< all points weigh the same: for noisy positions; else by 1 / (0.1 + squared distance / mean^2)
-    double hard_angle = default_hard_angle;  ///< where no neighbours are given
+    /// All points weigh the same: for noisy positions; else by 1 / (0.1 + squared distance / mean^2).
+    bool even = false;
 };
 
 /// One per vertex. Converges on irregular meshes, too. Where there are too few points for the degree, more rings are
@@ -22,7 +21,6 @@ struct JetOptions {
 /// `normals`: those of the vertices with these neighbours.
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                                const JetOptions& options);
-Array<Curvature> jet_curvature(const Surface& surface, const JetOptions& options = {});
 
 /// Root mean square of the residuals of these fits over mean edge lengths, median over about `samples` vertices spread
 /// evenly over the surface's numbering: how noisy the positions are. Zero when nothing can be fitted.

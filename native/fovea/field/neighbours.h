@@ -18,10 +18,8 @@ inline constexpr double no_hard_edges = 1e9;
 /// equals the one with the lowest triangle), and their vertices. A walk from neighbour to neighbour must not go on from
 /// such a vertex (`hard`): what lies beyond may be on the other side.
 struct Neighbours {
-    Rows triangle_rows;      ///< per vertex
-    Array<Index> triangles;  ///< of the surface's `triangles`
-    Rows vertex_rows;        ///< per vertex
-    Array<Index> vertices;
+    Lists<Index> triangles;    ///< per vertex: of the surface's `triangles`
+    Lists<Index> vertices;     ///< per vertex
     Array<std::uint8_t> hard;  ///< per vertex: on a hard edge
 };
 

@@ -4,32 +4,15 @@
 #include <cmath>
 
 #include <fovea/base/parallel.h>
+#include <fovea/mesh/corners.h>
 
 namespace fovea {
-namespace {
-
-/// Corners of triangle t in turn, beginning at vertex v.
-struct Turned {
-    dvec3 p, q, r;
-    int corner;
-    Turned(const Surface& surface, Index t, Index v) {
-        const Triangle& tri = surface.triangles[t];
-        corner = tri.x == v ? 0 : tri.y == v ? 1 : 2;
-        p = dvec3(surface.positions[v]);
-        q = dvec3(surface.positions[tri[(corner + 1) % 3]]);
-        r = dvec3(surface.positions[tri[(corner + 2) % 3]]);
-    }
-};
-
-}  // namespace
-
 Array<vec3> vertex_normals(const Surface& surface, const Neighbours& neighbours) {
     Array<vec3> normals(surface.vertex_count());
     parallel_for(normals.size(), [&](std::size_t v) {
         dvec3 sum(0.0);
-        for (Index i = neighbours.triangle_rows.begin(Index(v)); i < neighbours.triangle_rows.end(Index(v)); ++i) {
-            const Turned tri(surface, neighbours.triangles[i], Index(v));
-            const dvec3 a = tri.q - tri.p, b = tri.r - tri.p;
+        for (const Index t : neighbours.triangles[Index(v)]) {
+            const auto [a, b] = sides_from(surface, t, Index(v));
             const double weight = glm::dot(a, a) * glm::dot(b, b);
             if (weight > 0.0) sum += glm::cross(a, b) / weight;
         }
@@ -70,11 +53,8 @@ Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours) 
     Array<float> areas(surface.vertex_count());
     parallel_for(areas.size(), [&](std::size_t v) {
         double sum = 0.0;
-        for (Index i = neighbours.triangle_rows.begin(Index(v)); i < neighbours.triangle_rows.end(Index(v)); ++i) {
-            const Index t = neighbours.triangles[i];
-            const Triangle& tri = surface.triangles[t];
-            sum += corners[t][tri.x == v ? 0 : tri.y == v ? 1 : 2];
-        }
+        for (const Index t : neighbours.triangles[Index(v)])
+            sum += corners[t][corner_of(surface.triangles[t], Index(v))];
         areas[v] = static_cast<float>(sum);
     });
     return areas;

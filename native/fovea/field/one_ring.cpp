@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include <fovea/base/parallel.h>
+#include <fovea/field/frames.h>
 #include <fovea/field/normals.h>
-#include <fovea/field/principal.h>
-#include <fovea/field/turn.h>
 
 namespace fovea {
 namespace {
@@ -41,8 +40,7 @@ class OneRing {
     /// Whether triangle t lies in the smooth surroundings of its vertex v.
     bool belongs(Index v, Index t) const {
         if (!neighbours_.hard[v]) return true;
-        const auto begin = neighbours_.triangles.begin() + neighbours_.triangle_rows.begin(v);
-        return std::binary_search(begin, begin + neighbours_.triangle_rows.size(v), t);
+        return std::ranges::binary_search(neighbours_.triangles[v], t);
     }
 
     Face face_of(Index number) const {
@@ -83,10 +81,8 @@ class OneRing {
     /// visit(face, weight, triangle) for the triangles around v.
     template <typename Visit>
     void around(Index v, const Visit& visit) const {
-        for (Index i = neighbours_.triangle_rows.begin(v); i < neighbours_.triangle_rows.end(v); ++i) {
-            const Index t = neighbours_.triangles[i];
-            const Triangle& tri = surface_.triangles[t];
-            const double weight = faces_[t].corner[tri.x == v ? 0 : tri.y == v ? 1 : 2];
+        for (const Index t : neighbours_.triangles[v]) {
+            const double weight = faces_[t].corner[corner_of(surface_.triangles[t], v)];
             if (weight > 0.0) visit(faces_[t], weight, t);
         }
     }
@@ -123,9 +119,7 @@ class OneRing {
             if (!belongs(tri[i], number)) return;
             const Curvature& c = result_[tri[i]];
             const Turn turn(dvec3(c.e1), dvec3(c.e2), dvec3(c.normal), t, b);
-            form[i] = {c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt,
-                       c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb,
-                       c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb};
+            form[i] = turned_form(c, turn);
         }
         double xx = 0, xy = 0, yy = 0, r[4] = {};
         for (int j = 0; j < 3; ++j) {
@@ -186,10 +180,6 @@ class OneRing {
 
 Array<Curvature> one_ring_curvature(const Surface& surface, const Neighbours& neighbours) {
     return OneRing(surface, neighbours).run();
-}
-
-Array<Curvature> one_ring_curvature(const Surface& surface, double hard_angle) {
-    return one_ring_curvature(surface, *neighbours_of(surface, hard_angle));
 }
 
 }  // namespace fovea

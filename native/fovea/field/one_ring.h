@@ -12,6 +12,5 @@ namespace fovea {
 /// give no C. All zero where a vertex has no triangle with an area.
 /// Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004.
 Array<Curvature> one_ring_curvature(const Surface& surface, const Neighbours& neighbours);
-Array<Curvature> one_ring_curvature(const Surface& surface, double hard_angle = default_hard_angle);
 
 }  // namespace fovea

@@ -5,9 +5,8 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <fovea/base/parallel.h>
+#include <fovea/field/frames.h>
 #include <fovea/field/normals.h>
-#include <fovea/field/principal.h>
-#include <fovea/field/turn.h>
 #include <fovea/field/walk.h>
 
 namespace fovea {
@@ -18,12 +17,11 @@ constexpr double reach = 2.5;
 
 /// The tensors of a point in the frame (t, b): h(t, t), h(t, b), h(b, b) and C(t, t, t) .. C(b, b, b).
 struct Tensors {
-    double h[3] = {}, C[4] = {};
+    dvec3 h{0.0};
+    double C[4] = {};
 
     void add(const Curvature& c, const Turn& turn, double weight) {
-        h[0] += weight * (c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt);
-        h[1] += weight * (c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb);
-        h[2] += weight * (c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb);
+        h += weight * turned_form(c, turn);
         // C is contracted with one direction after another; (1, 0) stands for e1.
         const auto along = [&](double x, double y, double(&out)[3]) {
             for (int i = 0; i < 3; ++i) out[i] = c.C[i] * x + c.C[i + 1] * y;
@@ -43,10 +41,10 @@ struct Tensors {
 
 double mean_edge(const Surface& surface, const Neighbours& neighbours, Index v) {
     double sum = 0.0;
-    const Index begin = neighbours.vertex_rows.begin(v), end = neighbours.vertex_rows.end(v);
-    for (Index i = begin; i < end; ++i)
-        sum += glm::distance(dvec3(surface.positions[v]), dvec3(surface.positions[neighbours.vertices[i]]));
-    return end > begin ? sum / (end - begin) : 0.0;
+    for (const Index w : neighbours.vertices[v])
+        sum += glm::distance(dvec3(surface.positions[v]), dvec3(surface.positions[w]));
+    const Index count = neighbours.vertices.size(v);
+    return count > 0 ? sum / count : 0.0;
 }
 
 /// Principal directions and curvatures of the mean tensors, and C in them.

@@ -32,8 +32,7 @@ class Walk {
             for (; begin < end; ++begin) {
                 const Index from = found_[begin];
                 if (from != v && neighbours.hard[from]) continue;
-                for (Index i = neighbours.vertex_rows.begin(from); i < neighbours.vertex_rows.end(from); ++i) {
-                    const Index to = neighbours.vertices[i];
+                for (const Index to : neighbours.vertices[from]) {
                     if (seen_[to] == stamp_) continue;
                     seen_[to] = stamp_;
                     found_.push_back(to);

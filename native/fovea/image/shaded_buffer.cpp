@@ -81,11 +81,12 @@ class Shader {
     std::vector<Placed> placed_;
 };
 
-/// A ray through each node.
-void sample_nodes(const Shader& shader, const Lattice& lattice, const Cancel& cancel, Array<Sample>& samples) {
+/// body(node, x, y) for all nodes.
+template <typename Body>
+void each_node(const Lattice& lattice, const Cancel& cancel, const Body& body) {
     parallel_blocks(lattice.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
         cancel.poll();
-        for (int x = 0; x < lattice.width; ++x) samples[lattice.at(x, int(y))] = shader.at(lattice.px(dvec2(x, y)));
+        for (int x = 0; x < lattice.width; ++x) body(lattice.at(x, int(y)), x, int(y));
     });
 }
 
@@ -123,25 +124,20 @@ void sample_finely(const Shader& shader, std::size_t node, int x, int y, ShadedB
 ShadedBuffer shade(const Tracer& tracer, const Lattice& lattice, const Lamp& lamp, const Cancel& cancel) {
     const Shader shader(tracer, lamp);
     Array<Sample> samples(lattice.size());
-    sample_nodes(shader, lattice, cancel, samples);
+    each_node(lattice, cancel,
+              [&](std::size_t node, int x, int y) { samples[node] = shader.at(lattice.px(dvec2(x, y))); });
     ShadedBuffer buffer{lattice, Buffer(lattice.size()), Buffer(lattice.size()), Buffer(lattice.size()),
                         Array<std::uint8_t>(lattice.size())};
-    parallel_blocks(lattice.height, 1, [&](std::size_t row, std::size_t, std::size_t) {
-        cancel.poll();
-        const int y = int(row);
-        for (int x = 0; x < lattice.width; ++x) {
-            const std::size_t node = lattice.at(x, y);
-            const Sample& here = samples[node];
-            buffer.tone[node] = here.tone;
-            buffer.drawn[node] = shader.drawn(here.placement);
-            buffer.coverage[node] = buffer.drawn[node];
-            buffer.distance[node] = here.distance;
-            if ((x > 0 && differ(here, samples[node - 1])) ||
-                (x + 1 < lattice.width && differ(here, samples[node + 1])) ||
-                (y > 0 && differ(here, samples[node - lattice.width])) ||
-                (y + 1 < lattice.height && differ(here, samples[node + lattice.width])))
-                sample_finely(shader, node, x, y, buffer);
-        }
+    each_node(lattice, cancel, [&](std::size_t node, int x, int y) {
+        const Sample& here = samples[node];
+        buffer.tone[node] = here.tone;
+        buffer.drawn[node] = shader.drawn(here.placement);
+        buffer.coverage[node] = buffer.drawn[node];
+        buffer.distance[node] = here.distance;
+        if ((x > 0 && differ(here, samples[node - 1])) || (x + 1 < lattice.width && differ(here, samples[node + 1])) ||
+            (y > 0 && differ(here, samples[node - lattice.width])) ||
+            (y + 1 < lattice.height && differ(here, samples[node + lattice.width])))
+            sample_finely(shader, node, x, y, buffer);
     });
     return buffer;
 }

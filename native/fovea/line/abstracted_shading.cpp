@@ -26,44 +26,25 @@ struct Node {
     float depth;     // curvature times sigma squared: at sigma from a valley the tone is half of this above it
 };
 
-Array<Node> look(const SmoothTone& tone, float sign) {
-    const Lattice& lattice = tone.lattice();
-    return per_node<Node>(lattice, [&](int x, int y) {
-        const LocalFit fit = fit_at(tone.value, lattice, x, y);
+Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, float sign) {
+    // A curvature tensor turns by no more than this from node to node where it means anything.
+    constexpr float least_cosine = 0.7f;
+    const Array<Node> nodes = per_node<Node>(tone.lattice(), [&](int x, int y) {
+        const LocalFit fit = fit_at(tone.value, tone.lattice(), x, y);
         const Bend bend = greatest_bend(fit, sign);
         return Node{bend.direction, sign * glm::dot(fit.gradient, bend.direction),
                     bend.curvature * float(steps_per_sigma * steps_per_sigma)};
     });
-}
-
-Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, float sign) {
-    // A curvature tensor turns by no more than this from node to node where it means anything.
-    constexpr float least_cosine = 0.7f;
-    const Lattice& lattice = tone.lattice();
-    const Array<Node> nodes = look(tone, sign);
-    const auto low = static_cast<float>(values.low_threshold());
-    const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
-        const auto deep = [&](int k) { return nodes[triangle.node[k]].depth > low; };
-        if (!deep(0) && !deep(1) && !deep(2)) return;
-        ZeroCrossing ends[3];
-        int count = 0;
-        for (const Index number : triangle.side) {
-            const LatticeSide side = lattice_side(lattice, number);
-            const Node& a = nodes[side.a];
-            // Directions have no sign: those of the others are turned to the first one's.
-            const auto slope = [&](Index i) {
-                return glm::dot(a.direction, nodes[i].direction) < 0.0f ? -nodes[i].slope : nodes[i].slope;
-            };
-            if (!(std::abs(glm::dot(a.direction, nodes[side.b].direction)) > least_cosine)) return;
-            const float at_b = slope(side.b);
-            if ((a.slope >= 0.0f) == (at_b >= 0.0f)) continue;
-            const float t = zero_on_side(slope(side.before), a.slope, at_b, slope(side.after));
-            ends[count++] = {number, side.a, side.b, t};
-        }
-        if (count != 2) return;
-        append_in_lattice(lattice, triangle, {ends[0], ends[1]}, [&](Index i) { return nodes[i].depth; }, values, out);
+    const auto cosine = [&](Index a, Index b) { return glm::dot(nodes[a].direction, nodes[b].direction); };
+    const auto agree = [&](const LatticeTriangle& triangle) {
+        const auto& n = triangle.node;
+        return std::abs(cosine(n[0], n[1])) > least_cosine && std::abs(cosine(n[1], n[2])) > least_cosine &&
+               std::abs(cosine(n[2], n[0])) > least_cosine;
     };
-    return lift(frame, *tone.shaded, collect_in_lattice(lattice, emit));
+    const auto depth = [&](Index i) { return nodes[i].depth; };
+    // Directions have no sign: those of the others are turned to the first one's.
+    const auto slope = [&](Index first, Index i) { return cosine(first, i) < 0.0f ? -nodes[i].slope : nodes[i].slope; };
+    return trace_in_image(frame, tone, values, depth, agree, slope);
 }
 
 Curves find(const FrameView& frame, const AbstractedShading& values) {
@@ -80,8 +61,7 @@ Curves find(const FrameView& frame, const AbstractedShading& values) {
 
 }  // namespace
 
-extern const LineDefinition abstracted_shading;
-const LineDefinition abstracted_shading = {
+extern const LineDefinition abstracted_shading = {
     .name = "abstracted_shading",
     .label = "Abstracted Shading",
     .source = "Lee, Markosian, Lee & Hughes 2007",

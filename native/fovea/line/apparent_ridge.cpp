@@ -5,7 +5,6 @@
 // Out  on the side that faces the viewer, maxima of the greatest view-dependent curvature along its own direction. Near
 //      contours, where it grows beyond all bounds, nothing: a contour is drawn there.
 #include <fovea/line/cluster_trace.h>
-#include <fovea/line/seen_vertices.h>
 #include <fovea/line/threshold.h>
 
 namespace fovea {
@@ -71,14 +70,13 @@ Curves find(const SurfaceView& seen, const ApparentRidge& values) {
                               if (bulges ? !values.ridges : !values.valleys) return;
                               append_maximum(
                                   surface, *sides, triangle, [&](Index v) { return at(v).uphill; }, 0.0f,
-                                  [&](Index v) { return at(v).margin; }, fading(thresholds), out);
+                                  [&](Index v) { return at(v).margin; }, thresholds, out);
                           });
 }
 
 }  // namespace
 
-extern const LineDefinition apparent_ridge;
-const LineDefinition apparent_ridge = {
+extern const LineDefinition apparent_ridge = {
     .name = "apparent_ridge",
     .label = "Apparent Ridge",
     .source = "Judd, Durand & Adelson 2007",
@@ -86,7 +84,7 @@ const LineDefinition apparent_ridge = {
     .scope = Scope::view,
     .importance = 0.3,
     .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
+    .rule = feature_rule(parameters, 2, find),
 };
 
 }  // namespace fovea

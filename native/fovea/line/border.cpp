@@ -13,8 +13,7 @@ void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds
 
 }  // namespace
 
-extern const LineDefinition border;
-const LineDefinition border = {
+extern const LineDefinition border = {
     .name = "border",
     .label = "Border",
     .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",

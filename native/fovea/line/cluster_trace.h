@@ -8,10 +8,10 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 
 #include <fovea/base/parallel.h>
 #include <fovea/line/seen_cluster.h>
+#include <fovea/line/seen_vertices.h>
 #include <fovea/line/zero_set.h>
 
 namespace fovea {
@@ -67,8 +67,8 @@ Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const Glan
     parallel_blocks(with_lines.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         Looks<Glance, Detail> looks;
         for (std::size_t k = begin; k < end; ++k) {
-            if (k + 1 < end) fetch_vertices(surface, *fields, clusters->vertices_of(with_lines[k + 1]));
-            const In<Index> vertices = clusters->vertices_of(with_lines[k]);
+            if (k + 1 < end) fetch_vertices(surface, *fields, clusters->vertices[with_lines[k + 1]]);
+            const In<Index> vertices = clusters->vertices[with_lines[k]];
             for (std::size_t i = 0; i < vertices.size(); ++i) looks.glances[i] = glance(vertices[i]);
             std::fill_n(looks.matters, vertices.size(), false);
             Index count = 0;
@@ -112,7 +112,30 @@ Curves trace_zero_set(const SurfaceView& seen, const NoneIn& none_in, const Glan
                           });
 }
 
-/// trace_levels, of value(vertex).
+/// trace_zero_set of value(curvature, seen vertex) on the side that faces the viewer, where margin(curvature, seen
+/// vertex) is positive.
+template <typename NoneIn, typename Value, typename Margin, typename Strength>
+Curves trace_zero_set_in_front(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Margin& margin,
+                               const Strength& strength) {
+    const auto fields = fields_of(seen.surface);
+    struct Glance {
+        float value;
+        SeenOf<float> seen;
+    };
+    const auto glance = [&](Index v) -> Glance {
+        const SeenOf<float> s = see_vertex(seen, fields->curvature[v], v);
+        return {value(fields->curvature[v], s), s};
+    };
+    const auto margins_at = [&](Index v, const Glance& at) {
+        return vec2(margin(fields->curvature[v], at.seen), at.seen.facing);
+    };
+    const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
+        return a.seen.facing > 0.0f || b.seen.facing > 0.0f || c.seen.facing > 0.0f;
+    };
+    return trace_zero_set(seen, none_in, glance, front, margins_at, strength);
+}
+
+/// Curves where value(vertex) is one of the levels: pieces of its own for each.
 template <typename NoneIn, typename Value>
 Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Levels& levels) {
     struct Glance {
@@ -132,19 +155,6 @@ Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value&
         seen, none_in, glance, crossed, nothing, [&](Index triangle, const auto& glance_at, const auto&, auto& out) {
             append_levels(seen.surface, *sides, triangle, [&](Index v) { return glance_at(v).value; }, levels, out);
         });
-}
-
-/// trace_maxima; a detail has `uphill` and `margin`.
-template <typename NoneIn, typename GlanceAt, typename Wanted, typename DetailAt, typename Strength>
-Curves trace_maxima(const SurfaceView& seen, const NoneIn& none_in, const GlanceAt& glance, const Wanted& wanted,
-                    const DetailAt& detail, float least_bend, const Strength& strength) {
-    const auto sides = triangle_sides(seen.surface);
-    return trace_clusters(seen, none_in, glance, wanted, detail,
-                          [&](Index triangle, const auto&, const auto& at, auto& out) {
-                              append_maximum(
-                                  seen.surface, *sides, triangle, [&](Index v) { return at(v).uphill; }, least_bend,
-                                  [&](Index v) { return at(v).margin; }, strength, out);
-                          });
 }
 
 }  // namespace fovea

@@ -6,6 +6,8 @@
 // Out  edges whose facets all lie on one side of them in the image. For a consistently oriented pair that means one
 //      faces the viewer and the other does not; for pairs that disagree about which side is out, and for more than two
 //      facets, it is the same condition without trusting the orientation. An edge of one facet is a border instead.
+#include <algorithm>
+
 #include <fovea/line/edges.h>
 
 namespace fovea {
@@ -14,21 +16,18 @@ namespace {
 void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     mark_edges(surface.edges.size(), bit, kinds, [&](Index e) {
-        const Index begin = surface.edge_rows.begin(e), end = surface.edge_rows.end(e);
-        if (end - begin < 2) return false;
+        const In<EdgeSide> sides = surface.sides(e);
+        if (sides.size() < 2) return false;
         // A facet that winds along the edge lies to its left when it faces the viewer.
         const auto left = [&](const EdgeSide& side) { return bool(seen.facing[side.facet()]) == side.forward(); };
-        const bool first = left(surface.edge_sides[begin]);
-        for (Index i = begin + 1; i < end; ++i)
-            if (left(surface.edge_sides[i]) != first) return false;
-        return true;
+        return std::ranges::all_of(sides, [&](EdgeSide side) { return left(side) == left(sides[0]); });
     });
 }
 
 }  // namespace
 
-extern const LineDefinition contour, smooth_contour;
-const LineDefinition contour = {
+extern const LineDefinition smooth_contour;
+extern const LineDefinition contour = {
     .name = "contour",
     .label = "Contour",
     .source = "Cole 2009, section 2.2; Benard & Hertzmann 2019",

@@ -24,10 +24,10 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
     const Surface& surface = seen.surface;
     const auto limit = static_cast<float>(std::cos(glm::radians(values.angle)));
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
-        const Index begin = surface.edge_rows.begin(e), count = surface.edge_rows.size(e);
-        if (count < 2) return false;
-        if (count > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
-        const EdgeSide a = surface.edge_sides[begin], b = surface.edge_sides[begin + 1];
+        const In<EdgeSide> sides = surface.sides(e);
+        if (sides.size() < 2) return false;
+        if (sides.size() > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
+        const EdgeSide a = sides[0], b = sides[1];
         const vec3 na(surface.facet_plane[a.facet()]), nb(surface.facet_plane[b.facet()]);
         // Neighbours that disagree about which side is out: turn one of them around.
         const float cosine = a.forward() == b.forward() ? -glm::dot(na, nb) : glm::dot(na, nb);
@@ -37,8 +37,7 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
 
 }  // namespace
 
-extern const LineDefinition crease;
-const LineDefinition crease = {
+extern const LineDefinition crease = {
     .name = "crease",
     .label = "Crease",
     .source = "Cole 2009, section 2.2; Saito & Takahashi 1990",

@@ -2,7 +2,6 @@
 // What ridges and valleys share.
 #pragma once
 
-#include <fovea/line/seen_vertices.h>
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
@@ -37,7 +36,7 @@ inline Curves find_crests(const SurfaceView& seen, const CrestValues& values, fl
     };
     return trace_maxima(
         surface, same_kind, uphill, static_cast<float>(values.sharpness * unit * unit * unit),
-        [&](Index v) { return k1(v) - thresholds.low; }, fading(thresholds));
+        [&](Index v) { return k1(v) - thresholds.low; }, thresholds);
 }
 
 }  // namespace fovea

@@ -37,6 +37,11 @@ struct SurfaceView {
     /// From a point or vertex towards the viewer, in the surface's space; not normalized.
     vec3 to_viewer(const vec3& point) const { return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(point)); }
     vec3 to_viewer(Index vertex) const { return to_viewer(surface.positions[vertex]); }
+    /// Whether the placement does not go on behind a point in view space.
+    bool ends_at(const vec3& point, const Ignore& ignore) const {
+        const auto behind = tracer->behind(point, ignore);
+        return !behind || behind->placement != placement;
+    }
 };
 
 /// A frame, for definitions that look at a picture of the scene.
@@ -64,7 +69,7 @@ struct EdgeRule {
     std::function<void(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds)> mark;
 };
 
-/// What curves across triangles are, which decides what becomes of them once they are chained (path/curves_of.h).
+/// What curves across triangles are, which decides what becomes of them once they are chained (path/find_curves.h).
 enum class CurveType {
     level_set,  ///< of a quantity: all of them are lines
     feature,    ///< of the surface's shape: not where they double a contour, nor the spurs at their ends

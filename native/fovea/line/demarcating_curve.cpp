@@ -66,14 +66,13 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
         const auto at = [&](Index v) -> const Corner& { return corners[v == t.x ? 0 : v == t.y ? 1 : 2]; };
         append_zero(
             surface, *sides, triangle, [&](Index v) { return at(v).bend; },
-            [&](Index v) { return at(v).strength - thresholds.low; }, fading(thresholds), out);
+            [&](Index v) { return at(v).strength - thresholds.low; }, thresholds, out);
     });
 }
 
 }  // namespace
 
-extern const LineDefinition demarcating_curve;
-const LineDefinition demarcating_curve = {
+extern const LineDefinition demarcating_curve = {
     .name = "demarcating_curve",
     .label = "Demarcating Curve",
     .source = "Kolomenkin, Shimshoni & Tal 2008",
@@ -81,7 +80,7 @@ const LineDefinition demarcating_curve = {
     .scope = Scope::surface,
     .importance = 0.25,
     .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
+    .rule = feature_rule(parameters, 2, find),
 };
 
 }  // namespace fovea

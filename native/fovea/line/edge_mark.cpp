@@ -22,8 +22,7 @@ void mark(const SurfaceView& seen, const EdgeMark& values, Kinds bit, Array<Kind
 
 }  // namespace
 
-extern const LineDefinition edge_mark;
-const LineDefinition edge_mark = {
+extern const LineDefinition edge_mark = {
     .name = "edge_mark",
     .label = "Edge Mark",
     .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",

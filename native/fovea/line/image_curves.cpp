@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/line/image_curves.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
+#include <tuple>
 
+#include <fovea/base/disjoint_sets.h>
 #include <fovea/base/hash.h>
 #include <fovea/image/gaussian.h>
-#include <fovea/line/hysteresis.h>
 
 namespace fovea {
 namespace {
@@ -55,6 +57,21 @@ Index nearest_surface(const ShadedBuffer& shaded, const vec2& place) {
     return none;
 }
 
+DisjointSets join_at_sides(const Curves& pieces) {
+    DisjointSets joined(pieces.size());
+    std::vector<std::tuple<Index, Index, Index>> ends;  // side, level, piece
+    for (Index i = 0; i < pieces.size(); ++i)
+        for (const Index side : pieces[i].side)
+            if (side != none) ends.emplace_back(side, pieces[i].level, i);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const auto& [side, level, piece] = ends[i];
+        const auto& [side_before, level_before, before] = ends[i - 1];
+        if (side == side_before && level == level_before) joined.join(piece, before);
+    }
+    return joined;
+}
+
 }  // namespace
 
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values, double background) {
@@ -68,6 +85,24 @@ std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const Imag
         });
         return make_tone(frame, values.outline, background, std::move(shaded));
     });
+}
+
+Curves keep_strong(const Curves& pieces, double least) {
+    DisjointSets joined = join_at_sides(pieces);
+    Array<double> length(pieces.size(), 0.0);
+    Array<std::uint8_t> strong(pieces.size(), 0);
+    for (Index i = 0; i < pieces.size(); ++i) {
+        const CurvePiece& piece = pieces[i];
+        const Index set = joined.name(i);
+        length[set] += glm::distance(dvec3(piece.point[0]), dvec3(piece.point[1]));
+        strong[set] |= std::max(piece.strength[0], piece.strength[1]) >= 1.0f;
+    }
+    Curves kept;
+    for (Index i = 0; i < pieces.size(); ++i) {
+        const Index set = joined.name(i);
+        if (strong[set] && length[set] >= least) kept.push_back(pieces[i]);
+    }
+    return kept;
 }
 
 Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pieces) {

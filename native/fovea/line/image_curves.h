@@ -78,20 +78,41 @@ Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     });
 }
 
-/// Appends the part of a piece where `measure` (per node) exceeds the low threshold: strength 0 there, 1 at the high
-/// one.
-template <typename Measure>
-void append_in_lattice(const Lattice& lattice, const LatticeTriangle& triangle, const ZeroCrossing (&ends)[2],
-                       const Measure& measure, const ImageValues& values, std::vector<CurvePiece>& out) {
-    const auto low = static_cast<float>(values.low_threshold()),
-               range = static_cast<float>(values.threshold - values.low_threshold());
-    const auto place = [&](Index node) { return vec3(lattice_place(lattice, node), 0.0f); };
-    const auto strength = [&](float above) { return above >= range ? 1.0f : std::max(above, 0.0f) / range; };
-    append_trimmed(place, triangle.number, ends, [&](std::uint32_t v) { return measure(v) - low; }, strength, out);
-}
+/// The pieces of curves (pieces that share sides) that reach full strength somewhere and are at least so long. Lengths
+/// are those of the pieces' points. Canny, "A Computational Approach to Edge Detection", PAMI 1986, section VI.
+Curves keep_strong(const Curves& pieces, double least);
 
 /// From pieces on the lattice to lines of the scene: those of curves that pass hysteresis and are no shorter than five
 /// sigma, in view space, at the depth of the nearest surface that is seen beside them.
 Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pieces);
+
+/// Lines where `value` is zero and `measure` (per node) exceeds the low threshold: strength 0 there, 1 at the high one.
+/// value(first, node): on a side from node `first` on. Only triangles where one of the nodes does, and
+/// wanted(triangle).
+template <typename Measure, typename Wanted, typename Value>
+Curves trace_in_image(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, const Measure& measure,
+                      const Wanted& wanted, const Value& value) {
+    const Lattice& lattice = tone.lattice();
+    const auto low = static_cast<float>(values.low_threshold()),
+               range = static_cast<float>(values.threshold - values.low_threshold());
+    const auto place = [&](Index node) { return vec3(lattice_place(lattice, node), 0.0f); };
+    const auto margin = [&](Index node) { return measure(node) - low; };
+    const auto strength = [&](float above) { return above >= range ? 1.0f : std::max(above, 0.0f) / range; };
+    const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
+        const auto is_strong = [&](Index node) { return measure(node) > low; };
+        if (std::none_of(triangle.node, triangle.node + 3, is_strong) || !wanted(triangle)) return;
+        ZeroCrossing ends[3];
+        int count = 0;
+        for (const Index number : triangle.side) {
+            const LatticeSide side = lattice_side(lattice, number);
+            const auto at = [&](Index node) { return value(side.a, node); };
+            const float a = at(side.a), b = at(side.b);
+            if ((a >= 0.0f) == (b >= 0.0f)) continue;
+            ends[count++] = {number, side.a, side.b, zero_on_side(at(side.before), a, b, at(side.after))};
+        }
+        if (count == 2) append_trimmed(place, triangle.number, {ends[0], ends[1]}, margin, strength, out);
+    };
+    return lift(frame, *tone.shaded, collect_in_lattice(lattice, emit));
+}
 
 }  // namespace fovea

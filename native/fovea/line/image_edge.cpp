@@ -21,45 +21,25 @@ struct Node {
     float contrast;  // of the step edge that has this slope
 };
 
-Array<Node> look(const SmoothTone& tone) {
-    const Lattice& lattice = tone.lattice();
-    const auto per_slope = static_cast<float>(std::sqrt(2.0 * std::numbers::pi) * steps_per_sigma);
-    return per_node<Node>(lattice, [&](int x, int y) {
-        const LocalFit fit = fit_at(tone.value, lattice, x, y);
-        return Node{fit.gradient, fit.growth_of_slope(), per_slope * glm::length(fit.gradient)};
-    });
-}
-
 Curves find(const FrameView& frame, const ImageValues& values) {
     const auto tone = smooth_tone(frame, values, beyond_white);
-    const Lattice& lattice = tone->lattice();
-    const Array<Node> nodes = look(*tone);
-    const auto low = static_cast<float>(values.low_threshold());
-    const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
-        const Node* n[3] = {&nodes[triangle.node[0]], &nodes[triangle.node[1]], &nodes[triangle.node[2]]};
-        if (!(n[0]->contrast > low || n[1]->contrast > low || n[2]->contrast > low)) return;
-        const vec2 change = triangle.slope(n[0]->growth, n[1]->growth, n[2]->growth);
-        // Up to the greatest slope the tone bends upwards, then downwards.
-        if (!(glm::dot(change, n[0]->gradient + n[1]->gradient + n[2]->gradient) < 0.0f)) return;
-        ZeroCrossing ends[2];
-        int count = 0;
-        for (const Index number : triangle.side) {
-            const LatticeSide side = lattice_side(lattice, number);
-            const float a = nodes[side.a].growth, b = nodes[side.b].growth;
-            if ((a >= 0.0f) == (b >= 0.0f)) continue;
-            const float t = zero_on_side(nodes[side.before].growth, a, b, nodes[side.after].growth);
-            ends[count++] = {number, side.a, side.b, t};
-        }
-        if (count == 2)
-            append_in_lattice(lattice, triangle, ends, [&](Index i) { return nodes[i].contrast; }, values, out);
+    const auto per_slope = static_cast<float>(std::sqrt(2.0 * std::numbers::pi) * steps_per_sigma);
+    const Array<Node> nodes = per_node<Node>(tone->lattice(), [&](int x, int y) {
+        const LocalFit fit = fit_at(tone->value, tone->lattice(), x, y);
+        return Node{fit.gradient, fit.growth_of_slope(), per_slope * glm::length(fit.gradient)};
+    });
+    // Up to the greatest slope the tone bends upwards, then downwards.
+    const auto greatest = [&](const LatticeTriangle& triangle) {
+        const Node &a = nodes[triangle.node[0]], &b = nodes[triangle.node[1]], &c = nodes[triangle.node[2]];
+        return glm::dot(triangle.slope(a.growth, b.growth, c.growth), a.gradient + b.gradient + c.gradient) < 0.0f;
     };
-    return lift(frame, *tone->shaded, collect_in_lattice(lattice, emit));
+    const auto contrast = [&](Index i) { return nodes[i].contrast; };
+    return trace_in_image(frame, *tone, values, contrast, greatest, [&](Index, Index i) { return nodes[i].growth; });
 }
 
 }  // namespace
 
-extern const LineDefinition image_edge;
-const LineDefinition image_edge = {
+extern const LineDefinition image_edge = {
     .name = "image_edge",
     .label = "Image Edge",
     .source = "Canny 1986; Cole 2009, section 3.2.2",

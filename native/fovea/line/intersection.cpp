@@ -7,6 +7,7 @@
 //      a heap none with each other.
 // Crossings are kept with the first surface, by the second's version and its placement relative to the first, to single
 // precision: nothing is found again when the camera, or two objects together, move, and pairs of instances share.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -16,7 +17,6 @@
 #include <fovea/base/hash.h>
 #include <fovea/line/definition.h>
 #include <fovea/scene/crossings.h>
-#include <fovea/scene/overlaps.h>
 
 namespace fovea {
 namespace {
@@ -45,27 +45,24 @@ struct KeptPairs {
         std::shared_ptr<const KeptCurves> curves;
         std::uint64_t frame = 0;  ///< when it was last asked for
     };
-    struct State {
-        std::mutex mutex;
-        std::map<std::uint64_t, Entry> entries;
-    };
-    std::unique_ptr<State> state = std::make_unique<State>();
+    std::mutex mutex;
+    std::map<std::uint64_t, Entry> entries;
 
-    std::shared_ptr<const KeptCurves> find(std::uint64_t key, std::uint64_t frame) const {
-        const std::lock_guard lock(state->mutex);
-        const auto it = state->entries.find(key);
-        if (it == state->entries.end()) return nullptr;
+    std::shared_ptr<const KeptCurves> find(std::uint64_t key, std::uint64_t frame) {
+        const std::lock_guard lock(mutex);
+        const auto it = entries.find(key);
+        if (it == entries.end()) return nullptr;
         it->second.frame = frame;
         return it->second.curves;
     }
-    void keep(std::uint64_t key, std::uint64_t frame, std::shared_ptr<const KeptCurves> curves) const {
-        const std::lock_guard lock(state->mutex);
-        state->entries[key] = {std::move(curves), frame};
+    void keep(std::uint64_t key, std::uint64_t frame, std::shared_ptr<const KeptCurves> curves) {
+        const std::lock_guard lock(mutex);
+        entries[key] = {std::move(curves), frame};
     }
     /// Lets go of what has not been asked for.
-    void forget(std::uint64_t frame) const {
-        const std::lock_guard lock(state->mutex);
-        std::erase_if(state->entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
+    void forget(std::uint64_t frame) {
+        const std::lock_guard lock(mutex);
+        std::erase_if(entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
     }
 };
 
@@ -99,6 +96,34 @@ bool relate(const Scene& scene, Pair& pair) {
         for (int row = 0; row < 3; ++row) map[column][row] = rounded(map[column][row], column < 3 ? turn : shift);
     pair.key = hash_bytes(&map, sizeof(map), second.surface->version());
     return true;
+}
+
+/// Pairs (i, j), i < j, of positions in `placements` (indices into the scene) whose boxes along the world's axes meet,
+/// ascending. Placements without triangles are in none.
+std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Index> placements) {
+    struct Entry {
+        Box box;
+        Index position;
+    };
+    std::vector<Entry> entries;
+    for (Index i = 0; i < placements.size(); ++i) {
+        const Placement& placement = scene.placements[placements[i]];
+        const auto tree = triangle_tree(*placement.surface);
+        if (tree->empty()) continue;
+        const Box box = tree->bounds().mapped(Affine(placement.object_to_world));
+        if (box.meets(box)) entries.push_back({box, i});  // not where a placement is no number
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.position < b.position;
+    });
+    // Sweep along x: what begins before a box ends may meet it.
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        for (std::size_t j = i + 1; j < entries.size() && entries[j].box.low.x <= entries[i].box.high.x; ++j)
+            if (entries[i].box.meets(entries[j].box))
+                pairs.push_back(std::minmax({entries[i].position, entries[j].position}));
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 /// Per position in `drawn`: 1 where a placement lies in a heap of its surface's.
@@ -156,12 +181,12 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
     static std::atomic<std::uint64_t> frames{0};
     const std::uint64_t frame = ++frames;
     const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
-    std::vector<std::shared_ptr<const KeptPairs>> stores(pairs.size());
+    std::vector<std::shared_ptr<KeptPairs>> stores(pairs.size());
     std::vector<SceneCurves> found(pairs.size());
     std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;  // the first pair that lacks each
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Surface& surface = *scene.placements[pairs[i].first].surface;
-        stores[i] = surface.cache().get<KeptPairs>(0, [] { return KeptPairs(); });
+        stores[i] = *surface.cache().get<std::shared_ptr<KeptPairs>>(0, [] { return std::make_shared<KeptPairs>(); });
         found[i] = {pairs[i].first, pairs[i].second, stores[i]->find(pairs[i].key, frame)};
         if (!found[i].curves) missing.try_emplace({stores[i].get(), pairs[i].key}, i);
     }
@@ -179,8 +204,7 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
 
 }  // namespace
 
-extern const LineDefinition intersection;
-const LineDefinition intersection = {
+extern const LineDefinition intersection = {
     .name = "intersection",
     .label = "Intersection",
     .source = "Saito & Takahashi 1990; Edelsbrunner & Mücke 1990, Simulation of Simplicity",

@@ -4,7 +4,6 @@
 // In   normals, the view
 // Out  where n . v is one of so many evenly spaced values between 0 and 1
 #include <fovea/line/cluster_trace.h>
-#include <fovea/line/seen_vertices.h>
 
 namespace fovea {
 namespace {
@@ -27,8 +26,7 @@ Curves find(const SurfaceView& seen, const Isophote& values) {
 
 }  // namespace
 
-extern const LineDefinition isophote;
-const LineDefinition isophote = {
+extern const LineDefinition isophote = {
     .name = "isophote",
     .label = "Isophote",
     .source = "Cole 2009, section 2.2",

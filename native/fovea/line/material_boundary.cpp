@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Material boundary: where two materials meet on a surface.
 // Out  mesh edges between polygons of different materials
+#include <algorithm>
+
 #include <fovea/line/edges.h>
 
 namespace fovea {
@@ -8,21 +10,16 @@ namespace {
 
 void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
-    const auto material = [&](Index side) {
-        return surface.polygon_material[surface.facet_polygon[surface.edge_sides[side].facet()]];
-    };
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
-        const Index begin = surface.edge_rows.begin(e);
-        for (Index i = begin + 1; i < surface.edge_rows.end(e); ++i)
-            if (material(i) != material(begin)) return true;
-        return false;
+        const In<EdgeSide> sides = surface.sides(e);
+        return std::ranges::any_of(
+            sides, [&](EdgeSide side) { return surface.material(side.facet()) != surface.material(sides[0].facet()); });
     });
 }
 
 }  // namespace
 
-extern const LineDefinition material_boundary;
-const LineDefinition material_boundary = {
+extern const LineDefinition material_boundary = {
     .name = "material_boundary",
     .label = "Material Boundary",
     .source = "Grabli et al. 2010, Programmable Rendering of Line Drawing from 3D Scenes",

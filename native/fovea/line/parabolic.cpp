@@ -6,26 +6,17 @@
 #include <fovea/line/zero_curvature.h>
 
 namespace fovea {
-namespace {
 
-const auto parameters = zero_curvature_parameters();
-
-Curves find(const SurfaceView& seen, const ThresholdValues& values) {
-    return find_zero_curvature(seen, values, 1.0f, [](const Curvature& c) { return c.k1 * c.k2; });
-}
-
-}  // namespace
-
-extern const LineDefinition parabolic;
-const LineDefinition parabolic = {
+extern const LineDefinition parabolic = {
     .name = "parabolic",
     .label = "Parabolic Line",
     .source = "Koenderink 1984; Cole 2009, section 2.2",
     .description = "Between convex or concave and saddle-shaped parts: zero Gaussian curvature",
     .scope = Scope::surface,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<1>)},
+    .parameters = zero_curvature_parameters(),
+    .rule = feature_rule(zero_curvature_parameters(), 1, find_zero_curvature, 1.0f,
+                         [](const Curvature& c) { return c.k1 * c.k2; }),
 };
 
 }  // namespace fovea

@@ -48,7 +48,7 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Threshold
         const auto value = [&](Index v) {
             return glm::dot(curvature(most).e1, curvature(v).e1) < 0.0f ? -along[v] : along[v];
         };
-        append_zero(surface, *sides, triangle, value, [&](Index v) { return above[v]; }, fading(thresholds), out);
+        append_zero(surface, *sides, triangle, value, [&](Index v) { return above[v]; }, thresholds, out);
     });
 }
 

@@ -7,26 +7,16 @@
 #include <fovea/line/principal_highlight.h>
 
 namespace fovea {
-namespace {
 
-const auto parameters = principal_highlight_parameters();
-
-Curves find(const SurfaceView& seen, const ThresholdValues& values) {
-    return find_principal_highlights(seen, values, -1.0f);
-}
-
-}  // namespace
-
-extern const LineDefinition principal_highlight_valley;
-const LineDefinition principal_highlight_valley = {
+extern const LineDefinition principal_highlight_valley = {
     .name = "principal_highlight_valley",
     .label = "Principal Highlight, Valley",
     .source = "DeCarlo & Rusinkiewicz 2007",
     .description = "The shine of a valley: where it is turned most towards the viewer across itself",
     .scope = Scope::view,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
+    .parameters = principal_highlight_parameters(),
+    .rule = feature_rule(principal_highlight_parameters(), 2, find_principal_highlights, -1.0f),
 };
 
 }  // namespace fovea

@@ -11,7 +11,7 @@
 
 namespace fovea {
 
-extern const LineDefinition silhouette, contour, border, smooth_silhouette;
+extern const LineDefinition contour, border, smooth_silhouette;
 
 namespace {
 
@@ -33,7 +33,7 @@ class Beyond {
         const dvec4 a = in_view(edge.x), b = in_view(edge.y), middle = 0.5 * (a + b);
         if (!view_.orthographic && middle.z >= 0.0) return false;
         const Ignore ignore = seen_.tracer->ignore_at(seen_.placement, e);
-        if (is_other(vec3(middle), ignore)) return true;
+        if (seen_.ends_at(vec3(middle), ignore)) return true;
         const dvec4 clip_a = view_.view_to_clip * a, clip_b = view_.view_to_clip * b;
         if (clip_a.w <= 0.0 || clip_b.w <= 0.0) return false;
         const dvec2 along = to_pixels(view_, clip_b) - to_pixels(view_, clip_a);
@@ -42,8 +42,8 @@ class Beyond {
         const dvec2 right = dvec2(along.y, -along.x) * (beside_px * view_.reference_scale / length);
         const dvec2 px = to_pixels(view_, view_.view_to_clip * middle) + (lies_left(e) ? right : -right);
         const double away = -middle.z, nearer = steepest * glm::distance(dvec2(middle), dvec2(beside(px, away)));
-        return is_other(vec3(beside(px, view_.orthographic ? away - nearer : std::max(away - nearer, 0.1 * away))),
-                        ignore);
+        const double before = view_.orthographic ? away - nearer : std::max(away - nearer, 0.1 * away);
+        return seen_.ends_at(vec3(beside(px, before)), ignore);
     }
 
    private:
@@ -51,11 +51,6 @@ class Beyond {
 
     dvec4 in_view(Index vertex) const {
         return seen_.object_to_view * dvec4(dvec3(seen_.surface.positions[vertex]), 1.0);
-    }
-
-    bool is_other(const vec3& point, const Ignore& ignore) const {
-        const auto behind = seen_.tracer->behind(point, ignore);
-        return !behind || behind->placement != seen_.placement;
     }
 
     /// Whether the surface lies to the left of a contour or border edge in the image, from its first to its second
@@ -81,7 +76,7 @@ void mark(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>
 
 }  // namespace
 
-const LineDefinition silhouette = {
+extern const LineDefinition silhouette = {
     .name = "silhouette",
     .label = "Silhouette",
     .source = "Isenberg et al. 2003, A Developer's Guide to Silhouette Algorithms",

@@ -61,8 +61,7 @@ Selection select(const Surface& surface, const SmoothContour& values) {
 
 }  // namespace
 
-extern const LineDefinition smooth_contour;
-const LineDefinition smooth_contour = {
+extern const LineDefinition smooth_contour = {
     .name = "smooth_contour",
     .label = "Smooth Contour",
     .source = "Hertzmann & Zorin 2000, section 4; Cole 2009, section 2.2",

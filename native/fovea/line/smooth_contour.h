@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fovea/line/cluster_trace.h>
-#include <fovea/line/seen_vertices.h>
 
 namespace fovea {
 

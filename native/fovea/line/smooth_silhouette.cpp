@@ -14,8 +14,7 @@ bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
     const auto own = seen.tracer->ignore_at(seen.placement, seen.surface.place_of_triangle(piece.triangle), none, true);
     const vec3 point = vec3(seen.object_to_view * dvec4(middle, 1.0)) + own.above;
     if (!seen.tracer->view().orthographic && point.z >= 0.0f) return false;
-    const auto behind = seen.tracer->behind(point, own);
-    return !behind || behind->placement != seen.placement;
+    return seen.ends_at(point, own);
 }
 
 Curves find(const SurfaceView& seen, const Values&) {
@@ -37,8 +36,8 @@ Selection select(const Surface&, const Values&) {
 
 }  // namespace
 
-extern const LineDefinition smooth_silhouette, smooth_contour;
-const LineDefinition smooth_silhouette = {
+extern const LineDefinition smooth_contour;
+extern const LineDefinition smooth_silhouette = {
     .name = "smooth_silhouette",
     .label = "Smooth Silhouette",
     .source = "Isenberg et al. 2003; Hertzmann & Zorin 2000, section 4",

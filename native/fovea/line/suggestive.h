@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fovea/line/cluster_trace.h>
-#include <fovea/line/seen_vertices.h>
 #include <fovea/line/threshold.h>
 
 namespace fovea {
@@ -19,20 +18,10 @@ inline Parameters<ThresholdValues> suggestive_parameters(double threshold) {
 /// finite.
 inline Curves find_suggestive(const SurfaceView& seen, const ThresholdValues& values, float sign) {
     constexpr float least_facing = 0.05f;  // n . v
-    const Surface& surface = seen.surface;
-    const auto fields = fields_of(surface);
-    const Thresholds thresholds(surface, values, 2);
-    struct Glance {
-        float value;
-        SeenOf<float> seen;
-    };
-    const auto glance = [&](Index v) -> Glance {
-        const SeenOf<float> s = see_vertex(seen, fields->curvature[v], v);
-        return {radial_scaled(fields->curvature[v], s), s};
-    };
-    const auto margin = [&](Index v, const Glance& at) {
-        const float derivative = radial(fields->curvature[v], at.seen).derivative;
-        return vec2(sign * derivative / std::max(at.seen.facing, least_facing) - thresholds.low, at.seen.facing);
+    const Thresholds thresholds(seen.surface, values, 2);
+    const auto value = [](const Curvature& c, const SeenOf<float>& s) { return radial_scaled(c, s); };
+    const auto margin = [&](const Curvature& c, const SeenOf<float>& s) {
+        return sign * radial(c, s).derivative / std::max(s.facing, least_facing) - thresholds.low;
     };
     const auto none_in = [&](const SeenCluster& cluster) {
         const Range facing = cluster.facing();
@@ -41,10 +30,7 @@ inline Curves find_suggestive(const SurfaceView& seen, const ThresholdValues& va
         const float most = cluster.bounds().third + 2.0f * turned * k * k;
         return most <= 0.9999f * thresholds.low * std::max(facing.low, least_facing);
     };
-    const auto front = [](const Glance& a, const Glance& b, const Glance& c) {
-        return a.seen.facing > 0.0f || b.seen.facing > 0.0f || c.seen.facing > 0.0f;
-    };
-    return trace_zero_set(seen, none_in, glance, front, margin, fading(thresholds));
+    return trace_zero_set_in_front(seen, none_in, value, margin, thresholds);
 }
 
 }  // namespace fovea

@@ -6,24 +6,16 @@
 #include <fovea/line/suggestive.h>
 
 namespace fovea {
-namespace {
 
-const auto parameters = suggestive_parameters(0.01);
-
-Curves find(const SurfaceView& seen, const ThresholdValues& values) { return find_suggestive(seen, values, 1.0f); }
-
-}  // namespace
-
-extern const LineDefinition suggestive_contour;
-const LineDefinition suggestive_contour = {
+extern const LineDefinition suggestive_contour = {
     .name = "suggestive_contour",
     .label = "Suggestive Contour",
     .source = "DeCarlo et al. 2003; DeCarlo, Finkelstein & Rusinkiewicz 2004",
     .description = "Where a contour would first appear if the viewer moved a little",
     .scope = Scope::view,
     .importance = 0.3,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
+    .parameters = suggestive_parameters(0.01),
+    .rule = feature_rule(suggestive_parameters(0.01), 2, find_suggestive, 1.0f),
 };
 
 }  // namespace fovea

@@ -6,16 +6,8 @@
 #include <fovea/line/suggestive.h>
 
 namespace fovea {
-namespace {
 
-const auto parameters = suggestive_parameters(0.02);
-
-Curves find(const SurfaceView& seen, const ThresholdValues& values) { return find_suggestive(seen, values, -1.0f); }
-
-}  // namespace
-
-extern const LineDefinition suggestive_highlight;
-const LineDefinition suggestive_highlight = {
+extern const LineDefinition suggestive_highlight = {
     .name = "suggestive_highlight",
     .label = "Suggestive Highlight",
     .source = "DeCarlo & Rusinkiewicz 2007",
@@ -23,8 +15,8 @@ const LineDefinition suggestive_highlight = {
         "Where the surface is turned most towards the viewer along the view: the bright partner of suggestive contours",
     .scope = Scope::view,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<2>)},
+    .parameters = suggestive_parameters(0.02),
+    .rule = feature_rule(suggestive_parameters(0.02), 2, find_suggestive, -1.0f),
 };
 
 }  // namespace fovea

@@ -36,21 +36,21 @@ struct Thresholds {
         fade = 0.5f * high;
     }
 
-    /// Strength of a line so far above the low threshold.
-    float strength(float above) const { return above > 0.0f ? above / (above + fade) : 0.0f; }
+    /// Strength of a line so far above the low threshold, as trace_zero_set and trace_maxima ask for it.
+    float operator()(float above) const { return above > 0.0f ? above / (above + fade) : 0.0f; }
 };
 
-/// CurveRule::select of such a definition.
-template <int power>
-Selection select_by_threshold(const Surface& surface, const ThresholdValues& values) {
-    const Thresholds t(surface, values, power);
-    const float reach = t.high > t.low ? t.strength(t.high - t.low) : 0.0f;
-    return {.reach = reach, .least = values.length * fields_of(surface)->feature_size};
-}
-
-/// Strength as trace_zero_set and trace_maxima ask for it.
-inline auto fading(const Thresholds& thresholds) {
-    return [thresholds](float above) { return thresholds.strength(above); };
+/// The rule of such a definition, whose lines are features that find(surface view, values, more...) finds. `power`: of
+/// the measure, as Thresholds has it.
+template <typename P, typename Find, typename... More>
+CurveRule feature_rule(const Parameters<P>& parameters, int power, Find find, More... more) {
+    const auto found = [=](const SurfaceView& seen, const P& values) { return find(seen, values, more...); };
+    const auto select = [power](const Surface& surface, const ThresholdValues& values) -> Selection {
+        const Thresholds t(surface, values, power);
+        const float reach = t.high > t.low ? t(t.high - t.low) : 0.0f;
+        return {.reach = reach, .least = values.length * fields_of(surface)->feature_size};
+    };
+    return {CurveType::feature, parameters.of(found), parameters.of(select)};
 }
 
 }  // namespace fovea

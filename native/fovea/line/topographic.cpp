@@ -36,8 +36,7 @@ Curves find(const SurfaceView& seen, const Topographic& values) {
 
 }  // namespace
 
-extern const LineDefinition topographic;
-const LineDefinition topographic = {
+extern const LineDefinition topographic = {
     .name = "topographic",
     .label = "Topographic Line",
     .source = "Cole 2009, section 2.2",

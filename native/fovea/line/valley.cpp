@@ -6,24 +6,16 @@
 #include <fovea/line/crest.h>
 
 namespace fovea {
-namespace {
 
-const auto parameters = crest_parameters();
-
-Curves find(const SurfaceView& seen, const CrestValues& values) { return find_crests(seen, values, -1.0f); }
-
-}  // namespace
-
-extern const LineDefinition valley;
-const LineDefinition valley = {
+extern const LineDefinition valley = {
     .name = "valley",
     .label = "Valley",
     .source = "Ohtake, Belyaev & Seidel 2004",
     .description = "Bottoms of concave parts: where curvature is greatest across the line",
     .scope = Scope::surface,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::feature, parameters.of(find), parameters.of(select_by_threshold<1>)},
+    .parameters = crest_parameters(),
+    .rule = feature_rule(crest_parameters(), 1, find_crests, -1.0f),
 };
 
 }  // namespace fovea

@@ -2,7 +2,6 @@
 // What lines of zero curvature share.
 #pragma once
 
-#include <fovea/line/seen_vertices.h>
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
@@ -15,16 +14,14 @@ inline Parameters<ThresholdValues> zero_curvature_parameters() {
 
 /// Where curvature(Curvature) is zero and |k1| above the threshold. Asked of the difference of k1 and k2: |k1| has a
 /// crease where they are opposite. `share`: what |k1| is of it on the line.
-template <typename Measure>
-Curves find_zero_curvature(const SurfaceView& seen, const ThresholdValues& values, float share,
-                           const Measure& curvature) {
+inline constexpr auto find_zero_curvature = [](const SurfaceView& seen, const ThresholdValues& values, float share,
+                                               const auto& curvature) {
     const auto fields = fields_of(seen.surface);
     const Thresholds thresholds(seen.surface, values, 1);
-    const auto all = [](Index) { return true; };
     return trace_zero_set(
-        seen.surface, all, [&](Index v) { return curvature(fields->curvature[v]); },
+        seen.surface, [&](Index v) { return curvature(fields->curvature[v]); },
         [&](Index v) { return share * std::abs(fields->curvature[v].k1 - fields->curvature[v].k2) - thresholds.low; },
-        fading(thresholds));
-}
+        thresholds);
+};
 
 }  // namespace fovea

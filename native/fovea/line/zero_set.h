@@ -32,14 +32,9 @@ inline ZeroCrossing crossing(const TriangleSides& sides, Index side, float at_a,
 /// Runs emit(triangle, out) over all triangles in parallel; pieces stand in the order of the triangles.
 template <typename Emit>
 Curves collect_pieces(std::size_t triangles, const Emit& emit) {
-    constexpr std::size_t block = 16384;
-    std::vector<std::vector<CurvePiece>> parts((triangles + block - 1) / block);
-    parallel_blocks(triangles, block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) emit(static_cast<Index>(t), parts[b]);
+    return parallel_collect<CurvePiece>(triangles, 16384, [&](std::size_t begin, std::size_t end, auto& out) {
+        for (std::size_t t = begin; t < end; ++t) emit(static_cast<Index>(t), out);
     });
-    Curves curves;
-    for (const auto& part : parts) curves.insert(curves.end(), part.begin(), part.end());
-    return curves;
 }
 
 /// How far what has to be positive is above zero: one number, or two that cut each for itself, of which the first gives
@@ -99,15 +94,13 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
     append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
 }
 
-/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Triangles for which
-/// `wanted(triangle)` is false are passed over. Zero counts as positive, so that each side is crossed by both of its
-/// triangles or by neither (simulation of simplicity). NaN crosses nothing.
-template <typename Wanted, typename Value, typename Margin, typename Strength>
-Curves trace_zero_set(const Surface& surface, const Wanted& wanted, const Value& value, const Margin& margin,
-                      const Strength& strength) {
+/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Zero counts as positive,
+/// so that each side is crossed by both of its triangles or by neither (simulation of simplicity). NaN crosses nothing.
+template <typename Value, typename Margin, typename Strength>
+Curves trace_zero_set(const Surface& surface, const Value& value, const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        if (wanted(triangle)) append_zero(surface, *sides, triangle, value, margin, strength, out);
+        append_zero(surface, *sides, triangle, value, margin, strength, out);
     });
 }
 
@@ -156,15 +149,6 @@ void append_levels(const Surface& surface, const TriangleSides& sides, Index tri
     }
 }
 
-/// Curves where `value` is one of the levels: pieces of its own for each.
-template <typename Value>
-Curves trace_levels(const Surface& surface, const Value& value, float first, float step, int count) {
-    const auto sides = triangle_sides(surface);
-    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
-        append_levels(surface, *sides, triangle, value, {first, step, count}, out);
-    });
-}
-
 /// How fast the lengths of vectors fall along their own direction in a triangle, where that of corner `alone` points
 /// against the two others: the second derivative, turned around, of the quantity that they are derivatives of. Positive
 /// where it has a maximum between them.
@@ -210,8 +194,9 @@ void append_maximum(const Surface& surface, const TriangleSides& sides, Index tr
 /// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity
 /// grows, of the length of its derivative; its line matters, not the way it was turned (the derivative turns around
 /// with the direction). A side is crossed where its two vectors point against each other. Only where the quantity has a
-/// maximum, and its second derivative across the curve is at least `least_bend`. `margin`, `wanted` and `strength` as
-/// above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", SIGGRAPH 2004, 4.
+/// maximum, and its second derivative across the curve is at least `least_bend`, in triangles that are `wanted`.
+/// `margin` and `strength` as above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface
+/// Fitting", SIGGRAPH 2004, 4.
 template <typename Wanted, typename Uphill, typename Margin, typename Strength>
 Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
                     const Margin& margin, const Strength& strength) {

@@ -4,10 +4,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include <fovea/mesh/surface.h>
 
 namespace fovea {
+
+/// From a vertex of a triangle to the next one, and to the one after that.
+inline std::pair<dvec3, dvec3> sides_from(const Surface& surface, Index triangle, Index vertex) {
+    const Triangle& t = surface.triangles[triangle];
+    const int i = corner_of(t, vertex);
+    const dvec3 p(surface.positions[vertex]);
+    return {dvec3(surface.positions[t[(i + 1) % 3]]) - p, dvec3(surface.positions[t[(i + 2) % 3]]) - p};
+}
+
+/// Between the two.
+inline double corner_angle(const Surface& surface, Index triangle, Index vertex) {
+    const auto [a, b] = sides_from(surface, triangle, vertex);
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
 
 /// The mesh's corner at a vertex of a polygon (the first, where it comes to it twice).
 inline Index corner_at(const Surface& surface, Index polygon, Index vertex) {

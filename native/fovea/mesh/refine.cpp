@@ -9,8 +9,14 @@ namespace fovea {
 
 struct RefinedSurface::Limit {
     std::unique_ptr<LimitPatches> patches;
-    RefinedMesh mesh;  // until there is a Surface of it
+    OwnedMesh mesh;  // until there is a Surface of it
     std::vector<Cell> cells;
+
+    MeshArrays arrays() const {
+        MeshArrays at_limit = mesh.arrays();
+        at_limit.positions = patches->positions;
+        return at_limit;
+    }
 };
 
 namespace {
@@ -42,7 +48,7 @@ RefinedSurface::RefinedSurface(const std::string& name, const MeshArrays& cage, 
     : RefinedSurface(name, limit_of(name, cage, refinement)) {}
 
 RefinedSurface::RefinedSurface(const std::string& name, std::unique_ptr<Limit> limit)
-    : Surface(name, limit->mesh.arrays(limit->patches->positions)), limit_(std::move(limit)) {
+    : Surface(name, limit->arrays()), limit_(std::move(limit)) {
     limit_->mesh = {};
     jets = std::move(limit_->patches->jets);
 }

@@ -142,31 +142,21 @@ void LimitPatches::evaluate_patches() {
         handles_.size(),
         [&](std::size_t i) {
             if (!is_bicubic(Index(i))) return;
-            const auto param = table_->GetPatchParam(handles_[i]);
-            const auto points = table_->GetPatchVertices(handles_[i]);
             // Derivatives come per level of subdivision, also where the first one made quads.
-            const double size = 1.0 / (1 << param.GetDepth());
+            const double size = 1.0 / (1 << table_->GetPatchParam(handles_[i]).GetDepth());
             PatchCorner corner[4];
             for (int k = 0; k < 4; ++k) {
-                double u = k & 1, v = k >> 1, w[16], du[16], dv[16], duu[16], duv[16], dvv[16];
-                param.Unnormalize(u, v);
-                table_->EvaluateBasis(handles_[i], u, v, w, du, dv, duu, duv, dvv);
-                for (int n = 0; n < points.size(); ++n) {
-                    const dvec3& p = points_[points[n]].p;
-                    corner[k].p += w[n] * p;
-                    corner[k].u += du[n] * size * p;
-                    corner[k].v += dv[n] * size * p;
-                    corner[k].uv += duv[n] * size * size * p;
-                }
+                ParametricJet jet;
+                const dvec3 p = by_basis({Index(i), float(k & 1), float(k >> 1)}, jet);
+                corner[k] = {p, size * jet.u, size * jet.v, size * size * jet.uv};
             }
             bicubic_[i] = Bicubic::through(corner);
         },
         64);
 }
 
-/// Exact up to third order in bicubic patches; elsewhere third derivatives are left out.
-dvec3 LimitPatches::point(const Place& place, ParametricJet& jet) const {
-    if (is_bicubic(place.patch)) return bicubic_[place.patch].at(place.u, place.v, jet);
+/// Up to second order, by OpenSubdiv.
+dvec3 LimitPatches::by_basis(const Place& place, ParametricJet& jet) const {
     const Far::PatchTable::PatchHandle& handle = handles_[place.patch];
     const auto points = table_->GetPatchVertices(handle);
     double u = place.u, v = place.v, w[20], du[20], dv[20], duu[20], duv[20], dvv[20];
@@ -184,6 +174,11 @@ dvec3 LimitPatches::point(const Place& place, ParametricJet& jet) const {
         jet.vv += dvv[n] * p;
     }
     return result;
+}
+
+/// Exact up to third order in bicubic patches; elsewhere third derivatives are left out.
+dvec3 LimitPatches::point(const Place& place, ParametricJet& jet) const {
+    return is_bicubic(place.patch) ? bicubic_[place.patch].at(place.u, place.v, jet) : by_basis(place, jet);
 }
 
 void LimitPatches::evaluate_vertex(Index v) {

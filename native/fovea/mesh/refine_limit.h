@@ -41,6 +41,7 @@ class LimitPatches {
     void add_places(const Far::PatchMap& map, const Far::TopologyLevel& fine, const std::vector<Cell>& cells, int v);
     bool is_bicubic(Index patch) const;
     void evaluate_patches();
+    dvec3 by_basis(const Place& place, ParametricJet& jet) const;
     dvec3 point(const Place& place, ParametricJet& jet) const;
     void evaluate_vertex(Index v);
 

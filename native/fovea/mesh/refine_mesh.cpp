@@ -21,7 +21,7 @@ Descent descendants(const Far::TopologyRefiner& uniform, Descent edges) {
     return edges;
 }
 
-void take_topology(const Far::TopologyLevel& fine, RefinedMesh& out) {
+void take_topology(const Far::TopologyLevel& fine, OwnedMesh& out) {
     const int quads = fine.GetNumFaces();
     out.corner_verts.resize(4 * std::size_t(quads));
     out.corner_edges.resize(4 * std::size_t(quads));
@@ -41,7 +41,7 @@ void take_topology(const Far::TopologyLevel& fine, RefinedMesh& out) {
     });
 }
 
-void take_edge_marks(const Far::TopologyRefiner& uniform, const Cage& cage, const MeshArrays& mesh, RefinedMesh& out) {
+void take_edge_marks(const Far::TopologyRefiner& uniform, const Cage& cage, const MeshArrays& mesh, OwnedMesh& out) {
     Descent marked;
     const auto has = [](In<std::uint8_t> flags, std::size_t e) { return !flags.empty() && flags[e]; };
     for (std::size_t e = 0; e < mesh.edge_verts.size(); ++e) {
@@ -69,7 +69,6 @@ Cell Cell::child(int i, int corners) const {
     return {polygon, face, u + (i == 1 || i == 2 ? half : 0.0), v + (i >= 2 ? half : 0.0), half};
 }
 
-/// Cells of the quads of the finest level.
 std::vector<Cell> cells_of(const Far::TopologyRefiner& uniform) {
     const Far::PtexIndices faces(uniform);
     std::vector<Cell> cells(uniform.GetLevel(0).GetNumFaces());
@@ -86,9 +85,9 @@ std::vector<Cell> cells_of(const Far::TopologyRefiner& uniform) {
     return cells;
 }
 
-RefinedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Cell>& cells, const Cage& cage,
-                         const MeshArrays& mesh) {
-    RefinedMesh out;
+OwnedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Cell>& cells, const Cage& cage,
+                       const MeshArrays& mesh) {
+    OwnedMesh out;
     take_topology(uniform.GetLevel(uniform.GetMaxLevel()), out);
     const auto per_polygon = [&](const auto& given, auto& values) {
         if (given.empty()) return;
@@ -99,21 +98,6 @@ RefinedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<
     per_polygon(mesh.occluding, out.occluding);
     take_edge_marks(uniform, cage, mesh, out);
     return out;
-}
-
-MeshArrays RefinedMesh::arrays(In<vec3> positions) const {
-    return {.positions = positions,
-            .edge_verts = edge_verts,
-            .corner_verts = corner_verts,
-            .corner_edges = corner_edges,
-            .polygon_offsets = polygon_offsets,
-            .ngon_triangles = {},
-            .ngon_polygon = {},
-            .material = material,
-            .occluding = occluding,
-            .sharp = sharp,
-            .seam = seam,
-            .edge_mark = edge_mark};
 }
 
 }  // namespace fovea

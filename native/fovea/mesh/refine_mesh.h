@@ -19,18 +19,9 @@ struct Cell {
     Cell child(int i, int corners) const;
 };
 
-/// The mesh as Surface takes it, but for its positions.
-struct RefinedMesh {
-    std::vector<glm::ivec2> edge_verts;
-    std::vector<int> corner_verts, corner_edges, polygon_offsets, material;
-    std::vector<std::uint8_t> occluding, sharp, seam, edge_mark;
-
-    MeshArrays arrays(In<vec3> positions) const;
-};
-
-/// Of the finest level of a uniform refinement.
+/// Of the finest level of a uniform refinement; the mesh without positions.
 std::vector<Cell> cells_of(const Far::TopologyRefiner& uniform);
-RefinedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Cell>& cells, const Cage& cage,
-                         const MeshArrays& mesh);
+OwnedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Cell>& cells, const Cage& cage,
+                       const MeshArrays& mesh);
 
 }  // namespace fovea

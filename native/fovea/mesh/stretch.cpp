@@ -38,13 +38,8 @@ dmat3 stretch_of(const dmat3& linear) {
 std::shared_ptr<const Surface> as_placed(const std::shared_ptr<const Surface>& surface, const dmat4& object_to_world) {
     const dmat3 stretch = stretch_of(dmat3(object_to_world));
     if (stretch == dmat3(1.0)) return surface;
-    struct Stretched {
-        std::shared_ptr<const Surface> surface;
-    };
-    const std::uint64_t key = hash_bytes(&stretch, sizeof stretch);
-    return surface->cache()
-        .get<Stretched>(key, [&] { return Stretched{std::make_shared<const Surface>(*surface, stretch)}; })
-        ->surface;
+    return *surface->cache().get<std::shared_ptr<const Surface>>(
+        hash_bytes(&stretch, sizeof stretch), [&] { return std::make_shared<const Surface>(*surface, stretch); });
 }
 
 }  // namespace fovea

@@ -6,7 +6,6 @@
 #include <atomic>
 
 #include <fovea/base/check.h>
-#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea {
@@ -127,15 +126,11 @@ void Surface::take_topology(const MeshArrays& mesh) {
 }
 
 void Surface::build_edge_corners() {
-    auto& offsets = edge_corners_rows_.offsets;
-    offsets.assign(mesh_edges, 0);
-    for (Index e : corner_edges_) ++offsets[e];
-    counts_to_offsets(offsets);
-    edge_corners_.resize(corner_edges_.size());
-    Array<Index> next(offsets.begin(), offsets.end() - 1);
-    for (Index c = 0; c < corner_edges_.size(); ++c) edge_corners_[next[corner_edges_[c]]++] = c;
+    edge_corners_ = lists_of<Index>(mesh_edges, [&](const auto& give) {
+        for (Index c = 0; c < corner_edges_.size(); ++c) give(corner_edges_[c], c);
+    });
     report_.loose_edges = 0;
-    for (Index e = 0; e < mesh_edges; ++e) report_.loose_edges += offsets[e] == offsets[e + 1];
+    for (Index e = 0; e < mesh_edges; ++e) report_.loose_edges += edge_corners_.size(e) == 0;
 }
 
 }  // namespace fovea

@@ -15,18 +15,36 @@ namespace fovea {
 using Triangle = glm::uvec3;
 using Edge = glm::uvec2;
 
-/// A mesh as Blender holds it, borrowed. Optional arrays may be empty.
-struct MeshArrays {
-    In<vec3> positions;             ///< per vertex, object space
-    In<glm::ivec2> edge_verts;      ///< per edge
-    In<int> corner_verts;           ///< per corner
-    In<int> corner_edges;           ///< per corner: the edge to the polygon's next corner
-    In<int> polygon_offsets;        ///< polygons + 1: corners of polygon f
-    In<glm::ivec3> ngon_triangles;  ///< vertices; triangulation of polygons with more than 4 corners, by polygon
-    In<int> ngon_polygon;           ///< per ngon triangle: its polygon, ascending
-    In<int> material;               ///< optional, per polygon
-    In<std::uint8_t> occluding;     ///< optional, per polygon: 0 where the material lets lines behind it show
-    In<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
+/// Which corner of a triangle a vertex is.
+inline int corner_of(const Triangle& t, Index vertex) { return t.x == vertex ? 0 : t.y == vertex ? 1 : 2; }
+
+/// A mesh as Blender holds it. Optional arrays may be empty.
+template <template <typename> typename ArrayOf>
+struct MeshOf {
+    ArrayOf<vec3> positions;             ///< per vertex, object space
+    ArrayOf<glm::ivec2> edge_verts;      ///< per edge
+    ArrayOf<int> corner_verts;           ///< per corner
+    ArrayOf<int> corner_edges;           ///< per corner: the edge to the polygon's next corner
+    ArrayOf<int> polygon_offsets;        ///< polygons + 1: corners of polygon f
+    ArrayOf<glm::ivec3> ngon_triangles;  ///< vertices; triangulation of polygons with more than 4 corners, by polygon
+    ArrayOf<int> ngon_polygon;           ///< per ngon triangle: its polygon, ascending
+    ArrayOf<int> material;               ///< optional, per polygon
+    ArrayOf<std::uint8_t> occluding;     ///< optional, per polygon: 0 where the material lets lines behind it show
+    ArrayOf<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
+};
+
+/// Borrowed.
+using MeshArrays = MeshOf<In>;
+
+template <typename T>
+using Owned = std::vector<T>;
+
+/// One that owns its arrays.
+struct OwnedMesh : MeshOf<Owned> {
+    MeshArrays arrays() const {
+        return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
+                material,  occluding,  sharp,        seam,         edge_mark};
+    }
 };
 
 /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
@@ -55,10 +73,31 @@ struct EdgeSide {
     bool forward() const { return packed & 1; }
 };
 
+/// What a surface consists of.
+struct SurfaceArrays {
+    // Topology, as given. Polygons that were skipped keep their number and have no facets.
+    Array<Edge> edges;               ///< mesh edges, then the diagonals of bent polygons
+    Index mesh_edges = 0;            ///< how many of `edges` are the mesh's own
+    Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
+    Array<int> polygon_material;     ///< per polygon
+
+    // Geometry.
+    Array<vec3> positions;      ///< object space; one spare entry at the end (Embree reads 16 bytes)
+    Array<Triangle> triangles;  ///< vertices; occluding ones first
+    Array<Index> triangle_facet;
+    Index occluding_triangles = 0;  ///< how many of `triangles` hide what lies behind
+    Array<vec4> facet_plane;        ///< unit normal n and offset d: n.x = d; outward by winding
+    Array<Index> facet_polygon;
+    Rows edge_rows;  ///< per entry of `edges`: its sides
+    Array<EdgeSide> edge_sides;
+    vec3 center{0.0f};    ///< of the bounding box
+    float radius = 0.0f;  ///< of the sphere around it that holds all vertices
+};
+
 /// A facet is the largest piece known to be flat: a whole polygon when it is planar (to 0.1 degrees), else each of its
 /// triangles. Facing, contours and creases are asked of facets, so a diagonal of a flat polygon is never a candidate,
 /// and a diagonal of a bent one can be a contour.
-class Surface {
+class Surface : public SurfaceArrays {
    public:
     /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
     Surface(std::string name, const MeshArrays& mesh);
@@ -83,26 +122,12 @@ class Surface {
     const dmat3& stretch() const { return stretch_; }
     const SurfaceReport& report() const { return report_; }
 
-    // Topology, as given. Polygons that were skipped keep their number and have no facets.
-    Array<Edge> edges;               ///< mesh edges, then the diagonals of bent polygons
-    Index mesh_edges = 0;            ///< how many of `edges` are the mesh's own
-    Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
-    Array<int> polygon_material;     ///< per polygon
-
-    // Geometry.
-    Array<vec3> positions;  ///< object space; one spare entry at the end (Embree reads 16 bytes)
-    Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
-    Array<Triangle> triangles;  ///< vertices; occluding ones first
-    Array<Index> triangle_facet;
-    Index occluding_triangles = 0;  ///< how many of `triangles` hide what lies behind
-    Array<vec4> facet_plane;        ///< unit normal n and offset d: n.x = d; outward by winding
-    Array<Index> facet_polygon;
-    Rows edge_rows;  ///< per entry of `edges`: its sides
-    Array<EdgeSide> edge_sides;
-    vec3 center{0.0f};    ///< of the bounding box
-    float radius = 0.0f;  ///< of the sphere around it that holds all vertices
     /// Per vertex, of the smooth surface that the vertices lie on; empty where nothing but the vertices is known.
     Array<HeightJet> jets;
+
+    Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
+    In<EdgeSide> sides(Index edge) const { return {edge_sides.data() + edge_rows.begin(edge), edge_rows.size(edge)}; }
+    int material(Index facet) const { return polygon_material[facet_polygon[facet]]; }
 
     /// Where a line can lie: on an edge, by its number, or in a triangle, numbered after the edges.
     Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }
@@ -155,8 +180,7 @@ class Surface {
     std::string name_;
     Rows polygons_;  // corners of polygons
     Array<Index> corner_verts_, corner_edges_;
-    Rows edge_corners_rows_;  // corners that run along each mesh edge
-    Array<Index> edge_corners_;
+    Lists<Index> edge_corners_;  // corners that run along each mesh edge
     Array<Triangle> ngon_triangles_;
     Rows ngon_rows_;  // per polygon: its rows of ngon_triangles_
     Array<std::uint8_t> polygon_occludes_;

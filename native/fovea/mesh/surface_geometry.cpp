@@ -25,12 +25,12 @@ struct Outline {
     double perimeter = 0.0;
 };
 
-Outline outline_of(const Array<vec3>& positions, const Index* corners, Index count) {
+Outline outline_of(const Array<vec3>& positions, In<Index> corners) {
     Outline outline;
     const dvec3 origin(positions[corners[0]]);
-    dvec3 a = dvec3(positions[corners[count - 1]]) - origin;
-    for (Index i = 0; i < count; ++i) {
-        const dvec3 b = dvec3(positions[corners[i]]) - origin;
+    dvec3 a = dvec3(positions[corners.back()]) - origin;
+    for (const Index corner : corners) {
+        const dvec3 b = dvec3(positions[corner]) - origin;
         outline.area += glm::cross(a, b);
         outline.perimeter += glm::length(b - a);
         a = b;
@@ -57,42 +57,30 @@ void Surface::build_geometry() {
 }
 
 Surface::Surface(const Surface& source, const dmat3& stretch)
-    : edges(source.edges),
-      mesh_edges(source.mesh_edges),
-      edge_marks(source.edge_marks),
-      polygon_material(source.polygon_material),
-      positions(source.positions.size()),
-      triangles(source.triangles),
-      triangle_facet(source.triangle_facet),
-      occluding_triangles(source.occluding_triangles),
-      facet_plane(source.facet_plane.size()),
-      facet_polygon(source.facet_polygon),
-      edge_rows(source.edge_rows),
-      edge_sides(source.edge_sides),
+    : SurfaceArrays(source),
       name_(source.name_),
       polygons_(source.polygons_),
       report_(source.report_),
       source_(&source),
       stretch_(stretch),
       version_(source.version_) {
-    parallel_for(positions.size(), [&](std::size_t v) { positions[v] = vec3(stretch * dvec3(source.positions[v])); });
+    parallel_for(positions.size(), [&](std::size_t v) { positions[v] = vec3(stretch * dvec3(positions[v])); });
     const dmat3 of_planes = glm::transpose(glm::inverse(stretch));
     parallel_for(facet_plane.size(), [&](std::size_t f) {
-        const dvec3 n = of_planes * dvec3(source.facet_plane[f]);
-        facet_plane[f] = vec4(dvec4(n, source.facet_plane[f].w) / glm::length(n));
+        const dvec3 n = of_planes * dvec3(facet_plane[f]);
+        facet_plane[f] = vec4(dvec4(n, facet_plane[f].w) / glm::length(n));
     });
     bound();
 }
 
 void Surface::find_degenerate(Array<std::uint8_t>& skip) {
     parallel_for(polygon_count(), [&](std::size_t f) {
-        const Index* corners = corner_verts_.data() + polygons_.begin(f);
-        const Index count = polygons_.size(f);
-        skip[f] = count < 3;
-        for (Index i = 0; i < count && !skip[f]; ++i)
-            skip[f] = !finite(positions[corners[i]]) || corners[i] == corners[(i + 1) % count];
+        const In<Index> corners = polygon_vertices(Index(f));
+        skip[f] = corners.size() < 3;
+        for (std::size_t i = 0; i < corners.size() && !skip[f]; ++i)
+            skip[f] = !finite(positions[corners[i]]) || corners[i] == corners[(i + 1) % corners.size()];
         if (skip[f]) return;
-        const Outline outline = outline_of(positions, corners, count);
+        const Outline outline = outline_of(positions, corners);
         const double size = outline.perimeter * outline.perimeter;
         skip[f] = !(glm::length(outline.area) > least_area * size);
     });
@@ -107,24 +95,19 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
     parallel_for(polygon_count(), [&](std::size_t f) {
         std::fill(corner_polygon.begin() + polygons_.begin(f), corner_polygon.begin() + polygons_.end(f), Index(f));
     });
-    const auto corners_of = [&](Index f) {
-        return In<Index>(corner_verts_.data() + polygons_.begin(f), polygons_.size(f));
-    };
     const auto sum = [&](Index f) {
-        const In<Index> verts = corners_of(f);
+        const In<Index> verts = polygon_vertices(f);
         return std::accumulate(verts.begin(), verts.end(), std::uint64_t(0));
     };
     const auto same_vertices = [&](Index a, Index b) {
-        const In<Index> of_a = corners_of(a), of_b = corners_of(b);
-        return std::all_of(of_a.begin(), of_a.end(),
-                           [&](Index v) { return std::find(of_b.begin(), of_b.end(), v) != of_b.end(); });
+        const In<Index> of_a = polygon_vertices(a), of_b = polygon_vertices(b);
+        return std::ranges::all_of(of_a, [&](Index v) { return std::ranges::find(of_b, v) != of_b.end(); });
     };
     Array<std::uint8_t> duplicate(polygon_count(), 0);
     parallel_for(polygon_count(), [&](std::size_t f) {
         if (skip[f]) return;
-        const Index edge = corner_edges_[polygons_.begin(f)];
-        for (Index i = edge_corners_rows_.begin(edge); i < edge_corners_rows_.end(edge); ++i) {
-            const Index other = corner_polygon[edge_corners_[i]];
+        for (const Index corner : edge_corners_[corner_edges_[polygons_.begin(f)]]) {
+            const Index other = corner_polygon[corner];
             if (other >= f || skip[other] || polygons_.size(other) != polygons_.size(f)) continue;
             duplicate[f] = sum(other) == sum(f) && same_vertices(other, f);
             if (duplicate[f]) break;
@@ -147,7 +130,7 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
     triangles.resize(offsets.back());
     parallel_for(polygon_count(), [&](std::size_t f) {
         if (skip[f]) return;
-        const Index* v = corner_verts_.data() + polygons_.begin(f);
+        const In<Index> v = polygon_vertices(Index(f));
         Triangle* out = triangles.data() + polygon_triangles_.begin(f);
         const Index corners = polygons_.size(f), count = polygon_triangles_.size(f);
         if (corners > 4 && has_ngons && ngon_rows_.size(f)) {
@@ -173,17 +156,17 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
     parallel_for(polygon_count(), [&](std::size_t f) {
         first[f] = 0;
         if (skip[f]) return;
-        const Index* v = corner_verts_.data() + polygons_.begin(f);
-        const Index corners = polygons_.size(f);
-        outlines[f] = outline_of(positions, v, corners);
+        const In<Index> corners = polygon_vertices(Index(f));
+        outlines[f] = outline_of(positions, corners);
         const dvec3 n = outlines[f].area / glm::length(outlines[f].area);
         double deviation = 0.0;
-        for (Index i = 1; i < corners; ++i)
-            deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v[i]]) - dvec3(positions[v[0]]))));
+        const dvec3 first_corner(positions[corners[0]]);
+        for (const Index v : corners)
+            deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v]) - first_corner)));
         // The side of a square of as much area or outline, whichever is less: strips that twist and jagged polygons
         // have long outlines.
         const double size = std::min(0.25 * outlines[f].perimeter, std::sqrt(0.5 * glm::length(outlines[f].area)));
-        const bool is_flat = corners == 3 || deviation <= flat_tolerance * size;
+        const bool is_flat = corners.size() == 3 || deviation <= flat_tolerance * size;
         first[f] = is_flat ? 1 : polygon_triangles_.size(f);
     });
     counts_to_offsets(first);
@@ -199,7 +182,7 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
             triangle_facet[t] = facet;
             if (is_flat && t > begin) continue;
             const Triangle& tri = triangles[t];
-            const Outline own = outline_of(positions, &tri.x, 3);
+            const Outline own = outline_of(positions, {&tri.x, 3});
             const bool usable = glm::length(own.area) > least_area * own.perimeter * own.perimeter;
             facet_plane[facet] =
                 plane_through(is_flat || !usable ? outlines[f].area : own.area, dvec3(positions[tri.x]));
@@ -235,9 +218,7 @@ void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std:
 void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
     // Each polygon side bounds one facet: the polygon when flat, else the triangle that holds the side.
     corner_facet_.assign(corner_verts_.size(), none);
-    const std::size_t block = 4096;
-    std::vector<std::vector<Diagonal>> found((polygon_count() + block - 1) / block);
-    parallel_blocks(polygon_count(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    const auto diagonals = parallel_collect<Diagonal>(polygon_count(), 4096, [&](auto begin, auto end, auto& found) {
         std::vector<TriangleSide> scratch;
         for (std::size_t f = begin; f < end; ++f) {
             if (skip[f]) continue;
@@ -246,40 +227,33 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
                 std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f),
                           triangle_facet[t0]);
             } else {
-                split_bent_polygon(static_cast<Index>(f), scratch, found[b]);
+                split_bent_polygon(static_cast<Index>(f), scratch, found);
             }
         }
     });
 
     edges.resize(mesh_edges);
-    std::size_t diagonals = 0;
-    for (const auto& list : found) diagonals += list.size();
-    edges.reserve(mesh_edges + diagonals);
+    edges.reserve(mesh_edges + diagonals.size());
     auto& offsets = edge_rows.offsets;
-    offsets.assign(mesh_edges + diagonals, 2);
+    offsets.assign(mesh_edges + diagonals.size(), 2);
     parallel_for(mesh_edges, [&](std::size_t e) {
         offsets[e] = 0;
-        for (Index i = edge_corners_rows_.begin(e); i < edge_corners_rows_.end(e); ++i)
-            offsets[e] += corner_facet_[edge_corners_[i]] != none;
+        for (const Index corner : edge_corners_[Index(e)]) offsets[e] += corner_facet_[corner] != none;
     });
     counts_to_offsets(offsets);
     edge_sides.resize(offsets.back());
     parallel_for(mesh_edges, [&](std::size_t e) {
         EdgeSide* out = edge_sides.data() + offsets[e];
-        for (Index i = edge_corners_rows_.begin(e); i < edge_corners_rows_.end(e); ++i) {
-            const Index corner = edge_corners_[i];
+        for (const Index corner : edge_corners_[Index(e)]) {
             if (corner_facet_[corner] == none) continue;
             *out++ = EdgeSide(corner_facet_[corner], corner_verts_[corner] == edges[e].x);
         }
     });
     Index next = mesh_edges;
-    for (const auto& list : found) {
-        for (const Diagonal& d : list) {
-            edges.push_back(d.edge);
-            edge_sides[offsets[next]] = d.first;
-            edge_sides[offsets[next] + 1] = d.second;
-            ++next;
-        }
+    for (const Diagonal& d : diagonals) {
+        edges.push_back(d.edge);
+        edge_sides[offsets[next]] = d.first;
+        edge_sides[offsets[next++] + 1] = d.second;
     }
     report_.non_manifold_edges = report_.inconsistent_edges = 0;
     for (Index e = 0; e < mesh_edges; ++e) {

@@ -11,29 +11,24 @@ namespace {
 /// Numbers by lower vertex: sides are grouped by it, and the few of one group are told apart by their other vertex.
 TriangleSides number_sides(const Surface& surface) {
     const std::size_t count = surface.triangles.size();
-    Rows at;  // per vertex: corners (3 t + i) of sides that have it as their lower vertex
-    at.offsets.assign(surface.vertex_count(), 0);
     const auto ends = [&](std::size_t corner) {
         const Triangle& t = surface.triangles[corner / 3];
         const Index a = t[int(corner % 3)], b = t[int((corner + 1) % 3)];
         return Edge(std::min(a, b), std::max(a, b));
     };
-    for (std::size_t c = 0; c < 3 * count; ++c) ++at.offsets[ends(c).x];
-    counts_to_offsets(at.offsets);
     struct Corner {
-        Index other, corner;
+        Index other, corner;  // 3 t + i
     };
-    Array<Corner> corners(3 * count);
-    {
-        Array<Index> next(at.offsets.begin(), at.offsets.end() - 1);
+    Lists<Corner> sides_at = lists_of<Corner>(surface.vertex_count(), [&](const auto& give) {
         for (std::size_t c = 0; c < 3 * count; ++c) {
             const Edge e = ends(c);
-            corners[next[e.x]++] = {e.y, static_cast<Index>(c)};
+            give(e.x, Corner{e.y, static_cast<Index>(c)});
         }
-    }
+    });
+    Array<Corner>& corners = sides_at.values;
     Array<Index> first(surface.vertex_count());  // how many sides each vertex has, then the number of its first
     parallel_for(first.size(), [&](std::size_t v) {
-        const auto begin = corners.begin() + at.offsets[v], end = corners.begin() + at.offsets[v + 1];
+        const auto begin = corners.begin() + sides_at.begin(Index(v)), end = begin + sides_at.size(Index(v));
         std::sort(begin, end, [](const Corner& a, const Corner& b) {
             return a.other != b.other ? a.other < b.other : a.corner < b.corner;
         });
@@ -47,8 +42,9 @@ TriangleSides number_sides(const Surface& surface) {
     sides.vertices.resize(first.back());
     parallel_for(surface.vertex_count(), [&](std::size_t v) {
         Index number = first[v] - 1;
-        for (Index i = at.offsets[v]; i < at.offsets[v + 1]; ++i) {
-            if (i == at.offsets[v] || corners[i].other != corners[i - 1].other)
+        const Index begin = sides_at.begin(Index(v));
+        for (Index i = begin; i < sides_at.end(Index(v)); ++i) {
+            if (i == begin || corners[i].other != corners[i - 1].other)
                 sides.vertices[++number] = Edge(static_cast<Index>(v), corners[i].other);
             sides.of_triangle[corners[i].corner / 3][int(corners[i].corner % 3)] = number;
         }

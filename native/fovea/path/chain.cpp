@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fovea/base/parallel.h>
+#include <fovea/path/ends.h>
 
 namespace fovea {
 namespace {
@@ -15,41 +17,27 @@ constexpr Index most_lines_at_a_vertex = 32;
 /// End `side` of the k-th edge is numbered 2k + side; its other end is the number with the last bit flipped.
 using End = Index;
 
-/// Which end of another edge each end continues with; `none` where a path ends.
+/// Which end of another edge each end continues with.
 class Links {
    public:
     Links(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad)
-        : seen_(seen),
-          surface_(seen.surface),
-          in_image_(in_image),
-          edges_(edges),
-          labels_(labels),
-          link_(edges.size() * 2, none) {
+        : seen_(seen), in_image_(in_image), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
         // Cosines of unit vectors may come out a little below -1, so that half a turn needs room.
         for (double angle : corner_angle_rad)
             least_cosine_.push_back(angle < std::numbers::pi ? static_cast<float>(std::cos(angle)) : -2.0f);
-        gather_ends();
-        parallel_for(surface_.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
+        at_vertex_ = lists_of<End>(seen_.surface.vertex_count(), [&](const auto& give) {
+            for (End end = 0; end < link_.size(); ++end) give(vertex(end), end);
+        });
+        parallel_for(seen_.surface.vertex_count(), [&](std::size_t v) { link_vertex(static_cast<Index>(v)); });
     }
 
-    End operator[](End end) const { return link_[end]; }
-    Index vertex(End end) const { return surface_.edges[edges_[end / 2]][end % 2]; }
+    const Array<End>& next() const { return link_; }
+    Index vertex(End end) const { return seen_.surface.edges[edges_[end / 2]][end % 2]; }
 
    private:
-    void gather_ends() {
-        auto& offsets = at_vertex_.offsets;
-        offsets.assign(surface_.vertex_count(), 0);
-        const End ends = static_cast<End>(edges_.size() * 2);
-        for (End end = 0; end < ends; ++end) ++offsets[vertex(end)];
-        counts_to_offsets(offsets);
-        ends_.resize(ends);
-        Array<Index> next(offsets.begin(), offsets.end() - 1);
-        for (End end = 0; end < ends; ++end) ends_[next[vertex(end)]++] = end;
-    }
-
     /// Unit vector along the edge, away from this end; zero for an edge without length.
     vec3 direction(End end) const {
-        const dvec3 here(surface_.positions[vertex(end)]), there(surface_.positions[vertex(end ^ 1)]);
+        const dvec3 here(seen_.surface.positions[vertex(end)]), there(seen_.surface.positions[vertex(end ^ 1)]);
         const dvec3 d = in_image_ ? image_direction(here, there) : there - here;
         const double length = glm::length(d);
         return length > 0.0 ? vec3(d / length) : vec3(0.0f);
@@ -64,7 +52,8 @@ class Links {
     }
 
     void link_vertex(Index v) {
-        const Index begin = at_vertex_.begin(v), count = at_vertex_.size(v);
+        const In<End> ends = at_vertex_[v];
+        const Index count = at_vertex_.size(v);
         if (count < 2 || count > most_lines_at_a_vertex) return;
         struct Pair {
             float cosine;  // of the turn: 1 goes straight on
@@ -72,11 +61,11 @@ class Links {
         };
         Pair pairs[most_lines_at_a_vertex * (most_lines_at_a_vertex - 1) / 2];
         vec3 directions[most_lines_at_a_vertex];
-        for (Index i = 0; i < count; ++i) directions[i] = direction(ends_[begin + i]);
+        for (Index i = 0; i < count; ++i) directions[i] = direction(ends[i]);
         Index found = 0;
         for (Index i = 0; i < count; ++i) {
             for (Index j = i + 1; j < count; ++j) {
-                const End a = ends_[begin + i], b = ends_[begin + j];
+                const End a = ends[i], b = ends[j];
                 const auto label = labels_[a / 2];
                 if (label != labels_[b / 2] || a / 2 == b / 2) continue;
                 const float cosine = -glm::dot(directions[i], directions[j]);
@@ -92,14 +81,12 @@ class Links {
     }
 
     const SurfaceView& seen_;
-    const Surface& surface_;
     const bool in_image_;
     In<Index> edges_;
     In<std::uint8_t> labels_;
     Array<End> link_;
     std::vector<float> least_cosine_;
-    Rows at_vertex_;
-    Array<End> ends_;
+    Lists<End> at_vertex_;
 };
 
 }  // namespace
@@ -108,37 +95,23 @@ Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::ui
              In<double> corner_angle_rad) {
     const Links links(seen, in_image, edges, labels, corner_angle_rad);
     Chains chains;
-    Array<std::uint8_t> taken(edges.size(), 0);
     chains.vertex.reserve(edges.size() * 2);
     chains.edge.reserve(edges.size() * 2);
-
-    const auto walk = [&](End start, bool closed) {
-        Index anchor = none;
-        for (End end = start;;) {
-            const Index k = end / 2;
-            taken[k] = 1;
-            anchor = std::min(anchor, edges[k]);
-            chains.vertex.push_back(links.vertex(end));
-            chains.edge.push_back(edges[k]);
-            const End next = links[end ^ 1];
-            if (next == none || next == start) {
-                chains.vertex.push_back(links.vertex(end ^ 1));
-                chains.edge.push_back(edges[k]);
-                break;
-            }
-            end = next;
-        }
+    Index anchor = none;
+    std::uint8_t label = 0;
+    const auto add = [&](End end) {
+        anchor = std::min(anchor, edges[end / 2]);
+        label = labels[end / 2];
+        chains.vertex.push_back(links.vertex(end));
+        chains.edge.push_back(edges[end / 2]);
+    };
+    const auto finish = [&](bool closed) {
         chains.rows.offsets.push_back(static_cast<Index>(chains.vertex.size()));
         chains.closed.push_back(closed);
-        chains.label.push_back(labels[start / 2]);
-        chains.anchor.push_back(anchor);
+        chains.label.push_back(label);
+        chains.anchor.push_back(std::exchange(anchor, none));
     };
-    // Open paths from their ends first; what is left over are loops.
-    for (Index k = 0; k < edges.size(); ++k)
-        for (End end : {2 * k, 2 * k + 1})
-            if (!taken[k] && links[end] == none) walk(end, false);
-    for (Index k = 0; k < edges.size(); ++k)
-        if (!taken[k]) walk(2 * k, true);
+    walk_ends(links.next(), add, finish);
     return chains;
 }
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
+
+#include <fovea/path/ends.h>
 
 namespace fovea {
 namespace {
@@ -72,57 +75,29 @@ std::uint64_t key_of(const CurvePiece& piece) {
                                : std::uint64_t(piece.triangle) << 32 | piece.other;
 }
 
-class Chainer {
-   public:
-    explicit Chainer(const Curves& pieces) : pieces_(pieces), next_(link(pieces)), used_(pieces.size(), 0) {}
-
-    CurveChains run() {
-        for (End e = 0; e < next_.size(); ++e)
-            if (next_[e] == none && !used_[e / 2]) walk(e);
-        for (Index i = 0; i < used_.size(); ++i)
-            if (!used_[i]) walk(2 * i);
-        return std::move(out_);
-    }
-
-   private:
-    /// From an end along all pieces that follow.
-    void walk(End start) {
-        const Index first = static_cast<Index>(out_.point.size());
-        std::uint64_t lowest = ~std::uint64_t(0);
-        End from = start;
-        while (true) {
-            const Index i = from / 2;
-            used_[i] = 1;
-            const CurvePiece& piece = pieces_[i];
-            lowest = std::min(lowest, key_of(piece));
-            add(piece, from % 2);
-            const End to = from ^ 1;
-            from = next_[to];
-            if (from != none && !used_[from / 2]) continue;
-            add(piece, to % 2);
-            out_.closed.push_back(from == start && out_.point.size() - first > 2);
-            break;
-        }
-        out_.anchor.push_back(lowest);
-        out_.rows.offsets.push_back(static_cast<Index>(out_.point.size()));
-    }
-
-    void add(const CurvePiece& piece, int end) {
-        out_.point.push_back(piece.point[end]);
-        out_.strength.push_back(piece.strength[end]);
-        out_.triangle.push_back(piece.triangle);
-        out_.side.push_back(piece.side[end]);
-        out_.other.push_back(piece.other);
-    }
-
-    const Curves& pieces_;
-    Array<End> next_;
-    std::vector<std::uint8_t> used_;
-    CurveChains out_;
-};
-
 }  // namespace
 
-CurveChains chain_curves(const Curves& pieces) { return Chainer(pieces).run(); }
+CurveChains chain_curves(const Curves& pieces) {
+    constexpr std::uint64_t highest = ~std::uint64_t(0);
+    CurveChains chains;
+    std::uint64_t lowest = highest;
+    const auto add = [&](End end) {
+        const CurvePiece& piece = pieces[end / 2];
+        lowest = std::min(lowest, key_of(piece));
+        chains.point.push_back(piece.point[end % 2]);
+        chains.strength.push_back(piece.strength[end % 2]);
+        chains.triangle.push_back(piece.triangle);
+        chains.side.push_back(piece.side[end % 2]);
+        chains.other.push_back(piece.other);
+    };
+    const auto finish = [&](bool closed) {
+        const Index points = static_cast<Index>(chains.point.size());
+        chains.closed.push_back(closed && points - chains.rows.offsets.back() > 2);
+        chains.anchor.push_back(std::exchange(lowest, highest));
+        chains.rows.offsets.push_back(points);
+    };
+    walk_ends(link(pieces), add, finish);
+    return chains;
+}
 
 }  // namespace fovea

@@ -21,11 +21,11 @@ std::shared_ptr<const Neighbours> neighbours_in(const Surface& surface) {
 /// An edge that the smooth surface does not go around.
 bool is_hard(const Surface& surface, const Neighbours& neighbours, Index edge) {
     static const double hard = std::cos(glm::radians(default_hard_angle));
-    const Index begin = surface.edge_rows.begin(edge);
-    if (surface.edge_rows.size(edge) != 2) return true;
+    const In<EdgeSide> sides = surface.sides(edge);
+    if (sides.size() != 2) return true;
     if (!neighbours.hard[surface.edges[edge].x] || !neighbours.hard[surface.edges[edge].y]) return false;
-    const auto normal = [&](Index side) { return vec3(surface.facet_plane[surface.edge_sides[side].facet()]); };
-    return glm::dot(normal(begin), normal(begin + 1)) <= hard;
+    const auto normal = [&](EdgeSide side) { return vec3(surface.facet_plane[side.facet()]); };
+    return glm::dot(normal(sides[0]), normal(sides[1])) <= hard;
 }
 
 /// Marks the triangles where the chain runs for long with at least so many corners near.
@@ -82,8 +82,7 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t
     for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
         if (without.empty() || !without[piece.triangle]) mark(piece.triangle, true);
     for (const Index v : at)
-        for (Index i = neighbours->triangle_rows.begin(v); i < neighbours->triangle_rows.end(v); ++i)
-            mark(neighbours->triangles[i], false);
+        for (const Index triangle : neighbours->triangles[v]) mark(triangle, false);
     return near;
 }
 

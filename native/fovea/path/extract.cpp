@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <variant>
 
 #include <fovea/base/hash.h>
 #include <fovea/field/fields.h>
@@ -17,15 +18,10 @@ namespace {
 /// Room around the frame, as a share of its half size: strokes must not end where one can see it.
 constexpr double frame_margin = 0.1;
 
-/// Those of a style that depend on the surface alone.
-struct StaticCurves {
-    std::vector<FoundCurves> found;
-};
-
 /// What one placement contributes.
 struct PlacementPaths {
     std::shared_ptr<const EdgePaths> edges;
-    std::shared_ptr<const StaticCurves> kept_curves;
+    std::shared_ptr<const std::vector<FoundCurves>> kept_curves;  // those that depend on the surface alone
     std::vector<FoundCurves> seen_curves;
 };
 
@@ -40,22 +36,18 @@ std::uint64_t hash_sets(const std::vector<PlacedSet>& sets) {
     return hash;
 }
 
-bool any_of_scope(const std::vector<LineSet>& sets, Scope least) {
-    for (const LineSet& set : sets)
-        for (const LineKind& kind : set.kinds)
-            if (line_definitions()[kind.definition]->scope >= least) return true;
-    return false;
+/// Whether a set (LineSet or PlacedSet) asks for a definition for which holds(definition).
+template <typename Sets, typename Holds>
+bool any_asked(const Sets& sets, const Holds& holds) {
+    const auto by_kind = [&](const LineKind& kind) { return holds(*line_definitions()[kind.definition]); };
+    return std::ranges::any_of(sets, [&](const auto& set) { return std::ranges::any_of(set.kinds, by_kind); });
 }
 
 /// Of definitions that mark edges, and hold for all views or depend on the view.
 bool any_marks_edges(const std::vector<PlacedSet>& sets, bool of_surface) {
-    for (const PlacedSet& set : sets)
-        for (const LineKind& kind : set.kinds) {
-            const LineDefinition& definition = *line_definitions()[kind.definition];
-            if (std::holds_alternative<EdgeRule>(definition.rule) && (definition.scope == Scope::surface) == of_surface)
-                return true;
-        }
-    return false;
+    return any_asked(sets, [&](const LineDefinition& definition) {
+        return std::holds_alternative<EdgeRule>(definition.rule) && (definition.scope == Scope::surface) == of_surface;
+    });
 }
 
 /// In object space; for an orthographic view the direction towards it.
@@ -78,14 +70,11 @@ SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement,
 }
 
 /// Lines of the view that a contour would double.
-bool any_beside_contours(Kinds asked) {
-    const auto& all = line_definitions();
-    for (Index i = 0; i < all.size(); ++i) {
-        const auto* rule = std::get_if<CurveRule>(&all[i]->rule);
-        if ((asked >> i & 1) && all[i]->scope != Scope::surface && rule && rule->type == CurveType::feature)
-            return true;
-    }
-    return false;
+bool any_beside_contours(const std::vector<PlacedSet>& sets) {
+    return any_asked(sets, [](const LineDefinition& definition) {
+        const auto* rule = std::get_if<CurveRule>(&definition.rule);
+        return definition.scope != Scope::surface && rule && rule->type == CurveType::feature;
+    });
 }
 
 /// Per triangle: 1 where no set has some of `kinds`; empty where that is nowhere.
@@ -106,7 +95,7 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
     PlacementPaths paths;
     Array<std::uint8_t> near, hard;
     const Kinds asked = asked_of(sets);
-    if (view_dependent && (asked & contours()) && (doubled_edges(asked) || any_beside_contours(asked)))
+    if (view_dependent && (asked & contours()) && (doubled_edges(asked) || any_beside_contours(sets)))
         near = near_smooth_contour(seen, triangles_without(seen.surface, sets, contours()));
     if (any_marks_edges(sets, false)) {
         auto [edges, hard_ones] = find_edges(seen, sets, sets_hash, true, near);
@@ -116,8 +105,8 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
         paths.edges =
             cache.get<EdgePaths>(sets_hash, [&] { return find_edges(seen, sets, sets_hash, false, {}).first; });
     }
-    paths.kept_curves = cache.get<StaticCurves>(
-        sets_hash, [&] { return StaticCurves{find_curves({.surface = seen.surface}, sets, true)}; });
+    paths.kept_curves = cache.get<std::vector<FoundCurves>>(
+        sets_hash, [&] { return find_curves({.surface = seen.surface}, sets, true); });
     if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
     return paths;
 }
@@ -152,25 +141,25 @@ void write_paths(const Chains& chains, Slot slot, const LineSet& line_set, const
     });
 }
 
-void write_chains(const Scene& scene, const Chains& chains, const Array<Kinds>& kinds, const Array<std::uint8_t>& free,
-                  Slot slot, Paths& paths) {
+void write_found(const Scene& scene, const EdgeChains& found, Slot slot, Paths& paths) {
+    const Chains& chains = *found.chains;
     const Placement& placement = scene.placements[slot.placement];
     const Surface& surface = *placement.surface;
     write_paths(
-        chains, slot, [&](std::size_t c) { return chains.label[c]; }, [&](std::size_t c) { return free[c]; },
+        chains, slot, [&](std::size_t c) { return chains.label[c]; }, [&](std::size_t c) { return found.free[c]; },
         [&](std::size_t c) { return hash_numbers(placement.id, chains.anchor[c]); },
         [&](Index i) { return surface.positions[chains.vertex[i]]; }, paths);
     parallel_for(chains.vertex.size(), [&](std::size_t i) {
         const std::size_t n = slot.point + i;
         paths.place[n] = chains.edge[i];
         paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
-        paths.kinds[n] = kinds[i];
+        paths.kinds[n] = found.kinds[i];
         paths.strength[n] = 1.0f;
         paths.other_facet[n] = none;
     });
 }
 
-void write_curves(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
+void write_found(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
     const Placement* placement = slot.placement == none ? nullptr : &scene.placements[slot.placement];
     const CurveChains& chains = *found.chains;
     std::uint64_t id = placement ? placement->id : 0;
@@ -211,7 +200,8 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     if (sets.empty()) return paths;
     tracer.check_current();
     check_filters(scene.placements.size(), sets, own);
-    const bool view_dependent = any_of_scope(sets, Scope::view);
+    const bool view_dependent =
+        any_asked(sets, [](const LineDefinition& definition) { return definition.scope >= Scope::view; });
     std::vector<Index> drawn;
     for (Index i = 0; i < scene.placements.size(); ++i)
         if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin))
@@ -231,42 +221,32 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
     const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, placed_sets, cancel);
 
-    struct CurveSlot {
-        const FoundCurves* found;
+    struct Part {
         Slot slot;
+        std::variant<const EdgeChains*, const FoundCurves*> found;
     };
-    std::vector<std::pair<Slot, Slot>> slots(drawn.size());
-    std::vector<CurveSlot> curve_slots;
+    std::vector<Part> parts;
     Index path = 0, point = 0;
-    const auto add_curves = [&](Index placement, const FoundCurves& curves, bool of_view) {
-        curve_slots.push_back({&curves, {placement, path, point, of_view}});
-        path += curves.chains->rows.count();
-        point += static_cast<Index>(curves.chains->point.size());
+    const auto add = [&](Index placement, const auto& part, bool of_view) {
+        parts.push_back({{placement, path, point, of_view}, &part});
+        path += part.chains->rows.count();
+        point += part.chains->rows.offsets.back();
     };
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (const EdgePaths* edges = found[i].edges.get()) {
-            slots[i].first = {drawn[i], path, point, false};
-            path += edges->kept->rows.count();
-            point += static_cast<Index>(edges->kept->vertex.size());
-            slots[i].second = {drawn[i], path, point, true};
-            path += edges->seen.rows.count();
-            point += static_cast<Index>(edges->seen.vertex.size());
+            add(drawn[i], edges->kept, false);
+            add(drawn[i], edges->seen, true);
         }
-        for (const FoundCurves& c : found[i].kept_curves->found) add_curves(drawn[i], c, false);
-        for (const FoundCurves& c : found[i].seen_curves) add_curves(drawn[i], c, true);
+        for (const FoundCurves& c : *found[i].kept_curves) add(drawn[i], c, false);
+        for (const FoundCurves& c : found[i].seen_curves) add(drawn[i], c, true);
     }
-    for (const FoundCurves& c : in_image) add_curves(none, c, true);
-    for (const auto& [placement, curves] : of_scene) add_curves(placement, curves, false);
+    for (const FoundCurves& c : in_image) add(none, c, true);
+    for (const auto& [placement, curves] : of_scene) add(placement, curves, false);
     resize(paths, path, point);
-    parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-        const EdgePaths* edges = found[i].edges.get();
-        if (!edges) return;
-        write_chains(scene, *edges->kept, edges->kept_kinds, edges->kept_free, slots[i].first, paths);
-        write_chains(scene, edges->seen, edges->seen_kinds, edges->seen_free, slots[i].second, paths);
-    });
-    parallel_blocks(curve_slots.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-        write_curves(scene, *curve_slots[i].found, curve_slots[i].slot, paths);
-    });
+    const auto write = [&](std::size_t i) {
+        std::visit([&](const auto* part) { write_found(scene, *part, parts[i].slot, paths); }, parts[i].found);
+    };
+    parallel_for(parts.size(), write, 1);
     return paths;
 }
 

@@ -2,7 +2,6 @@
 // From a scene and a view to the paths that the line sets ask for.
 #pragma once
 
-#include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 #include <fovea/path/paths.h>
 #include <fovea/path/placed_set.h>

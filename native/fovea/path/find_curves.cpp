@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include <fovea/base/parallel.h>
-#include <fovea/path/curves_of.h>
+#include <fovea/field/fields.h>
 #include <fovea/path/doubles.h>
 #include <fovea/path/hysteresis.h>
+#include <fovea/path/smooth.h>
 
 namespace fovea {
 namespace {
@@ -90,6 +91,23 @@ CurveChains part_of(const CurveChains& chains, const Share& share, const std::ve
 
 }  // namespace
 
+CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near) {
+    CurveChains chains = chain_curves(rule.find(seen, values));
+    smooth(chains, seen.surface);
+    switch (rule.type) {
+        case CurveType::level_set:
+            return chains;
+        case CurveType::contour:
+            lift(chains, seen.surface, fields_of(seen.surface)->curvature);
+            break;
+        case CurveType::feature:
+            if (!near.empty()) chains = without_doubles(chains, seen.surface, near);
+            chains = without_hooks(chains, seen.surface);
+            break;
+    }
+    return select_stretches(chains, rule.select(seen.surface, values));
+}
+
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<PlacedSet>& sets, bool of_surface,
                                      In<std::uint8_t> near, In<std::uint8_t> hard) {
     const Plan plan = plan_of(sets, of_surface);
@@ -113,8 +131,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
         if (rule.type == CurveType::contour) part = claims.claim(rule, std::move(part));
         if (share.number == none) continue;
         if (seen.surface.source()) to_object(seen.surface.stretch(), part.point);
-        found.push_back({static_cast<std::uint8_t>(share.line_set), share.number,
-                         std::make_shared<const CurveChains>(std::move(part))});
+        found.push_back({share.line_set, share.number, std::make_shared<const CurveChains>(std::move(part))});
     }
     return found;
 }
@@ -123,19 +140,11 @@ std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, 
                                               const Cancel& cancel) {
     std::vector<FoundCurves> found;
     Cache shared;
-    Kinds done = 0;
-    for (std::size_t s = 0; s < sets.size(); ++s)
-        for (const LineKind& kind : sets[s].kinds) {
-            const LineDefinition& definition = *line_definitions()[kind.definition];
-            const Kinds bit = Kinds(1) << kind.definition;
-            const auto* in_image = std::get_if<ImageRule>(&definition.rule);
-            if (!in_image || !sets[s].is_for_all() || (done & bit)) continue;
-            done |= bit;
-            const FrameView frame{tracer, cancel, shared};
-            CurveChains chains = chain_curves(in_image->find(frame, kind.values));
-            found.push_back({static_cast<std::uint8_t>(s), kind.definition,
-                             std::make_shared<const CurveChains>(std::move(chains))});
-        }
+    each_with_rule<ImageRule>(sets, [&](Index s, const LineKind& kind, const ImageRule& rule) {
+        if (!sets[s].is_for_all()) return;
+        const Curves pieces = rule.find({tracer, cancel, shared}, kind.values);
+        found.push_back({s, kind.definition, std::make_shared<const CurveChains>(chain_curves(pieces))});
+    });
     return found;
 }
 

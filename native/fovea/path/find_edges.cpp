@@ -164,16 +164,15 @@ std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std
     const Labelled labelled = label_edges(*lines, kinds);
     // With one line set the labels never change, so its static chains are made once.
     const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
-    EdgePaths paths;
-    paths.kept = surface.cache().get<Chains>(
+    const auto kept_chains = surface.cache().get<Chains>(
         chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
-    paths.seen = chain(seen, true, labelled.seen_edges, labelled.seen_labels, never);
-    paths.kept_kinds = kinds_of(*paths.kept, labelled.kinds);
-    paths.seen_kinds = kinds_of(paths.seen, labelled.kinds);
+    const auto seen_chains =
+        std::make_shared<const Chains>(chain(seen, true, labelled.seen_edges, labelled.seen_labels, never));
     const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
-    paths.kept_free = free_ends(*paths.kept, lines_at);
-    paths.seen_free = free_ends(paths.seen, lines_at);
-    return {paths, hard};
+    const auto with_kinds = [&](const std::shared_ptr<const Chains>& chains) -> EdgeChains {
+        return {chains, kinds_of(*chains, labelled.kinds), free_ends(*chains, lines_at)};
+    };
+    return {{with_kinds(kept_chains), with_kinds(seen_chains)}, hard};
 }
 
 }  // namespace fovea

@@ -7,12 +7,15 @@
 
 namespace fovea {
 
-/// Chains of edges: kept with the surface, and of this view; and their kinds by edge.
+struct EdgeChains {
+    std::shared_ptr<const Chains> chains;
+    Array<Kinds> kinds;        // per point
+    Array<std::uint8_t> free;  // per chain: FreeEnds
+};
+
+/// Kept with the surface, and of this view.
 struct EdgePaths {
-    std::shared_ptr<const Chains> kept;
-    Chains seen;
-    Array<Kinds> kept_kinds, seen_kinds;       // per point
-    Array<std::uint8_t> kept_free, seen_free;  // per chain: FreeEnds
+    EdgeChains kept, seen;
 };
 
 /// Definitions of mesh edges whose smooth twin is asked for.

@@ -65,26 +65,17 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
                                                                 const std::vector<std::vector<PlacedSet>>& placed,
                                                                 const Cancel& cancel) {
     std::vector<std::pair<Index, FoundCurves>> found;
-    Kinds done = 0;
-    for (std::size_t s = 0; s < sets.size(); ++s)
-        for (const LineKind& kind : sets[s].kinds) {
-            const LineDefinition& definition = *line_definitions()[kind.definition];
-            const Kinds bit = Kinds(1) << kind.definition;
-            const auto* rule = std::get_if<SceneRule>(&definition.rule);
-            if (!rule || (done & bit)) continue;
-            if (sets[s].is_for_all()) done |= bit;
-            for (const SceneCurves& part : rule->find(scene, drawn, kind.values, cancel)) {
-                if (part.curves->pieces.empty()) continue;
-                if (!own.shows(part.placement, kind.definition) || !own.shows(part.other, kind.definition)) continue;
-                const Surface& first = *scene.placements[part.placement].surface;
-                const Surface& second = *scene.placements[part.other].surface;
-                const Shared shared{part, first, second, placed[part.placement], placed[part.other]};
-                const auto chains = of_set(shared, s, kind.definition);
-                if (!chains) continue;
-                const FoundCurves curves{static_cast<std::uint8_t>(s), kind.definition, chains, part.other};
-                found.push_back({part.placement, curves});
-            }
+    each_with_rule<SceneRule>(sets, [&](Index s, const LineKind& kind, const SceneRule& rule) {
+        for (const SceneCurves& part : rule.find(scene, drawn, kind.values, cancel)) {
+            if (part.curves->pieces.empty()) continue;
+            if (!own.shows(part.placement, kind.definition) || !own.shows(part.other, kind.definition)) continue;
+            const Surface& first = *scene.placements[part.placement].surface;
+            const Surface& second = *scene.placements[part.other].surface;
+            const Shared shared{part, first, second, placed[part.placement], placed[part.other]};
+            if (const auto chains = of_set(shared, s, kind.definition))
+                found.push_back({part.placement, {s, kind.definition, chains, part.other}});
         }
+    });
     return found;
 }
 

@@ -53,19 +53,23 @@ class Walk {
     bool closed_;
 };
 
+/// The first point for which is_one(point) where a chain is closed: its number of segments for none. 0 where it is
+/// open.
+template <typename IsOne>
+Index first_of(const Walk& walk, const IsOne& is_one) {
+    Index first = 0;
+    while (walk.closed() && first < walk.segments() && !is_one(first)) ++first;
+    return first;
+}
+
+Stretch all_of(const Walk& walk) { return {walk.chain(), {0, 0.0f}, {walk.segments(), 0.0f}, walk.closed()}; }
+
 /// Appends the runs of segments between cuts. `low(i)`: point i is below the level. `crossing(i)`: where segment i
 /// crosses it.
 template <typename Low, typename Crossing>
 void cut(const Walk& walk, const Low& low, const Crossing& crossing, std::vector<Stretch>& out) {
-    const Index segments = walk.segments();
-    Index start = 0;
-    if (walk.closed()) {
-        while (start < segments && !low(start)) ++start;
-        if (start == segments) {
-            out.push_back({walk.chain(), {0, 0.0f}, {segments, 0.0f}, true});
-            return;
-        }
-    }
+    const Index segments = walk.segments(), start = first_of(walk, low);
+    if (start == segments) return out.push_back(all_of(walk));
     bool open = !low(start);
     Place begin{start, 0.0f};
     for (Index i = start; i < start + segments; ++i) {
@@ -81,15 +85,8 @@ void cut(const Walk& walk, const Low& low, const Crossing& crossing, std::vector
 /// Appends the runs of segments for which `kept` holds.
 template <typename Kept>
 void cut_whole(const Walk& walk, const Kept& kept, std::vector<Stretch>& out) {
-    const Index segments = walk.segments();
-    Index start = 0;
-    if (walk.closed()) {
-        while (start < segments && kept(start)) ++start;
-        if (start == segments) {
-            out.push_back({walk.chain(), {0, 0.0f}, {segments, 0.0f}, true});
-            return;
-        }
-    }
+    const Index segments = walk.segments(), start = first_of(walk, [&](Index i) { return !kept(i); });
+    if (start == segments) return out.push_back(all_of(walk));
     for (Index i = start; i < start + segments;) {
         Index j = i;
         while (j < start + segments && kept(j)) ++j;
@@ -103,9 +100,7 @@ std::vector<std::uint8_t> gaps(const Walk& walk, const Selection& selection) {
     const Index count = walk.points(), cyclic = walk.closed() ? walk.segments() : count;
     std::vector<std::uint8_t> low(count, 0);
     const auto below = [&](Index i) { return walk.strength(i) < selection.level; };
-    Index start = 0;
-    while (walk.closed() && start < cyclic && below(start)) ++start;
-    start = start == cyclic ? 0 : start;
+    const Index start = first_of(walk, [&](Index i) { return !below(i); }) % cyclic;
     for (Index i = start; i < start + cyclic;) {
         Index j = i;
         float least = selection.level;
@@ -154,7 +149,7 @@ Index hook(const Walk& walk, int way, float side) {
 }
 
 /// Chains of stretches, which are of `chains` and in their order.
-CurveChains gather(const CurveChains& chains, const std::vector<Stretch>& stretches, bool uniform) {
+CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool uniform) {
     CurveChains out;
     Index points = 0;
     for (const Stretch& stretch : stretches) out.rows.offsets.push_back(points += stretch.points());
@@ -187,16 +182,10 @@ CurveChains gather(const CurveChains& chains, const std::vector<Stretch>& stretc
 
 /// find(walk, out) for all chains, in parallel, joined in order.
 template <typename Find>
-std::vector<Stretch> find_stretches(const CurveChains& chains, const Find& find) {
-    constexpr std::size_t block = 64;
-    const std::size_t count = chains.rows.count();
-    std::vector<std::vector<Stretch>> parts((count + block - 1) / block);
-    parallel_blocks(count, block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        for (std::size_t c = begin; c < end; ++c) find(Walk(chains, static_cast<Index>(c)), parts[b]);
+Array<Stretch> find_stretches(const CurveChains& chains, const Find& find) {
+    return parallel_collect<Stretch>(chains.rows.count(), 64, [&](std::size_t begin, std::size_t end, auto& out) {
+        for (std::size_t c = begin; c < end; ++c) find(Walk(chains, static_cast<Index>(c)), out);
     });
-    std::vector<Stretch> all;
-    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // What a style asks for.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 

@@ -13,12 +13,10 @@ namespace {
 /// Of the polygons beside an edge, the mean at one of its vertices.
 float at_end(const Surface& surface, In<float> values, Index edge, Index vertex) {
     float sum = 0.0f;
-    for (Index i = surface.edge_rows.begin(edge); i < surface.edge_rows.end(edge); ++i) {
-        const Index polygon = surface.facet_polygon[surface.edge_sides[i].facet()];
-        sum += painted_value(values[corner_at(surface, polygon, vertex)]);
-    }
-    const Index sides = surface.edge_rows.size(edge);
-    return sides > 0 ? sum / static_cast<float>(sides) : unpainted;
+    const In<EdgeSide> sides = surface.sides(edge);
+    for (const EdgeSide side : sides)
+        sum += painted_value(values[corner_at(surface, surface.facet_polygon[side.facet()], vertex)]);
+    return sides.empty() ? unpainted : sum / static_cast<float>(sides.size());
 }
 
 /// Shares of a triangle's corners at the place nearest to a point in its plane; a third each where it has no area.

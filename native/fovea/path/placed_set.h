@@ -2,6 +2,8 @@
 // Line sets restricted to one placement, with the overrides of its object applied.
 #pragma once
 
+#include <algorithm>
+
 #include <fovea/path/line_set.h>
 
 namespace fovea {
@@ -14,8 +16,7 @@ struct PlacedSet {
     std::vector<std::uint8_t> materials = {};  ///< per number, 0: without these lines; all others: with
 
     bool has(Index definition) const {
-        return std::any_of(kinds.begin(), kinds.end(),
-                           [&](const LineKind& kind) { return kind.definition == definition; });
+        return std::ranges::find(kinds, definition, &LineKind::definition) != kinds.end();
     }
     bool has_material(int number) const {
         return number < 0 || std::size_t(number) >= materials.size() || materials[number];
@@ -34,19 +35,15 @@ Kinds asked_of(const std::vector<PlacedSet>& sets);
 /// Whether some set has lines on faces of some materials alone.
 bool any_by_material(const std::vector<PlacedSet>& sets);
 
-inline int material_of_facet(const Surface& surface, Index facet) {
-    return surface.polygon_material[surface.facet_polygon[facet]];
-}
 inline int material_of_triangle(const Surface& surface, Index triangle) {
-    return material_of_facet(surface, surface.triangle_facet[triangle]);
+    return surface.material(surface.triangle_facet[triangle]);
 }
 
 /// Whether holds(material) for one of the faces beside an edge.
 template <typename Holds>
 bool any_beside(const Surface& surface, Index edge, const Holds& holds) {
-    for (Index i = surface.edge_rows.begin(edge); i < surface.edge_rows.end(edge); ++i)
-        if (holds(material_of_facet(surface, surface.edge_sides[i].facet()))) return true;
-    return false;
+    const auto on_side = [&](EdgeSide side) { return holds(surface.material(side.facet())); };
+    return std::ranges::any_of(surface.sides(edge), on_side);
 }
 
 /// Per triangle: 1 unless holds(material).

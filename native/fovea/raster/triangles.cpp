@@ -141,26 +141,19 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
 /// What is to be drawn of a block: its triangles, and those of each band of rows in the order of the mesh.
 struct Binned {
     std::vector<RasterTriangle> triangles;
-    Rows bands;
-    Array<Index> members;
+    Lists<Index> bands;
 };
 
 Binned bin_block(In<RasterMesh> meshes, const Block& block, const RasterTarget& target, int bands) {
     Binned binned;
     append_triangles(meshes, block, target, binned.triangles);
-    const auto each_band = [&](const auto& visit) {
+    binned.bands = lists_of<Index>(bands, [&](const auto& give) {
         for (Index i = 0; i < binned.triangles.size(); ++i) {
             const int first = binned.triangles[i].y0 / raster_band_rows;
             const int last = (binned.triangles[i].y1 - 1) / raster_band_rows;
-            for (int band = first; band <= last; ++band) visit(band, i);
+            for (int band = first; band <= last; ++band) give(band, i);
         }
-    };
-    binned.bands.offsets.assign(bands, 0);
-    each_band([&](int band, Index) { ++binned.bands.offsets[band]; });
-    counts_to_offsets(binned.bands.offsets);
-    binned.members.resize(binned.bands.offsets.back());
-    Array<Index> next(binned.bands.offsets.begin(), binned.bands.offsets.end() - 1);
-    each_band([&](int band, Index i) { binned.members[next[band]++] = i; });
+    });
     return binned;
 }
 
@@ -235,8 +228,8 @@ void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Can
             [&](std::size_t band) {
                 const int begin = int(band) * raster_band_rows, end = std::min(begin + raster_band_rows, target.height);
                 for (const Binned& part : binned)
-                    for (Index m = part.bands.begin(Index(band)); m < part.bands.end(Index(band)); ++m) {
-                        const RasterTriangle& t = part.triangles[part.members[m]];
+                    for (const Index member : part.bands[Index(band)]) {
+                        const RasterTriangle& t = part.triangles[member];
                         draw(t, std::max(begin, t.y0), std::min(end, t.y1));
                     }
             },

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fovea/mesh/polygon_edges.h>
+#include <fovea/mesh/polygon_surface.h>
 
 namespace fovea {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 const double feature_angle = glm::radians(40.0);
 
 /// Arrays of flags per edge, and the bits they become.
-constexpr std::pair<std::vector<std::uint8_t> RepairedMesh::*, Mark> mark_arrays[] = {
-    {&RepairedMesh::sharp, mark_sharp}, {&RepairedMesh::seam, mark_seam}, {&RepairedMesh::edge_mark, mark_edge}};
+constexpr std::pair<std::vector<std::uint8_t> MeshOf<Owned>::*, Mark> mark_arrays[] = {
+    {&OwnedMesh::sharp, mark_sharp}, {&OwnedMesh::seam, mark_seam}, {&OwnedMesh::edge_mark, mark_edge}};
 
 std::uint8_t marks_of(const RepairedMesh& mesh, int edge) {
     std::uint8_t bits = 0;
@@ -117,6 +117,7 @@ Triangulated::Triangulated(const RepairedMesh& source) {
 RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
     RepairedMesh out;
     out.report = source.report;
+    out.polygon_offsets = {0};
     std::vector<int> number(source.positions.size(), -1);
     for (const auto v : mesh.vertices()) {
         out.positions.push_back(to_glm(mesh.point(v)));

@@ -19,19 +19,9 @@ struct RepairReport {
     Index refused_polygons = 0;  ///< non-manifold: not resampled, kept as they were
 };
 
-/// A mesh that owns its arrays, as MeshArrays has them.
-struct RepairedMesh {
-    std::vector<vec3> positions;
-    std::vector<glm::ivec2> edge_verts;
-    std::vector<int> corner_verts, corner_edges, polygon_offsets{0};
-    std::vector<glm::ivec3> ngon_triangles;
-    std::vector<int> ngon_polygon, material;
-    std::vector<std::uint8_t> occluding, sharp, seam, edge_mark;
+/// Its offsets of polygons are there for none, too.
+struct RepairedMesh : OwnedMesh {
     RepairReport report;
-
-    RepairedMesh() = default;
-    explicit RepairedMesh(const MeshArrays& mesh);
-    MeshArrays arrays() const;
 };
 
 /// Polygons keep their material, edges their marks. Throws std::invalid_argument for a mesh as Surface does and for

@@ -153,7 +153,7 @@ Runs count_invisibility(const ClippedPaths& clipped, const Paths& paths, const T
     check_same_paths(clipped, paths, "count_invisibility");
     if (levels <= 1) return all;
     tracer.check_current();
-    const SceneBodies bodies(tracer.scene());
+    const SceneBodies bodies = bodies_of(tracer.scene());
     std::vector<Runs> parts((all.size() + runs_per_block - 1) / runs_per_block);
     parallel_blocks(all.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         cancel.poll();

@@ -9,8 +9,8 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
     Array<std::uint8_t> hides(surface.facet_count(), 0);
     for (Index t = 0; t < surface.occluding_triangles; ++t) hides[surface.triangle_facet[t]] = 1;
     const auto each_side = [&](Index edge, const auto& body) {
-        for (Index s = surface.edge_rows.begin(edge); s < surface.edge_rows.end(edge); ++s)
-            if (hides[surface.edge_sides[s].facet()]) body(surface.edge_sides[s]);
+        for (const EdgeSide side : surface.sides(edge))
+            if (hides[side.facet()]) body(side);
     };
     const auto edge_count = static_cast<Index>(surface.edges.size());
     DisjointSets sets(surface.facet_count());
@@ -47,11 +47,12 @@ std::shared_ptr<const Bodies> bodies_of(const Surface& surface) {
     return surface.cache().get<Bodies>(0, [&] { return Bodies(surface); });
 }
 
-SceneBodies::SceneBodies(const Scene& scene) : bodies_(scene.placements.size()) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+SceneBodies bodies_of(const Scene& scene) {
+    SceneBodies bodies(scene.placements.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
         if (scene.placements[i].usage & (usage_occlude | usage_holdout))
-            bodies_[i] = bodies_of(*scene.placements[i].surface);
-    }
+            bodies[i] = bodies_of(*scene.placements[i].surface);
+    return bodies;
 }
 
 }  // namespace fovea

@@ -20,14 +20,8 @@ struct Bodies {
 /// Kept with the surface.
 std::shared_ptr<const Bodies> bodies_of(const Surface& surface);
 
-/// Bodies of every placement that hides something (null of others), kept with the surfaces.
-class SceneBodies {
-   public:
-    explicit SceneBodies(const Scene& scene);
-    const Bodies& of(Index placement) const { return *bodies_[placement]; }
-
-   private:
-    std::vector<std::shared_ptr<const Bodies>> bodies_;
-};
+/// Of every placement that hides something (null of others).
+using SceneBodies = std::vector<std::shared_ptr<const Bodies>>;
+SceneBodies bodies_of(const Scene& scene);
 
 }  // namespace fovea

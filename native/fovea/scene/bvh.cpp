@@ -12,7 +12,7 @@ void skip_ignored(const RTCFilterFunctionNArguments* at) {
 
 }  // namespace
 
-Tracer::Bvh::Bvh() : top(rtcNewScene(bvh_device())) { rtcSetSceneFlags(top, bvh_flags); }
+Tracer::Bvh::Bvh() : top(rtcNewScene(bvh_device())) { rtcSetSceneFlags(top.get(), bvh_flags); }
 
 void Tracer::Bvh::add(const Scene& scene, Index placement) {
     const Surface& surface = *scene.placements[placement].surface;
@@ -26,14 +26,14 @@ void Tracer::Bvh::add(const Scene& scene, Index placement) {
     const mat4 transform(object_to_view[placement]);
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
     rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(top, instance, static_cast<unsigned>(placement_of_instance.size()));
+    rtcAttachGeometryByID(top.get(), instance, static_cast<unsigned>(placement_of_instance.size()));
     rtcReleaseGeometry(instance);
     placement_of_instance.push_back(placement);
     versions.push_back(surface.version());
 }
 
 void Tracer::Bvh::commit() {
-    rtcCommitScene(top);
+    rtcCommitScene(top.get());
     check_bvh_device("scene");
 }
 
@@ -49,7 +49,7 @@ std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const 
     RTCRayHit found{embree_ray(ray), {}};
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(top, &found, &arguments);
+    rtcIntersect1(top.get(), &found, &arguments);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return Hit{placement_of_instance[found.hit.instID[0]], found.hit.primID, found.ray.tfar, found.hit.u, found.hit.v};
 }
@@ -70,17 +70,9 @@ bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
 }
 
 RTCRay embree_ray(const Ray& ray) {
-    RTCRay made{};
-    made.org_x = ray.origin.x;
-    made.org_y = ray.origin.y;
-    made.org_z = ray.origin.z;
-    made.dir_x = ray.direction.x;
-    made.dir_y = ray.direction.y;
-    made.dir_z = ray.direction.z;
-    made.tnear = ray.near_t;
-    made.tfar = ray.far_t;
-    made.mask = ~0u;
-    return made;
+    const vec3 &from = ray.origin, &along = ray.direction;
+    // Origin, near end; direction, time; far end, mask; number, flags.
+    return {from.x, from.y, from.z, ray.near_t, along.x, along.y, along.z, 0.0f, ray.far_t, ~0u, 0, 0};
 }
 
 }  // namespace fovea

@@ -12,10 +12,18 @@ namespace fovea {
 /// Robust: no ray slips between two triangles that share a side.
 inline const RTCSceneFlags bvh_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
 
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using OwnedScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+
 /// The one Embree device.
 RTCDevice bvh_device();
 /// Throws std::runtime_error, naming `what`, where Embree has failed since.
 void check_bvh_device(const std::string& what);
+/// Lets a geometry borrow the first of these vertices and triangles.
+void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
+                     const Array<Triangle>& triangles, Index count);
 
 /// BVH over the occluding triangles of a surface; borrows the surface's arrays, in whose lasting cache it lives. A
 /// surface that never moves has the best for rays. Where vertices moved with `refit` it is refitted, and built anew
@@ -23,18 +31,15 @@ void check_bvh_device(const std::string& what);
 class SurfaceBvh {
    public:
     explicit SurfaceBvh(const Surface& surface);
-    ~SurfaceBvh() { rtcReleaseScene(scene_); }
-    SurfaceBvh(const SurfaceBvh&) = delete;
-    SurfaceBvh& operator=(const SurfaceBvh&) = delete;
 
     /// Follows the surface to where it is now. Tracers made before see it move.
     void follow(const Surface& surface) const;
-    RTCScene scene() const { return scene_; }
+    RTCScene scene() const { return scene_.get(); }
 
    private:
     void take_triangles(const Surface& surface) const;
 
-    RTCScene scene_;
+    OwnedScene scene_;
     RTCGeometry geometry_;  // the scene's
     mutable std::mutex mutex_;
     mutable bool moves_ = false;                         // it has followed once
@@ -44,17 +49,13 @@ class SurfaceBvh {
 };
 
 struct Tracer::Bvh {
-    RTCScene top = nullptr;
+    OwnedScene top;
     Array<Index> placement_of_instance;
     Array<std::uint64_t> versions;  // of the surfaces, per instance
     Array<dmat4> object_to_view;    // per placement
     std::vector<std::shared_ptr<const SurfaceBvh>> surfaces;
 
     Bvh();
-    ~Bvh() { rtcReleaseScene(top); }
-    Bvh(const Bvh&) = delete;
-    Bvh& operator=(const Bvh&) = delete;
-
     void add(const Scene& scene, Index placement);
     void commit();
     std::optional<Hit> trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const;

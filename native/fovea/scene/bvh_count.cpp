@@ -72,7 +72,7 @@ struct Tracer::Count : RayContext {
     void add(const RTCFilterFunctionNArguments& at) {
         const Hit hit{placement(at), RTCHitN_primID(at.hit, 1, 0), RTCRayN_tfar(at.ray, 1, 0)};
         if (!tracer.surely_before(hit, ray)) return;
-        const Bodies& of = bodies.of(hit.placement);
+        const Bodies& of = *bodies[hit.placement];
         const Index body = of.of_facet[scene.placements[hit.placement].surface->triangle_facet[hit.triangle]];
         // Both in object space, where winding tells in from out.
         const float along = RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
@@ -97,7 +97,7 @@ void Tracer::surfaces_before(const vec3& point, const Ignore& ignore, int most, 
     arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
     arguments.filter = Count::filter;
     RTCRay made = embree_ray(ray);
-    rtcOccluded1(bvh_->top, &made, &arguments);
+    rtcOccluded1(bvh_->top.get(), &made, &arguments);
     each_surface(counted.met, [&](const Hit& hit) { surfaces.push_back(hit); });
 }
 

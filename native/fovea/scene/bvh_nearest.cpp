@@ -39,27 +39,18 @@ dvec3 nearest_in_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const 
 struct NearestPoint::Bvh {
     Array<vec3> positions;  // one spare at the end (Embree reads 16 bytes)
     Array<Triangle> triangles;
-    RTCScene scene = nullptr;
-
-    Bvh(Array<vec3> positions, Array<Triangle> triangles)
-        : positions(std::move(positions)), triangles(std::move(triangles)) {}
-    ~Bvh() { rtcReleaseScene(scene); }
-    Bvh(const Bvh&) = delete;
-    Bvh& operator=(const Bvh&) = delete;
+    OwnedScene scene = nullptr;
 
     void commit() {
         positions.push_back(vec3(0.0f));
-        scene = rtcNewScene(bvh_device());
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        scene.reset(rtcNewScene(bvh_device()));
+        rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
         const RTCGeometry geometry = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
-                                   sizeof(vec3), positions.size() - 1);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0,
-                                   sizeof(Triangle), triangles.size());
+        share_triangles(geometry, positions, Index(positions.size() - 1), triangles, Index(triangles.size()));
         rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
+        rtcAttachGeometry(scene.get(), geometry);
         rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
+        rtcCommitScene(scene.get());
         check_bvh_device("nearest point");
     }
 
@@ -89,7 +80,7 @@ struct NearestPoint::Bvh {
 };
 
 NearestPoint::NearestPoint(Array<vec3> positions, Array<Triangle> triangles)
-    : bvh_(std::make_unique<Bvh>(std::move(positions), std::move(triangles))) {
+    : bvh_(new Bvh{std::move(positions), std::move(triangles)}) {
     if (!bvh_->triangles.empty()) bvh_->commit();
 }
 
@@ -101,7 +92,7 @@ std::optional<dvec3> NearestPoint::operator()(const vec3& p, float far) const {
     RTCPointQuery query{p.x, p.y, p.z, 0.0f, far * wider};
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(bvh_->scene, &query, &context, Bvh::Asked::look, &asked);
+    rtcPointQuery(bvh_->scene.get(), &query, &context, Bvh::Asked::look, &asked);
     if (static_cast<float>(asked.distance) > far || asked.triangle == none) return std::nullopt;
     return asked.nearest;
 }

@@ -12,22 +12,15 @@ constexpr double shortest_curve = 16.0;
 
 /// Triangles at each side of a triangle.
 struct SideTriangles {
-    Rows rows;
-    Array<Index> triangle;
+    Lists<Index> triangles;
 };
 
 SideTriangles triangles_at_sides(const Surface& surface) {
     const auto sides = triangle_sides(surface);
-    SideTriangles at;
-    at.rows.offsets.assign(sides->vertices.size(), 0);
-    for (const glm::uvec3& t : sides->of_triangle)
-        for (int i = 0; i < 3; ++i) ++at.rows.offsets[t[i]];
-    counts_to_offsets(at.rows.offsets);
-    at.triangle.resize(3 * sides->of_triangle.size());
-    Array<Index> next(at.rows.offsets.begin(), at.rows.offsets.end() - 1);
-    for (Index t = 0; t < sides->of_triangle.size(); ++t)
-        for (int i = 0; i < 3; ++i) at.triangle[next[sides->of_triangle[t][i]]++] = t;
-    return at;
+    return {lists_of<Index>(sides->vertices.size(), [&](const auto& give) {
+        for (Index t = 0; t < sides->of_triangle.size(); ++t)
+            for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], t);
+    })};
 }
 
 /// A triangle's plane; the normal of a triangle without area is 0, and everything lies in its plane.
@@ -75,11 +68,11 @@ class ContactTest {
         const Index number = triangle_sides(in.surface)->of_triangle[t][side];
         const Edge ends = triangle_sides(in.surface)->vertices[number];
         const auto at = in.surface.cache().get<SideTriangles>(0, [&] { return triangles_at_sides(in.surface); });
-        for (Index i = at->rows.begin(number); i < at->rows.end(number); ++i) {
-            const Triangle& beyond = in.surface.triangles[at->triangle[i]];
+        for (const Index triangle : at->triangles[number]) {
+            const Triangle& beyond = in.surface.triangles[triangle];
             for (int k = 0; k < 3; ++k) {
                 if (beyond[k] == ends.x || beyond[k] == ends.y) continue;
-                const double there = plane.height(in.corner(at->triangle[i], k));
+                const double there = plane.height(in.corner(triangle, k));
                 if (std::min(std::abs(here), std::abs(there)) > tolerance_ && here * there < 0.0) return false;
             }
         }

@@ -2,9 +2,9 @@
 #include <fovea/scene/crossings.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
@@ -138,13 +138,16 @@ class Finder {
 
     void meet(Index first, Index second, std::vector<Piece>& out) const {
         unsigned shared = 0;  // corners of the second triangle that the first has, too, and of the first from bit 3 on
-        if (within_ && shared_vertices(first, second, shared) > 1) return;
+        const auto& all = mapped_[0].surface.triangles;
+        const auto mark = [&](int i, int j) { shared |= 8u << i | 1u << j; };
+        if (within_ && count_shared(all[first], all[second], mark) > 1) return;
         const Plain plain_a = plain(0, first), plain_b = plain(1, second);
         if (apart(plain_a, plain_b, shared)) return;
         const Corners a = on_grid(plain_a, 0), b = on_grid(plain_b, 1);
         if (a.collapsed() || b.collapsed()) return;
         int shared_a = -1, shared_b = -1;
-        if (within_ && shared_corners(a, b, shared_a, shared_b) > 1) return;
+        const auto take = [&](int i, int j) { std::tie(shared_a, shared_b) = std::pair(i, j); };
+        if (within_ && count_shared(a.p, b.p, take) > 1) return;
         Orientation of_a[3], of_b[3];  // heights of corners over the other triangle
         if (!heights(b, shared_b, a, of_b) || !heights(a, shared_a, b, of_a)) return;
         End ends[6];
@@ -171,14 +174,15 @@ class Finder {
         return {{grid_.point(plain.p[0]), grid_.point(plain.p[1]), grid_.point(plain.p[2])}, second};
     }
 
-    int shared_vertices(Index first, Index second, unsigned& which) const {
-        const Triangle &a = mapped_[0].surface.triangles[first], &b = mapped_[0].surface.triangles[second];
+    /// How many corners of the first are some of the second; calls found(i, j) for each.
+    template <typename Triple, typename Found>
+    static int count_shared(const Triple& a, const Triple& b, const Found& found) {
         int shared = 0;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 if (a[i] != b[j]) continue;
                 ++shared;
-                which |= 8u << i | 1u << j;
+                found(i, j);
             }
         return shared;
     }
@@ -193,18 +197,6 @@ class Finder {
         const double length_a = glm::length(of_b.normal), length_b = glm::length(of_a.normal);
         return (of_b.farthest() <= grid_.tolerance() * length_a || of_a.farthest() <= grid_.tolerance() * length_b) &&
                glm::length(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * length_a * length_b;
-    }
-
-    static int shared_corners(const Corners& a, const Corners& b, int& of_a, int& of_b) {
-        int shared = 0;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-                if (a.p[i] != b.p[j]) continue;
-                ++shared;
-                of_a = i;
-                of_b = j;
-            }
-        return shared;
     }
 
     /// False when all corners but a shared one lie on the same side of `over`.
@@ -225,22 +217,20 @@ class Finder {
 };
 
 /// Pieces with numbered ends; where triangles lie on top of each other, one of each.
-Crossings numbered(const std::vector<std::vector<Piece>>& parts, const Grid& grid) {
+Crossings numbered(In<Piece> pieces, const Grid& grid) {
     Crossings crossings;
     std::vector<std::uint64_t> ids;
-    for (const auto& part : parts)
-        for (const Piece& piece : part)
-            for (const End& end : piece.end) ids.push_back(end.id);
+    for (const Piece& piece : pieces)
+        for (const End& end : piece.end) ids.push_back(end.id);
     parallel_sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     const auto number = [&](const End& end) {
         return static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), end.id) - ids.begin());
     };
-    for (const auto& part : parts)
-        for (const Piece& p : part)
-            crossings.push_back({{p.triangle[0], p.triangle[1]},
-                                 {number(p.end[0]), number(p.end[1])},
-                                 {grid.back(p.end[0].point), grid.back(p.end[1].point)}});
+    for (const Piece& p : pieces)
+        crossings.push_back({{p.triangle[0], p.triangle[1]},
+                             {number(p.end[0]), number(p.end[1])},
+                             {grid.back(p.end[0].point), grid.back(p.end[1].point)}});
     std::vector<std::pair<std::uint64_t, Index>> same(crossings.size());
     for (Index i = 0; i < same.size(); ++i) {
         const auto [low, high] = std::minmax(crossings[i].end[0], crossings[i].end[1]);
@@ -266,12 +256,11 @@ Crossings find(const Mapped& first, const Mapped& second, bool within, const Can
     };
     // The margin is more than rounding to the grid moves a box.
     const TreeMeeting meeting(*tree_a, *tree_b, second.map, static_cast<float>(grid.tolerance()), within, visit);
-    std::vector<std::vector<Piece>> parts(meeting.block_count());
-    parallel_blocks(parts.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+    const auto pieces = parallel_collect<Piece>(meeting.block_count(), 1, [&](std::size_t b, std::size_t, auto& out) {
         cancel.poll();
-        meeting.block(b, parts[b]);
+        meeting.block(b, out);
     });
-    return without_contact(numbered(parts, grid), first, second, grid.tolerance());
+    return without_contact(numbered(pieces, grid), first, second, grid.tolerance());
 }
 
 }  // namespace

@@ -84,9 +84,7 @@ std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const
 }
 
 std::optional<Hit> Tracer::seen(const dvec2& px) const {
-    const dvec2 ndc(px.x / view_.width * 2.0 - 1.0, px.y / view_.height * 2.0 - 1.0);
-    const dvec4 on_near = clip_to_view_ * dvec4(ndc, -1.0, 1.0);
-    const dvec3 point = dvec3(on_near) / on_near.w;
+    const dvec3 point = on_near_plane(view_, clip_to_view_, px);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const auto near_distance = static_cast<float>(view_.near_clip);
     if (view_.orthographic)

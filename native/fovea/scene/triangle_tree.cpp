@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include <fovea/base/morton.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea {
@@ -12,16 +13,6 @@ Box box_of(const Surface& surface, Index triangle) {
     const Triangle& t = surface.triangles[triangle];
     const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
-}
-
-/// Every third bit of the result is one of the 20 of a place among 2^20, from 0 upwards.
-std::uint64_t spread(double place) {
-    std::uint64_t x = place > 0.0 ? static_cast<std::uint64_t>(std::min(place, 1048575.0)) : 0;  // rounding, overflow
-    x = (x | x << 32) & 0x1f00000000ffffull;
-    x = (x | x << 16) & 0x1f0000ff0000ffull;
-    x = (x | x << 8) & 0x100f00f00f00f00full;
-    x = (x | x << 4) & 0x10c30c30c30c30c3ull;
-    return (x | x << 2) & 0x1249249249249249ull;
 }
 
 struct Placed {
@@ -36,7 +27,8 @@ Array<Index> morton_order(const Surface& surface) {
     parallel_for(placed.size(), [&](std::size_t t) {
         const Box box = box_of(surface, static_cast<Index>(t));
         const dvec3 at = (0.5 * (dvec3(box.low) + dvec3(box.high)) - low) * cells;
-        placed[t] = {spread(at.x) | spread(at.y) << 1 | spread(at.z) << 2, static_cast<Index>(t)};
+        const auto cell = [](double place) { return place > 0.0 ? Index(std::min(place, 1048575.0)) : 0u; };
+        placed[t] = {along_curve({cell(at.x), cell(at.y), cell(at.z)}), static_cast<Index>(t)};
     });
     parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;

@@ -2,7 +2,6 @@
 // Boxes around triangles, in a tree: which triangles of two surfaces may meet.
 #pragma once
 
-#include <cmath>
 #include <glm/mat4x3.hpp>
 
 #include <fovea/base/parallel.h>

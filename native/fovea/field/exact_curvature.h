@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curvature of a surface given as F = 0.
+// Curvature of a surface whose derivatives are known: given as F = 0, or as heights over its tangent plane.
 #pragma once
 
 #include <fovea/field/curvature.h>
+#include <fovea/mesh/height_jet.h>
 
 namespace fovea {
 
@@ -21,5 +22,12 @@ CurvatureD curvature_of(const ImplicitJet& jet);
 /// Of the image of a surface under a linear map, at the image of a point where the surface has the curvature `c`;
 /// `inverse`: that of the map. Exact: it is the image of the point's osculating jet. What was outside stays outside.
 CurvatureD mapped(const Curvature& c, const dmat3& inverse);
+
+/// Over its own tangent plane a height function's second derivatives are -h and its third ones -C. All zero where the
+/// jet is.
+CurvatureD curvature_of(const HeightJetD& jet);
+
+/// One per jet.
+Array<Curvature> curvature_of(const Array<HeightJet>& jets);
 
 }  // namespace fovea

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/field/implicit.h>
+#include <fovea/field/exact_curvature.h>
 
-#include <fovea/field/principal.h>
+#include <fovea/base/parallel.h>
+#include <fovea/field/frames.h>
 
 namespace fovea {
 
@@ -42,6 +43,34 @@ CurvatureD mapped(const Curvature& c, const dmat3& inverse) {
     const dmat3 along_e1 = form(c.C[0], c.C[1], c.C[2]), along_e2 = form(c.C[1], c.C[2], c.C[3]);
     for (int i = 0; i < 3; ++i) jet.third[i] = to_frame[i].x * along_e1 + to_frame[i].y * along_e2;
     return curvature_of(jet);
+}
+
+CurvatureD curvature_of(const HeightJetD& jet) {
+    CurvatureD c;
+    c.normal = jet.normal;
+    if (jet.normal == dvec3(0.0)) return c;
+    set_principal(c, jet.tangent, glm::cross(jet.normal, jet.tangent), -jet.second[0], -jet.second[1], -jet.second[2]);
+    const HeightJetD along = turned(jet, jet.normal, c.e1);
+    for (int i = 0; i < 4; ++i) c.C[i] = -along.third[i];
+    return c;
+}
+
+Array<Curvature> curvature_of(const Array<HeightJet>& jets) {
+    Array<Curvature> result(jets.size());
+    parallel_for(jets.size(), [&](std::size_t v) {
+        const HeightJet& jet = jets[v];
+        HeightJetD exact;
+        // Rounded to floats they are neither unit nor at right angles any more.
+        const dvec3 n(jet.normal), t(jet.tangent);
+        if (n != dvec3(0.0)) {
+            exact.normal = glm::normalize(n);
+            exact.tangent = glm::normalize(t - glm::dot(t, exact.normal) * exact.normal);
+        }
+        for (int i = 0; i < 3; ++i) exact.second[i] = jet.second[i];
+        for (int i = 0; i < 4; ++i) exact.third[i] = jet.third[i];
+        result[v] = rounded(curvature_of(exact));
+    });
+    return result;
 }
 
 }  // namespace fovea

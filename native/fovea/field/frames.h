@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tangent frames: the principal one of a symmetric form, and directions carried from one tangent plane to another.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include <fovea/field/curvature.h>
+#include <fovea/mesh/height_jet.h>
+
+namespace fovea {
+
+/// Sets k and e of `c` from the shape operator [pp pq; pq qq] in the orthonormal frame (p, q), p x q the normal.
+inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double pp, double pq, double qq) {
+    const double angle = 0.5 * std::atan2(2.0 * pq, pp - qq), cosine = std::cos(angle), sine = std::sin(angle);
+    c.k1 = cosine * cosine * pp + 2 * cosine * sine * pq + sine * sine * qq;
+    c.k2 = sine * sine * pp - 2 * cosine * sine * pq + cosine * cosine * qq;
+    c.e1 = cosine * p + sine * q;
+    c.e2 = cosine * q - sine * p;
+    if (std::abs(c.k1) >= std::abs(c.k2)) return;
+    std::swap(c.k1, c.k2);
+    const dvec3 first = c.e1;
+    c.e1 = c.e2;
+    c.e2 = -first;
+}
+
+/// Components of the directions (p, q), turned rigidly from normal `from` to the plane of (t, b), along t and b.
+struct Turn {
+    double pt, pb, qt, qb;
+    Turn(const dvec3& p, const dvec3& q, const dvec3& from, const dvec3& t, const dvec3& b) {
+        const dvec3 to = glm::cross(t, b);
+        const double cosine = glm::dot(from, to);
+        if (cosine <= -1.0 + 1e-12) {
+            pt = -glm::dot(p, t), pb = -glm::dot(p, b), qt = -glm::dot(q, t), qb = -glm::dot(q, b);
+            return;
+        }
+        const dvec3 mean = (from + to) / (1.0 + cosine), across = to - cosine * from;
+        const dvec3 p1 = p - mean * glm::dot(p, across), q1 = q - mean * glm::dot(q, across);
+        pt = glm::dot(p1, t), pb = glm::dot(p1, b), qt = glm::dot(q1, t), qb = glm::dot(q1, b);
+    }
+};
+
+/// h(t, t), h(t, b) and h(b, b) of a point whose directions (e1, e2) were turned.
+inline dvec3 turned_form(const Curvature& c, const Turn& turn) {
+    return {c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt, c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb,
+            c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb};
+}
+
+}  // namespace fovea
