@@ -62,11 +62,11 @@ auto viewing(Array<T> Structure::* array) {
     return [array](py::object self) { return view_numpy(self.cast<const Owner&>().*array, self); };
 }
 
-/// The columns of a bound structure (base/columns.h) as read-only properties.
+/// The columns of a bound structure, or of one that it is made of (base/columns.h), as read-only properties.
 template <typename Class, typename Columns>
 void bind_columns(Class& bound, const Columns& columns) {
-    for_each_column(columns, [&]<typename S, typename V>(const Column<S, V>& column) {
-        bound.def_property_readonly(column.name, viewing<S>(column.array), column.doc);
+    for_each_column(columns, [&](const auto& column) {
+        bound.def_property_readonly(column.name, viewing<typename Class::type>(column.array), column.doc);
     });
 }
 

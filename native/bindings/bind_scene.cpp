@@ -122,17 +122,7 @@ usage (n,) uint8, bits of Usage.)")
             [](const Scene& scene, Index placement) {
                 return std::const_pointer_cast<Surface>(scene.placements.at(placement).surface);
             },
-            py::arg("placement"))
-        .def_property_readonly(
-            "usage",
-            [](const Scene& scene) {
-                Array<std::uint8_t> usage;
-                for (const Placement& placement : scene.placements) usage.push_back(placement.usage);
-                return to_numpy(std::move(usage));
-            },
-            "(n,) uint8, bits of Usage")
-        .def_property_readonly("facet_base", viewing<Scene>(&Scene::facet_base),
-                               "(n,) uint32: number of each placement's first facet");
+            py::arg("placement"));
 
     py::class_<Tracer, std::shared_ptr<Tracer>>(m, "Tracer", "Rays through a scene as a view sees it (Embree).")
         .def(py::init([](const Scene& scene, const View& view) {

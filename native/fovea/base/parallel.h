@@ -55,6 +55,15 @@ void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     parallel_for(blocks, one, 1);
 }
 
+/// What fill(part, begin, end) makes of each block of parallel_blocks, in the order of the blocks.
+template <typename Part, typename Fill>
+std::vector<Part> parallel_parts(std::size_t count, std::size_t size, const Fill& fill) {
+    std::vector<Part> parts((count + size - 1) / size);
+    parallel_blocks(count, size,
+                    [&](std::size_t b, std::size_t begin, std::size_t end) { fill(parts[b], begin, end); });
+    return parts;
+}
+
 /// first() and second(), perhaps at once.
 template <typename First, typename Second>
 void parallel_invoke(const First& first, const Second& second) {

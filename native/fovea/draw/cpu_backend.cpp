@@ -57,8 +57,7 @@ Array<float> CpuBackend::visibility(const Frame& frame) {
 
 Array<vec2> CpuBackend::elide(const Frame& frame, const Elision& elision) {
     const View& view = frame.job.view;
-    return crowding(elision.own, draw_priorities(elision.bands, view.width, view.height, &frame.cancel()),
-                    &frame.cancel());
+    return crowding(elision, draw_priorities(elision, view.width, view.height, &frame.cancel()), &frame.cancel());
 }
 
 Array<vec4> CpuBackend::draw(const Frame& frame) {

@@ -9,22 +9,10 @@
 #include <fovea/draw/focus_function.h>
 #include <fovea/draw/frame.h>
 #include <fovea/scene/seen.h>
-#include <fovea/stroke/compose.h>
 #include <fovea/visibility/depth_image.h>
 
 namespace fovea {
 namespace {
-
-Shading shading_of(style::Shading shading) {
-    switch (shading) {
-        case style::Shading::smooth:
-            return Shading::smooth;
-        case style::Shading::toon:
-            return Shading::toon;
-        default:
-            return Shading::flat;
-    }
-}
 
 /// How much of an effect each pixel has: up to `most`.
 Array<float> amounts(const style::Transfer& transfer, In<float> focus, float most = 1.0f) {
@@ -54,8 +42,7 @@ void Frame::picture() {
         stage("color", 0.05, [&] {
             const style::Color& color = job.style.color;
             const ColorSources& from = *job.colors;
-            const LayerOptions options{shading_of(color.shading), color.bands};
-            passes.color = color_layer(*tracer, from.surfaces, from.lights, from.world, options, cancel());
+            passes.color = color_layer(*tracer, from.surfaces, from.lights, from.world, color, cancel());
             if (color.desaturation != 0.0)
                 desaturate(passes.color, Array<float>(passes.color.size(), float(color.desaturation)));
         });
@@ -96,18 +83,7 @@ void Frame::put_on_paper() {
     const style::Paper& paper = job.style.paper;
     const Array<float> holdout = holdout_image(*tracer, cancel());
     const auto texture = job.assets->paper(paper.texture);
-    if (passes.color.empty() && !texture)
-        return compose(passes.lines, vec3(paper.color), paper.transparent, holdout, passes.combined);
-    PaperOptions options;
-    options.color = vec3(paper.color);
-    options.transparent = paper.transparent;
-    if (!passes.color.empty() && job.style.color.background) options.background = vec3(*job.style.color.background);
-    options.layer_opacity = float(job.style.color.opacity);
-    options.texel_px = float(paper.scale * scale());
-    options.tooth = float(paper.tooth);
-    options.granulation = float(paper.granulation);
-    options.tint = float(paper.tint);
-    on_paper(passes.lines, passes.color, holdout, job.view, texture.get(), options, passes.combined);
+    on_paper(passes.lines, passes.color, holdout, job.view, texture.get(), paper, job.style.color, passes.combined);
 }
 
 Array<float> Frame::focus_of_pixels() {

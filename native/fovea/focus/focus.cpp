@@ -59,16 +59,12 @@ Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus) {
 }
 
 Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values) {
-    const auto at_point = [&](Index i) {
-        const Index source = clipped.source[i];
-        const float t = clipped.source_t[i];
-        return t > 0.0f ? glm::mix(values[source], values[source + 1], t) : values[source];
-    };
     const auto last = std::ranges::max_element(clipped.source);
     check(last == clipped.source.end() || *last < values.size(), "values: one per point of the paths expected");
     Array<float> found(clipped.samples, 0.0f);
     each_sample(clipped, [&](const SamplePlace& at) {
-        found[at.sample] = glm::mix(at_point(at.point), at_point(at.point + 1), at.in_space);
+        found[at.sample] =
+            glm::mix(clipped.at_point(values, at.point), clipped.at_point(values, at.point + 1), at.in_space);
     });
     return found;
 }

@@ -332,14 +332,14 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel) {
     check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
-    std::vector<ClippedPaths> parts((paths.count() + paths_per_block - 1) / paths_per_block);
-    parallel_blocks(paths.count(), paths_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        cancel.poll();
-        Projector projector(paths, scene, view, options);
-        projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
-        for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
-        parts[b] = std::move(projector.out);
-    });
+    const auto parts = parallel_parts<ClippedPaths>(
+        paths.count(), paths_per_block, [&](ClippedPaths& part, std::size_t begin, std::size_t end) {
+            cancel.poll();
+            Projector projector(paths, scene, view, options);
+            projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
+            for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
+            part = std::move(projector.out);
+        });
     ClippedPaths all = join(parts);
     all.orthographic = view.orthographic;
     return all;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Filters along the path. They act on visible runs (those that nothing hides), in pixels of arc length, over segments,
-// atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
-// Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
+// atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise. The
+// last two leave out hidden ones. Amounts per path are one entry per path of Paths. Parallel; the same for any number
+// of threads.
 //
-// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. A halo after an overshoot would leave what is beyond the
-// line that it passes behind.
+// Order: close_gaps, trim_folds, without_beside_visible, without_short_hidden, halo, meet_ends, overshoot. A halo after
+// an overshoot would leave what is beyond the line that it passes behind.
 #pragma once
 
 #include <fovea/visibility/runs.h>
@@ -48,5 +49,15 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
 /// degrees or more: contours of mesh edges graze themselves where their own surface folds over them.
 /// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
 Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
+
+/// Runs without the hidden parts that go along a visible run, or on under it, at less than `near_px`: where lines
+/// coincide, the visible one is drawn (as ISO 128 has it), and no outline of a coarse mesh is accompanied by its own
+/// way back. Hidden lines that cross visible ones stay whole.
+Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, double near_px);
+
+/// Runs without the hidden stretches that are shorter than their path's `least_px`: crumbs beside small holes, and the
+/// ways back of contours that fold. A stretch is what lies hidden between two visible runs, however many surfaces hide
+/// its parts; one that is a whole piece stays.
+Runs without_short_hidden(const ClippedPaths& clipped, const Runs& runs, In<float> least_px);
 
 }  // namespace fovea

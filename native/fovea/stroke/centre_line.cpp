@@ -27,14 +27,8 @@ CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
 }
 
 CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
-    float s = 1.0f;
-    if (!strength.empty()) {
-        const Index source = clipped.source[i];
-        s = strength[source];
-        // The last point of a path has nothing to mix with.
-        if (clipped.source_t[i] > 0.0f) s = glm::mix(s, strength[source + 1], clipped.source_t[i]);
-        s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
-    }
+    float s = strength.empty() ? 1.0f : clipped.at_point(strength, i);
+    s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
     return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
 }
 

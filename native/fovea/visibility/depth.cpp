@@ -24,11 +24,11 @@ struct RowEdge {
     RowEdge(dvec2 a, dvec2 b, int y, bool of_mesh) {
         const dvec2 way = b - a, inwards(-way.y, way.x);
         const double length = std::abs(way.x) + std::abs(way.y), unit = length > 0.0 && of_mesh ? 1.0 / length : 0.0;
-        along = edge_code({0.0f, float(inwards.x * unit), float(inwards.y * unit)});
+        along = formulas::Edges().edge_code_of(0.0f, inwards * unit);
         inside = glm::dot(inwards, dvec2(0.5, y + 0.5) - a) * unit;
         step = inwards.x * unit;
     }
-    int code(int x) const { return edge_code(along, float(inside + step * x)); }
+    int code(int x) const { return formulas::Edges().edge_code(along, float(inside + step * x)); }
 };
 
 /// Draws rows y0 to y1 of a triangle that lies on a facet.
@@ -47,7 +47,7 @@ void draw_rows(const RasterTriangle& t, int y0, int y1, Index facet, DepthBuffer
         each_texel(rows, y, in_front, [&](int x, double depth) {
             row[x] = plane;
             row[x].depth = static_cast<float>(depth);
-            row[x].edges = pack_edges(first.code(x), second.code(x), third.code(x));
+            row[x].edges = formulas::Edges().pack_edges(first.code(x), second.code(x), third.code(x));
         });
     }
 }

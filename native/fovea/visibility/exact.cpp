@@ -10,8 +10,6 @@ namespace fovea {
 namespace {
 
 constexpr std::size_t pieces_per_block = 256;
-/// Shadows remembered from segment to segment: neighbours are mostly hidden by the same triangles.
-constexpr int remembered = 8;
 
 /// Visibility along segments, one after the other, remembering what hid the last ones.
 class Marcher {
@@ -21,7 +19,7 @@ class Marcher {
     /// Appends the hidden intervals of a segment with `samples` samples, in screen fractions, ascending and disjoint.
     void march(const Segment& segment, Index samples, double length_px, std::vector<Interval>& hidden) {
         segment_ = &segment;
-        for (Known& known : known_) known.interval_known = false;
+        known_.next_segment();
         const double step = 1.0 / samples, tolerance = exact_tolerance_px / std::max(length_px, 1e-9);
         double seen = 0.0;  // visible here (or the beginning)
         bool was_hidden = false;
@@ -33,103 +31,64 @@ class Marcher {
             }
             const Interval by = hidden_at(s);
             if (by.begin > by.end) {
-                if (was_hidden) narrow_end(hidden.back(), s, tolerance);
+                if (was_hidden) hidden.back().end = narrow(hidden.back().end, s, 1.0, tolerance);
                 was_hidden = false;
                 seen = s;
             } else if (was_hidden) {
                 // Less than a sample between two shadows: no line is seen through it.
                 hidden.back().end = std::max(hidden.back().end, by.end);
             } else {
-                Interval found = by;
-                narrow_begin(found, seen, i == 0, tolerance);
-                hidden.push_back(found);
+                const double begin = narrow(by.begin, seen, -1.0, tolerance);
+                // At the very beginning of the segment nothing is known to be visible.
+                hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, by.end});
                 was_hidden = true;
             }
         }
-        if (was_hidden && hidden.back().end < 1.0) finish(hidden.back(), tolerance);
+        if (!was_hidden || hidden.back().end >= 1.0) return;
+        const double end = narrow(hidden.back().end, 1.0, 1.0, tolerance);
+        hidden.back().end = 1.0 - end <= tolerance ? 1.0 : end;
     }
 
    private:
-    struct Known {
-        Occluding by;
-        Interval interval;  // on the current segment
-        bool interval_known = false;
-    };
-
     /// The interval around s that one triangle hides; empty where s is visible.
     Interval hidden_at(double s) {
-        for (int i = 0; i < remembered; ++i) {
-            Known& known = known_[order_[i]];
-            if (!known.interval_known) {
-                known.interval = known.by.hides(tracer_, *segment_);
-                known.interval_known = true;
-            }
-            if (!known.interval.holds(s)) continue;
-            if (i > 0) std::swap(order_[i], order_[i - 1]);
-            return known.interval;
-        }
+        const auto hides = [&](const Occluding& by) { return by.hides(tracer_, *segment_); };
+        if (const Interval* interval = known_.around(s, hides)) return *interval;
         const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
         if (!hit) return {};
-        return remember(*hit, s);
-    }
-
-    Interval remember(const Hit& hit, double s) {
-        std::rotate(order_, order_ + remembered - 1, order_ + remembered);
-        Known& known = known_[order_[0]];
-        known = {Occluding(tracer_, hit), {}, true};
-        known.interval = known.by.hides(tracer_, *segment_);
+        const Occluding by(tracer_, *hit);
+        const Interval interval = hides(by);
+        known_.remember({by, interval});
         // The ray is the judge: at its own sample the triangle hides, whatever rounding says.
-        return known.interval.holds(s) ? known.interval : Interval{s, s};
+        return interval.holds(s) ? interval : Interval{s, s};
     }
 
-    /// Moves found.begin down to where the segment, visible at `seen`, becomes hidden. At the very beginning of the
-    /// segment nothing is known to be visible.
-    void narrow_begin(Interval& found, double seen, bool at_start, double tolerance) {
+    /// Moves an end of a hidden interval to where the segment, visible at `seen`, becomes hidden; `way` leads out of
+    /// it: -1 at its begin, 1 at its end.
+    double narrow(double hidden, double seen, double way, double tolerance) {
         double visible = seen;
-        for (int steps = 0; found.begin - visible > tolerance && steps < 24; ++steps) {
-            const double s = steps < 6 ? found.begin - tolerance : 0.5 * (found.begin + visible);
+        for (int steps = 0; (visible - hidden) * way > tolerance && steps < 24; ++steps) {
+            const double s = steps < 6 ? hidden + way * tolerance : 0.5 * (hidden + visible);
             const Interval by = hidden_at(s);
-            if (by.begin > by.end) {
+            if (by.begin > by.end)
                 visible = s;
-            } else {
-                found.begin = std::min(s, by.begin);
-            }
+            else
+                hidden = way < 0.0 ? std::min(s, by.begin) : std::max(s, by.end);
         }
-        found.begin = std::max(found.begin, seen);
-        if (at_start && found.begin <= tolerance) found.begin = 0.0;
-    }
-
-    /// The same at the other side: visible at `seen`.
-    void narrow_end(Interval& found, double seen, double tolerance) {
-        double visible = seen;
-        for (int steps = 0; visible - found.end > tolerance && steps < 24; ++steps) {
-            const double s = steps < 6 ? found.end + tolerance : 0.5 * (found.end + visible);
-            const Interval by = hidden_at(s);
-            if (by.begin > by.end) {
-                visible = s;
-            } else {
-                found.end = std::max(s, by.end);
-            }
-        }
-        found.end = std::min(found.end, seen);
-    }
-
-    void finish(Interval& found, double tolerance) {
-        narrow_end(found, 1.0, tolerance);
-        if (1.0 - found.end <= tolerance) found.end = 1.0;
+        return way < 0.0 ? std::max(hidden, seen) : std::min(hidden, seen);
     }
 
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
-    Known known_[remembered];
-    std::uint8_t order_[remembered] = {0, 1, 2, 3, 4, 5, 6, 7};  // of known_, those that hid last before the others
+    /// From segment to segment: neighbours are mostly hidden by the same triangles.
+    Remembered<Occluding, 8> known_;
 };
 
 /// Runs of a range of pieces.
 class Runner {
    public:
-    Runner(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer)
-        : clipped_(clipped), paths_(paths), tracer_(tracer), marcher_(tracer) {}
+    Runner(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Runs& out)
+        : clipped_(clipped), paths_(paths), tracer_(tracer), out_(out), marcher_(tracer) {}
 
     void add(Index piece) {
         piece_ = piece;
@@ -152,8 +111,6 @@ class Runner {
         close();
     }
 
-    Runs out;
-
    private:
     void visible(double start, double end) {
         if (end - start <= 1e-9) return;
@@ -168,14 +125,14 @@ class Runner {
     }
 
     void close() {
-        if (!open_) return;
-        out.push(piece_, start_, end_);
+        if (open_) out_.push(piece_, start_, end_);
         open_ = false;
     }
 
     const ClippedPaths& clipped_;
     const Paths& paths_;
     const Tracer& tracer_;
+    Runs& out_;
     Marcher marcher_;
     std::vector<Interval> hidden_;
     Index piece_ = 0;
@@ -186,19 +143,13 @@ class Runner {
 }  // namespace
 
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel) {
-    const std::size_t pieces = clipped.path.size();
     check_same_paths(clipped, paths, "exact_visibility");
     tracer.check_current();
-    std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);
-    parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    return runs_by_blocks(clipped.path.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
         cancel.poll();
-        Runner runner(clipped, paths, tracer);
+        Runner runner(clipped, paths, tracer, runs);
         for (std::size_t q = begin; q < end; ++q) runner.add(static_cast<Index>(q));
-        parts[b] = std::move(runner.out);
     });
-    Runs runs;
-    for (const Runs& part : parts) runs.append(part);
-    return runs;
 }
 
 }  // namespace fovea

@@ -17,7 +17,13 @@ struct OwnSides {
     /// 1 where an opaque body would hide the line itself: both facets turn away from the viewer, or one does and the
     /// edge is a groove. Such a line is seen only on open surfaces, next to its own facets. 0 where they hide nothing.
     Array<std::uint8_t> inner;
+
+    /// As tables have it: the steepness, or -1 for an inner line.
+    float in_tables(Index segment) const { return inner[segment] ? -1.0f : steepness[segment]; }
 };
+
+/// Throws std::invalid_argument, naming `what`, where they belong to other paths.
+void check_sides(const ClippedPaths& clipped, const OwnSides& sides, const char* what);
 
 OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& view);
 
