@@ -15,8 +15,7 @@ namespace {
 Numpy<float> smoothed(const ShownLines& now, const Arg<float>& shown,
                       const std::map<int, std::shared_ptr<ShownLines>>& near, int frames) {
     const auto opacities = borrow<float>(shown, "shown");
-    std::vector<FrameNear> others;
-    for (const auto& [away, lines] : near) others.push_back({away, *lines});
+    const std::vector<FrameNear> others(near.begin(), near.end());
     return to_numpy(without_gil([&] { return smoothed_in_time(opacities, now, others, frames); }));
 }
 

@@ -5,7 +5,6 @@
 
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
-#include <fovea/stroke/pen_table.h>
 
 #include "stroke_fixture.h"
 #include "wires.h"

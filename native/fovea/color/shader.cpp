@@ -59,7 +59,6 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
     seen.placement = placement;
     seen.triangle = triangle;
     const Index polygon = surface.facet_polygon[surface.triangle_facet[triangle]];
-    seen.vertex = {t[0], t[1], t[2]};
     seen.corner = triangle_corners(surface, triangle);
     const SurfaceColor* own = colors_[placement].get();
     const auto slot = static_cast<std::size_t>(surface.polygon_material[polygon]);

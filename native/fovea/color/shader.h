@@ -14,7 +14,7 @@ namespace fovea {
 struct SeenTriangle {
     ScreenTriangle screen;
     Index placement = none;
-    std::array<Index, 3> vertex{}, corner{};
+    std::array<Index, 3> corner{};
     const ColorSlot* slot = nullptr;
     Index triangle = none;
 };

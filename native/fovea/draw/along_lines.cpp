@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/draw/along_lines.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 #include <fovea/focus/transfer.h>
 
 namespace fovea {

@@ -7,7 +7,6 @@
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
 #include <fovea/draw/along_lines.h>
-#include <fovea/draw/outlined.h>
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
 #include <fovea/path/extract.h>
@@ -119,9 +118,7 @@ void Frame::thin() {
             shown = left(0.0f);
             const ShownLines now =
                 fovea::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
-            std::vector<FrameNear> near;
-            for (const auto& [away, lines] : job.near) near.push_back({away, *lines});
-            shown = smoothed_in_time(shown, now, near, elision.frames);
+            shown = smoothed_in_time(shown, now, job.near, elision.frames);
             for (float& opacity : shown)
                 if (opacity < cut) opacity = 0.0f;
         });
@@ -138,7 +135,7 @@ void Frame::ink() {
         if (job.options.outlines.empty())
             pen_of_run_ = pens_of_runs(*clipped, found, paths->line_set, pens.ranges);
         else
-            std::tie(found, pen_of_run_) = outlined(*this, found);
+            std::tie(found, pen_of_run_) = outlined(found);
         drawn = std::make_shared<Runs>(std::move(found));
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });

@@ -6,13 +6,23 @@
 #include <fovea/color/effects.h>
 #include <fovea/color/painted_image.h>
 #include <fovea/draw/along_lines.h>
-#include <fovea/draw/focus_function.h>
 #include <fovea/draw/frame.h>
 #include <fovea/scene/seen.h>
 #include <fovea/visibility/depth_image.h>
 
 namespace fovea {
 namespace {
+
+/// Distance from what the scene shows of an object and of what it makes instances of; null where that is nothing: then
+/// the object's own place counts.
+std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const Job& job) {
+    Array<Index> placements;
+    const std::vector<std::vector<std::string>>& objects = job.overrides.objects;
+    for (Index i = 0; i < objects.size(); ++i)
+        if (std::ranges::find(objects[i], name) != objects[i].end()) placements.push_back(i);
+    if (!job.scene || placements.empty()) return nullptr;
+    return std::make_shared<SurfaceDistance>(*job.scene, job.view, placements);
+}
 
 /// How much of an effect each pixel has: up to `most`.
 Array<float> amounts(const style::Transfer& transfer, In<float> focus, float most = 1.0f) {
@@ -126,8 +136,22 @@ const Array<float>& Frame::depth() {
 }
 
 const Focus& Frame::focus_function() {
-    if (!focus_) focus_ = fovea::focus_function(job.style.focus, job.scene.get(), job.view, job.overrides.objects);
-    return *focus_;
+    if (focus_) return *focus_;
+    const style::Focus& focus = job.style.focus;
+    const bool of_objects = focus.model == style::FocusModel::object;
+    const bool in_scene = of_objects || focus.model == style::FocusModel::scene;
+    Focus made{in_scene ? FocusSpace::scene : FocusSpace::image, {}, focus.combine == style::Combine::sum};
+    const dvec4& frame = job.view.frame;  // left, lower, width, height
+    if (focus.active())
+        for (const style::FocusPlace& place : focus.points) {
+            const double unit = in_scene ? 1.0 : frame.w;
+            const dvec3 at = in_scene
+                                 ? dvec3(job.view.world_to_view * dvec4(place.at, 1.0))
+                                 : dvec3(frame.x + place.at.x * frame.z, frame.y + (1.0 - place.at.y) * frame.w, 0.0);
+            made.points.push_back({vec3(at), float(place.near * unit), float(place.far * unit),
+                                   of_objects ? surface_of(place.object, job) : nullptr});
+        }
+    return focus_.emplace(std::move(made));
 }
 
 }  // namespace fovea

@@ -152,7 +152,7 @@ class Band {
     }
 
     void fill_bend(const dvec2& at, const dvec2& left, const Side& here) const {
-        const double turn = left_before_.x * left.y - left_before_.y * left.x, reach = here.half + 0.5;
+        const double turn = cross(left_before_, left), reach = here.half + 0.5;
         if (std::abs(turn) * reach < 0.25 || glm::dot(left, left_before_) < -0.99) return;
         const double side = turn > 0.0 ? -1.0 : 1.0;
         const dvec2 middle = glm::normalize(left + left_before_);

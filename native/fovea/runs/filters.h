@@ -35,10 +35,10 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
 /// By less than nothing, shortens them at all their ends (erosion); runs that vanish go. The result grows with the
 /// amount, without steps but where runs meet; an amount of 0 leaves a path as it is. Cole 2009, section 5.1.2, dilates
 /// visibility instead, which draws lines on behind what hides them.
-Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
-
-/// The same, by `amount_px` mixed with the path's `other_px` as `mix` (per atlas sample, in [0,1]) says at each end.
-Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px, In<float> mix);
+/// With `other_px` (may be empty), by the amount mixed with the path's other one as `mix` (per atlas sample, in [0,1])
+/// says at each end.
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px = {},
+               In<float> mix = {});
 
 /// Where a line passes behind another one, it stops the path's `gap_px` (0 or more) short: where a visible run crosses,
 /// in the image, a visible run that is nearer by more than eight pixels' size in space, or ends at one. The gap is

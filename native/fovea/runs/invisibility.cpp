@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <fovea/visibility/exact.h>
-#include <fovea/visibility/occluding.h>
+#include <fovea/visibility/shadow.h>
 
 namespace fovea {
 namespace {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <tuple>
 
-#include <fovea/runs/strand.h>
 #include <fovea/runs/stretch_grid.h>
 
 namespace fovea {
@@ -17,8 +16,6 @@ constexpr double direction_px = 3.0;  // to both sides: a dense mesh's own segme
 constexpr double joint_px = 1e-3;     // two segments that share a point leave no gap for a line to slip through
 constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size; less has a rough outline
 constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
-
-double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// body(stretch) for the segments of a piece between two arc lengths.
 template <typename Body>

@@ -18,8 +18,6 @@ constexpr int taper_steps = 4;
 constexpr double most_overshoot = 1000.0;  // px
 constexpr double tip_width = 0.2;          // of a tapered end, in widths of the pen: corners of the drawing stay closed
 
-double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
-
 CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
     const float s = float(t);
     return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),

@@ -2,9 +2,8 @@
 #include <fovea/visibility/exact.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include <fovea/visibility/occluding.h>
+#include <fovea/visibility/shadow.h>
 
 namespace fovea {
 namespace {
@@ -84,61 +83,25 @@ class Marcher {
     Remembered<Occluding, 8> known_;
 };
 
-/// Runs of a range of pieces.
-class Runner {
-   public:
-    Runner(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Runs& out)
-        : clipped_(clipped), paths_(paths), tracer_(tracer), out_(out), marcher_(tracer) {}
+/// Appends a visible part of a piece, or goes on with the last one.
+void add_visible(Index piece, double start, double end, Runs& runs) {
+    if (end - start <= 1e-9) return;
+    if (runs.size() > 0 && runs.piece.back() == piece && start - runs.end_px.back() <= 1e-6)
+        runs.end_px.back() = end;
+    else
+        runs.push(piece, start, end);
+}
 
-    void add(Index piece) {
-        piece_ = piece;
-        open_ = false;
-        const bool in_image = paths_.placement[clipped_.path[piece]] == none;
-        const Index last = clipped_.pieces.end(piece) - 1;
-        for (Index i = clipped_.pieces.begin(piece); i < last; ++i) {
-            const Index samples = clipped_.sample_count[i];
-            if (samples == 0) continue;
-            const double arc = clipped_.arc_px[i], end = clipped_.arc_px[i + 1], length = end - arc;
-            hidden_.clear();
-            if (!in_image) marcher_.march(segment_at(clipped_, paths_, tracer_, piece, i), samples, length, hidden_);
-            double from = arc;
-            for (const Interval& gap : hidden_) {
-                visible(from, arc + gap.begin * length);
-                from = gap.end < 1.0 ? arc + gap.end * length : end;
-            }
-            visible(from, end);
-        }
-        close();
-    }
-
-   private:
-    void visible(double start, double end) {
-        if (end - start <= 1e-9) return;
-        if (open_ && start - end_ <= 1e-6) {
-            end_ = end;
-            return;
-        }
-        close();
-        open_ = true;
-        start_ = start;
-        end_ = end;
-    }
-
-    void close() {
-        if (open_) out_.push(piece_, start_, end_);
-        open_ = false;
-    }
-
-    const ClippedPaths& clipped_;
-    const Paths& paths_;
-    const Tracer& tracer_;
-    Runs& out_;
-    Marcher marcher_;
-    std::vector<Interval> hidden_;
-    Index piece_ = 0;
-    bool open_ = false;
-    double start_ = 0.0, end_ = 0.0;
-};
+/// View-space point `offset_px` pixels to the left of screen fraction s of segment i.
+vec3 point_beside(const ClippedPaths& clipped, const View& view, const dmat4& clip_to_view, Index i, double s,
+                  double offset_px) {
+    const dvec2 p(clipped.px[i]), way = dvec2(clipped.px[i + 1]) - p;
+    const double length = glm::length(way);
+    const dvec2 left = length > 0.0 ? dvec2(-way.y, way.x) / length : dvec2(0.0, 1.0);
+    const double a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
+    const double distance = view.orthographic ? glm::mix(a, b, s) : a * b / glm::mix(b, a, s);
+    return vec3(from_pixels(view, clip_to_view, p + s * way + offset_px * left, distance));
+}
 
 }  // namespace
 
@@ -147,9 +110,50 @@ Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tra
     tracer.check_current();
     return runs_by_blocks(clipped.path.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
         cancel.poll();
-        Runner runner(clipped, paths, tracer, runs);
-        for (std::size_t q = begin; q < end; ++q) runner.add(static_cast<Index>(q));
+        Marcher marcher(tracer);
+        std::vector<Interval> hidden;
+        for (Index q = Index(begin); q < end; ++q) {
+            const bool in_image = paths.placement[clipped.path[q]] == none;
+            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
+                const Index samples = clipped.sample_count[i];
+                if (samples == 0) continue;
+                const double arc = clipped.arc_px[i], last = clipped.arc_px[i + 1], length = last - arc;
+                hidden.clear();
+                if (!in_image) marcher.march(segment_at(clipped, paths, tracer, q, i), samples, length, hidden);
+                double from = arc;
+                for (const Interval& gap : hidden) {
+                    add_visible(q, from, arc + gap.begin * length, runs);
+                    from = gap.end < 1.0 ? arc + gap.end * length : last;
+                }
+                add_visible(q, from, last, runs);
+            }
+        }
     });
+}
+
+Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, double offset_px,
+                                const Cancel& cancel) {
+    check_same_paths(clipped, paths, "seen_beside");
+    tracer.check_current();
+    const View& view = tracer.view();
+    const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
+    Array<std::uint8_t> seen(clipped.samples, 0);
+    parallel_blocks(clipped.path.size(), 256, [&](auto, std::size_t begin, std::size_t end) {
+        cancel.poll();
+        for (Index q = Index(begin); q < end; ++q) {
+            const bool in_image = paths.placement[clipped.path[q]] == none;
+            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
+                const Index count = clipped.sample_count[i], start = clipped.sample_start[i];
+                const bool asks = !in_image && count > 0;
+                const Ignore ignore = asks ? segment_at(clipped, paths, tracer, q, i).ignore : Ignore();
+                for (Index j = 0; j < count; ++j) {
+                    const vec3 beside = point_beside(clipped, view, clip_to_view, i, (j + 0.5) / count, offset_px);
+                    seen[start + j] = in_image || !tracer.occluder(beside + ignore.above, ignore);
+                }
+            }
+        }
+    });
+    return seen;
 }
 
 }  // namespace fovea

@@ -2,7 +2,6 @@
 #include <fovea/visibility/sampled.h>
 
 #include <fovea/base/check.h>
-#include <fovea/visibility/layout.h>
 #include <fovea/visibility/triangle_edges.h>
 
 namespace fovea {
