@@ -462,8 +462,6 @@ class Surface:
     def edges(self) -> NDArray[numpy.uint32]:
         """(E, 2) uint32 vertices; those of the mesh first"""
     @property
-    def occluding_triangles(self) -> int: ...
-    @property
     def mesh_edges(self) -> int: ...
     @property
     def facet_count(self) -> int: ...
@@ -476,7 +474,7 @@ class Surface:
         self,
         definition: str,
         parameters: Mapping[str, float]={},
-        eye: Annotated[Sequence[float], 'FixedSize(3)']=[0.0, 0.0, 1.0],
+        eye: Annotated[Sequence[float], 'FixedSize(3)']=(0.0, 0.0, 1.0),
         orthographic: bool=True,
     ) -> Curves:
         """Curves that a definition finds across the triangles of this surface alone. eye: in object space; for an
@@ -694,10 +692,10 @@ class Polylines:
         """(R,) uint8"""
     @property
     def closed(self) -> NDArray[numpy.uint8]:
-        """(R,) uint8, 1: all of a closed path; the last point is the first again"""
+        """(R,) uint8, 1: all of a closed piece; the last point is the first again"""
     @property
     def pen(self) -> NDArray[numpy.uint32]:
-        """(R,) uint32 of the style's pens; 0xffffffff: none"""
+        """(R,) uint32 of the style's pens, as Pens numbers them; 0xffffffff: none"""
     @property
     def shown(self) -> NDArray[numpy.float32]:
         """(R,) float32 in [0, 1] that elision leaves"""
@@ -715,7 +713,8 @@ class Polylines:
         """(M,) float32 in [0, 1]"""
     @property
     def kinds(self) -> NDArray[numpy.uint32]:
-        """(M,) uint32 bits of what the segment from the point is; see line_definitions()"""
+        """(M,) uint32 bits of what the segment from the point is, of the last point what that before it is; see
+        line_definitions()"""
 
 class View:
     """A camera and its image; see addon/stages.py."""
@@ -794,12 +793,6 @@ class Scene:
         ids; usage (n,) uint8, bits of Usage."""
     def __len__(self) -> int: ...
     def surface(self, placement: int) -> Surface: ...
-    @property
-    def usage(self) -> NDArray[numpy.uint8]:
-        """(n,) uint8, bits of Usage"""
-    @property
-    def facet_base(self) -> NDArray[numpy.uint32]:
-        """(n,) uint32: number of each placement's first facet"""
 
 class Tracer:
     """Rays through a scene as a view sees it (Embree)."""
@@ -858,6 +851,8 @@ class DepthLayout:
     """Size of a view's depth buffer; see native/fovea/visibility/depth.h."""
     def __init__(self, view: View, scale: int=2) -> None:
         """scale: texels per pixel, along each axis."""
+    def texels(self, scene: Scene, view: View) -> numpy.ndarray:
+        """(height, width) records depth, ddx, ddy, facet, edges (x, y) of the nearest surface; bottom row first."""
     def draws(self, scene: Scene, view: View) -> list[DepthDraw]:
         """All that hides lines, in drawing order."""
     @property
@@ -880,14 +875,6 @@ class DepthLayout:
 
 def depth_reach(scene: Scene, view: View) -> float:
     """How far away along the view anything that hides lines reaches."""
-
-class SceneDepth:
-    """The nearest surface of a scene at every texel of a layout."""
-    def __init__(self, scene: Scene, view: View, layout: DepthLayout) -> None: ...
-    @property
-    def texels(self) -> numpy.ndarray:
-        """(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see
-        native/fovea/visibility/depth.h."""
 
 class SampledOptions:
     """How the segment atlas looks; see native/fovea/visibility/sampled.h."""
@@ -936,29 +923,34 @@ class AtlasBatch:
 class Elision:
     """Bands of runs, of V corners, and the D atlas samples that runs cover; see native/fovea/elision/elide.h."""
     @property
-    def place(self) -> NDArray[numpy.float32]:
-        """(D, 4) float32: pixel position, direction"""
-    @property
-    def band(self) -> NDArray[numpy.float32]:
-        """(D, 4) float32: half width, rank, pixels to the run's ends"""
-    @property
-    def ends(self) -> NDArray[numpy.float32]:
-        """(D, 4) float32: where the run starts, and where it ends"""
-    @property
     def reach_px(self) -> float:
         """pixels from its end over which a band hands over to a line that goes on"""
     @property
-    def px(self) -> NDArray[numpy.float32]:
-        """(V, 2) float32"""
-    @property
-    def across(self) -> NDArray[numpy.float32]:
-        """(V, 3) float32: pixels across, half width, how near the end is"""
-    @property
-    def owner(self) -> NDArray[numpy.float32]:
-        """(V, 3) float32: unit vector across, rank"""
-    @property
     def triangles(self) -> NDArray[numpy.uint32]:
         """(T, 3) uint32, the highest rank first"""
+    @property
+    def sample(self) -> NDArray[numpy.uint32]:
+        """(D,) uint32 number of the sample in the atlas"""
+    @property
+    def place(self) -> NDArray[numpy.float32]:
+        """(D, 4) float32: pixel position, direction (unit length)"""
+    @property
+    def band(self) -> NDArray[numpy.float32]:
+        """(D, 4) float32: half the band's width [px], at least half a pixel, so that no line slips between pixels; rank
+        of the run; pixels back to its start, and ahead to its end"""
+    @property
+    def ends(self) -> NDArray[numpy.float32]:
+        """(D, 4) float32: where the run starts, and where it ends [px]"""
+    @property
+    def px(self) -> NDArray[numpy.float32]:
+        """(V, 2) float32 pixels"""
+    @property
+    def across(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32: v: pixels across, positive to the left of the way, h: half the band's width, e: how near the
+        run's end is, from 0 at OwnBands::reach_px, or half way along the run, to 1 there; negative towards the start"""
+    @property
+    def owner(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32: unit vector to the left of the way, and rank; the same for the corners of a triangle"""
     WINDOW_COLUMNS: ClassVar[int]
     WINDOW_LENGTH_PX: ClassVar[float]
     MOST_WINDOW_ROWS: ClassVar[int]
@@ -978,25 +970,12 @@ class ShownLines:
 
 class Pen:
     """A style's pen as one picture has it."""
-    def __init__(
-        self,
-        *,
-        look: style.Pen,
-        width_px: float=2.0,
-        texture_length_px: float=256.0,
-        texture: int | None=None,
-        away: int | None=None,
-    ) -> None:
-        """look: of the style, its lengths in pixels of the picture; texture: index into the frame's textures, None:
-        solid; away: index of the pen that this one becomes out of focus, None: it stays as it is."""
 
 class PenTexture:
     """Ink of a pen, repeated along the stroke."""
-    def __init__(self, ink: Annotated[ArrayLike, numpy.float32]) -> None:
-        """(rows, columns) float32 in [0, 1]; first row: left side of the way."""
 
 class PenTable:
-    """N pens and their ink as the gpu's stroke pass reads them; see native/fovea/stroke/pen_table.h."""
+    """N pens and their ink as the gpu's stroke pass reads them; see native/fovea/stroke/ink.h."""
     def __init__(self, pens: Sequence[Pen], textures: Sequence[PenTexture]) -> None: ...
     @property
     def pens(self) -> NDArray[numpy.float32]:
@@ -1007,18 +986,6 @@ class PenTable:
 
 class Strokes:
     """Visible runs shaped into V vertices and T triangles; see native/fovea/stroke/strokes.h."""
-    def __init__(
-        self,
-        px: Annotated[ArrayLike, numpy.float32],
-        arc: Annotated[ArrayLike, numpy.float32],
-        half_width: Annotated[ArrayLike, numpy.float32],
-        opacity: Annotated[ArrayLike, numpy.float32],
-        pen: Annotated[ArrayLike, numpy.uint32],
-        triangles: Annotated[ArrayLike, numpy.uint32],
-        count: int=0,
-        mix: Annotated[ArrayLike, numpy.float32] | None=None,
-        path_px: Annotated[ArrayLike, numpy.float32] | None=None,
-    ) -> None: ...
     def __len__(self) -> int: ...
     @property
     def triangles(self) -> NDArray[numpy.uint32]:
@@ -1065,8 +1032,6 @@ class ColorTexture:
     """An image of base colours."""
     def __init__(self, pixels: Annotated[ArrayLike, numpy.float32], encoded: bool) -> None:
         """(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear."""
-    def at(self, u: float, v: float, footprint: float=0.0) -> Annotated[list[float], 'FixedSize(3)']:
-        """Scene-linear colour at a place of the unit square."""
 
 class ColorSlot:
     """What a material says about colour."""
@@ -1140,7 +1105,7 @@ class Frame:
         """Strokes of which elision leaves (samples,) so much."""
     def seen_beside(self, offset_px: float) -> NDArray[numpy.uint8]:
         """(samples,) uint8: exactly seen so many pixels to the left of the line; see
-        native/fovea/visibility/beside.h."""
+        native/fovea/visibility/exact.h."""
     def polylines(self) -> Polylines:
         """Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`."""
     def layouts(self, most_side: int, overlap_px: int=0) -> list[DepthLayout]:

@@ -25,8 +25,9 @@ def _folder():
 
 @cache
 def manifest():
-    """Name of each program -> its description."""
-    return tomllib.loads((_folder() / "programs.toml").read_text())
+    """Name of each program -> its description, which goes on from that of the program that it is like."""
+    programs = tomllib.loads((_folder() / "programs.toml").read_text())
+    return {name: {**programs.get(said.get("like"), {}), **said} for name, said in programs.items()}
 
 
 def compile_program(name):

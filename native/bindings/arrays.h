@@ -3,15 +3,37 @@
 // threads of Python run.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <optional>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 #include <string>
 
 #include <fovea/base/check.h>
 #include <fovea/base/columns.h>
 #include <fovea/base/types.h>
+
+/// GLM's vectors: any sequence of so many numbers, a tuple for Python.
+template <int N, typename T, glm::qualifier Q>
+struct pybind11::detail::type_caster<glm::vec<N, T, Q>> {
+    using Vector = glm::vec<N, T, Q>;
+    using Numbers = std::array<T, N>;
+    PYBIND11_TYPE_CASTER(Vector, make_caster<Numbers>::name);
+
+    bool load(handle given, bool convert) {
+        make_caster<Numbers> numbers;
+        if (!numbers.load(given, convert)) return false;
+        for (int i = 0; i < N; ++i) value[i] = cast_op<Numbers&>(numbers)[i];
+        return true;
+    }
+    static handle cast(const Vector& vector, return_value_policy, handle) {
+        tuple numbers(N);
+        for (int i = 0; i < N; ++i) numbers[i] = vector[i];
+        return numbers.release();
+    }
+};
 
 namespace fovea::bindings {
 
@@ -62,11 +84,11 @@ auto viewing(Array<T> Structure::* array) {
     return [array](py::object self) { return view_numpy(self.cast<const Owner&>().*array, self); };
 }
 
-/// The columns of a bound structure (base/columns.h) as read-only properties.
+/// The columns of a bound structure, or of one that it is made of (base/columns.h), as read-only properties.
 template <typename Class, typename Columns>
 void bind_columns(Class& bound, const Columns& columns) {
-    for_each_column(columns, [&]<typename S, typename V>(const Column<S, V>& column) {
-        bound.def_property_readonly(column.name, viewing<S>(column.array), column.doc);
+    for_each_column(columns, [&](const auto& column) {
+        bound.def_property_readonly(column.name, viewing<typename Class::type>(column.array), column.doc);
     });
 }
 

@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <fovea/color/light.h>
-#include <fovea/color/png_bytes.h>
+#include <fovea/color/png.h>
 #include <fovea/color/source.h>
 
 #include "bindings/bind.h"
@@ -11,10 +11,6 @@
 
 namespace fovea::bindings {
 namespace {
-
-using Color = std::array<float, 3>;
-
-vec3 vector(const Color& color) { return {color[0], color[1], color[2]}; }
 
 std::shared_ptr<ColorTexture> make_texture(const Pixels& image, bool encoded) {
     check(image.ndim() == 3 && image.shape(0) < (1 << 16) && image.shape(1) < (1 << 16),
@@ -35,14 +31,9 @@ std::shared_ptr<SurfaceColor> make_surface_color(const std::vector<ColorSlot>& s
     return color;
 }
 
-Light make_light(const py::str& kind, const std::array<double, 3>& position, const std::array<double, 3>& direction,
-                 const Color& color, float cos_outer, float cos_inner) {
-    return {value_from<Light::Kind>(kind, "light: kind"),
-            {position[0], position[1], position[2]},
-            {direction[0], direction[1], direction[2]},
-            vector(color),
-            cos_outer,
-            cos_inner};
+Light make_light(const py::str& kind, const dvec3& position, const dvec3& direction, const vec3& color, float cos_outer,
+                 float cos_inner) {
+    return {value_from<Light::Kind>(kind, "light: kind"), position, direction, color, cos_outer, cos_inner};
 }
 
 py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
@@ -55,20 +46,11 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
 void bind_color(py::module_& m) {
     py::class_<ColorTexture, std::shared_ptr<ColorTexture>>(m, "ColorTexture", "An image of base colours.")
         .def(py::init(&make_texture), py::arg("pixels"), py::arg("encoded"),
-             "(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear.")
-        .def(
-            "at",
-            [](const ColorTexture& texture, float u, float v, float footprint) {
-                const vec3 color = texture.at({u, v}, footprint);
-                return std::array{color.x, color.y, color.z};
-            },
-            py::arg("u"), py::arg("v"), py::arg("footprint") = 0.0f,
-            "Scene-linear colour at a place of the unit square.");
+             "(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear.");
     py::class_<ColorSlot>(m, "ColorSlot", "What a material says about colour.")
-        .def(py::init([](const Color& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
+        .def(py::init([](const vec3& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
                          std::optional<Index> attribute, bool unlit) {
-                 return ColorSlot{vector(color), std::move(texture), uv.value_or(none), attribute.value_or(none),
-                                  unlit};
+                 return ColorSlot{color, std::move(texture), uv.value_or(none), attribute.value_or(none), unlit};
              }),
              py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
              py::arg("attribute") = py::none(), py::arg("unlit") = false);

@@ -32,11 +32,6 @@ struct DepthCorners {
     Array<Index> facets;
 };
 
-/// A depth buffer with what it shows.
-struct SceneDepth {
-    DepthBuffer buffer;
-};
-
 /// Which side of its triangles need not be drawn, as Blender calls it.
 const char* one_side(const Occluder& occluder) {
     if (!occluder.solid) return "NONE";
@@ -53,6 +48,12 @@ std::vector<DepthDraw> depth_draws(const DepthBuffer& layout, const Scene& scene
     return draws;
 }
 
+/// What the cpu backend draws.
+py::array texels(const DepthBuffer& layout, const Scene& scene, const View& view) {
+    const DepthBuffer drawn = without_gil([&] { return draw_depth(layout, view, depth_meshes(scene, view, margin)); });
+    return py::array_t<DepthTexel>({drawn.height, drawn.width}, drawn.texels.data());
+}
+
 std::shared_ptr<DepthCorners> depth_corners(const Surface& surface) {
     const std::size_t count = surface.occluding_triangles;
     auto corners = std::make_shared<DepthCorners>(Array<vec3>(3 * count), Array<Index>(3 * count));
@@ -66,6 +67,8 @@ std::shared_ptr<DepthCorners> depth_corners(const Surface& surface) {
 }
 
 void bind_draws(py::module_& m) {
+    PYBIND11_NUMPY_DTYPE(vec2, x, y);
+    PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet, edges);
     py::class_<DepthDraw>(m, "DepthDraw", "A placement that hides lines, as the depth pass draws it.")
         .def_readonly("placement", &DepthDraw::placement)
         .def_readonly("surface_version", &DepthDraw::surface_version, "Surface.version")
@@ -85,37 +88,21 @@ void bind_draws(py::module_& m) {
     py::class_<DepthBuffer>(m, "DepthLayout", "Size of a view's depth buffer; see native/fovea/visibility/depth.h.")
         .def(py::init([](const View& view, int scale) { return depth_layout(view, {.scale = scale}); }),
              py::arg("view"), py::arg("scale") = DepthOptions().scale, "scale: texels per pixel, along each axis.")
+        .def("texels", &texels, py::arg("scene"), py::arg("view"),
+             "(height, width) records depth, ddx, ddy, facet, edges (x, y) of the nearest surface; bottom row first.")
         .def("draws", &depth_draws, py::arg("scene"), py::arg("view"), "All that hides lines, in drawing order.")
         .def_readonly("scale", &DepthBuffer::scale)
         .def_readonly("border_x", &DepthBuffer::border_x, "pixels")
         .def_readonly("border_y", &DepthBuffer::border_y, "pixels")
         .def_readonly("width", &DepthBuffer::width, "texels")
         .def_readonly("height", &DepthBuffer::height, "texels")
-        .def_property_readonly(
-            "core", [](const DepthBuffer& b) { return std::array{b.core.x, b.core.y, b.core.z, b.core.w}; },
-            "left, lower, right and upper edge of what it decides, in pixels");
+        .def_readonly("core", &DepthBuffer::core, "left, lower, right and upper edge of what it decides, in pixels");
     m.def(
         "depth_reach", [](const Scene& scene, const View& view) { return depth_reach(scene, view, margin); },
         py::arg("scene"), py::arg("view"), "How far away along the view anything that hides lines reaches.");
 }
 
-void bind_reference(py::module_& m) {
-    PYBIND11_NUMPY_DTYPE(vec2, x, y);
-    PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet, edges);
-    py::class_<SceneDepth>(m, "SceneDepth", "The nearest surface of a scene at every texel of a layout.")
-        .def(py::init([](const Scene& scene, const View& view, const DepthBuffer& layout) {
-                 return without_gil(
-                     [&] { return SceneDepth{draw_depth_into(layout, view, depth_meshes(scene, view, margin))}; });
-             }),
-             py::arg("scene"), py::arg("view"), py::arg("layout"))
-        .def_property_readonly(
-            "texels",
-            [](py::object self) -> py::array {
-                const DepthBuffer& buffer = self.cast<const SceneDepth&>().buffer;
-                return py::array_t<DepthTexel>({buffer.height, buffer.width}, buffer.texels.data(), self);
-            },
-            "(height, width) records depth, ddx, ddy, facet, edges (x, y); bottom row first; see "
-            "native/fovea/visibility/depth.h.");
+void bind_options(py::module_& m) {
     py::class_<SampledOptions>(m, "SampledOptions",
                                "How the segment atlas looks; see native/fovea/visibility/sampled.h.")
         .def(py::init<>())
@@ -170,7 +157,7 @@ void bind_tables(py::module_& m) {
 
 void bind_depth(py::module_& m) {
     bind_draws(m);
-    bind_reference(m);
+    bind_options(m);
     bind_tables(m);
 }
 

@@ -5,9 +5,8 @@
 #include <pybind11/stl/filesystem.h>
 #include <pybind11/typing.h>
 
-#include <fovea/draw/depth_layouts.h>
 #include <fovea/draw/polylines.h>
-#include <fovea/visibility/beside.h>
+#include <fovea/visibility/exact.h>
 
 #include "bindings/bind.h"
 #include "bindings/overrides.h"
@@ -145,8 +144,8 @@ void bind_parts(py::module_& m) {
     py::class_<Assets, std::shared_ptr<Assets>>(m, "Assets", "Pen textures and papers that ship, by name.")
         .def(py::init<std::filesystem::path>(), py::arg("folder"));
     py::class_<ColorSources>(m, "ColorSources", "Where the colors of a scene come from.")
-        .def(py::init([](SceneColor surfaces, std::vector<Light> lights, const std::array<float, 3>& world) {
-                 return ColorSources{std::move(surfaces), std::move(lights), {world[0], world[1], world[2]}};
+        .def(py::init([](SceneColor surfaces, std::vector<Light> lights, const vec3& world) {
+                 return ColorSources{std::move(surfaces), std::move(lights), world};
              }),
              py::arg("surfaces"), py::arg("lights"), py::arg("world"),
              "surfaces: a SurfaceColor or None per placement; world: radiance of the sky.");
@@ -202,17 +201,12 @@ stage.)")
             },
             py::arg("offset_px"),
             "(samples,) uint8: exactly seen so many pixels to the left of the line; see "
-            "native/fovea/visibility/beside.h.")
+            "native/fovea/visibility/exact.h.")
         .def(
             "polylines", [](Frame& frame) { return without_gil([&] { return polylines_of(frame); }); },
             "Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`.")
-        .def(
-            "layouts",
-            [](const Frame& frame, int most_side, int overlap_px) {
-                return depth_layouts(frame, most_side, overlap_px);
-            },
-            py::arg("most_side"), py::arg("overlap_px") = 0,
-            "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.");
+        .def("layouts", &Frame::depth_layouts, py::arg("most_side"), py::arg("overlap_px") = 0,
+             "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.");
 }
 
 void bind_members(FrameClass& frame) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of surfaces, and the pieces of curves that one definition finds: what research and benchmarks ask for.
-#include <array>
 #include <pybind11/stl.h>
 
 #include <fovea/field/fields.h>
@@ -49,13 +48,13 @@ std::shared_ptr<Fields> fields(const Surface& surface, const py::str& estimator,
 }
 
 Pieces find_curves(const Surface& surface, const std::string& name, const std::map<std::string, double>& given,
-                   const std::array<double, 3>& eye, bool orthographic) {
+                   const dvec3& eye, bool orthographic) {
     const LineDefinition& definition = definition_called(name);
     const auto* rule = std::get_if<CurveRule>(&definition.rule);
     check(rule && definition.scope != Scope::scene, name + " is no line across triangles of a surface");
     const Values values = values_of(definition, style::Parameters(given.begin(), given.end()));
     SurfaceView seen{.surface = surface};
-    seen.eye_obj = {eye[0], eye[1], eye[2]};
+    seen.eye_obj = eye;
     seen.orthographic = orthographic;
     return without_gil([&] { return Pieces{rule->find(seen, values)}; });
 }
@@ -83,7 +82,7 @@ void bind_fields(py::module_& m, SurfaceClass& surface) {
 surface.)");
     surface.def(
         "find_curves", &find_curves, py::arg("definition"), py::arg("parameters") = std::map<std::string, double>(),
-        py::arg("eye") = std::array<double, 3>{0, 0, 1}, py::arg("orthographic") = true,
+        py::arg("eye") = dvec3(0, 0, 1), py::arg("orthographic") = true,
         R"(Curves that a definition finds across the triangles of this surface alone. eye: in object space; for an
 orthographic view the direction towards the viewer.)");
 }

@@ -12,10 +12,8 @@
 namespace fovea::bindings {
 namespace {
 
-Transfer make_transfer(float start, float end, float strength, const std::vector<std::array<float, 2>>& curve) {
-    std::vector<vec2> points;
-    for (const auto& [x, y] : curve) points.emplace_back(x, y);
-    return Transfer(start, end, strength, points);
+Transfer make_transfer(float start, float end, float strength, const std::vector<vec2>& curve) {
+    return Transfer(start, end, strength, curve);
 }
 
 Numpy<float> answers(const Transfer& transfer, const Arg<float>& values) {
@@ -33,7 +31,7 @@ void bind_focus(py::module_& m) {
     py::class_<Transfer>(m, "Transfer",
                          "From focus in [0, 1] to how strong an effect is; see native/fovea/focus/transfer.h.")
         .def(py::init(&make_transfer), py::arg("start") = 0.0f, py::arg("end") = 1.0f, py::arg("strength") = 1.0f,
-             py::arg("curve") = std::vector<std::array<float, 2>>(),
+             py::arg("curve") = std::vector<vec2>(),
              "curve: points (x, y) of the response, ascending in x; none: straight.")
         .def("__call__", &answers, py::arg("values"), "(n,) float32 mixes in [0, 1] of (n,) values.");
     py::class_<Focus>(m, "Focus", "Where the viewer shall look; see native/fovea/focus/focus.h.")

@@ -131,7 +131,6 @@ void bind_arrays(SurfaceClass& surface) {
         .def_property_readonly("triangle_facet", viewing<Surface>(&Surface::triangle_facet), "(T,) uint32")
         .def_property_readonly("edges", viewing<Surface>(&Surface::edges),
                                "(E, 2) uint32 vertices; those of the mesh first")
-        .def_readonly("occluding_triangles", &Surface::occluding_triangles)
         .def_readonly("mesh_edges", &Surface::mesh_edges)
         .def_property_readonly("facet_count", &Surface::facet_count)
         .def_property_readonly("polygon_count", &Surface::polygon_count);

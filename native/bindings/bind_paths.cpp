@@ -56,34 +56,6 @@ auto viewing_rows(Rows Structure::* rows) {
     return [rows](py::object self) { return view_numpy((self.cast<const Owner&>().*rows).offsets, self); };
 }
 
-void bind_polylines(py::module_& m) {
-    using P = Polylines;
-    py::class_<P>(m, "Polylines", "A frame's lines: R runs as polylines of M points in all, in path order.")
-        .def("__len__", [](const P& lines) { return lines.path.size(); })
-        .def_property_readonly("offsets", viewing_rows<P>(&P::rows),
-                               "(R + 1,) uint32: points of run r are offsets[r] .. offsets[r + 1]")
-        .def_property_readonly("path_id", viewing<P>(&P::path_id), "(R,) uint64 persistent id of the path")
-        .def_property_readonly("path", viewing<P>(&P::path), "(R,) uint32 path of Paths")
-        .def_property_readonly("piece", viewing<P>(&P::piece), "(R,) uint32 piece of ClippedPaths")
-        .def_property_readonly("start_px", viewing<P>(&P::start_px),
-                               "(R,) float64 arc length in pixels, 0 at the path's middle")
-        .def_property_readonly("end_px", viewing<P>(&P::end_px), "(R,) float64")
-        .def_property_readonly("invisibility", viewing<P>(&P::invisibility),
-                               "(R,) uint8 surfaces that hide it; 0: visible")
-        .def_property_readonly("line_set", viewing<P>(&P::line_set), "(R,) uint8")
-        .def_property_readonly("closed", viewing<P>(&P::closed),
-                               "(R,) uint8, 1: all of a closed path; the last point is the first again")
-        .def_property_readonly("pen", viewing<P>(&P::pen), "(R,) uint32 of the style's pens; 0xffffffff: none")
-        .def_property_readonly("shown", viewing<P>(&P::shown), "(R,) float32 in [0, 1] that elision leaves")
-        .def_property_readonly("px", viewing<P>(&P::px), "(M, 2) float32 pixels, from the lower left corner, y up")
-        .def_property_readonly("position_view", viewing<P>(&P::position_view),
-                               "(M, 3) float32 view space: the eye at 0, looking along -z")
-        .def_property_readonly("arc_px", viewing<P>(&P::arc_px), "(M,) float64 arc length in pixels")
-        .def_property_readonly("strength", viewing<P>(&P::strength), "(M,) float32 in [0, 1]")
-        .def_property_readonly("kinds", viewing<P>(&P::kinds),
-                               "(M,) uint32 bits of what the segment from the point is; see line_definitions()");
-}
-
 }  // namespace
 
 void bind_paths(py::module_& m) {
@@ -116,7 +88,15 @@ void bind_paths(py::module_& m) {
             [](const Runs& runs, const ClippedPaths& clipped) { return to_numpy(samples_from_runs(clipped, runs)); },
             py::arg("clipped"), "(samples,) float32 share of each atlas sample that visible runs cover.");
     bind_columns(runs, Runs::columns);
-    bind_polylines(m);
+
+    py::class_<Polylines> polylines(m, "Polylines",
+                                    "A frame's lines: R runs as polylines of M points in all, in path order.");
+    polylines.def("__len__", [](const Polylines& lines) { return lines.path.size(); })
+        .def_property_readonly("offsets", viewing_rows<Polylines>(&Polylines::rows),
+                               "(R + 1,) uint32: points of run r are offsets[r] .. offsets[r + 1]");
+    bind_columns(polylines, CompactRuns::run_columns);
+    bind_columns(polylines, Polylines::pen_columns);
+    bind_columns(polylines, CompactRuns::point_columns);
 }
 
 }  // namespace fovea::bindings

@@ -48,8 +48,7 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
 }
 
 View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int width, int height, bool orthographic,
-               double near_clip, double far_clip, double reference_scale,
-               const std::optional<std::array<double, 4>>& frame) {
+               double near_clip, double far_clip, double reference_scale, const std::optional<dvec4>& frame) {
     check(width > 0 && height > 0, "view: the image has no pixels");
     check(near_clip > 0.0 || orthographic, "view: the near clip distance must be positive");
     check(far_clip > near_clip, "view: the far clip distance must lie beyond the near one");
@@ -61,12 +60,7 @@ View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int widt
             near_clip,
             far_clip,
             reference_scale,
-            frame ? dvec4((*frame)[0], (*frame)[1], (*frame)[2], (*frame)[3]) : dvec4(0.0, 0.0, width, height)};
-}
-
-py::array view_matrix(const View& view) {
-    const dmat4 rows = glm::transpose(view.world_to_view);
-    return py::array_t<double>(std::vector<py::ssize_t>{4, 4}, &rows[0][0]);
+            frame.value_or(dvec4(0.0, 0.0, width, height))};
 }
 
 /// One line set of definitions with some of their parameters by name.
@@ -88,11 +82,13 @@ void bind_view(py::module_& m) {
              py::arg("reference_scale") = 1.0, py::arg("frame") = py::none(),
              "frame: left, lower, width and height of the camera's full frame in pixels; None: the image.")
         .def_property_readonly(
-            "world_to_view", [](const View& view) { return view_matrix(view); }, "(4, 4) float64")
-        .def_property_readonly(
-            "frame",
-            [](const View& view) { return std::array{view.frame.x, view.frame.y, view.frame.z, view.frame.w}; },
-            "left, lower, width and height of the camera's full frame in pixels")
+            "world_to_view",
+            [](const View& view) -> py::array {
+                const dmat4 rows = glm::transpose(view.world_to_view);
+                return py::array_t<double>({4, 4}, &rows[0][0]);
+            },
+            "(4, 4) float64")
+        .def_readonly("frame", &View::frame, "left, lower, width and height of the camera's full frame in pixels")
         .def_readonly("width", &View::width)
         .def_readonly("height", &View::height)
         .def_readonly("orthographic", &View::orthographic)
@@ -122,17 +118,7 @@ usage (n,) uint8, bits of Usage.)")
             [](const Scene& scene, Index placement) {
                 return std::const_pointer_cast<Surface>(scene.placements.at(placement).surface);
             },
-            py::arg("placement"))
-        .def_property_readonly(
-            "usage",
-            [](const Scene& scene) {
-                Array<std::uint8_t> usage;
-                for (const Placement& placement : scene.placements) usage.push_back(placement.usage);
-                return to_numpy(std::move(usage));
-            },
-            "(n,) uint8, bits of Usage")
-        .def_property_readonly("facet_base", viewing<Scene>(&Scene::facet_base),
-                               "(n,) uint32: number of each placement's first facet");
+            py::arg("placement"));
 
     py::class_<Tracer, std::shared_ptr<Tracer>>(m, "Tracer", "Rays through a scene as a view sees it (Embree).")
         .def(py::init([](const Scene& scene, const View& view) {

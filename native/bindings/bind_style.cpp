@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Styles: their records, their files, and what is declared of their members.
+#include <fovea/draw/pens.h>
 #include <fovea/style/json.h>
 #include <fovea/style/mix.h>
 
@@ -113,15 +114,6 @@ style::Style read(const std::string& json, std::vector<std::string> textures, st
     return style::read_style(json, &shipped);
 }
 
-std::vector<style::Pen> pens(const style::Style& style) {
-    const std::vector<style::PenPair> pairs = style.pen_pairs();
-    std::vector<style::Pen> all;
-    for (const style::PenPair& pair : pairs) all.push_back(*pair.pen);
-    for (const style::PenPair& pair : pairs)
-        if (pair.away) all.push_back(*pair.away);
-    return all;
-}
-
 }  // namespace
 
 void bind_style(py::module_& parent) {
@@ -151,7 +143,8 @@ void bind_style(py::module_& parent) {
         .def("written", &style::write_style, "The JSON of its file.")
         .def("mixed", &style::mix, py::arg("other"), py::arg("share"), "The style between it (0) and another (1).")
         .def("has_color", &style::Style::has_color, "Whether there is a color layer.")
-        .def("pens", &pens, "Those in focus of visible parts by line set, of hidden parts, and all those out of focus.")
+        .def("pens", &pens_in_order,
+             "Those in focus of visible parts by line set, of hidden parts, and all those out of focus.")
         .def("width_px", &style::Style::width_px, py::arg("pen"), py::arg("reference_scale"),
              "Width of a pen in pixels of an image, so many of which are a reference pixel.");
     m.def(

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <optional>
-#include <pybind11/stl.h>
 
-#include <fovea/base/check.h>
 #include <fovea/style/field.h>
 
 #include "bindings/arrays.h"
@@ -34,22 +32,6 @@ struct Member<Enum> {
         throw std::invalid_argument("is '" + word + "'; it can be: " + known);
     }
     static py::object to(Enum value) { return py::str(style::choices_of<Enum>[static_cast<int>(value)].name); }
-};
-
-template <int N>
-struct Member<glm::vec<N, double>> {
-    using Vector = glm::vec<N, double>;
-    static Vector from(const py::handle& given) {
-        const auto numbers = given.cast<std::array<double, N>>();
-        Vector value;
-        for (int i = 0; i < N; ++i) value[i] = numbers[i];
-        return value;
-    }
-    static py::object to(const Vector& value) {
-        py::tuple numbers(N);
-        for (int i = 0; i < N; ++i) numbers[i] = value[i];
-        return numbers;
-    }
 };
 
 template <typename T>

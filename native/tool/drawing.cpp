@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include <fovea/base/check.h>
-#include <fovea/color/png_bytes.h>
+#include <fovea/color/png.h>
 #include <fovea/style/json.h>
 
 namespace fovea::tool {

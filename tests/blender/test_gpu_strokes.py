@@ -7,27 +7,6 @@ from native_frames import core, frame_of, hills, pipeline, room, scene_of, style
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
-PLAIN = core.Pen(look=style.Pen())
-
-
-def on_gpu(strokes, pens, textures, view):
-    return part("gpu.backend").Backend().draw_strokes(strokes, pens, textures, view)
-
-
-def straight(pen, start=(10.3, 20.2), end=(150.6, 75.9), half_width=3.0, path_px=0.0):
-    """A stroke of one segment, as `tessellate` would make it."""
-    a, b = np.array(start), np.array(end)
-    length = np.linalg.norm(b - a)
-    along = (b - a) / length
-    left = np.array((-along[1], along[0]))
-    room_px = half_width + 0.5
-    corners = [(-room_px, room_px), (-room_px, -room_px), (length + room_px, room_px), (length + room_px, -room_px)]
-    px = np.array([a + u * along + v * left for u, v in corners], np.float32)
-    arc = np.array([(u, v, 0, length) for u, v in corners], np.float32)
-    same = np.ones(4, np.float32)
-    triangles = np.array([(0, 1, 2), (2, 1, 3)], np.uint32)
-    pens = np.full(4, pen, np.uint32)
-    return core.Strokes(px, arc, half_width * same, 0.8 * same, pens, triangles, 1, path_px=path_px * same)
 
 
 @pytest.mark.parametrize("name", style.names())
@@ -43,56 +22,6 @@ def test_every_style(name):
     assert np.abs(drawn - reference).mean() < 5e-4
 
 
-@pytest.mark.parametrize("cap", ["round", "butt"])
-@pytest.mark.parametrize("textured", [False, True])
-def test_caps_and_textures(cap, textured):
-    ink = np.random.default_rng(1).uniform(0.2, 1, (5, 40)).astype(np.float32)
-    look = style.Pen(color=(0.2, 0.4, 0.9), cap=cap)
-    pens = [core.Pen(look=look, width_px=6, texture_length_px=31, texture=i if textured else None) for i in range(2)]
-
-    textures = [core.PenTexture(ink), core.PenTexture(ink[:, ::-1].copy())]
-    view = view_of(160, 100)
-    for number in range(2):
-        stroke = straight(number)
-        drawn = on_gpu(stroke, pens, textures, view)
-        np.testing.assert_allclose(drawn, stroke.raster(pens, textures, 160, 100), atol=0.01)
-        assert 0.5 < drawn[..., 3].max() <= 0.8001
-
-
-@pytest.mark.parametrize("path_px", [3.0, 40.0, 123.4, 248.0, 250.0, 400.0, 5000.0])
-def test_textures_anchored_to_the_path(path_px):
-    """Within an octave, at its ends, for paths shorter than the texture and much longer than what is seen of them."""
-    ink = np.random.default_rng(1).uniform(0.2, 1, (5, 40)).astype(np.float32)
-    textures = [core.PenTexture(ink)]
-    stretch = {"width_px": 6, "texture_length_px": 31, "texture": 0}
-    stroke, drawn = straight(1, path_px=path_px), {}
-    for anchor in ("screen", "path"):
-        pens = [PLAIN, core.Pen(look=style.Pen(texture_anchor=anchor), **stretch)]
-        drawn[anchor] = on_gpu(stroke, pens, textures, view_of(160, 100))
-        np.testing.assert_allclose(drawn[anchor], stroke.raster(pens, textures, 160, 100), atol=0.01)
-    # Eight repetitions of 31 pixels are the one case in which both are the same.
-    assert (np.abs(drawn["path"] - drawn["screen"]).max() < 0.01) == (path_px == 248.0)
-
-
-def test_later_strokes_lie_over_earlier_ones():
-    pens = [core.Pen(look=style.Pen(color=color)) for color in ((1, 0, 0), (0, 0, 1))]
-    a, b = straight(0), straight(1, (10, 80), (150, 20))
-    both = core.Strokes(
-        np.r_[a.px, b.px],
-        np.r_[a.arc, b.arc],
-        np.r_[a.half_width, b.half_width],
-        np.r_[a.opacity, 0.5 * b.opacity],
-        np.r_[a.pen, b.pen],
-        np.r_[a.triangles, b.triangles + 4],
-        2,
-    )
-    view = view_of(160, 100)
-    drawn = on_gpu(both, pens, [], view)
-    np.testing.assert_allclose(drawn, both.raster(pens, [], 160, 100), atol=0.01)
-    crossed = drawn[(drawn[..., 0] > 0.3) & (drawn[..., 2] > 0.3)]
-    assert len(crossed) > 4 and np.allclose(np.median(crossed, 0), (0.48, 0, 0.4, 0.88), atol=0.01)
-
-
 def on_both(scene, chosen):
     """(200, 320, 4) of a Frame's strokes in a Style by the gpu, how far they are from the cpu's at each pixel, and the
     strokes."""
@@ -100,6 +29,44 @@ def on_both(scene, chosen):
     frame.ink()
     drawn = part("gpu.backend").Backend().draw(frame)
     return drawn, np.abs(drawn - core.CpuBackend().draw(frame)).max(axis=2), frame.strokes
+
+
+def lines_by(*pens):
+    """A Style that draws contours with the first of some pens, creases with the last."""
+    kinds = ({"contour": {}}, {"crease": {}}) if len(pens) > 1 else ({"contour": {}, "crease": {}},)
+    sets = (style.LineSet(kinds=k, least_length=0, pen=pen) for k, pen in zip(kinds, pens, strict=True))
+    return style.Style(line_sets=tuple(sets))
+
+
+def test_caps_and_textures():
+    pictures = {}
+    for cap in ("round", "butt"):
+        for texture in ("solid", "pencil"):
+            pen = style.Pen(color=(0.2, 0.4, 0.9), width=6, opacity=0.8, cap=cap, texture=texture)
+            drawn, off, _ = on_both(room(), lines_by(pen))
+            assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
+            assert 0.5 < np.quantile(drawn[..., 3], 0.99) <= 1
+            pictures[cap, texture] = drawn
+    assert np.abs(pictures["round", "solid"] - pictures["butt", "solid"]).max() > 0.3
+    assert np.abs(pictures["round", "solid"] - pictures["round", "pencil"]).max() > 0.3
+
+
+@pytest.mark.parametrize("length_scale", [0.03, 0.1, 0.37, 1.0, 5.0])
+def test_textures_anchored_to_the_path(length_scale):
+    """Within an octave and at its ends, for paths shorter than the texture and much longer."""
+    drawn = {}
+    for anchor in ("screen", "path"):
+        pen = style.Pen(width=6, texture="pencil", length_scale=length_scale, texture_anchor=anchor)
+        drawn[anchor], off, _ = on_both(room(), lines_by(pen))
+        assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
+    assert np.abs(drawn["path"] - drawn["screen"]).max() > 0.1
+
+
+def test_later_strokes_lie_over_earlier_ones():
+    red, blue = (style.Pen(color=color, width=6, opacity=0.5) for color in ((1, 0, 0), (0, 0, 1)))
+    drawn, off, _ = on_both(room(), lines_by(red, blue))
+    assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
+    assert ((drawn[..., 0] > 0.2) & (drawn[..., 2] > 0.2)).sum() > 4
 
 
 def test_strokes_that_thin_and_fade_with_strength():
@@ -131,8 +98,5 @@ def test_strokes_on_their_way_out_of_focus():
 
 
 def test_no_strokes():
-    empty = np.zeros(0, np.float32)
-    none = core.Strokes(
-        empty.reshape(0, 2), empty.reshape(0, 4), empty, empty, np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32)
-    )
-    assert not on_gpu(none, [PLAIN], [], view_of(8, 6)).any()
+    drawn, off, strokes = on_both(scene_of([]), lines_by(style.Pen()))
+    assert len(strokes) == 0 and not drawn.any() and not off.any()

@@ -24,7 +24,7 @@ def both(frame):
 def test_depth(orthographic, scale):
     scene, view = room(), view_of(orthographic=orthographic)
     layout = core.DepthLayout(view, scale)
-    texels, target = core.SceneDepth(scene, view, layout).texels, gpu_backend().draw_depth(scene, view, layout)
+    texels, target = layout.texels(scene, view), gpu_backend().draw_depth(scene, view, layout)
     drawn, edges = target.read(4), target.read(2, slot=1)
     assert drawn.shape[:2] == texels.shape
     facets = np.where(texels["facet"] == NEITHER, -1, texels["facet"].astype(np.int64))

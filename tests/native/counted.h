@@ -16,9 +16,8 @@ struct Counted {
     Counted(const Scene& scene, const Paths& paths, const View& view, Index levels, const ProjectOptions& options = {})
         : clipped(project(paths, scene, view, options, Cancel())) {
         const Tracer tracer(scene, view);
-        const Array<std::uint8_t> always_seen(paths.count(), 0);
         const Runs visible = exact_visibility(clipped, paths, tracer, Cancel());
-        const Runs all = with_hidden(clipped, visible, always_seen);
+        const Runs all = with_hidden(clipped, visible, paths.placement);
         runs = count_invisibility(clipped, paths, tracer, all, levels, Cancel());
     }
     Counted(const Wires& wires, const View& view, Index levels) : Counted(wires.scene, wires.paths, view, levels) {}

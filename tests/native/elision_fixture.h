@@ -7,7 +7,7 @@
 
 #include <fovea/elision/elide.h>
 #include <fovea/elision/opacity.h>
-#include <fovea/elision/rank.h>
+#include <fovea/elision/priority.h>
 
 namespace fovea {
 

@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <fovea/color/map.h>
-#include <fovea/color/png_bytes.h>
+#include <fovea/color/png.h>
 #include <fovea/focus/focus.h>
-#include <fovea/stroke/texture_file.h>
 
 #include "drawing.h"
 

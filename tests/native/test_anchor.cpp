@@ -5,7 +5,6 @@
 
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
-#include <fovea/stroke/pen_table.h>
 
 #include "stroke_fixture.h"
 #include "wires.h"
@@ -33,6 +32,9 @@ PenTexture grain() {
     }
     return fit_texture(texture, 1000.0f, 1000.0f);
 }
+
+/// Repetitions of the finer octave, and its share.
+vec2 octave(float path_px) { return formulas::Stroke{}.stroke_octave(path_px, length_px); }
 
 /// Ink along a path of so many pixels, at places that are the same shares of it.
 std::vector<float> along(const PenTexture& texture, float path_px, double from, double to, int count) {
@@ -64,19 +66,19 @@ double correlation(const std::vector<float>& a, const std::vector<float>& b, int
 
 TEST(Anchor, RepetitionsAreAPowerOfTwoNoLongerThanThePenSays) {
     for (float path = 1.5f; path < 40000.0f; path *= 1.037f) {
-        const Octave o = octave(path, length_px);
+        const vec2 o = octave(path);
         int exponent = 0;
-        EXPECT_EQ(std::frexp(o.repeats, &exponent), 0.5f) << path;
-        EXPECT_GT(path / o.repeats, length_px * 0.4999f) << path;
-        EXPECT_LE(path / o.repeats, length_px * 1.0001f) << path;
-        EXPECT_GE(o.finer, 0.0f);
-        EXPECT_LE(o.finer, 1.0f);
+        EXPECT_EQ(std::frexp(o.x, &exponent), 0.5f) << path;
+        EXPECT_GT(path / o.x, length_px * 0.4999f) << path;
+        EXPECT_LE(path / o.x, length_px * 1.0001f) << path;
+        EXPECT_GE(o.y, 0.0f);
+        EXPECT_LE(o.y, 1.0f);
     }
-    EXPECT_EQ(octave(800.0f, length_px).repeats, 8.0f);
-    EXPECT_EQ(octave(800.0f, length_px).finer, 1.0f);
-    EXPECT_EQ(octave(1200.0f, length_px).repeats, 16.0f);
-    EXPECT_EQ(octave(1200.0f, length_px).finer, 0.5f);
-    EXPECT_EQ(octave(0.0f, length_px).repeats, octave(1.0f, length_px).repeats) << "no path, no infinities";
+    EXPECT_EQ(octave(800.0f).x, 8.0f);
+    EXPECT_EQ(octave(800.0f).y, 1.0f);
+    EXPECT_EQ(octave(1200.0f).x, 16.0f);
+    EXPECT_EQ(octave(1200.0f).y, 0.5f);
+    EXPECT_EQ(octave(0.0f).x, octave(1.0f).x) << "no path, no infinities";
 }
 
 TEST(Anchor, AtTheEndOfAnOctaveOnlyTheFinerOneIsLeftWhichIsTheNextOnesCoarser) {
@@ -125,11 +127,13 @@ TEST(Anchor, DarknessAndContrastStayAllThroughAnOctave) {
         return std::sqrt(sum);
     };
     const auto whole = along(texture, 12800.0f, -0.5, 0.5, 20000);
+    formulas::Stroke stroke{&texture};
+    const float mean = stroke.mean_stroke_ink(0, stroke.size(), 0.3f, 2.0f);
     for (float path = 6500.0f; path < 12800.0f; path += 500.0f) {
         const auto ink = along(texture, path, -0.5, 0.5, 20000);
         EXPECT_NEAR(mean_of(ink), mean_of(whole), 0.01) << path;
         EXPECT_NEAR(spread(ink), spread(whole), 0.15 * spread(whole)) << path;
-        EXPECT_NEAR(mean_of(ink), mean_ink(texture, 0.3f, 2.0f), 0.01) << path;
+        EXPECT_NEAR(mean_of(ink), mean, 0.01) << path;
     }
 }
 

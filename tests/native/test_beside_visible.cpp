@@ -4,7 +4,7 @@
 #include <random>
 #include <tbb/global_control.h>
 
-#include <fovea/runs/beside_visible.h>
+#include <fovea/runs/filters.h>
 
 #include "stroke_fixture.h"
 

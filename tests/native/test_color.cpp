@@ -18,10 +18,16 @@ namespace {
 
 using namespace drawing;
 
+style::Color in(Shading shading) {
+    style::Color color;
+    color.shading = shading;
+    return color;
+}
+
 Array<vec4> layer(const Tracer& tracer, Shading shading) {
     const Light sun{.direction = {-0.3, 0.5, -0.8}, .color = vec3(3.0f)};
     const SceneColor colors(tracer.scene().placements.size());
-    return color_layer(tracer, colors, In<Light>(&sun, 1), vec3(0.2f), {shading, 3}, Cancel());
+    return color_layer(tracer, colors, In<Light>(&sun, 1), vec3(0.2f), in(shading), Cancel());
 }
 
 bool same(const Array<vec4>& a, const Array<vec4>& b) {
@@ -68,7 +74,7 @@ TEST(Color, BrokenInputHasAPicture) {
     const Light lights[] = {{.kind = Light::point, .position = dvec3(0.0), .color = vec3(nan)},
                             {.kind = Light::spot, .position = dvec3(0.0), .direction = dvec3(0.0)}};
     const SceneColor colors{broken, nullptr};
-    for (const vec4& pixel : color_layer(tracer, colors, lights, vec3(nan), {Shading::smooth, 3}, Cancel()))
+    for (const vec4& pixel : color_layer(tracer, colors, lights, vec3(nan), in(Shading::smooth), Cancel()))
         ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w));
 }
 
@@ -134,6 +140,26 @@ TEST(RefinedCorners, OnAFlatCageTheyLieWhereTheCornersOfItsFacesAre) {
         }
     }
     EXPECT_THROW((void)surface.mix_corners(values, 3, arrays.polygon_offsets), std::invalid_argument);
+}
+
+TEST(Paper, LiesUnderLinesCutByHoldout) {
+    View view;
+    view.width = 4;
+    view.height = 1;
+    const vec4 half(0.25f, 0.0f, 0.0f, 0.5f);
+    const Array<vec4> lines{vec4(0.0f), half, vec4(0.0f), half};
+    const Array<float> holdout{0.0f, 0.0f, 1.0f, 1.0f};
+    style::Paper paper;
+    paper.color = {1.0, 0.5, 0.0};
+    Array<vec4> out;
+    on_paper(lines, {}, holdout, view, nullptr, paper, {}, out);
+    EXPECT_EQ(out, (Array<vec4>{vec4(1.0f, 0.5f, 0.0f, 1.0f), vec4(0.75f, 0.25f, 0.0f, 1.0f), vec4(0.0f), half}));
+    on_paper(lines, {}, {}, view, nullptr, paper, {}, out);
+    EXPECT_EQ(out[3], vec4(0.75f, 0.25f, 0.0f, 1.0f));
+    EXPECT_THROW(on_paper(lines, {}, {holdout.data(), 2}, view, nullptr, paper, {}, out), std::invalid_argument);
+    paper.transparent = true;
+    on_paper(lines, {}, {}, view, nullptr, paper, {}, out);
+    EXPECT_EQ(out, lines);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ struct Mesh {
 };
 
 DepthBuffer draw(const View& view, const std::vector<RasterMesh>& meshes, int scale = 1) {
-    return draw_depth(view, meshes, {.scale = scale, .margin = 0.0});
+    return draw_depth(depth_layout(view, {.scale = scale, .margin = 0.0}), view, meshes);
 }
 
 /// Depth of the plane n.x = d at a pixel position, from the ray through it.
@@ -197,7 +197,7 @@ TEST(Depth, BadInputIsRefused) {
     mesh.add(vec3(0), vec3(1), vec3(2));
     EXPECT_THROW(draw(perspective(8, 8), {mesh}, 0), std::invalid_argument);
     EXPECT_THROW(draw(perspective(0, 8), {mesh}), std::invalid_argument);
-    EXPECT_THROW(draw_depth(perspective(8, 8), {}, {.margin = -1.0}), std::invalid_argument);
+    EXPECT_THROW(depth_layout(perspective(8, 8), {.margin = -1.0}), std::invalid_argument);
     mesh.triangles[0].y = 9;
     EXPECT_THROW(draw(perspective(8, 8), {mesh}), std::invalid_argument);
 }
@@ -207,7 +207,7 @@ TEST(Depth, TheBorderShowsWhatLiesAroundTheFrame) {
     const View view = perspective(60, 41);
     const DepthBuffer frame = draw(view, {mesh}, 2);
     const RasterMesh meshes[] = {mesh};
-    const DepthBuffer wide = draw_depth(view, meshes, {.scale = 2, .margin = 0.3});
+    const DepthBuffer wide = draw_depth(depth_layout(view, {.scale = 2, .margin = 0.3}), view, meshes);
     EXPECT_EQ(wide.border_x, 9);
     EXPECT_EQ(wide.border_y, 7);
     ASSERT_EQ(wide.width, frame.width + 4 * wide.border_x);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include <fovea/visibility/depth_tiles.h>
+#include <fovea/visibility/depth.h>
 
 using namespace fovea;
 
@@ -83,12 +83,12 @@ TEST(DepthTiles, TexelsAreThoseOfTheWhole) {
     for (const bool orthographic : {false, true})
         for (const int scale : {1, 3}) {
             const View view = view_of(orthographic);
-            const DepthBuffer whole = draw_depth(view, soup.meshes(), {.scale = scale});
+            const DepthBuffer whole = draw_depth(depth_layout(view, {.scale = scale}), view, soup.meshes());
             std::size_t same = 0, all = 0, shown = 0;
             for (const DepthBuffer& layout : depth_tiles(view, {.scale = scale}, 40 * scale, 4)) {
                 const int x0 = (whole.border_x - layout.border_x) * scale;
                 const int y0 = (whole.border_y - layout.border_y) * scale;
-                const DepthBuffer tile = draw_depth_into(layout, view, soup.meshes());
+                const DepthBuffer tile = draw_depth(layout, view, soup.meshes());
                 for (int y = 0; y < tile.height; ++y)
                     for (int x = 0; x < tile.width; ++x, ++all) {
                         const DepthTexel &a = tile.at(x, y), &b = whole.at(x0 + x, y0 + y);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include <fovea/focus/each_sample.h>
+#include <fovea/focus/at_samples.h>
 #include <fovea/focus/focus.h>
 #include <fovea/scene/distance.h>
 #include <fovea/visibility/depth_image.h>
@@ -138,9 +138,9 @@ TEST(SurfaceDistance, FocusOfPixelsAndSamplesIsThatOfTheirPlaces) {
         }
         EXPECT_LT(error / double(pixels.size()), 2e-4) << far;
         const Array<float> samples = focus_of_samples(drawn.clipped, focus);
-        each_sample(drawn.clipped, [&](const SamplePlace& at) {
-            EXPECT_NEAR(samples[at.sample], focus({}, position_at(drawn.clipped, at)), focus_tolerance);
-        });
+        const auto exact = [&](const SamplePlace& at) { return focus({}, position_at(drawn.clipped, at)); };
+        const Array<float> expected = at_samples(drawn.clipped, exact);
+        for (std::size_t s = 0; s < samples.size(); ++s) EXPECT_NEAR(samples[s], expected[s], focus_tolerance);
     }
 }
 

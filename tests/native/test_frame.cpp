@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <fovea/color/png_bytes.h>
+#include <fovea/color/png.h>
 #include <fovea/draw/frame.h>
 #include <fovea/draw/polylines.h>
 #include <fovea/elision/elide.h>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include <fovea/stroke/pen_range.h>
+#include <fovea/draw/pens.h>
 
 #include "stroke_fixture.h"
 

@@ -323,7 +323,8 @@ TEST(ImageLines, AreHiddenByNothing) {
         const Drawing drawing({place(box()), place(sphere(48), moved({1, -1.5, 0.3}), 2)}, view, sets);
         const Array<float> exact = samples_from_runs(drawing.clipped, drawing.runs);
         const DepthOptions depth;
-        const DepthBuffer buffer = draw_depth(view, depth_meshes(drawing.scene, view, depth.margin), depth, nullptr);
+        const DepthBuffer buffer =
+            draw_depth(depth_layout(view, depth), view, depth_meshes(drawing.scene, view, depth.margin));
         const OwnSides sides = own_sides(drawing.clipped, drawing.scene, view);
         const Array<float> sampled = sampled_visibility(drawing.clipped, sides, buffer, {});
         const ClippedPaths& clipped = drawing.clipped;

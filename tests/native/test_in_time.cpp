@@ -50,13 +50,13 @@ Frame plain(float value) { return Frame({across}).with(value); }
 
 /// The middle frame of some, smoothed.
 Array<float> middle_of(const std::vector<Frame>& frames, int reach) {
-    std::vector<ShownLines> told;
-    for (const Frame& frame : frames) told.push_back(frame.told());
+    std::vector<std::shared_ptr<const ShownLines>> told;
+    for (const Frame& frame : frames) told.push_back(std::make_shared<ShownLines>(frame.told()));
     const int middle = int(frames.size()) / 2;
     std::vector<FrameNear> near;
     for (int k = 0; k < int(frames.size()); ++k)
         if (k != middle) near.push_back({k - middle, told[k]});
-    return smoothed_in_time(frames[middle].shown, told[middle], near, reach);
+    return smoothed_in_time(frames[middle].shown, *told[middle], near, reach);
 }
 
 }  // namespace
@@ -197,10 +197,10 @@ TEST(ElisionInTime, TheSameForAnyNumberOfThreads) {
 
 TEST(ElisionInTime, RefusesWhatMakesNoSense) {
     const Frame frame = plain(1.0f);
-    const ShownLines told = frame.told();
-    EXPECT_THROW(smoothed_in_time(frame.shown, told, std::vector<FrameNear>{{0, told}}, 1), std::invalid_argument);
-    EXPECT_THROW(smoothed_in_time(frame.shown, told, std::vector<FrameNear>{{-2, told}}, 1), std::invalid_argument);
-    EXPECT_THROW(smoothed_in_time(std::vector<float>{1.0f}, told, {}, 1), std::invalid_argument);
+    const auto told = std::make_shared<ShownLines>(frame.told());
+    EXPECT_THROW(smoothed_in_time(frame.shown, *told, std::vector<FrameNear>{{0, told}}, 1), std::invalid_argument);
+    EXPECT_THROW(smoothed_in_time(frame.shown, *told, std::vector<FrameNear>{{-2, told}}, 1), std::invalid_argument);
+    EXPECT_THROW(smoothed_in_time(std::vector<float>{1.0f}, *told, {}, 1), std::invalid_argument);
     EXPECT_THROW(
         shown_lines(frame.clipped, frame.lines.paths, frame.lines.scene, frame.runs, std::vector<float>{1.0f}, 10, 10),
         std::invalid_argument);

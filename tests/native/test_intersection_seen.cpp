@@ -33,7 +33,8 @@ struct Seen {
           sides(own_sides(drawing.clipped, drawing.scene, view)),
           exact(samples_from_runs(drawing.clipped, drawing.runs)) {
         const DepthOptions options;
-        const DepthBuffer buffer = draw_depth(view, depth_meshes(drawing.scene, view, options.margin), options);
+        const DepthBuffer buffer =
+            draw_depth(depth_layout(view, options), view, depth_meshes(drawing.scene, view, options.margin));
         sampled = sampled_visibility(drawing.clipped, sides, buffer, {});
         expected.assign(exact.size(), -1.0f);
         const ClippedPaths& clipped = drawing.clipped;

@@ -2,9 +2,9 @@
 // Stages refuse what other scenes, or other positions, were made of.
 #include <gtest/gtest.h>
 
+#include <fovea/draw/pens.h>
 #include <fovea/runs/compaction.h>
 #include <fovea/runs/filters.h>
-#include <fovea/stroke/pen_range.h>
 #include <fovea/stroke/tessellate.h>
 #include <fovea/visibility/depth_image.h>
 

@@ -35,8 +35,8 @@ struct Seen {
     /// Share of samples on which looking into a depth buffer agrees with rays.
     double agreement() const {
         const DepthOptions options;
-        const DepthBuffer buffer =
-            draw_depth(drawing.view, depth_meshes(drawing.scene, drawing.view, options.margin), options);
+        const DepthBuffer buffer = draw_depth(depth_layout(drawing.view, options), drawing.view,
+                                              depth_meshes(drawing.scene, drawing.view, options.margin));
         const Array<float> looked = sampled_visibility(drawing.clipped, sides, buffer, {});
         const Array<float> exact = samples_from_runs(drawing.clipped, drawing.runs);
         double same = 0.0;

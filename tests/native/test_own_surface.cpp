@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <fovea/visibility/beside.h>
+#include <fovea/visibility/exact.h>
 #include <fovea/visibility/sampled.h>
 
 #include "drawing.h"
@@ -41,7 +41,8 @@ struct AllEdges {
     Array<float> look(int scale, int probes) const {
         const DepthOptions options{.scale = scale};
         const auto occluders = depth_meshes(drawing.scene, drawing.view, options.margin);
-        return sampled_visibility(drawing.clipped, sides, draw_depth(drawing.view, occluders, options),
+        return sampled_visibility(drawing.clipped, sides,
+                                  draw_depth(depth_layout(drawing.view, options), drawing.view, occluders),
                                   {.probes = probes});
     }
 

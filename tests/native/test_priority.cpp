@@ -5,7 +5,6 @@
 #include <tbb/global_control.h>
 
 #include <fovea/elision/priority.h>
-#include <fovea/elision/rank.h>
 
 #include "wires.h"
 
@@ -13,11 +12,15 @@ using namespace fovea;
 
 namespace {
 
-const PriorityWeights only_length{.length = 1, .kind = 0, .strength = 0, .depth = 0, .object = 0, .painted = 0};
-const PriorityWeights only_kind{.length = 0, .kind = 1, .strength = 0, .depth = 0, .object = 0, .painted = 0};
-const PriorityWeights only_strength{.length = 0, .kind = 0, .strength = 1, .depth = 0, .object = 0, .painted = 0};
-const PriorityWeights only_depth{.length = 0, .kind = 0, .strength = 0, .depth = 1, .object = 0, .painted = 0};
-const PriorityWeights only_object{.length = 0, .kind = 0, .strength = 0, .depth = 0, .object = 1, .painted = 0};
+style::Elision only(double style::Elision::* weight) {
+    style::Elision weights;
+    weights.length = weights.kind = weights.strength = weights.depth = weights.object = weights.painted = 0.0;
+    weights.*weight = 1.0;
+    return weights;
+}
+const style::Elision only_length = only(&style::Elision::length), only_kind = only(&style::Elision::kind),
+                     only_strength = only(&style::Elision::strength), only_depth = only(&style::Elision::depth),
+                     only_object = only(&style::Elision::object);
 
 /// Three lines, longer and longer, farther and farther away.
 wires::Wires lines(double scale = 1.0) {
@@ -27,7 +30,7 @@ wires::Wires lines(double scale = 1.0) {
     return wires::Wires(all);
 }
 
-Array<float> priorities(const wires::Wires& w, const PriorityWeights& weights = {}, In<float> object = {},
+Array<float> priorities(const wires::Wires& w, const style::Elision& weights = {}, In<float> object = {},
                         In<float> painted = {}) {
     return path_priorities(w.paths, w.scene, wires::camera(), weights, object, painted);
 }
@@ -61,8 +64,8 @@ TEST(Priority, TheSameForASceneOfAnySize) {
 
 TEST(Priority, EveryTermLiesBetweenNothingAndAll) {
     const wires::Wires endless({{{0, 0, -1}, {1e30, 0, -1}}, {{0, 0, -1}, {1e-30, 0, -1}}, {{0, 0, 1e9}, {0, 1, 1e9}}});
-    for (const PriorityWeights& weights :
-         {only_length, only_kind, only_strength, only_depth, only_object, PriorityWeights()})
+    for (const style::Elision& weights :
+         {only_length, only_kind, only_strength, only_depth, only_object, style::Elision()})
         for (const float value : priorities(endless, weights)) {
             EXPECT_GE(value, 0.0f);
             EXPECT_LE(value, 1.0f);
@@ -96,13 +99,15 @@ TEST(Priority, WhatTheCallerAndTheArtistSay) {
     const std::vector<float> object{0.9f}, per_path{0.1f, 0.5f, 2.0f}, per_point{0.0f, 0.5f, 1.0f, 1.0f, 0.0f, 0.0f};
     EXPECT_EQ(priorities(w, only_object), Array<float>(3, 0.5f));
     EXPECT_EQ(priorities(w, only_object, object), Array<float>(3, 0.9f));
-    const PriorityWeights painted{.length = 0, .kind = 0, .strength = 0, .depth = 0, .object = 0, .painted = 1};
+    const style::Elision painted = only(&style::Elision::painted);
     EXPECT_EQ(priorities(w, painted, {}, per_path), (Array<float>{0.1f, 0.5f, 1.0f}));
     EXPECT_EQ(priorities(w, painted, {}, per_point), (Array<float>{0.25f, 1.0f, 0.0f}));
     EXPECT_THROW(priorities(w, painted), std::invalid_argument);
     EXPECT_THROW(priorities(w, {}, per_path), std::invalid_argument);
     EXPECT_THROW(priorities(w, {}, {}, object), std::invalid_argument);
-    EXPECT_THROW(priorities(w, {.length = -1.0}), std::invalid_argument);
+    style::Elision below;
+    below.length = -1.0;
+    EXPECT_THROW(priorities(w, below), std::invalid_argument);
 }
 
 TEST(Priority, OfNothing) {

@@ -5,7 +5,6 @@
 #include <random>
 
 #include <fovea/image/triangle.h>
-#include <fovea/stroke/compose.h>
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
 
@@ -159,24 +158,6 @@ TEST(Fragment, ButtEndsAddUpToTheLengthOfTheRun) {
         for (float u = -2.0f; u < 6.0f; u += 0.01f) sum += 0.01 * coverage(u, 0.0f, 0.0f, length, 2.0f, Cap::butt);
         EXPECT_NEAR(sum, length, 0.01);
     }
-}
-
-TEST(Compose, PaperUnderLinesCutByHoldout) {
-    const vec4 half(0.25f, 0.0f, 0.0f, 0.5f);
-    const Array<vec4> lines{vec4(0.0f), half, vec4(0.0f), half};
-    const Array<float> holdout{0.0f, 0.0f, 1.0f, 1.0f};
-    const vec3 paper(1.0f, 0.5f, 0.0f);
-    Array<vec4> out;
-    compose(lines, paper, false, holdout, out);
-    EXPECT_EQ(out[0], vec4(1.0f, 0.5f, 0.0f, 1.0f));
-    EXPECT_EQ(out[1], vec4(0.75f, 0.25f, 0.0f, 1.0f));
-    EXPECT_EQ(out[2], vec4(0.0f));
-    EXPECT_EQ(out[3], half);
-    compose(lines, paper, true, {}, out);
-    EXPECT_EQ(out, lines);
-    compose(lines, paper, false, {}, out);
-    EXPECT_EQ(out[3], vec4(0.75f, 0.25f, 0.0f, 1.0f));
-    EXPECT_THROW(compose(lines, paper, false, {holdout.data(), 2}, out), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <random>
 
 #include <fovea/runs/filters.h>
-#include <fovea/runs/short_hidden.h>
 
 #include "wires.h"
 
@@ -108,7 +107,7 @@ TEST(Runs, WithTheirHiddenPartsCoverEveryPiece) {
     Runs visible;
     add_run(visible, 0, -20.0, -5.0);
     add_run(visible, 0, 5.0, 30.0);
-    const Runs all = with_hidden(clipped, visible, std::vector<std::uint8_t>{0, 0});
+    const Runs all = with_hidden(clipped, visible, std::vector<Index>{0, 0});
     const std::vector<std::array<double, 4>> expected = {
         {0, -30, -20, 1}, {0, -20, -5, 0}, {0, -5, 5, 1}, {0, 5, 30, 0}, {1, -20, 20, 1}};
     ASSERT_EQ(all.size(), expected.size());
@@ -119,7 +118,7 @@ TEST(Runs, WithTheirHiddenPartsCoverEveryPiece) {
         EXPECT_EQ(all.invisibility[r], expected[r][3]) << r;
     }
     EXPECT_EQ(samples_from_runs(clipped, all), samples_from_runs(clipped, visible)) << "hidden parts cover no sample";
-    EXPECT_EQ(with_hidden(clipped, visible, std::vector<std::uint8_t>{0, 1}).size(), 4u) << "lines of the image";
+    EXPECT_EQ(with_hidden(clipped, visible, std::vector<Index>{0, none}).size(), 4u) << "lines of the image";
 }
 
 TEST(Runs, AreFiniteWhateverTheSamples) {

@@ -55,7 +55,7 @@ Array<float> visibility(const View& view, const ClippedPaths& clipped, const Own
                         const std::vector<RasterMesh>& meshes, int scale, int probes) {
     SampledOptions options;
     options.probes = probes;
-    return sampled_visibility(clipped, sides, draw_depth(view, meshes, {.scale = scale}), options);
+    return sampled_visibility(clipped, sides, draw_depth(depth_layout(view, {.scale = scale}), view, meshes), options);
 }
 
 /// No scene to ask: lines of nothing steep.
@@ -235,7 +235,8 @@ TEST(Layout, BatchesOfOtherPathsAreRefused) {
     const AtlasBatch batch = atlas_batches(clipped)[0];
     EXPECT_THROW(atlas_tables(other, flat_sides(other), batch), std::invalid_argument);
     EXPECT_THROW(atlas_tables(clipped, flat_sides(other), batch), std::invalid_argument);
-    EXPECT_THROW(sampled_visibility(clipped, flat_sides(other), draw_depth(view, {}, {}), {}), std::invalid_argument);
+    EXPECT_THROW(sampled_visibility(clipped, flat_sides(other), draw_depth(depth_layout(view, {}), view, {}), {}),
+                 std::invalid_argument);
 }
 
 TEST(Layout, FacetNumbersStayExactInFloats) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <fovea/visibility/depth_tiles.h>
+#include <fovea/visibility/depth.h>
 #include <fovea/visibility/spine.h>
 
 using namespace fovea;

@@ -6,7 +6,7 @@
 #include <tool/drawing.h>
 #include <tool/read_obj.h>
 
-#include <fovea/stroke/texture_file.h>
+#include <fovea/color/png.h>
 
 #include "model_files.h"
 #include "refused.h"

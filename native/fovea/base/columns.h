@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include <fovea/base/types.h>
+#include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
 
 namespace fovea {
 
@@ -50,6 +51,34 @@ void copy_columns(const Structure& from, const Columns& columns, Structure& to, 
     for_each_column(columns, [&](const auto& column) {
         std::copy((from.*column.array).begin(), (from.*column.array).end(), (to.*column.array).begin() + at);
     });
+}
+
+/// Strips of triangles one after the other; each part is freed once it is copied. A strip has vertex_columns, the first
+/// of which is px, and triangles of its vertices. Throws std::invalid_argument, naming them, for more than there are
+/// indices.
+template <typename Strips>
+Strips join_strips(std::vector<Strips>& parts, const char* name) {
+    std::vector<std::size_t> vertices, triangles;
+    for (const Strips& part : parts) {
+        vertices.push_back(part.px.size());
+        triangles.push_back(part.triangles.size());
+    }
+    counts_to_offsets(vertices);
+    counts_to_offsets(triangles);
+    check(vertices.back() < none, std::string(name) + ": too many vertices for 32-bit indices");
+    Strips all;
+    resize_columns(all, Strips::vertex_columns, vertices.back());
+    all.triangles.resize(triangles.back());
+    parallel_for(
+        parts.size(),
+        [&](std::size_t i) {
+            const Strips part = std::move(parts[i]);
+            copy_columns(part, Strips::vertex_columns, all, vertices[i]);
+            std::ranges::transform(part.triangles, all.triangles.begin() + triangles[i],
+                                   [&](glm::uvec3 t) { return t + Index(vertices[i]); });
+        },
+        1);
+    return all;
 }
 
 }  // namespace fovea

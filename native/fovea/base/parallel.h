@@ -56,14 +56,21 @@ void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     parallel_for(blocks, one, 1);
 }
 
+/// What fill(part, begin, end) makes of each block of parallel_blocks, in the order of the blocks.
+template <typename Part, typename Fill>
+std::vector<Part> parallel_parts(std::size_t count, std::size_t size, const Fill& fill) {
+    std::vector<Part> parts((count + size - 1) / size);
+    parallel_blocks(count, size,
+                    [&](std::size_t b, std::size_t begin, std::size_t end) { fill(parts[b], begin, end); });
+    return parts;
+}
+
 /// What body(begin, end, out) appends to `out` for such blocks, in their order.
 template <typename T, typename Body>
 Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body) {
-    std::vector<std::vector<T>> parts((count + size - 1) / size);
-    parallel_blocks(count, size,
-                    [&](std::size_t b, std::size_t begin, std::size_t end) { body(begin, end, parts[b]); });
     Array<T> all;
-    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    const auto fill = [&](std::vector<T>& part, std::size_t begin, std::size_t end) { body(begin, end, part); };
+    for (const auto& part : parallel_parts<std::vector<T>>(count, size, fill)) all.insert(all.end(), part.begin(), part.end());
     return all;
 }
 

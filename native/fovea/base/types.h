@@ -21,6 +21,9 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
+/// Twice the area that two vectors span; positive where b lies to the left of a.
+inline double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
 /// Index of a vertex, edge, polygon, facet, path or sample. `none` where there is none.
 using Index = std::uint32_t;
 inline constexpr Index none = 0xffffffffu;

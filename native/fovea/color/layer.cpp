@@ -176,10 +176,10 @@ class Layer {
 }  // namespace
 
 Array<vec4> color_layer(const Tracer& tracer, const SceneColor& colors, In<Light> lights, const vec3& world,
-                        const LayerOptions& options, const Cancel& cancel) {
+                        const style::Color& style, const Cancel& cancel) {
     tracer.check_current();
-    const Lighting lighting(lights, world, tracer.scene(), tracer.view(), options.shading, options.bands);
-    const ColorShader shader(tracer.scene(), tracer.view(), colors, lighting, options.shading);
+    const Lighting lighting(lights, world, tracer.scene(), tracer.view(), style);
+    const ColorShader shader(tracer.scene(), tracer.view(), colors, lighting);
     return Layer(tracer, shader, cancel).draw();
 }
 

@@ -9,16 +9,11 @@
 
 namespace fovea {
 
-struct LayerOptions {
-    Shading shading = Shading::flat;
-    int bands = 3;  ///< of toon shading, at least 2
-};
-
 /// What each pixel sees (width * height, bottom row first): scene-linear, premultiplied, alpha the share of the pixel
 /// that surfaces cover. Surfaces that let lines behind them show, and holdouts, have no colour. One sample per pixel,
 /// and 16 where neighbours look different: places of the triangles met around, and rays where none of them lies. No
 /// shadows. Throws as ColorShader, and where a surface has moved since the tracer was made.
 Array<vec4> color_layer(const Tracer& tracer, const SceneColor& colors, In<Light> lights, const vec3& world,
-                        const LayerOptions& options, const Cancel& cancel);
+                        const style::Color& style, const Cancel& cancel);
 
 }  // namespace fovea

@@ -70,9 +70,8 @@ float typical(const std::vector<Light>& lights, const Scene& scene, const View& 
 
 }  // namespace
 
-Lighting::Lighting(In<Light> lights, const vec3& world, const Scene& scene, const View& view, Shading shading,
-                   int bands)
-    : shading_(shading), bands_(std::max(bands, 2)) {
+Lighting::Lighting(In<Light> lights, const vec3& world, const Scene& scene, const View& view, const style::Color& style)
+    : shading_(style.shading), bands_(std::max(style.bands, 2)) {
     const dmat3 turn(view.world_to_view);
     for (Light light : lights) {
         if (!usable(light)) continue;

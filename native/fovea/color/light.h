@@ -2,13 +2,13 @@
 // Light on surfaces, without shadows.
 #pragma once
 
-#include <fovea/base/types.h>
-#include <fovea/style/field.h>
+#include <fovea/style/ground.h>
 
 namespace fovea {
 
 struct Scene;
 struct View;
+using style::Shading;
 
 struct Light {
     enum Kind : std::uint8_t { sun, point, spot, area };
@@ -20,23 +20,19 @@ struct Light {
     float cos_inner = -1.0f;    ///< and where it begins to fade
 };
 
-enum class Shading : std::uint8_t {
-    flat,    ///< the base colour as it is
-    smooth,  ///< Lambert
-    toon,    ///< Lambert in bands
-};
-
 /// The lights of a scene as a view needs them, exposed for the picture: what irradiates the middle of most placements
 /// head on makes them as bright as their base colour, whatever the units. The exposure looks at the scene, not at the
 /// view, so that a moving camera does not change it. Where no light reaches anything there is one at the eye.
 class Lighting {
    public:
-    /// `world`: radiance of the sky, whose share of the light is ambient.
-    Lighting(In<Light> lights, const vec3& world, const Scene& scene, const View& view, Shading shading, int bands);
+    /// `world`: radiance of the sky, whose share of the light is ambient. `style`: shading, and bands if it is in some.
+    Lighting(In<Light> lights, const vec3& world, const Scene& scene, const View& view, const style::Color& style);
 
     /// How bright a white surface is: 1 in full light. View space; `normal` and `to_eye` of unit length, `normal`
     /// turned to the viewer.
     vec3 at(const dvec3& point, const vec3& normal, const vec3& to_eye) const;
+
+    Shading shading() const { return shading_; }
 
    private:
     vec3 irradiance(const dvec3& point, const vec3& normal, const vec3& to_eye) const;

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/color/map.h>
 
-#include <algorithm>
-
-#include <fovea/focus/each_sample.h>
+#include <fovea/focus/at_samples.h>
 
 namespace fovea {
 
 Array<float> map_of_samples(const ClippedPaths& clipped, const View& view, const ColorTexture& image) {
-    Array<float> values(clipped.samples, 0.0f);
     const vec2 corner(view.frame.x, view.frame.y), size(view.frame.z, view.frame.w);
     // Half a texel inside the borders the image does not meet its own other side.
     const vec2 border = 0.5f / vec2(image.width(), image.height());
-    each_sample(clipped, [&](const SamplePlace& at) {
+    return at_samples(clipped, [&](const SamplePlace& at) {
         const vec2 uv = glm::clamp((px_at(clipped, at) - corner) / size, border, 1.0f - border);
-        values[at.sample] = glm::dot(image.at(uv, 0.0f), vec3(0.2126f, 0.7152f, 0.0722f));
+        return glm::dot(image.at(uv, 0.0f), vec3(0.2126f, 0.7152f, 0.0722f));
     });
-    return values;
 }
 
 }  // namespace fovea

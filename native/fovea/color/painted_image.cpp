@@ -39,7 +39,9 @@ Array<float> painted_image(const Tracer& tracer, const Painted& painted, const C
         if (!color) color = grey(surface, painted[i]);
         colors.push_back(color);
     }
-    const Array<vec4> layer = color_layer(tracer, colors, {}, vec3(0.0f), {Shading::flat}, cancel);
+    style::Color flat;
+    flat.shading = Shading::flat;
+    const Array<vec4> layer = color_layer(tracer, colors, {}, vec3(0.0f), flat, cancel);
     Array<float> values(layer.size());
     parallel_for(layer.size(), [&](std::size_t i) { values[i] = layer[i].r; });
     return values;

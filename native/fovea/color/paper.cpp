@@ -102,34 +102,35 @@ float toothed(float opacity, float lower, float tooth) {
 }
 
 void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& view, const PaperTexture* texture,
-              const PaperOptions& options, Array<vec4>& out) {
+              const style::Paper& paper, const style::Color& color, Array<vec4>& out) {
     const auto width = static_cast<std::size_t>(view.width), count = width * std::size_t(view.height);
     check(lines.size() == count, "lines: expected one entry per pixel of the view");
     check(layer.empty() || layer.size() == count, "layer: expected one entry per pixel of the view");
     check(holdout.empty() || holdout.size() == count, "holdout: expected one value per pixel of the view");
-    check(options.texel_px > 0.0f, "paper: a texel must cover more than nothing");
+    const float texel_px = float(paper.scale * view.reference_scale), tooth = float(paper.tooth);
+    check(texel_px > 0.0f, "paper: a texel must cover more than nothing");
     out.resize(count);
     const vec2 origin = origin_of(view);
-    const bool granulates = texture && options.granulation > 0.0f && !options.transparent;
-    const vec3 ground = options.background.value_or(options.color);
+    const bool granulates = texture && paper.granulation > 0.0 && !paper.transparent;
+    const vec3 ground(layer.empty() ? paper.color : color.background.value_or(paper.color));
+    const float layer_opacity = float(color.opacity), granulation = float(paper.granulation), tint = float(paper.tint);
     parallel_blocks(count, width, [&](std::size_t y, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const vec2 px(float(i - begin) + 0.5f, float(y) + 0.5f);
-            const auto [lower, lit] = texture ? texture->at((px - origin) / options.texel_px) : PaperPlace{};
-            const float shade = 1.0f + options.tint * (2.0f * lit - 1.0f);
-            const float alpha = options.transparent ? 0.0f : holdout.empty() ? 1.0f : 1.0f - holdout[i];
+            const auto [lower, lit] = texture ? texture->at((px - origin) / texel_px) : PaperPlace{};
+            const float shade = 1.0f + tint * (2.0f * lit - 1.0f);
+            const float alpha = paper.transparent ? 0.0f : holdout.empty() ? 1.0f : 1.0f - holdout[i];
             vec4 pixel(ground * alpha, alpha);
-            const vec4 color = layer.empty() ? vec4(0.0f) : layer[i] * options.layer_opacity;
-            if (color.a > 0.0f) {
-                pixel = color + pixel * (1.0f - color.a);
+            const vec4 over = layer.empty() ? vec4(0.0f) : layer[i] * layer_opacity;
+            if (over.a > 0.0f) {
+                pixel = over + pixel * (1.0f - over.a);
                 if (granulates && pixel.a > 0.0f) {
-                    const float share = 1.0f + options.granulation * (1.0f - 2.0f * lower);
+                    const float share = 1.0f + granulation * (1.0f - 2.0f * lower);
                     pixel = vec4(granulated(vec3(pixel) / pixel.a, ground, share) * pixel.a, pixel.a);
                 }
             }
             vec4 line = lines[i];
-            if (texture && options.tooth > 0.0f && line.a > 0.0f)
-                line *= toothed(line.a, lower, options.tooth) / line.a;
+            if (texture && tooth > 0.0f && line.a > 0.0f) line *= toothed(line.a, lower, tooth) / line.a;
             pixel = line + pixel * (1.0f - line.a);
             out[i] = vec4(vec3(pixel) * shade, pixel.a);
         }

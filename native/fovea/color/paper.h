@@ -2,10 +2,8 @@
 // Paper that takes pigment: what colour and lines look like on its tooth.
 #pragma once
 
-#include <optional>
-
-#include <fovea/base/types.h>
 #include <fovea/base/view.h>
+#include <fovea/style/ground.h>
 
 namespace fovea {
 
@@ -28,26 +26,16 @@ struct PaperTexture {
     PaperPlace at(const vec2& texel) const;
 };
 
-/// Colours scene-linear; shares in [0, 1].
-struct PaperOptions {
-    vec3 color{1.0f};
-    bool transparent = false;        ///< there is none: nothing under the layer, but tooth still breaks lines up
-    std::optional<vec3> background;  ///< painted over the paper, under the layer
-    float layer_opacity = 1.0f;
-    float texel_px = 1.0f;     ///< pixels of the picture that a texel of the texture covers
-    float tooth = 0.0f;        ///< how far thin ink stays on the heights
-    float granulation = 0.0f;  ///< how much more pigment the valleys take, as a share of its density
-    float tint = 0.0f;         ///< how much the paper's relief, lit from the upper left, shades the whole picture
-};
-
 /// Share of a place that ink of that opacity covers where `lower` of the paper is lower than there: heights first. The
 /// mean over a paper is the opacity.
 float toothed(float opacity, float lower, float tooth);
 
-/// out = lines over layer over paper; premultiplied, one entry per pixel, bottom row first. `layer` and `holdout`
-/// (share of the pixel where paper is cut out) may be empty. The texture, if any, is fixed to where the view's axis
-/// meets the picture, so that a border or a crop shows the same paper. `out` is resized.
+/// out = lines over layer over paper; scene-linear and premultiplied, one entry per pixel, bottom row first. `layer`
+/// and `holdout` (share of the pixel where paper is cut out) may be empty; a layer lies, as opaque as `color` says, on
+/// its background or on the paper, and its pigment granulates. The texture, if any, is fixed to where the view's axis
+/// meets the picture, so that a border or a crop shows the same paper; where paper is transparent there is nothing
+/// under the layer, but tooth still breaks lines up. `out` is resized.
 void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& view, const PaperTexture* texture,
-              const PaperOptions& options, Array<vec4>& out);
+              const style::Paper& paper, const style::Color& color, Array<vec4>& out);
 
 }  // namespace fovea

@@ -26,13 +26,11 @@ const ColorSlot default_slot;
 
 }  // namespace
 
-ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting,
-                         Shading shading)
+ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting)
     : scene_(scene),
       view_(view),
       colors_(colors),
       lighting_(lighting),
-      shading_(shading),
       pixel_to_ray_(pixel_to_ray(view)),
       placed_(scene.placements.size()) {
     check(colors.size() == scene.placements.size(), "colours: one entry per placement expected");
@@ -44,7 +42,7 @@ ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor&
             placed_[i].object_to_view = view.world_to_view * placement.object_to_world;
             placed_[i].normal_to_view = glm::mat3(glm::transpose(glm::inverse(dmat3(placed_[i].object_to_view))));
             const bool brings_normals = colors[i] && !colors[i]->normals.empty();
-            if (shading != Shading::flat && !brings_normals && in_frame(placement, view, 0.0))
+            if (lighting.shading() != Shading::flat && !brings_normals && in_frame(placement, view, 0.0))
                 placed_[i].normals = corner_normals(*placement.surface);
         },
         1);
@@ -61,7 +59,6 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
     seen.placement = placement;
     seen.triangle = triangle;
     const Index polygon = surface.facet_polygon[surface.triangle_facet[triangle]];
-    seen.vertex = {t[0], t[1], t[2]};
     seen.corner = triangle_corners(surface, triangle);
     const SurfaceColor* own = colors_[placement].get();
     const auto slot = static_cast<std::size_t>(surface.polygon_material[polygon]);
@@ -72,7 +69,7 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
 vec3 ColorShader::color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
     const vec3 inside = normalized(share);
     const vec3 color = base(triangle, px, inside);
-    if (shading_ == Shading::flat || triangle.slot->unlit) return color;
+    if (lighting_.shading() == Shading::flat || triangle.slot->unlit) return color;
     const dvec3 ray = pixel_to_ray_ * dvec3(px, 1.0);
     const double distance = triangle.screen.distance(share);
     const dvec3 point = view_.orthographic ? dvec3(ray.x, ray.y, -distance) : ray * distance;

@@ -14,7 +14,7 @@ namespace fovea {
 struct SeenTriangle {
     ScreenTriangle screen;
     Index placement = none;
-    std::array<Index, 3> vertex{}, corner{};
+    std::array<Index, 3> corner{};
     const ColorSlot* slot = nullptr;
     Index triangle = none;
 };
@@ -22,8 +22,7 @@ struct SeenTriangle {
 class ColorShader {
    public:
     /// Borrows all of them. Throws as check_color, and where there is not one entry of `colors` per placement.
-    ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting,
-                Shading shading);
+    ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting);
 
     SeenTriangle triangle(Index placement, Index triangle) const;
     /// Scene-linear; `share` as SeenTriangle::screen.at(px) gives it.
@@ -43,7 +42,6 @@ class ColorShader {
     const View& view_;
     const SceneColor& colors_;
     const Lighting& lighting_;
-    Shading shading_;
     dmat3 pixel_to_ray_;
     std::vector<Placed> placed_;
 };

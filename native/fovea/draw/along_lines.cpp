@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/draw/along_lines.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 #include <fovea/focus/transfer.h>
 
 namespace fovea {
@@ -19,10 +17,8 @@ void each_sample_with_runs(const ClippedPaths& clipped, const Runs& runs, const 
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const Index piece = runs.piece[r];
         if (r > 0 && runs.piece[r - 1] == piece) continue;
-        const auto first = [&](Index q) {
-            return q < clipped.pieces.count() ? clipped.sample_start[clipped.pieces.begin(q)] : clipped.samples;
-        };
-        for (Index s = first(piece); s < first(piece + 1); ++s) visit(s, clipped.path[piece]);
+        for (Index s = clipped.first_sample(piece); s < clipped.first_sample(piece + 1); ++s)
+            visit(s, clipped.path[piece]);
     }
 }
 
@@ -72,7 +68,7 @@ Array<float> by_view(const Paths& paths, double of_view, double other) {
 Array<double> lengths_in_frame(const Paths& paths, const ClippedPaths& clipped) {
     Array<double> lengths(paths.count(), 0.0);
     for (Index q = 0; q < clipped.pieces.count(); ++q)
-        lengths[clipped.path[q]] += clipped.arc_px[clipped.pieces.end(q) - 1] - clipped.arc_px[clipped.pieces.begin(q)];
+        lengths[clipped.path[q]] += clipped.last_arc(q) - clipped.first_arc(q);
     return lengths;
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fovea/base/check.h>
-#include <fovea/stroke/texture_file.h>
+#include <fovea/color/png.h>
 
 namespace fovea {
 

@@ -12,10 +12,7 @@ namespace fovea {
 class Frame;
 
 /// Runs on their way through elision: what both backends draw and read.
-struct Elision {
-    OwnBands own;
-    Bands bands;
-};
+struct Elision : OwnBands, Bands {};
 
 /// Arguments as of own_bands.
 inline Elision elision_of(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
@@ -35,7 +32,7 @@ class Backend {
     /// How visible each atlas sample is, in [0, 1], by the frame's sampled method: Visibility::atlas or item_buffer.
     virtual Array<float> visibility(const Frame& frame) = 0;
 
-    /// How crowded each sample of `elision.own` is, as elision/elide.h tells it.
+    /// How crowded each sample of `elision` is, as elision/elide.h tells it.
     virtual Array<vec2> elide(const Frame& frame, const Elision& elision) = 0;
 
     /// The frame's strokes alone: scene-linear, premultiplied, bottom row first; by Visibility::spine what is hidden of

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fovea/draw/depth_layouts.h>
 #include <fovea/draw/frame.h>
 #include <fovea/elision/elide.h>
 #include <fovea/stroke/raster.h>
+#include <fovea/visibility/depth.h>
 #include <fovea/visibility/item_buffer.h>
 #include <fovea/visibility/sampled.h>
 #include <fovea/visibility/spine.h>
@@ -18,8 +18,14 @@ namespace {
 template <typename Look>
 void each_tile(const Frame& frame, int most_side, int overlap_px, const Look& look) {
     const std::vector<RasterMesh> meshes = depth_meshes(*frame.job.scene, frame.job.view, DepthOptions().margin);
-    for (DepthBuffer& layout : depth_layouts(frame, most_side, overlap_px))
-        look(draw_depth_into(std::move(layout), frame.job.view, meshes, &frame.cancel()));
+    for (DepthBuffer& layout : frame.depth_layouts(most_side, overlap_px))
+        look(draw_depth(std::move(layout), frame.job.view, meshes, &frame.cancel()));
+}
+
+/// Pixels between a stroke's spine and its farthest fragment, and no less.
+int reach_px(const Strokes& strokes) {
+    const auto widest = std::ranges::max_element(strokes.half_width);
+    return widest == strokes.half_width.end() ? 0 : static_cast<int>(std::ceil(2.0f * *widest));
 }
 
 template <typename T>
@@ -30,14 +36,9 @@ void add(Array<T>& sum, const Array<T>& more) {
 
 }  // namespace
 
-std::vector<DepthBuffer> depth_layouts(const Frame& frame, int most_side, int overlap_px) {
-    const int probes_px = static_cast<int>(std::ceil(8.0 * std::max(1.0, frame.scale())));
-    return depth_tiles(frame.job.view, {.scale = frame.job.options.depth_scale}, most_side, probes_px + overlap_px);
-}
-
-int strokes_reach_px(const Strokes& strokes) {
-    const auto widest = std::ranges::max_element(strokes.half_width);
-    return widest == strokes.half_width.end() ? 0 : static_cast<int>(std::ceil(2.0f * *widest));
+std::vector<DepthBuffer> Frame::depth_layouts(int most_side, int overlap_px) const {
+    const int probes_px = static_cast<int>(std::ceil(8.0 * std::max(1.0, scale())));
+    return depth_tiles(job.view, {.scale = job.options.depth_scale}, most_side, probes_px + overlap_px);
 }
 
 Array<float> CpuBackend::visibility(const Frame& frame) {
@@ -57,8 +58,7 @@ Array<float> CpuBackend::visibility(const Frame& frame) {
 
 Array<vec2> CpuBackend::elide(const Frame& frame, const Elision& elision) {
     const View& view = frame.job.view;
-    return crowding(elision.own, draw_priorities(elision.bands, view.width, view.height, &frame.cancel()),
-                    &frame.cancel());
+    return crowding(elision, draw_priorities(elision, view.width, view.height, &frame.cancel()), &frame.cancel());
 }
 
 Array<vec4> CpuBackend::draw(const Frame& frame) {
@@ -69,7 +69,7 @@ Array<vec4> CpuBackend::draw(const Frame& frame) {
         return image;
     }
     const OwnSides sides = own_sides(*frame.clipped, *frame.job.scene, view);
-    each_tile(frame, most_side, strokes_reach_px(*frame.strokes), [&](const DepthBuffer& depth) {
+    each_tile(frame, most_side, reach_px(*frame.strokes), [&](const DepthBuffer& depth) {
         const SpineTest spine(*frame.clipped, sides, depth, {.probes = frame.job.options.probes});
         Array<vec4> part;
         raster(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, part, &spine);

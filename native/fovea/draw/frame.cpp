@@ -7,16 +7,12 @@
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
 #include <fovea/draw/along_lines.h>
-#include <fovea/draw/outlined.h>
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
-#include <fovea/elision/rank.h>
 #include <fovea/path/extract.h>
 #include <fovea/project/project.h>
-#include <fovea/runs/beside_visible.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/invisibility.h>
-#include <fovea/runs/short_hidden.h>
 #include <fovea/stroke/tessellate.h>
 #include <fovea/visibility/exact.h>
 #include <fovea/visibility/spine.h>
@@ -95,7 +91,8 @@ void Frame::filter() {
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
         if (levels > 0) {
-            found = without_beside_visible(*clipped, with_hidden(*clipped, found, *paths), o.beside * scale());
+            found =
+                without_beside_visible(*clipped, with_hidden(*clipped, found, paths->placement), o.beside * scale());
             const Array<float> least = by_view(*paths, o.fold * scale(), o.least_hidden * scale());
             found = without_short_hidden(*clipped, found, least);
             if (levels > 1) found = count_invisibility(*clipped, *paths, *tracer, found, levels, cancel());
@@ -121,9 +118,7 @@ void Frame::thin() {
             shown = left(0.0f);
             const ShownLines now =
                 fovea::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
-            std::vector<FrameNear> near;
-            for (const auto& [away, lines] : job.near) near.push_back({away, *lines});
-            shown = smoothed_in_time(shown, now, near, elision.frames);
+            shown = smoothed_in_time(shown, now, job.near, elision.frames);
             for (float& opacity : shown)
                 if (opacity < cut) opacity = 0.0f;
         });
@@ -140,7 +135,7 @@ void Frame::ink() {
         if (job.options.outlines.empty())
             pen_of_run_ = pens_of_runs(*clipped, found, paths->line_set, pens.ranges);
         else
-            std::tie(found, pen_of_run_) = outlined(*this, found);
+            std::tie(found, pen_of_run_) = outlined(found);
         drawn = std::make_shared<Runs>(std::move(found));
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });
@@ -222,10 +217,8 @@ Array<float> Frame::left(float cut) {
                                  : values_on_paths(*paths, *job.scene, job.overrides.painted_as(attribute, placements));
     };
     const Array<float> priority_paint = painted(e.priority_attribute), density_paint = painted(e.density_attribute);
-    const PriorityWeights weights{e.length, e.kind,   e.strength,
-                                  e.depth,  e.object, e.priority_attribute.empty() ? 0.0 : e.painted};
     const Array<float> priorities =
-        path_priorities(*paths, *job.scene, job.view, weights, job.overrides.importance, priority_paint);
+        path_priorities(*paths, *job.scene, job.view, e, job.overrides.importance, priority_paint);
     const Array<Index> ranks = rank_runs(*clipped, *runs, priorities, paths->id);
 
     Density density{focus, distance, {}, {}};
@@ -239,7 +232,7 @@ Array<float> Frame::left(float cut) {
     const Elision elision = elision_of(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
     const Array<vec2> crowding = job.backend->elide(*this, elision);
     const ElisionOptions options{float(e.fade_from), cut, stub * scale()};
-    return elision_opacities(*clipped, elision.own, elision_scores(elision.own, crowding), options);
+    return elision_opacities(*clipped, elision, elision_scores(elision, crowding), options);
 }
 
 Array<float> Frame::focus_along_lines() {

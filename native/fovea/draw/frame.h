@@ -20,6 +20,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/scene/tracer.h>
 #include <fovea/stroke/strokes.h>
+#include <fovea/visibility/depth.h>
 #include <fovea/visibility/runs.h>
 
 namespace fovea {
@@ -41,8 +42,7 @@ struct Job {
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
     std::optional<ColorSources> colors = {};  ///< none: no color layer, whatever the style says
-    /// Other frames for elision smoothed in time: how many frames later each is, and what it shows.
-    std::vector<std::pair<int, std::shared_ptr<const ShownLines>>> near = {};
+    std::vector<FrameNear> near = {};         ///< other frames, for elision smoothed in time
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Hears the share that is done before each stage, in [0, 1], and the stage's name.
     std::function<void(double, const std::string&)> progress = {};
@@ -106,6 +106,10 @@ class Frame {
     /// The places to look at, as this view has them.
     const Focus& focus_function();
 
+    /// Layouts of its depth buffer in at most `most_side` texels along each axis: one, or tiles. Cores are looked out
+    /// of by so many pixels, besides what a sample's own probes are apart.
+    std::vector<DepthBuffer> depth_layouts(int most_side, int overlap_px) const;
+
     double scale() const { return job.view.reference_scale; }  ///< pixels of the image that are a reference pixel
     const Cancel& cancel() const { return *job.cancel; }
 
@@ -115,6 +119,7 @@ class Frame {
     void stage(const char* name, double share, const std::function<void()>& body);
     Runs visible_runs();
     Runs with_ends() const;
+    std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     Array<float> left(float cut);
     Array<float> focus_along_lines();
     Array<float> distance_along_lines() const;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/draw/outlined.h>
+// Drafts: silhouettes are found among contours by what lies behind them.
 
 #include <algorithm>
 
+#include <fovea/draw/frame.h>
 #include <fovea/runs/outer_parts.h>
 
 namespace fovea {
@@ -31,32 +32,31 @@ std::vector<Kinds> wanted_by(const style::Style& style, const Outlines& outlines
 
 }  // namespace
 
-std::pair<Runs, Array<Index>> outlined(const Frame& frame, const Runs& runs) {
-    const Paths& paths = *frame.paths;
-    const ClippedPaths& clipped = *frame.clipped;
-    const std::vector<Kinds> wanted = wanted_by(frame.job.style, frame.job.options.outlines);
-    Array<Kinds> sure(paths.count(), ~Kinds(0));
-    for (Index p = 0; p < paths.count(); ++p)
-        if (stand_ins_of(frame.job.options.outlines, paths.line_set[p]) && paths.placement[p] != none)
-            sure[p] = wanted[paths.line_set[p]];
-    OuterParts parts =
-        outer_parts(clipped, paths, *frame.tracer, runs, sure, outline_step * frame.scale(), frame.cancel());
-    const auto& filters = frame.job.overrides.line_sets;
-    Array<Index> pens(parts.runs.size());
-    for (std::size_t r = 0; r < pens.size(); ++r) {
-        const Index path = clipped.path[parts.runs.piece[r]];
-        pens[r] = paths.line_set[path];
+/// Visible runs parted where they are the outer boundary of their object (Options::outlines), and the pen of each;
+/// `none`: it is not drawn. The first pens are those of the line sets.
+std::pair<Runs, Array<Index>> Frame::outlined(const Runs& drawn_runs) const {
+    const std::vector<Kinds> wanted = wanted_by(job.style, job.options.outlines);
+    Array<Kinds> sure(paths->count(), ~Kinds(0));
+    for (Index p = 0; p < paths->count(); ++p)
+        if (stand_ins_of(job.options.outlines, paths->line_set[p]) && paths->placement[p] != none)
+            sure[p] = wanted[paths->line_set[p]];
+    OuterParts parts = outer_parts(*clipped, *paths, *tracer, drawn_runs, sure, outline_step * scale(), cancel());
+    const auto& filters = job.overrides.line_sets;
+    Array<Index> pen(parts.runs.size());
+    for (std::size_t r = 0; r < pen.size(); ++r) {
+        const Index path = clipped->path[parts.runs.piece[r]];
+        pen[r] = paths->line_set[path];
         if (parts.outer[r]) continue;
         const auto has = [&](Index set) {
             const bool shows = filters.empty() || filters[set].placements.empty() ||
-                               filters[set].placements[paths.placement[path]] != 0;
-            return (paths.kinds[parts.source[r]] & wanted[set]) != 0 && shows;
+                               filters[set].placements[paths->placement[path]] != 0;
+            return (paths->kinds[parts.source[r]] & wanted[set]) != 0 && shows;
         };
-        pens[r] = none;
-        for (Index set = 0; set < wanted.size() && pens[r] == none; ++set)
-            if (has(set)) pens[r] = set;
+        pen[r] = none;
+        for (Index set = 0; set < wanted.size() && pen[r] == none; ++set)
+            if (has(set)) pen[r] = set;
     }
-    return {std::move(parts.runs), std::move(pens)};
+    return {std::move(parts.runs), std::move(pen)};
 }
 
 }  // namespace fovea

@@ -6,24 +6,22 @@
 #include <fovea/color/effects.h>
 #include <fovea/color/painted_image.h>
 #include <fovea/draw/along_lines.h>
-#include <fovea/draw/focus_function.h>
 #include <fovea/draw/frame.h>
 #include <fovea/scene/seen.h>
-#include <fovea/stroke/compose.h>
 #include <fovea/visibility/depth_image.h>
 
 namespace fovea {
 namespace {
 
-Shading shading_of(style::Shading shading) {
-    switch (shading) {
-        case style::Shading::smooth:
-            return Shading::smooth;
-        case style::Shading::toon:
-            return Shading::toon;
-        default:
-            return Shading::flat;
-    }
+/// Distance from what the scene shows of an object and of what it makes instances of; null where that is nothing: then
+/// the object's own place counts.
+std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const Job& job) {
+    Array<Index> placements;
+    const std::vector<std::vector<std::string>>& objects = job.overrides.objects;
+    for (Index i = 0; i < objects.size(); ++i)
+        if (std::ranges::find(objects[i], name) != objects[i].end()) placements.push_back(i);
+    if (!job.scene || placements.empty()) return nullptr;
+    return std::make_shared<SurfaceDistance>(*job.scene, job.view, placements);
 }
 
 /// How much of an effect each pixel has: up to `most`.
@@ -54,8 +52,7 @@ void Frame::picture() {
         stage("color", 0.05, [&] {
             const style::Color& color = job.style.color;
             const ColorSources& from = *job.colors;
-            const LayerOptions options{shading_of(color.shading), color.bands};
-            passes.color = color_layer(*tracer, from.surfaces, from.lights, from.world, options, cancel());
+            passes.color = color_layer(*tracer, from.surfaces, from.lights, from.world, color, cancel());
             if (color.desaturation != 0.0)
                 desaturate(passes.color, Array<float>(passes.color.size(), float(color.desaturation)));
         });
@@ -96,18 +93,7 @@ void Frame::put_on_paper() {
     const style::Paper& paper = job.style.paper;
     const Array<float> holdout = holdout_image(*tracer, cancel());
     const auto texture = job.assets->paper(paper.texture);
-    if (passes.color.empty() && !texture)
-        return compose(passes.lines, vec3(paper.color), paper.transparent, holdout, passes.combined);
-    PaperOptions options;
-    options.color = vec3(paper.color);
-    options.transparent = paper.transparent;
-    if (!passes.color.empty() && job.style.color.background) options.background = vec3(*job.style.color.background);
-    options.layer_opacity = float(job.style.color.opacity);
-    options.texel_px = float(paper.scale * scale());
-    options.tooth = float(paper.tooth);
-    options.granulation = float(paper.granulation);
-    options.tint = float(paper.tint);
-    on_paper(passes.lines, passes.color, holdout, job.view, texture.get(), options, passes.combined);
+    on_paper(passes.lines, passes.color, holdout, job.view, texture.get(), paper, job.style.color, passes.combined);
 }
 
 Array<float> Frame::focus_of_pixels() {
@@ -150,8 +136,22 @@ const Array<float>& Frame::depth() {
 }
 
 const Focus& Frame::focus_function() {
-    if (!focus_) focus_ = fovea::focus_function(job.style.focus, job.scene.get(), job.view, job.overrides.objects);
-    return *focus_;
+    if (focus_) return *focus_;
+    const style::Focus& focus = job.style.focus;
+    const bool of_objects = focus.basis() == style::FocusBasis::surfaces;
+    const bool in_scene = of_objects || focus.basis() == style::FocusBasis::scene;
+    Focus made{in_scene ? FocusSpace::scene : FocusSpace::image, {}, focus.combine == style::Combine::sum};
+    const dvec4& frame = job.view.frame;  // left, lower, width, height
+    if (focus.active())
+        for (const style::FocusPlace& place : focus.points) {
+            const double unit = in_scene ? 1.0 : frame.w;
+            const dvec3 at = in_scene
+                                 ? dvec3(job.view.world_to_view * dvec4(place.at, 1.0))
+                                 : dvec3(frame.x + place.at.x * frame.z, frame.y + (1.0 - place.at.y) * frame.w, 0.0);
+            made.points.push_back({vec3(at), float(place.near * unit), float(place.far * unit),
+                                   of_objects ? surface_of(place.object, job) : nullptr});
+        }
+    return focus_.emplace(std::move(made));
 }
 
 }  // namespace fovea

@@ -8,8 +8,12 @@
 namespace fovea {
 
 struct Polylines : CompactRuns {
-    Array<Index> pen;    ///< per run: of Frame::job.style's pens, as Pens numbers them; `none`: no pen draws it
-    Array<float> shown;  ///< per run, in [0, 1]: what elision leaves of it
+    Array<Index> pen;
+    Array<float> shown;
+
+    static constexpr std::tuple pen_columns{
+        Column{"pen", &Polylines::pen, "(R,) uint32 of the style's pens, as Pens numbers them; 0xffffffff: none"},
+        Column{"shown", &Polylines::shown, "(R,) float32 in [0, 1] that elision leaves"}};
 };
 
 /// Takes a frame's steps up to thin().

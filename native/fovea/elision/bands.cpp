@@ -49,18 +49,14 @@ void simplify(std::vector<Knot>& knots) {
 
 class Band {
    public:
-    Band(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own)
-        : clipped_(clipped), runs_(runs), ranks_(ranks), own_(own) {}
+    Band(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own, Bands& out)
+        : clipped_(clipped), runs_(runs), ranks_(ranks), own_(own), out_(out) {}
 
-    void add(std::size_t run, Bands& out) {
-        piece_ = runs_.piece[run];
+    void add(std::size_t run) {
+        const Index piece = runs_.piece[run];
         start_ = runs_.start_px[run];
         end_ = runs_.end_px[run];
         rank_ = float(ranks_[run]);
-        const Index first = clipped_.pieces.begin(piece_), last = clipped_.pieces.end(piece_) - 1;
-        const double* arcs = clipped_.arc_px.data();
-        const double* at = std::upper_bound(arcs + first, arcs + last, start_);
-        begin_ = std::max(first, Index(at - arcs) - (at > arcs + first ? 1 : 0));
         find_knots(Index(run));
         if (knots_.empty()) return;
         run_start_ = start_;
@@ -69,7 +65,9 @@ class Band {
         pull_back();
         knot_ = 0;
         has_before_ = false;
-        for (Index i = begin_; i < last && clipped_.arc_px[i] < end_; ++i) add_segment(i, out);
+        const Index last = clipped_.pieces.end(piece) - 1;
+        for (Index i = clipped_.segment_at(piece, run_start_); i < last && clipped_.arc_px[i] < end_; ++i)
+            add_segment(i);
     }
 
    private:
@@ -111,7 +109,7 @@ class Band {
         return next > arc ? next : last;
     }
 
-    void add_segment(Index i, Bands& out) {
+    void add_segment(Index i) {
         const double from = std::max(start_, clipped_.arc_px[i]), to = std::min(end_, clipped_.arc_px[i + 1]);
         const dvec2 p = clipped_.px[i], way = dvec2(clipped_.px[i + 1]) - p;
         const double length = glm::length(way), arcs = clipped_.arc_px[i + 1] - clipped_.arc_px[i];
@@ -120,13 +118,13 @@ class Band {
         const dvec2 left = dvec2(-way.y, way.x) / length;
         double arc = from;
         Side side{half_at(arc), near_end(arc)};
-        if (has_before_) fill_bend(place(arc), left, side, out);
+        if (has_before_) fill_bend(place(arc), left, side);
         while (arc < to) {
             const double begin = arc;
             const Side before = side;
             arc = next_bend(arc, to);
             side = {half_at(arc), near_end(arc)};
-            add_quad(place(begin), place(arc), before, side, left, out);
+            add_quad(place(begin), place(arc), before, side, left);
         }
         left_before_ = left;
         has_before_ = true;
@@ -137,40 +135,39 @@ class Band {
         double half, near_end;
     };
 
-    void corner(const dvec2& px, double v, const Side& side, const dvec2& left, Bands& out) const {
-        out.px.push_back(vec2(px));
-        out.across.push_back(vec3(v, side.half, side.near_end));
-        out.owner.push_back(vec3(left, rank_));
+    void corner(const dvec2& px, double v, const Side& side, const dvec2& left) const {
+        out_.px.push_back(vec2(px));
+        out_.across.push_back(vec3(v, side.half, side.near_end));
+        out_.owner.push_back(vec3(left, rank_));
     }
 
-    void add_quad(const dvec2& a, const dvec2& b, const Side& at_a, const Side& at_b, const dvec2& left,
-                  Bands& out) const {
-        const Index base = Index(out.px.size());
+    void add_quad(const dvec2& a, const dvec2& b, const Side& at_a, const Side& at_b, const dvec2& left) const {
+        const Index base = Index(out_.px.size());
         for (const double side : {1.0, -1.0}) {
-            corner(a + left * (side * (at_a.half + 0.5)), side * (at_a.half + 0.5), at_a, left, out);
-            corner(b + left * (side * (at_b.half + 0.5)), side * (at_b.half + 0.5), at_b, left, out);
+            corner(a + left * (side * (at_a.half + 0.5)), side * (at_a.half + 0.5), at_a, left);
+            corner(b + left * (side * (at_b.half + 0.5)), side * (at_b.half + 0.5), at_b, left);
         }
-        out.triangles.push_back({base, base + 1, base + 2});
-        out.triangles.push_back({base + 2, base + 1, base + 3});
+        out_.triangles.push_back({base, base + 1, base + 2});
+        out_.triangles.push_back({base + 2, base + 1, base + 3});
     }
 
-    void fill_bend(const dvec2& at, const dvec2& left, const Side& here, Bands& out) const {
-        const double turn = left_before_.x * left.y - left_before_.y * left.x, reach = here.half + 0.5;
+    void fill_bend(const dvec2& at, const dvec2& left, const Side& here) const {
+        const double turn = cross(left_before_, left), reach = here.half + 0.5;
         if (std::abs(turn) * reach < 0.25 || glm::dot(left, left_before_) < -0.99) return;
         const double side = turn > 0.0 ? -1.0 : 1.0;
         const dvec2 middle = glm::normalize(left + left_before_);
-        const Index base = Index(out.px.size());
-        corner(at, 0.0, here, middle, out);
-        corner(at + left_before_ * (side * reach), side * reach, here, middle, out);
-        corner(at + left * (side * reach), side * reach, here, middle, out);
-        out.triangles.push_back({base, base + 1, base + 2});
+        const Index base = Index(out_.px.size());
+        corner(at, 0.0, here, middle);
+        corner(at + left_before_ * (side * reach), side * reach, here, middle);
+        corner(at + left * (side * reach), side * reach, here, middle);
+        out_.triangles.push_back({base, base + 1, base + 2});
     }
 
     const ClippedPaths& clipped_;
     const Runs& runs_;
     In<Index> ranks_;
     const OwnBands& own_;
-    Index piece_ = 0, begin_ = 0;
+    Bands& out_;
     double start_ = 0.0, end_ = 0.0;          // of the band
     double run_start_ = 0.0, run_end_ = 0.0;  // of the run
     double reach_ = 0.0;
@@ -180,30 +177,6 @@ class Band {
     dvec2 left_before_{0.0};
     bool has_before_ = false;
 };
-
-/// Parts one after the other.
-Bands join(const std::vector<Bands>& parts) {
-    std::vector<std::size_t> corners, triangles;
-    for (const Bands& part : parts) {
-        corners.push_back(part.px.size());
-        triangles.push_back(part.triangles.size());
-    }
-    counts_to_offsets(corners);
-    counts_to_offsets(triangles);
-    Bands all;
-    resize_columns(all, Bands::corner_columns, corners.back());
-    all.triangles.resize(triangles.back());
-    parallel_for(
-        parts.size(),
-        [&](std::size_t b) {
-            const std::size_t base = corners[b];
-            copy_columns(parts[b], Bands::corner_columns, all, base);
-            std::ranges::transform(parts[b].triangles, all.triangles.begin() + triangles[b],
-                                   [&](const glm::uvec3& t) { return t + glm::uvec3(Index(base)); });
-        },
-        1);
-    return all;
-}
 
 }  // namespace
 
@@ -215,12 +188,12 @@ Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks,
     std::vector<std::size_t> order(runs.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });
-    std::vector<Bands> parts((runs.size() + runs_per_block - 1) / runs_per_block);
-    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
-        Band band(clipped, runs, ranks, own);
-        for (std::size_t k = begin; k < end; ++k) band.add(order[k], parts[block]);
-    });
-    return join(parts);
+    auto parts =
+        parallel_parts<Bands>(runs.size(), runs_per_block, [&](Bands& part, std::size_t begin, std::size_t end) {
+            Band band(clipped, runs, ranks, own, part);
+            for (std::size_t k = begin; k < end; ++k) band.add(order[k]);
+        });
+    return join_strips(parts, "elision");
 }
 
 }  // namespace fovea

@@ -15,7 +15,7 @@ struct Bands {
     Array<vec2> px;
     Array<vec3> across, owner;
 
-    static constexpr std::tuple corner_columns{
+    static constexpr std::tuple vertex_columns{
         Column{"px", &Bands::px, "(V, 2) float32 pixels"},
         Column{
             "across", &Bands::across,

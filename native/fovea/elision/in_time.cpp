@@ -8,7 +8,7 @@
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/elision/own_band.h>
-#include <fovea/focus/each_sample.h>
+#include <fovea/focus/at_samples.h>
 
 namespace fovea {
 namespace {
@@ -67,16 +67,14 @@ struct OnPath {
 };
 
 Array<OnPath> places_of_samples(const ClippedPaths& clipped, const Paths& paths) {
-    Array<OnPath> places(clipped.samples);
-    each_sample(clipped, [&](const SamplePlace& at) {
+    return at_samples(clipped, [&](const SamplePlace& at) {
         const Index source = clipped.source[at.point];
         const double from = paths.arc_obj[source], way = paths.arc_obj[source + 1] - from;
         const double begin = clipped.source_t[at.point];
         const double end = clipped.source[at.point + 1] == source ? clipped.source_t[at.point + 1] : 1.0;
-        places[at.sample] = {source, from + glm::mix(begin, end, double(at.in_space)) * way,
-                             0.5 * (end - begin) * way / clipped.sample_count[at.point]};
+        return OnPath{source, from + glm::mix(begin, end, double(at.in_space)) * way,
+                      0.5 * (end - begin) * way / clipped.sample_count[at.point]};
     });
-    return places;
 }
 
 /// What other frames are asked about one frame's places.
@@ -174,14 +172,14 @@ ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Sc
 Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNear> near, int frames) {
     const bool fits = std::ranges::all_of(now.samples, [&](const Sample& s) { return s.number < shown.size(); });
     check(fits, "smoothing in time: lines of another frame");
-    for (const FrameNear& frame : near)
-        check(frame.away != 0 && std::abs(frame.away) <= frames, "smoothing in time: a frame is not near by");
+    for (const auto& [away, lines] : near)
+        check(away != 0 && std::abs(away) <= frames, "smoothing in time: a frame is not near by");
     Array<float> smooth(shown.begin(), shown.end());
     parallel_for(
         now.path.size(),
         [&](std::size_t stretch) {
             std::vector<Frame> others;
-            for (const FrameNear& frame : near) others.emplace_back(frame.lines);
+            for (const auto& [away, lines] : near) others.emplace_back(*lines);
             for (Index i = now.rows.begin(Index(stretch)); i < now.rows.end(Index(stretch)); ++i) {
                 const Sample& sample = now.samples[i];
                 if (sample.shown < 0.0f) continue;
@@ -189,8 +187,8 @@ Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNe
                 for (std::size_t k = 0; k < near.size(); ++k) {
                     const double there = others[k].at(sample, now.hidden[stretch]);
                     if (there < 0.0) continue;
-                    weight += frames + 1.0 - std::abs(near[k].away);
-                    sum += (frames + 1.0 - std::abs(near[k].away)) * there;
+                    weight += frames + 1.0 - std::abs(near[k].first);
+                    sum += (frames + 1.0 - std::abs(near[k].first)) * there;
                 }
                 smooth[sample.number] = float(sum / weight);
             }

@@ -45,11 +45,8 @@ struct ShownLines {
 ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
                        In<float> shown, int width, int height);
 
-/// Another frame, so many frames later or, below 0, earlier; its lines are there for as long as this is.
-struct FrameNear {
-    int away;
-    const ShownLines& lines;
-};
+/// Another frame: how many frames later it is or, below 0, earlier; and its lines.
+using FrameNear = std::pair<int, std::shared_ptr<const ShownLines>>;
 
 /// Factor for the opacity of lines per atlas sample, smoothed over so many frames to each side: the mean of what the
 /// frame and those near it show of the same place of the same line, weighted by a triangle (frames + 1 - |away|). So

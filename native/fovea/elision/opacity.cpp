@@ -2,7 +2,6 @@
 #include <fovea/elision/opacity.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>

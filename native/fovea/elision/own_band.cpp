@@ -10,7 +10,7 @@ namespace fovea {
 namespace {
 
 constexpr std::size_t pieces_per_block = 256;
-constexpr float most_half_width_px = 4096.0f;
+constexpr float least_half_width_px = 0.5f, most_half_width_px = 4096.0f;
 
 /// Runs of one piece over a stretch of it.
 struct Cover {
@@ -32,16 +32,6 @@ Cover cover(const Runs& runs, Index first, Index last, double from, double to) {
     }
     if (found.run != none) found.share = std::min(1.0, of_class[runs.invisibility[found.run] == 0] / (to - from));
     return found;
-}
-
-/// Pixel position on a piece, its end beyond it.
-vec2 place_at(const ClippedPaths& clipped, Index piece, double arc) {
-    const Index first = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
-    const double* arcs = clipped.arc_px.data();
-    const Index i = Index(std::upper_bound(arcs + first, arcs + last, arc) - arcs);
-    if (i == first) return clipped.px[first];
-    const double share = (arc - arcs[i - 1]) / std::max(arcs[i] - arcs[i - 1], 1e-9);
-    return glm::mix(clipped.px[i - 1], clipped.px[i], float(std::clamp(share, 0.0, 1.0)));
 }
 
 /// Samples of some pieces.
@@ -75,7 +65,7 @@ class Samples {
    private:
     void find_ends(Index piece, Index run) {
         counted_ = run;
-        ends_ = {place_at(clipped_, piece, runs_.start_px[run]), place_at(clipped_, piece, runs_.end_px[run])};
+        ends_ = {clipped_.place_px(piece, runs_.start_px[run]), clipped_.place_px(piece, runs_.end_px[run])};
     }
 
     void add_sample(Index i, Index j, double middle, const Cover& here) {
@@ -100,11 +90,6 @@ class Samples {
     vec4 ends_{0.0f};
 };
 
-template <typename T>
-void copy_to(const Array<T>& part, std::size_t base, Array<T>& all) {
-    std::ranges::copy(part, all.begin() + base);
-}
-
 }  // namespace
 
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
@@ -114,31 +99,21 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
     check(ranks.size() == runs.size(), "elision: one rank per run expected");
     const Rows rows = runs_of_pieces(clipped, runs);
     Array<Index> counts(runs.size(), 0);
-    std::vector<OwnBands> parts((clipped.path.size() + pieces_per_block - 1) / pieces_per_block);
-    parallel_blocks(clipped.path.size(), pieces_per_block, [&](auto block, std::size_t first, std::size_t last) {
-        Samples samples(clipped, runs, ranks, half_width_px, parts[block]);
-        for (Index q = Index(first); q < last; ++q)
-            if (rows.size(q) > 0) samples.add(q, rows.begin(q), rows.end(q), counts);
-    });
+    const auto parts = parallel_parts<OwnBands>(clipped.path.size(), pieces_per_block,
+                                                [&](OwnBands& part, std::size_t first, std::size_t last) {
+                                                    Samples samples(clipped, runs, ranks, half_width_px, part);
+                                                    for (Index q = Index(first); q < last; ++q)
+                                                        if (rows.size(q) > 0)
+                                                            samples.add(q, rows.begin(q), rows.end(q), counts);
+                                                });
     counts_to_offsets(counts);
     OwnBands own;
-    own.sample.resize(counts.back());
-    own.place.resize(counts.back());
-    own.band.resize(counts.back());
-    own.ends.resize(counts.back());
+    resize_columns(own, OwnBands::columns, counts.back());
     own.runs.offsets = std::move(counts);
     std::vector<std::size_t> bases;
     for (const OwnBands& part : parts) bases.push_back(part.sample.size());
     counts_to_offsets(bases);
-    parallel_for(
-        parts.size(),
-        [&](std::size_t b) {
-            copy_to(parts[b].sample, bases[b], own.sample);
-            copy_to(parts[b].place, bases[b], own.place);
-            copy_to(parts[b].band, bases[b], own.band);
-            copy_to(parts[b].ends, bases[b], own.ends);
-        },
-        1);
+    parallel_for(parts.size(), [&](std::size_t b) { copy_columns(parts[b], OwnBands::columns, own, bases[b]); }, 1);
     own.reach_px = reach_px;
     return own;
 }

@@ -40,7 +40,7 @@ struct Along {
 
 class Terms {
    public:
-    Terms(const Paths& paths, const Scene& scene, const View& view, const PriorityWeights& weights, In<float> object,
+    Terms(const Paths& paths, const Scene& scene, const View& view, const style::Elision& weights, In<float> object,
           In<float> painted)
         : paths_(paths),
           scene_(scene),
@@ -103,12 +103,12 @@ class Terms {
     const Paths& paths_;
     const Scene& scene_;
     const View& view_;
-    const PriorityWeights& weights_;
+    const style::Elision& weights_;
     In<float> object_, painted_;
     double radius_, painted_weight_, sum_;
 };
 
-void check_weights(const PriorityWeights& w, bool painted) {
+void check_weights(const style::Elision& w, bool painted) {
     const std::array all{w.length, w.kind, w.strength, w.depth, w.object, w.painted};
     check(std::ranges::all_of(all, [](double x) { return x >= 0.0 && std::isfinite(x); }),
           "priority: weights must be 0 or more");
@@ -130,7 +130,7 @@ double scene_radius(const Scene& scene) {
     return low.x <= high.x ? glm::distance(low, high) * 0.5 : 0.0;
 }
 
-Array<float> path_priorities(const Paths& paths, const Scene& scene, const View& view, const PriorityWeights& weights,
+Array<float> path_priorities(const Paths& paths, const Scene& scene, const View& view, const style::Elision& weights,
                              In<float> object, In<float> painted) {
     check_weights(weights, !painted.empty());
     check(object.empty() || object.size() == scene.placements.size(),
@@ -141,6 +141,34 @@ Array<float> path_priorities(const Paths& paths, const Scene& scene, const View&
     Array<float> priorities(paths.count());
     parallel_for(paths.count(), [&](std::size_t p) { priorities[p] = terms.of_path(Index(p)); }, 256);
     return priorities;
+}
+
+Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<float> priority, In<std::uint64_t> id) {
+    check_runs(clipped, runs);
+    const Index paths = Index(priority.size());
+    check(id.size() == paths, "rank: one priority and one id per path expected");
+    check(clipped.path.empty() || std::ranges::max(clipped.path) < paths, "rank: the runs are of other paths");
+    // Slot 2 p: hidden runs of path p, 2 p + 1: visible ones.
+    std::vector<std::uint8_t> used(2 * std::size_t(paths), 0);
+    const auto slot = [&](std::size_t r) { return 2 * clipped.path[runs.piece[r]] + (runs.invisibility[r] == 0); };
+    for (std::size_t r = 0; r < runs.size(); ++r) used[slot(r)] = 1;
+    std::vector<Index> order;
+    for (Index s = 0; s < used.size(); ++s)
+        if (used[s]) order.push_back(s);
+    const auto value = [&](Index p) {
+        return std::isnan(priority[p]) ? -std::numeric_limits<float>::infinity() : priority[p];
+    };
+    std::ranges::sort(order, [&](Index a, Index b) {
+        const Index p = a / 2, q = b / 2;
+        if ((a & 1) != (b & 1)) return (a & 1) < (b & 1);
+        if (value(p) != value(q)) return value(p) < value(q);
+        return id[p] != id[q] ? id[p] > id[q] : p > q;
+    });
+    std::vector<Index> rank(used.size(), 0);
+    for (Index i = 0; i < order.size(); ++i) rank[order[i]] = i + 1;
+    Array<Index> ranks(runs.size());
+    for (std::size_t r = 0; r < runs.size(); ++r) ranks[r] = rank[slot(r)];
+    return ranks;
 }
 
 }  // namespace fovea

@@ -9,7 +9,7 @@ namespace fovea {
 
 /// What a band holds of a pixel.
 struct PriorityTexel {
-    std::uint32_t rank : 23;     ///< of the line (elision/rank.h); 0: none
+    std::uint32_t rank : 23;     ///< of the line (elision/priority.h); 0: none
     std::uint32_t crossed : 1;   ///< 1 where there is another band in the layer behind
     std::uint32_t coverage : 8;  ///< share of the pixel that the band covers, of 255
     /// Vector across the line, away from its middle towards the pixel's centre, of `away_unit`; its length is 1, and

@@ -6,7 +6,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
-#include <fovea/focus/each_sample.h>
+#include <fovea/focus/at_samples.h>
 #include <fovea/focus/from_surfaces.h>
 
 namespace fovea {
@@ -50,32 +50,23 @@ float Focus::steepness() const {
 }
 
 Array<float> focus_of_samples(const ClippedPaths& clipped, const Focus& focus) {
-    Array<float> f(clipped.samples, 0.0f);
-    if (focus.points.empty()) return f;
+    if (focus.points.empty()) return Array<float>(clipped.samples, 0.0f);
     if (focus.of_surfaces()) return focus_along_pieces(clipped, focus);
-    each_sample(clipped,
-                [&](const SamplePlace& at) { f[at.sample] = focus(px_at(clipped, at), position_at(clipped, at)); });
-    return f;
+    return at_samples(clipped,
+                      [&](const SamplePlace& at) { return focus(px_at(clipped, at), position_at(clipped, at)); });
 }
 
 Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values) {
-    const auto at_point = [&](Index i) {
-        const Index source = clipped.source[i];
-        const float t = clipped.source_t[i];
-        return t > 0.0f ? glm::mix(values[source], values[source + 1], t) : values[source];
-    };
     const auto last = std::ranges::max_element(clipped.source);
     check(last == clipped.source.end() || *last < values.size(), "values: one per point of the paths expected");
-    Array<float> found(clipped.samples, 0.0f);
-    each_sample(clipped, [&](const SamplePlace& at) {
-        found[at.sample] = glm::mix(at_point(at.point), at_point(at.point + 1), at.in_space);
+    return at_samples(clipped, [&](const SamplePlace& at) {
+        return glm::mix(clipped.at_point(values, at.point), clipped.at_point(values, at.point + 1), at.in_space);
     });
-    return found;
 }
 
 Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& focus) {
     check(distance.size() == std::size_t(view.width) * view.height, "distance: one value per pixel expected");
-    if (focus.of_surfaces()) return FocusBetweenPixels(view, distance, focus).all();
+    if (focus.of_surfaces()) return focus_between_pixels(view, distance, focus);
     Array<float> f(distance.size());
     const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
     parallel_blocks(view.height, rows_per_block, [&](std::size_t, std::size_t first, std::size_t last) {
@@ -95,10 +86,7 @@ Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& 
 }
 
 Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float far) {
-    Array<float> d(clipped.samples, 0.0f);
-    each_sample(clipped,
-                [&](const SamplePlace& at) { d[at.sample] = between(-position_at(clipped, at).z, near, far); });
-    return d;
+    return at_samples(clipped, [&](const SamplePlace& at) { return between(-position_at(clipped, at).z, near, far); });
 }
 
 }  // namespace fovea

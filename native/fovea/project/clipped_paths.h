@@ -2,6 +2,8 @@
 // What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
 #pragma once
 
+#include <algorithm>
+
 #include <fovea/base/columns.h>
 
 namespace fovea {
@@ -68,6 +70,36 @@ struct ClippedPaths {
     Index samples = 0;
     /// Whether screen fractions of a segment are also fractions of it in space.
     bool orthographic = false;
+
+    /// Arc length at which a piece begins, and at which it ends.
+    double first_arc(Index piece) const { return arc_px[pieces.begin(piece)]; }
+    double last_arc(Index piece) const { return arc_px[pieces.end(piece) - 1]; }
+    /// The segment of a piece at an arc length, by its first point; beyond its ends the first or the last.
+    Index segment_at(Index piece, double arc) const {
+        const auto inner = arc_px.begin() + pieces.begin(piece) + 1, last = arc_px.begin() + pieces.end(piece) - 1;
+        return Index(std::upper_bound(inner, last, arc) - arc_px.begin()) - 1;
+    }
+    /// Which share of a segment lies before an arc length, in [0, 1]; `otherwise` where the segment has no length.
+    double share_at(Index segment, double arc, double otherwise = 0.0) const {
+        const double length = arc_px[segment + 1] - arc_px[segment];
+        return length > 0.0 ? std::clamp((arc - arc_px[segment]) / length, 0.0, 1.0) : otherwise;
+    }
+    /// Number of a piece's first sample; samples of the pieces follow each other, so that the next piece's ends its
+    /// own.
+    Index first_sample(Index piece) const {
+        return piece < pieces.count() ? sample_start[pieces.begin(piece)] : samples;
+    }
+    /// Place in pixels at an arc length of a piece, or its nearest end.
+    vec2 place_px(Index piece, double arc) const {
+        const Index i = segment_at(piece, arc);
+        return glm::mix(px[i], px[i + 1], float(share_at(i, arc)));
+    }
+    /// Values per point of Paths at a point of these.
+    float at_point(In<float> values, Index point) const {
+        const float here = values[source[point]], t = source_t[point];
+        // The last point of a path has nothing to mix with.
+        return t > 0.0f ? glm::mix(here, values[source[point] + 1], t) : here;
+    }
 };
 
 }  // namespace fovea

@@ -294,36 +294,30 @@ class Projector {
     std::vector<Stop> stops_;  // of the piece that is being clipped
 };
 
-/// Where each block's pieces, points and samples start in the joined result.
-struct Start {
-    Index piece, point, sample;
-};
-
-void append(const ClippedPaths& part, Start at, ClippedPaths& all) {
-    for (Index q = 0; q < part.path.size(); ++q) all.pieces.offsets[at.piece + q] = at.point + part.pieces.begin(q);
-    copy_columns(part, ClippedPaths::piece_columns, all, at.piece);
-    copy_columns(part, ClippedPaths::point_columns, all, at.point);
-    for (std::size_t i = 0; i < part.px.size(); ++i) all.sample_start[at.point + i] = at.sample + part.sample_start[i];
-}
-
+/// Parts one after the other.
 ClippedPaths join(const std::vector<ClippedPaths>& parts) {
-    std::vector<Start> starts;
-    std::uint64_t piece = 0, point = 0, sample = 0;
+    std::vector<std::uint64_t> pieces, points, samples;
     for (const ClippedPaths& part : parts) {
-        starts.push_back({Index(piece), Index(point), Index(sample)});
-        piece += part.path.size();
-        point += part.px.size();
-        sample += part.samples;
+        pieces.push_back(part.path.size());
+        points.push_back(part.px.size());
+        samples.push_back(part.samples);
     }
-    check(sample < none && point < none, too_many_samples);
+    for (auto* counts : {&pieces, &points, &samples}) counts_to_offsets(*counts);
+    check(samples.back() < none && points.back() < none, too_many_samples);
     ClippedPaths all;
-    all.pieces.offsets.resize(piece + 1);
-    all.pieces.offsets[piece] = Index(point);
-    all.samples = Index(sample);
-    resize_columns(all, ClippedPaths::piece_columns, piece);
-    resize_columns(all, ClippedPaths::point_columns, point);
-    parallel_blocks(parts.size(), 1,
-                    [&](std::size_t b, std::size_t, std::size_t) { append(parts[b], starts[b], all); });
+    all.samples = Index(samples.back());
+    all.pieces.offsets.assign(pieces.back() + 1, Index(points.back()));
+    resize_columns(all, ClippedPaths::piece_columns, pieces.back());
+    resize_columns(all, ClippedPaths::point_columns, points.back());
+    const auto copy = [&](std::size_t b) {
+        const ClippedPaths& part = parts[b];
+        const Index point = Index(points[b]);
+        for (Index q = 0; q < part.path.size(); ++q) all.pieces.offsets[pieces[b] + q] = point + part.pieces.begin(q);
+        copy_columns(part, ClippedPaths::piece_columns, all, pieces[b]);
+        copy_columns(part, ClippedPaths::point_columns, all, point);
+        for (std::size_t i = 0; i < part.px.size(); ++i) all.sample_start[point + i] += Index(samples[b]);
+    };
+    parallel_for(parts.size(), copy, 1);
     return all;
 }
 
@@ -332,14 +326,14 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel) {
     check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
-    std::vector<ClippedPaths> parts((paths.count() + paths_per_block - 1) / paths_per_block);
-    parallel_blocks(paths.count(), paths_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        cancel.poll();
-        Projector projector(paths, scene, view, options);
-        projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
-        for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
-        parts[b] = std::move(projector.out);
-    });
+    const auto parts = parallel_parts<ClippedPaths>(
+        paths.count(), paths_per_block, [&](ClippedPaths& part, std::size_t begin, std::size_t end) {
+            cancel.poll();
+            Projector projector(paths, scene, view, options);
+            projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
+            for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
+            part = std::move(projector.out);
+        });
     ClippedPaths all = join(parts);
     all.orthographic = view.orthographic;
     return all;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/runs/beside_visible.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
+#include <fovea/runs/filters.h>
 
 namespace fovea {
 namespace {
@@ -40,12 +38,12 @@ void walk(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const 
 class Grid {
    public:
     Grid(const ClippedPaths& clipped, const Runs& runs, double near_px) : cell_(std::max(near_px, step_px)) {
-        std::vector<std::vector<Place>> found((runs.size() + runs_per_block - 1) / runs_per_block);
-        parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-            for (std::size_t r = begin; r < end; ++r)
-                if (runs.invisibility[r] == 0)
-                    walk(clipped, runs, r, [&](double, const Place& place) { found[b].push_back(place); });
-        });
+        const auto found = parallel_parts<std::vector<Place>>(
+            runs.size(), runs_per_block, [&](std::vector<Place>& places, std::size_t begin, std::size_t end) {
+                for (std::size_t r = begin; r < end; ++r)
+                    if (runs.invisibility[r] == 0)
+                        walk(clipped, runs, r, [&](double, const Place& place) { places.push_back(place); });
+            });
         dvec2 low(INFINITY), high(-INFINITY);
         for (const auto& block : found)
             for (const Place& place : block) {
@@ -122,21 +120,16 @@ void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, c
 }  // namespace
 
 Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, double near_px) {
-    check(runs.piece.empty() || runs.piece.back() < clipped.path.size(), "runs: they are not of these clipped paths");
+    check_runs(clipped, runs);
     check(std::isfinite(near_px) && near_px > 0.0, "near_px: not a number above 0");
     const Grid grid(clipped, runs, near_px);
-    std::vector<Runs> blocks((runs.size() + runs_per_block - 1) / runs_per_block);
-    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        for (std::size_t r = begin; r < end; ++r) {
+    return runs_by_blocks(runs.size(), runs_per_block, [&](Runs& out, std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r)
             if (runs.invisibility[r] == 0)
-                blocks[b].push(runs.piece[r], runs.start_px[r], runs.end_px[r]);
+                out.push(runs, r);
             else
-                keep_rest(clipped, runs, r, grid, near_px, blocks[b]);
-        }
+                keep_rest(clipped, runs, r, grid, near_px, out);
     });
-    Runs all;
-    for (const Runs& block : blocks) all.append(block);
-    return all;
 }
 
 }  // namespace fovea

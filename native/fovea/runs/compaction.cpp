@@ -33,11 +33,11 @@ class Writer {
         : clipped_(clipped), paths_(paths), out_(out) {}
 
     void write(std::size_t run) {
-        const Index piece = out_.piece[run];
-        begin_ = clipped_.pieces.begin(piece);
-        last_ = clipped_.pieces.end(piece) - 1;
+        piece_ = out_.piece[run];
+        begin_ = clipped_.pieces.begin(piece_);
+        last_ = clipped_.pieces.end(piece_) - 1;
         const double start = out_.start_px[run], end = out_.end_px[run];
-        const Inner inner = inner_points(clipped_, piece, start, end);
+        const Inner inner = inner_points(clipped_, piece_, start, end);
         Index at = out_.rows.begin(static_cast<Index>(run));
         write_end(at++, start);
         for (Index i = inner.first; i < inner.last; ++i) write_point(at++, i);
@@ -46,11 +46,7 @@ class Writer {
     }
 
    private:
-    float strength(Index point) const {
-        const Index source = clipped_.source[point];
-        const float t = clipped_.source_t[point], here = paths_.strength[source];
-        return t > 0.0f ? glm::mix(here, paths_.strength[source + 1], t) : here;
-    }
+    float strength(Index point) const { return clipped_.at_point(paths_.strength, point); }
 
     void write_point(Index at, Index point) {
         out_.px[at] = clipped_.px[point];
@@ -71,11 +67,8 @@ class Writer {
     }
 
     void write_between(Index at, double arc) {
-        const auto arcs = clipped_.arc_px.begin();
-        const Index after = static_cast<Index>(std::upper_bound(arcs + begin_ + 1, arcs + last_, arc) - arcs),
-                    before = after - 1;
-        const double length = arcs[after] - arcs[before];
-        const double s = length > 0.0 ? std::clamp((arc - arcs[before]) / length, 0.0, 1.0) : 0.0;
+        const Index before = clipped_.segment_at(piece_, arc), after = before + 1;
+        const double s = clipped_.share_at(before, arc);
         const dvec3 a(clipped_.position_view[before]), b(clipped_.position_view[after]);
         // A share of the segment in the image, and the same place as a share of it in space.
         const double t = clipped_.orthographic ? s : s * a.z / (b.z + s * (a.z - b.z));
@@ -105,7 +98,7 @@ class Writer {
     const ClippedPaths& clipped_;
     const Paths& paths_;
     CompactRuns& out_;
-    Index begin_ = 0, last_ = 0;  // points of the piece that is being written
+    Index piece_ = 0, begin_ = 0, last_ = 0;  // that is being written, and its points
 };
 
 }  // namespace
@@ -117,12 +110,12 @@ CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs&
         clipped.path.empty() || (clipped.path.back() < paths.count() && clipped.source.back() < paths.strength.size()),
         "compact: these are not the paths that were clipped");
     CompactRuns out;
+    resize_columns(out, CompactRuns::run_columns, count);
+    out.rows.offsets.resize(count);
     out.piece = runs.piece;
     out.start_px = runs.start_px;
     out.end_px = runs.end_px;
     out.invisibility = runs.invisibility;
-    const auto resize = [](std::size_t size, auto&... arrays) { (arrays.resize(size), ...); };
-    resize(count, out.path_id, out.path, out.line_set, out.closed, out.rows.offsets);
     parallel_for(count, [&](std::size_t r) {
         const Index piece = runs.piece[r], path = clipped.path[piece];
         const Inner inner = inner_points(clipped, piece, runs.start_px[r], runs.end_px[r]);
@@ -130,15 +123,14 @@ CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs&
         out.path[r] = path;
         out.path_id[r] = paths.id[path];
         out.line_set[r] = paths.line_set[path];
-        out.closed[r] = clipped.closed[piece] &&
-                        runs.start_px[r] < clipped.arc_px[clipped.pieces.begin(piece)] + whole_error &&
-                        runs.end_px[r] > clipped.arc_px[clipped.pieces.end(piece) - 1] - whole_error;
+        out.closed[r] = clipped.closed[piece] && runs.start_px[r] < clipped.first_arc(piece) + whole_error &&
+                        runs.end_px[r] > clipped.last_arc(piece) - whole_error;
     });
     std::uint64_t points = 0;
     for (Index size : out.rows.offsets) points += size;
     check(points < none, "compact: more than four billion points");
     counts_to_offsets(out.rows.offsets);
-    resize(points, out.px, out.position_view, out.arc_px, out.strength, out.kinds);
+    resize_columns(out, CompactRuns::point_columns, points);
     parallel_blocks(count, 1024, [&](std::size_t, std::size_t first, std::size_t last) {
         Writer writer(clipped, paths, out);
         for (std::size_t r = first; r < last; ++r) writer.write(r);

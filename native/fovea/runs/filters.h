@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Filters along the path. They act on visible runs (those that nothing hides), in pixels of arc length, over segments,
-// atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise.
-// Amounts per path are one entry per path of Paths. Parallel; the same for any number of threads.
+// atlas rows and the seams of closed paths; hidden runs give way to visible ones and stay as they are otherwise. The
+// last two leave out hidden ones. Amounts per path are one entry per path of Paths. Parallel; the same for any number
+// of threads.
 //
-// Order: close_gaps, trim_folds, halo, meet_ends, overshoot. Halo must precede overshoot: otherwise the overshoot past
-// the occluding line survives.
+// Order: close_gaps, trim_folds, without_beside_visible, without_short_hidden, halo, meet_ends, overshoot. Halo must
+// precede overshoot: otherwise the overshoot past the occluding line survives.
 #pragma once
 
 #include <fovea/visibility/runs.h>
@@ -34,10 +35,10 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
 /// Negative amounts erode runs at all their ends; empty runs are removed. The result grows with the
 /// amount, without steps but where runs meet; an amount of 0 leaves a path as it is. Cole 2009, section 5.1.2, dilates
 /// visibility instead, which draws lines on behind what hides them.
-Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px);
-
-/// The same, by `amount_px` mixed with the path's `other_px` as `mix` (per atlas sample, in [0,1]) says at each end.
-Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px, In<float> mix);
+/// With `other_px` (may be empty), by the amount mixed with the path's other one as `mix` (per atlas sample, in [0,1])
+/// says at each end.
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px = {},
+               In<float> mix = {});
 
 /// Where a line passes behind another one, it stops the path's `gap_px` (0 or more) short: where a visible run crosses,
 /// in the image, a visible run that is nearer by more than eight pixels' size in space, or ends at one. The gap is
@@ -48,5 +49,15 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
 /// degrees or more: contours of mesh edges graze themselves where their own surface folds over them.
 /// Cf. Appel, Rohlf & Stein, "The Haloed Line Effect for Hidden Line Elimination", SIGGRAPH 1979.
 Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<std::uint8_t> of_view = {});
+
+/// Runs without the hidden parts that go along a visible run, or on under it, at less than `near_px`: where lines
+/// coincide, the visible one is drawn (as ISO 128 has it), and no outline of a coarse mesh is accompanied by its own
+/// way back. Hidden lines that cross visible ones stay whole.
+Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, double near_px);
+
+/// Runs without the hidden stretches that are shorter than their path's `least_px`: crumbs beside small holes, and the
+/// ways back of contours that fold. A stretch is what lies hidden between two visible runs, however many surfaces hide
+/// its parts; one that is a whole piece stays.
+Runs without_short_hidden(const ClippedPaths& clipped, const Runs& runs, In<float> least_px);
 
 }  // namespace fovea

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
 
@@ -18,9 +17,6 @@ constexpr double near_px = 3.5;        // so near to another end a line on its h
 constexpr double in_line_px = 1.5;     // and one that goes straight on; ends that near to each other meet as they are
 constexpr double straight_on = 0.375;  // share of the reach for which a line goes on beyond its own end
 constexpr double gain_px = 0.5;        // an end goes on for no less
-
-double first_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.begin(piece)]; }
-double last_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.end(piece) - 1]; }
 
 /// An end of a visible run, and the way out of it.
 struct End {
@@ -64,8 +60,8 @@ class Ends {
     End end_of(Index run, bool at_end) const {
         const double end = at_end ? runs_.end_px[run] : runs_.start_px[run];
         const double length = std::min(look_back_px, runs_.end_px[run] - runs_.start_px[run]);
-        const dvec2 px(place_px(clipped_, runs_.piece[run], end));
-        const dvec2 out = px - dvec2(place_px(clipped_, runs_.piece[run], at_end ? end - length : end + length));
+        const dvec2 px(clipped_.place_px(runs_.piece[run], end));
+        const dvec2 out = px - dvec2(clipped_.place_px(runs_.piece[run], at_end ? end - length : end + length));
         const dvec2 cell = glm::floor(px / reach_);
         return {std::int64_t(cell.y), std::int64_t(cell.x), run, at_end, px, out / glm::length(out)};
     }
@@ -79,11 +75,11 @@ class Ends {
         const double apart = glm::length(between);
         const bool ahead = glm::dot(between, own.way) > 0.0 && glm::dot(own.way, other.way) <= facing;
         if (!ahead || !(apart > in_line_px && apart < reach_)) return 0.0;
-        const double rest = ((sign > 0.0 ? last_arc(clipped_, piece) : first_arc(clipped_, piece)) - start) * sign;
+        const double rest = ((sign > 0.0 ? clipped_.last_arc(piece) : clipped_.first_arc(piece)) - start) * sign;
         double nearest = apart, found = 0.0;
         for (double way = step_px; way <= most; way += step_px) {
             const double arc = start + sign * way, beyond = std::max(0.0, way - rest);
-            const dvec2 at = dvec2(place_px(clipped_, piece, arc)) + beyond * own.way;
+            const dvec2 at = dvec2(clipped_.place_px(piece, arc)) + beyond * own.way;
             const double distance = glm::distance(at, other.px);
             if (distance >= nearest) continue;
             nearest = distance;
@@ -111,15 +107,13 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
     const Ends ends(clipped, runs, placement, reach_px);
     const Rows rows = runs_of_pieces(clipped, runs);
     const double beyond = straight_on * reach_px;
-    constexpr std::size_t pieces_per_block = 256;
-    std::vector<Runs> blocks((clipped.path.size() + pieces_per_block - 1) / pieces_per_block);
-    parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    return runs_by_blocks(clipped.path.size(), 256, [&](Runs& out, std::size_t begin, std::size_t end) {
         std::vector<Span> visible;
         for (Index q = Index(begin); q < end; ++q) {
             visible.clear();
             const bool contour = of_view[clipped.path[q]];
-            double before = first_arc(clipped, q) - (clipped.ends[q] & path_start ? beyond : 0.0);
-            const double farthest = last_arc(clipped, q) + (clipped.ends[q] & path_end ? beyond : 0.0);
+            double before = clipped.first_arc(q) - (clipped.ends[q] & path_start ? beyond : 0.0);
+            const double farthest = clipped.last_arc(q) + (clipped.ends[q] & path_end ? beyond : 0.0);
             for (Index r = rows.begin(q); r < rows.end(q); ++r) {
                 if (runs.invisibility[r] != 0) continue;
                 Index next = r + 1;
@@ -129,12 +123,9 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
                                    contour ? ends.met(r, true, after) : runs.end_px[r]});
                 before = visible.back().end;
             }
-            replace_visible(runs, rows, q, visible, blocks[b]);
+            replace_visible(runs, rows, q, visible, out);
         }
     });
-    Runs all;
-    for (const Runs& block : blocks) all.append(block);
-    return all;
 }
 
 }  // namespace fovea

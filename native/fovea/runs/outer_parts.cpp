@@ -15,8 +15,9 @@ constexpr std::size_t runs_per_block = 64;
 /// The parts of a range of runs.
 class Parting {
    public:
-    Parting(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, In<Kinds> sure, double step_px)
-        : clipped_(clipped), paths_(paths), tracer_(tracer), sure_(sure), step_px_(step_px) {}
+    Parting(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, In<Kinds> sure, double step_px,
+            OuterParts& out)
+        : clipped_(clipped), paths_(paths), tracer_(tracer), sure_(sure), step_px_(step_px), out_(out) {}
 
     void add(const Runs& runs, std::size_t r) {
         const double start = runs.start_px[r], length = runs.end_px[r] - start;
@@ -28,17 +29,15 @@ class Parting {
             if (k < count && voted(k) == voted(first)) continue;
             const double from = start + first * length / count;
             const double to = k == count ? runs.end_px[r] : start + k * length / count;
-            const std::size_t before = out.runs.size();
-            out.runs.push(runs.piece[r], from, to, runs.invisibility[r]);
-            if (out.runs.size() > before) {
-                out.outer.push_back(voted(first));
-                out.source.push_back(answers_[first].source);
+            const std::size_t before = out_.runs.size();
+            out_.runs.push(runs.piece[r], from, to, runs.invisibility[r]);
+            if (out_.runs.size() > before) {
+                out_.outer.push_back(voted(first));
+                out_.source.push_back(answers_[first].source);
             }
             first = k;
         }
     }
-
-    OuterParts out;
 
    private:
     struct Answer {
@@ -47,18 +46,14 @@ class Parting {
     };
 
     Answer ask(Index piece, double arc, std::size_t k) {
-        const auto begin = clipped_.arc_px.begin() + clipped_.pieces.begin(piece);
-        const auto end = clipped_.arc_px.begin() + clipped_.pieces.end(piece) - 1;
-        const auto after = std::upper_bound(begin, end, arc);
-        const auto i = static_cast<Index>(std::max(begin, after - 1) - clipped_.arc_px.begin());
+        const Index i = clipped_.segment_at(piece, arc);
         const Index source = clipped_.source[i], path = clipped_.path[piece];
         if (paths_.kinds[source] & sure_[path]) return {source, 1};
         if (k == 0 || i != at_) {
             segment_ = segment_at(clipped_, paths_, tracer_, piece, i);
             at_ = i;
         }
-        const double long_px = clipped_.arc_px[i + 1] - clipped_.arc_px[i];
-        const double s = long_px > 0.0 ? std::clamp((arc - clipped_.arc_px[i]) / long_px, 0.0, 1.0) : 0.5;
+        const double s = clipped_.share_at(i, arc, 0.5);
         const auto behind = tracer_.behind(vec3(segment_.at(s)), segment_.ignore);
         return {source, !behind || behind->placement != paths_.placement[path]};
     }
@@ -75,6 +70,7 @@ class Parting {
     const Tracer& tracer_;
     const In<Kinds> sure_;
     const double step_px_;
+    OuterParts& out_;
     std::vector<Answer> answers_;
     Segment segment_{};
     Index at_ = none;
@@ -89,13 +85,12 @@ OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tr
     check(sure.size() == paths.count(), "sure: one value per path expected");
     check(step_px > 0.0, "step_px must be more than 0");
     tracer.check_current();
-    std::vector<OuterParts> parts((runs.size() + runs_per_block - 1) / runs_per_block);
-    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        cancel.poll();
-        Parting parting(clipped, paths, tracer, sure, step_px);
-        for (std::size_t r = begin; r < end; ++r) parting.add(runs, r);
-        parts[b] = std::move(parting.out);
-    });
+    const auto parts =
+        parallel_parts<OuterParts>(runs.size(), runs_per_block, [&](OuterParts& part, std::size_t r, std::size_t end) {
+            cancel.poll();
+            Parting parting(clipped, paths, tracer, sure, step_px, part);
+            for (; r < end; ++r) parting.add(runs, r);
+        });
     OuterParts all;
     for (const OuterParts& part : parts) {
         all.runs.append(part.runs);

@@ -24,14 +24,23 @@ double beyond(double amount, bool line_ends, double rest) {
     return line_ends ? amount * std::clamp(2.0 - rest / hidden_rest_px, 0.0, 1.0) : 0.0;
 }
 
-/// Lengthens spans by amount_at(path, strand, place).
-template <typename Changes, typename Amount>
-Runs lengthen(const ClippedPaths& clipped, const Runs& runs, const Changes& changes, const Amount& amount_at) {
+}  // namespace
+
+Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px, In<float> mix) {
+    const bool mixed = !other_px.empty();
+    check_amounts(clipped, amount_px, "amount_px");
+    if (mixed) check_amounts(clipped, other_px, "other_px");
+    check(!mixed || mix.size() == clipped.samples, "mix: one value per atlas sample expected");
+    const auto changes = [&](Index path) { return amount_px[path] != 0.0f || (mixed && other_px[path] != 0.0f); };
     return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
         const Index path = clipped.path[strand.parts()[0].piece];
+        const auto amount = [&](double at) -> double {
+            if (!mixed) return amount_px[path];
+            return glm::mix(amount_px[path], other_px[path], strand.value(clipped, mix, at, 0.0f));
+        };
         for (Span& span : spans) {
             if (strand.is_whole(span)) continue;
-            const double before = amount_at(path, strand, span.begin), after = amount_at(path, strand, span.end);
+            const double before = amount(span.begin), after = amount(span.end);
             const double rest_before = span.begin - strand.begin, rest_after = strand.end - span.end;
             // At the frame the line only seems to end.
             if (strand.ends_at_begin || !strand.reaches_begin(span))
@@ -41,26 +50,6 @@ Runs lengthen(const ClippedPaths& clipped, const Runs& runs, const Changes& chan
         }
         std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
     });
-}
-
-}  // namespace
-
-Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px) {
-    check_amounts(clipped, amount_px, "amount_px");
-    return lengthen(
-        clipped, runs, [&](Index path) { return amount_px[path] != 0.0f; },
-        [&](Index path, const Strand&, double) { return double(amount_px[path]); });
-}
-
-Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_px, In<float> other_px, In<float> mix) {
-    check_amounts(clipped, amount_px, "amount_px");
-    check_amounts(clipped, other_px, "other_px");
-    check(mix.size() == clipped.samples, "mix: one value per atlas sample expected");
-    return lengthen(
-        clipped, runs, [&](Index path) { return amount_px[path] != 0.0f || other_px[path] != 0.0f; },
-        [&](Index path, const Strand& strand, double at) {
-            return double(glm::mix(amount_px[path], other_px[path], strand.value(clipped, mix, at, 0.0f)));
-        });
 }
 
 }  // namespace fovea

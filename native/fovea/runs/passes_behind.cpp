@@ -5,8 +5,6 @@
 #include <optional>
 #include <tuple>
 
-#include <fovea/base/parallel.h>
-#include <fovea/runs/strand.h>
 #include <fovea/runs/stretch_grid.h>
 
 namespace fovea {
@@ -19,15 +17,11 @@ constexpr double joint_px = 1e-3;     // two segments that share a point leave n
 constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size; less has a rough outline
 constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
 
-double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// body(stretch) for the segments of a piece between two arc lengths.
 template <typename Body>
 void for_stretches(const ClippedPaths& clipped, Index piece, double start, double end, const Body& body) {
-    const auto arcs = clipped.arc_px.begin();
-    const Index begin = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
-    const auto first = std::upper_bound(arcs + begin + 1, arcs + last, start) - arcs - 1;
-    for (auto i = static_cast<Index>(first); i < last && clipped.arc_px[i] < end; ++i) {
+    const Index last = clipped.pieces.end(piece) - 1;
+    for (Index i = clipped.segment_at(piece, start); i < last && clipped.arc_px[i] < end; ++i) {
         const double arc = clipped.arc_px[i], length = clipped.arc_px[i + 1] - arc;
         if (!(length > 0.0)) continue;
         const double from = std::max(0.0, (start - arc) / length), to = std::min(1.0, (end - arc) / length);
@@ -42,17 +36,21 @@ bool in_image(const ClippedPaths& clipped, Index piece) {
     return clipped.depth[clipped.pieces.begin(piece)] >= before_all;
 }
 
+template <typename T>
+Array<T> in_order(const std::vector<Array<T>>& parts) {
+    Array<T> all;
+    for (const Array<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 Array<Stretch> visible_stretches(const ClippedPaths& clipped, const Runs& runs) {
-    std::vector<Array<Stretch>> blocks((runs.size() + runs_per_block - 1) / runs_per_block);
-    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t first, std::size_t last) {
-        for (std::size_t r = first; r < last; ++r)
+    using Part = Array<Stretch>;
+    return in_order(parallel_parts<Part>(runs.size(), runs_per_block, [&](Part& part, std::size_t r, std::size_t last) {
+        for (; r < last; ++r)
             if (runs.invisibility[r] == 0 && !in_image(clipped, runs.piece[r]))
                 for_stretches(clipped, runs.piece[r], runs.start_px[r], runs.end_px[r],
-                              [&](const Stretch& stretch) { blocks[b].push_back(stretch); });
-    });
-    Array<Stretch> all;
-    for (const Array<Stretch>& block : blocks) all.insert(all.end(), block.begin(), block.end());
-    return all;
+                              [&](const Stretch& stretch) { part.push_back(stretch); });
+    }));
 }
 
 /// A place on a segment, by its screen fraction.
@@ -80,7 +78,7 @@ double arc_at(const ClippedPaths& clipped, const Place& at) {
 }
 
 dvec2 direction(const ClippedPaths& clipped, Index piece, double arc) {
-    return dvec2(place_px(clipped, piece, arc + direction_px)) - dvec2(place_px(clipped, piece, arc - direction_px));
+    return dvec2(clipped.place_px(piece, arc + direction_px)) - dvec2(clipped.place_px(piece, arc - direction_px));
 }
 
 /// Where two stretches cross, on the segment of each.
@@ -125,21 +123,17 @@ void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const 
 
 Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> wanted) {
     const StretchGrid grid(visible_stretches(clipped, runs));
-    std::vector<Array<PassBehind>> blocks((runs.size() + runs_per_block - 1) / runs_per_block);
-    parallel_blocks(runs.size(), runs_per_block, [&](std::size_t b, std::size_t first, std::size_t last) {
-        for (std::size_t r = first; r < last; ++r) {
+    using Part = Array<PassBehind>;
+    return in_order(parallel_parts<Part>(runs.size(), runs_per_block, [&](Part& part, std::size_t r, std::size_t last) {
+        for (; r < last; ++r) {
             const Index piece = runs.piece[r];
             if (!wanted[clipped.path[piece]] || runs.invisibility[r] != 0 || in_image(clipped, piece)) continue;
             for_stretches(clipped, piece, runs.start_px[r] - reach_px, runs.end_px[r] + reach_px,
-                          [&](const Stretch& stretch) { find(clipped, runs, r, grid, stretch, blocks[b]); });
+                          [&](const Stretch& stretch) { find(clipped, runs, r, grid, stretch, part); });
         }
         // The grid gives stretches in no certain order.
-        const auto place = [](const PassBehind& p) { return std::tuple(p.piece, p.arc_px, p.sine); };
-        std::ranges::sort(blocks[b], {}, place);
-    });
-    Array<PassBehind> all;
-    for (const Array<PassBehind>& block : blocks) all.insert(all.end(), block.begin(), block.end());
-    return all;
+        std::ranges::sort(part, {}, [](const PassBehind& p) { return std::tuple(p.piece, p.arc_px, p.sine); });
+    }));
 }
 
 }  // namespace fovea

@@ -9,9 +9,6 @@
 namespace fovea {
 namespace {
 
-double first_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.begin(piece)]; }
-double last_arc(const ClippedPaths& clipped, Index piece) { return clipped.arc_px[clipped.pieces.end(piece) - 1]; }
-
 /// The pieces of a path stand together: the other one at its seam is the last or the first of them.
 Index beyond_seam(const ClippedPaths& clipped, Index piece) {
     const Index path = clipped.path[piece], count = static_cast<Index>(clipped.path.size());
@@ -48,15 +45,15 @@ Strand::Strand(const ClippedPaths& clipped, Index piece) {
     // The piece that ends at the seam comes first.
     Index first = piece, second = other;
     if (other != none && (ends & seam_start)) std::swap(first, second);
-    begin = first_arc(clipped, first);
-    end = last_arc(clipped, first);
+    begin = clipped.first_arc(first);
+    end = clipped.last_arc(first);
     parts_[0] = {first, 0.0};
     if (second != none) {
         seam_ = end;
-        const double shift = seam_ - first_arc(clipped, second);
+        const double shift = seam_ - clipped.first_arc(second);
         parts_[1] = {second, shift};
         count_ = 2;
-        end = last_arc(clipped, second) + shift;
+        end = clipped.last_arc(second) + shift;
     }
     ends_at_begin = clipped.ends[parts_[0].piece] & path_start;
     ends_at_end = clipped.ends[parts_[count_ - 1].piece] & path_end;
@@ -110,16 +107,6 @@ void Strand::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const
         add(span, length());
     }
     unite(out);
-}
-
-vec2 place_px(const ClippedPaths& clipped, Index piece, double arc_px) {
-    const auto begin = clipped.arc_px.begin() + clipped.pieces.begin(piece),
-               end = clipped.arc_px.begin() + clipped.pieces.end(piece);
-    const auto above = std::clamp(std::upper_bound(begin, end, arc_px), begin + 1, end - 1);
-    const auto i = static_cast<Index>(above - clipped.arc_px.begin());
-    const double length = clipped.arc_px[i] - clipped.arc_px[i - 1];
-    const double t = length > 0.0 ? std::clamp((arc_px - clipped.arc_px[i - 1]) / length, 0.0, 1.0) : 0.0;
-    return glm::mix(clipped.px[i - 1], clipped.px[i], static_cast<float>(t));
 }
 
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out) {

@@ -2,7 +2,6 @@
 // What a line is to filters along it: pieces that go on into each other.
 #pragma once
 
-#include <fovea/base/parallel.h>
 #include <fovea/visibility/runs.h>
 
 namespace fovea {
@@ -56,9 +55,6 @@ class Strand {
     double seam_ = 0.0;  // where two parts meet
 };
 
-/// Place in pixels at an arc length of a piece, or its nearest end.
-vec2 place_px(const ClippedPaths& clipped, Index piece, double arc_px);
-
 /// Appends the runs of a piece that is now visible in `visible` (ascending, apart), hidden where it was and is not
 /// visible now.
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out);
@@ -68,27 +64,21 @@ void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> v
 /// is changed once for each. Parallel; the result does not depend on the number of threads.
 template <typename Wanted, typename Change>
 Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted& wanted, const Change& change) {
-    constexpr std::size_t pieces_per_block = 256;
     const Rows rows = runs_of_pieces(clipped, runs);
-    std::vector<Runs> blocks((clipped.path.size() + pieces_per_block - 1) / pieces_per_block);
-    parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t b, std::size_t first, std::size_t last) {
+    return runs_by_blocks(clipped.path.size(), 256, [&](Runs& out, std::size_t first, std::size_t last) {
         std::vector<Span> spans, kept;
         for (Index q = Index(first); q < last; ++q) {
             if (!wanted(clipped.path[q])) {
-                for (Index r = rows.begin(q); r < rows.end(q); ++r)
-                    blocks[b].push(q, runs.start_px[r], runs.end_px[r], runs.invisibility[r]);
+                for (Index r = rows.begin(q); r < rows.end(q); ++r) out.push(runs, r);
                 continue;
             }
             const Strand strand(clipped, q);
             strand.visible(runs, rows, spans);
             change(strand, spans);
             strand.on_piece(q, spans, kept);
-            replace_visible(runs, rows, q, kept, blocks[b]);
+            replace_visible(runs, rows, q, kept, out);
         }
     });
-    Runs all;
-    for (const Runs& block : blocks) all.append(block);
-    return all;
 }
 
 }  // namespace fovea

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 #include <fovea/path/paths.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
@@ -15,7 +14,7 @@ namespace {
 double trim_end(const ClippedPaths& clipped, Index piece, double start, double end, int way, double fold_px) {
     constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // back within 30 degrees of the way it came
     double result = end;
-    const vec2 tip = place_px(clipped, piece, end);
+    const vec2 tip = clipped.place_px(piece, end);
     const auto arcs = clipped.arc_px.begin();
     const double low = way > 0 ? end - fold_px : end, high = way > 0 ? end : end + fold_px;
     const auto first =
@@ -23,7 +22,7 @@ double trim_end(const ClippedPaths& clipped, Index piece, double start, double e
     for (auto i = static_cast<Index>(first); i < clipped.pieces.end(piece) && clipped.arc_px[i] <= high; ++i) {
         const double arc = clipped.arc_px[i], left = (end - arc) * way;
         if (left <= 0.0 || left > fold_px || (arc - start) * way <= before_px || left <= (end - result) * way) continue;
-        const vec2 onward = clipped.px[i] - place_px(clipped, piece, arc - way * before_px), rest = tip - clipped.px[i];
+        const vec2 onward = clipped.px[i] - clipped.place_px(piece, arc - way * before_px), rest = tip - clipped.px[i];
         const double lengths = glm::length(onward) * glm::length(rest);
         if (glm::length(rest) > least_px && glm::dot(onward, rest) < cosine * lengths) result = arc;
     }
@@ -34,10 +33,10 @@ double trim_end(const ClippedPaths& clipped, Index piece, double start, double e
 /// fold_px of its end, if it is near enough for one line to go on as the other.
 double meet_next(const ClippedPaths& clipped, Index piece, double start, double end, double next, double fold_px) {
     constexpr double near_px = 3.0, step_px = 0.5;
-    const vec2 goal = place_px(clipped, piece, next);
+    const vec2 goal = clipped.place_px(piece, next);
     double nearest = near_px, result = end;
     for (double arc = end; arc > std::max(start, end - fold_px); arc -= step_px) {
-        const double distance = glm::length(place_px(clipped, piece, arc) - goal);
+        const double distance = glm::length(clipped.place_px(piece, arc) - goal);
         if (distance < nearest) {
             nearest = distance;
             result = arc;
@@ -56,12 +55,12 @@ Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> 
     parallel_for(count, [&](std::size_t r) {
         const Index piece = runs.piece[r];
         if (!of_view[clipped.path[piece]] || runs.invisibility[r] != 0) return;
-        const double first = clipped.arc_px[clipped.pieces.begin(piece)],
-                     last = clipped.arc_px[clipped.pieces.end(piece) - 1];
         double start = runs.start_px[r], end = runs.end_px[r];
         const bool cusps = of_view[clipped.path[piece]] == ends_at_cusps && !clipped.closed[piece];
-        if (cusps || end < last - same_place_px) end = trim_end(clipped, piece, start, end, 1, fold_px);
-        if (cusps || start > first + same_place_px) start = trim_end(clipped, piece, end, start, -1, fold_px);
+        if (cusps || end < clipped.last_arc(piece) - same_place_px)
+            end = trim_end(clipped, piece, start, end, 1, fold_px);
+        if (cusps || start > clipped.first_arc(piece) + same_place_px)
+            start = trim_end(clipped, piece, end, start, -1, fold_px);
         std::size_t next = r + 1;
         while (next < count && runs.invisibility[next] != 0) ++next;
         const bool goes_on = next < count && runs.piece[next] == piece && runs.start_px[next] - end < fold_px;

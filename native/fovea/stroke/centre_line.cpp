@@ -18,8 +18,6 @@ constexpr int taper_steps = 4;
 constexpr double most_overshoot = 1000.0;  // px
 constexpr double tip_width = 0.2;          // of a tapered end, in widths of the pen: corners of the drawing stay closed
 
-double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
-
 CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
     const float s = float(t);
     return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),
@@ -27,14 +25,8 @@ CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
 }
 
 CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
-    float s = 1.0f;
-    if (!strength.empty()) {
-        const Index source = clipped.source[i];
-        s = strength[source];
-        // The last point of a path has nothing to mix with.
-        if (clipped.source_t[i] > 0.0f) s = glm::mix(s, strength[source + 1], clipped.source_t[i]);
-        s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
-    }
+    float s = strength.empty() ? 1.0f : clipped.at_point(strength, i);
+    s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
     return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fovea/stroke/centre_line.h>
-#include <fovea/visibility/runs.h>
 
 namespace fovea {
 

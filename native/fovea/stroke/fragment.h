@@ -32,20 +32,6 @@ inline float ink(const PenTexture& texture, float along, float v, float half_wid
     return stroke.stroke_ink(0, stroke.size(), along, v, half_width);
 }
 
-inline float mean_ink(const PenTexture& texture, float v, float half_width) {
-    formulas::Stroke stroke{&texture};
-    return stroke.mean_stroke_ink(0, stroke.size(), v, half_width);
-}
-
-struct Octave {
-    float repeats, finer;
-};
-
-inline Octave octave(float path_px, float texture_length_px) {
-    const vec2 found = formulas::Stroke{}.stroke_octave(path_px, texture_length_px);
-    return {found.x, found.y};
-}
-
 inline float anchored_ink(const PenTexture& texture, float u, float v, float half_width, float path_px,
                           float texture_length_px) {
     formulas::Stroke stroke{&texture};

@@ -15,7 +15,6 @@ constexpr double round_error = 0.1;      // px between a round join and its poly
 constexpr double fringe = 0.5;           // px added for antialiasing
 constexpr Index largest_group = 32;      // points that may share a corner
 
-double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 dvec2 left_of(dvec2 d) { return {-d.y, d.x}; }
 
 /// Where a side of the strip meets the cross section of a point: the corner of the segment that

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 #include <fovea/path/paths.h>
 #include <fovea/stroke/centre_line.h>
 #include <fovea/stroke/emphasis.h>
@@ -56,34 +55,6 @@ Array<Index> drawing_order(const Runs& runs, In<Index> pen_of_run) {
     return order;
 }
 
-/// What each block of runs adds to the whole, laid end to end in order.
-Strokes join(std::vector<Strokes>& blocks) {
-    Array<std::size_t> vertices, triangles;
-    for (const Strokes& b : blocks) {
-        vertices.push_back(b.px.size());
-        triangles.push_back(b.triangles.size());
-    }
-    counts_to_offsets(vertices);
-    counts_to_offsets(triangles);
-    check(vertices.back() < none, "strokes: too many vertices for 32-bit indices");
-
-    Strokes all;
-    resize_columns(all, Strokes::vertex_columns, vertices.back());
-    all.triangles.resize(triangles.back());
-    for (const Strokes& b : blocks) all.count += b.count;
-    parallel_for(
-        blocks.size(),
-        [&](std::size_t i) {
-            const Strokes block = std::move(blocks[i]);
-            const std::size_t v = vertices[i];
-            copy_columns(block, Strokes::vertex_columns, all, v);
-            std::ranges::transform(block.triangles, all.triangles.begin() + triangles[i],
-                                   [&](glm::uvec3 t) { return t + Index(v); });
-        },
-        1);
-    return all;
-}
-
 }  // namespace
 
 Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
@@ -94,48 +65,51 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
     check(visibility.empty() || visibility.size() == clipped.samples,
           "visibility: one value per atlas sample expected");
     const Array<Index> order = drawing_order(runs, pen_of_run);
-    std::vector<Strokes> blocks((order.size() + block_size - 1) / block_size);
-    parallel_blocks(order.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
-        CentreLine line;
-        Fade fade;
-        EmphasisAlong along;
-        for (std::size_t k = begin; k < end; ++k) {
-            const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
-            if (clipped.pieces.size(piece) < 2) continue;
-            const double first = clipped.arc_px[clipped.pieces.begin(piece)];
-            const double last = clipped.arc_px[clipped.pieces.end(piece) - 1];
-            // What overshoots its line goes straight on.
-            const double before = first - runs.start_px[r], after = runs.end_px[r] - last;
-            find_fade(clipped, visibility, piece, std::max(runs.start_px[r], first), std::min(runs.end_px[r], last),
-                      runs.invisibility[r] != 0, fade);
-            const double start = fade.start_px, stop = fade.end_px;
-            const bool from_first = start<first + whole_error, to_last = stop> last - whole_error;
-            const bool closed = clipped.closed[piece] && from_first && to_last;
-            cut(clipped, strength, piece, start, stop, line);
-            if (!closed) lengthen(line, before, after);
-            simplify(line);
-            insert_bends(line, fade);
-            find_emphasis(clipped, emphasis, piece, start, stop, along);
-            emphasize(line, along);
-            const Index path = clipped.path[piece];
-            const std::uint64_t id = ids.empty() ? path : ids[path];
-            const style::Pen& look = pens[pen].look;
-            wobble(line, float(look.wobble), float(look.wobble_length), id + static_cast<Index>(look.seed));
-            const int free = clipped.free_ends[piece];
-            const PenPair pair{pens[pen], pens[pens[pen].away == none ? pen : pens[pen].away]};
-            shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
-            press(line, float(look.pressure));
-            fade_ends(line, fade);
-            if (line.size() < 2) continue;
-            const float ends[] = {closed ? -endless : float(line.front().arc),
-                                  closed ? endless : float(line.back().arc)};
-            if (!closed) extend(line, look.cap);
-            add_strip(line, closed, {ends[0], ends[1], float(clipped.path_length_px[piece]), pen}, blocks[block]);
-            blocks[block].piece.resize(blocks[block].px.size(), piece);
-            ++blocks[block].count;
-        }
-    });
-    return join(blocks);
+    auto parts =
+        parallel_parts<Strokes>(order.size(), block_size, [&](Strokes& out, std::size_t begin, std::size_t end) {
+            CentreLine line;
+            Fade fade;
+            EmphasisAlong along;
+            for (std::size_t k = begin; k < end; ++k) {
+                const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
+                if (clipped.pieces.size(piece) < 2) continue;
+                const double first = clipped.first_arc(piece), last = clipped.last_arc(piece);
+                // What overshoots its line goes straight on.
+                const double before = first - runs.start_px[r], after = runs.end_px[r] - last;
+                find_fade(clipped, visibility, piece, std::max(runs.start_px[r], first), std::min(runs.end_px[r], last),
+                          runs.invisibility[r] != 0, fade);
+                const double start = fade.start_px, stop = fade.end_px;
+                const bool from_first = start<first + whole_error, to_last = stop> last - whole_error;
+                const bool closed = clipped.closed[piece] && from_first && to_last;
+                cut(clipped, strength, piece, start, stop, line);
+                if (!closed) lengthen(line, before, after);
+                simplify(line);
+                insert_bends(line, fade);
+                find_emphasis(clipped, emphasis, piece, start, stop, along);
+                emphasize(line, along);
+                const Index path = clipped.path[piece];
+                const std::uint64_t id = ids.empty() ? path : ids[path];
+                const style::Pen& look = pens[pen].look;
+                wobble(line, float(look.wobble), float(look.wobble_length), id + static_cast<Index>(look.seed));
+                const int free = clipped.free_ends[piece];
+                const PenPair pair{pens[pen], pens[pens[pen].away == none ? pen : pens[pen].away]};
+                shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
+                press(line, float(look.pressure));
+                fade_ends(line, fade);
+                if (line.size() < 2) continue;
+                const float ends[] = {closed ? -endless : float(line.front().arc),
+                                      closed ? endless : float(line.back().arc)};
+                if (!closed) extend(line, look.cap);
+                add_strip(line, closed, {ends[0], ends[1], float(clipped.path_length_px[piece]), pen}, out);
+                out.piece.resize(out.px.size(), piece);
+                ++out.count;
+            }
+        });
+    Index count = 0;
+    for (const Strokes& part : parts) count += part.count;
+    Strokes all = join_strips(parts, "strokes");
+    all.count = count;
+    return all;
 }
 
 }  // namespace fovea

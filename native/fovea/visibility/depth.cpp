@@ -24,11 +24,11 @@ struct RowEdge {
     RowEdge(dvec2 a, dvec2 b, int y, bool of_mesh) {
         const dvec2 way = b - a, inwards(-way.y, way.x);
         const double length = std::abs(way.x) + std::abs(way.y), unit = length > 0.0 && of_mesh ? 1.0 / length : 0.0;
-        along = edge_code({0.0f, float(inwards.x * unit), float(inwards.y * unit)});
+        along = formulas::Edges().edge_code_of(0.0f, inwards * unit);
         inside = glm::dot(inwards, dvec2(0.5, y + 0.5) - a) * unit;
         step = inwards.x * unit;
     }
-    int code(int x) const { return edge_code(along, float(inside + step * x)); }
+    int code(int x) const { return formulas::Edges().edge_code(along, float(inside + step * x)); }
 };
 
 /// Draws rows y0 to y1 of a triangle that lies on a facet.
@@ -47,9 +47,28 @@ void draw_rows(const RasterTriangle& t, int y0, int y1, Index facet, DepthBuffer
         each_texel(rows, y, in_front, [&](int x, double depth) {
             row[x] = plane;
             row[x].depth = static_cast<float>(depth);
-            row[x].edges = pack_edges(first.code(x), second.code(x), third.code(x));
+            row[x].edges = formulas::Edges().pack_edges(first.code(x), second.code(x), third.code(x));
         });
     }
+}
+
+/// A tile along one axis [px of the whole, its border included].
+struct TileSpan {
+    int begin, end;  // shown
+    int core_begin, core_end;
+};
+
+std::vector<TileSpan> spans(int size, int most, int overlap) {
+    if (size <= most) return {{0, size, 0, size}};
+    const int inner = most - 2 * overlap;
+    check(inner > 0, "depth tiles: too few texels for a tile with its overlap");
+    const int count = (size + inner - 1) / inner;
+    std::vector<TileSpan> result;
+    for (int i = 0; i < count; ++i) {
+        const int begin = int(std::int64_t(size) * i / count), end = int(std::int64_t(size) * (i + 1) / count);
+        result.push_back({std::max(begin - overlap, 0), std::min(end + overlap, size), begin, end});
+    }
+    return result;
 }
 
 }  // namespace
@@ -65,6 +84,27 @@ DepthBuffer depth_layout(const View& view, const DepthOptions& options) {
     layout.width = (view.width + 2 * layout.border_x) * options.scale;
     layout.height = (view.height + 2 * layout.border_y) * options.scale;
     return layout;
+}
+
+std::vector<DepthBuffer> depth_tiles(const View& view, const DepthOptions& options, int side, int overlap_px) {
+    const DepthBuffer whole = depth_layout(view, options);
+    const int width = whole.width / whole.scale, height = whole.height / whole.scale;
+    std::vector<DepthBuffer> tiles;
+    for (const TileSpan& y : spans(height, side / whole.scale, overlap_px))
+        for (const TileSpan& x : spans(width, side / whole.scale, overlap_px)) {
+            DepthBuffer tile = whole;
+            tile.border_x = whole.border_x - x.begin;
+            tile.border_y = whole.border_y - y.begin;
+            tile.width = (x.end - x.begin) * whole.scale;
+            tile.height = (y.end - y.begin) * whole.scale;
+            // What lies beyond the border belongs to the outermost tiles.
+            if (x.core_begin > 0) tile.core.x = float(x.core_begin - whole.border_x);
+            if (y.core_begin > 0) tile.core.y = float(y.core_begin - whole.border_y);
+            if (x.core_end < width) tile.core.z = float(x.core_end - whole.border_x);
+            if (y.core_end < height) tile.core.w = float(y.core_end - whole.border_y);
+            tiles.push_back(std::move(tile));
+        }
+    return tiles;
 }
 
 dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout) {
@@ -124,11 +164,7 @@ std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, doubl
     return meshes;
 }
 
-DepthBuffer draw_depth(const View& view, In<RasterMesh> meshes, const DepthOptions& options, const Cancel* cancel) {
-    return draw_depth_into(depth_layout(view, options), view, meshes, cancel);
-}
-
-DepthBuffer draw_depth_into(DepthBuffer buffer, const View& view, In<RasterMesh> meshes, const Cancel* cancel) {
+DepthBuffer draw_depth(DepthBuffer buffer, const View& view, In<RasterMesh> meshes, const Cancel* cancel) {
     buffer.texels.resize(std::size_t(buffer.width) * buffer.height);
     parallel_blocks(buffer.texels.size(), std::size_t(1) << 18, [&](auto, std::size_t begin, std::size_t end) {
         std::fill(buffer.texels.begin() + begin, buffer.texels.begin() + end, DepthTexel());

@@ -23,7 +23,7 @@ struct DepthTexel {
 };
 
 /// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels left of and below the
-/// frame (fewer than none in most tiles, depth_tiles.h); rows from bottom to top. The centre of texel (x, y) lies at
+/// frame (fewer than none in most tiles, depth_tiles); rows from bottom to top. The centre of texel (x, y) lies at
 /// ((x + .5) / scale - border_x, (y + .5) / scale - border_y) pixels.
 struct DepthBuffer {
     int scale = 1;
@@ -52,6 +52,13 @@ struct DepthOptions {
 /// below 1 or a negative margin.
 DepthBuffer depth_layout(const View& view, const DepthOptions& options);
 
+/// The same in tiles, where it is larger than textures or than memory allows.
+/// Layouts of at most `side` texels along each axis that together show what depth_layout shows. Their cores do not
+/// overlap and leave nothing out; each shows `overlap_px` pixels around its core (less at the border), so that what is
+/// decided inside the core looks at the very texels it would look at in the whole. One layout, the whole, where that is
+/// small enough. Throws std::invalid_argument where a tile would have no core, and as depth_layout.
+std::vector<DepthBuffer> depth_tiles(const View& view, const DepthOptions& options, int side, int overlap_px);
+
 /// Maps homogeneous view-space points to (x w, y w, depth w, w), x and y in [-1, 1] over the buffer: clip space whose
 /// third coordinate is the depth above. The GPU's depth pass uses the same matrix.
 dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout);
@@ -78,11 +85,6 @@ std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, doubl
 /// Draws triangles into a layout (depth_layout, or a tile). What lies nearer than the near plane is cut off; the far
 /// plane cuts nothing off. At equal depth the lower facet wins. Triangles without area on the screen or with a
 /// coordinate that is not finite leave no trace. Throws std::invalid_argument on indices out of range.
-DepthBuffer draw_depth_into(DepthBuffer layout, const View& view, In<RasterMesh> meshes,
-                            const Cancel* cancel = nullptr);
-
-/// The same for the whole view; throws as depth_layout, too.
-DepthBuffer draw_depth(const View& view, In<RasterMesh> meshes, const DepthOptions& options,
-                       const Cancel* cancel = nullptr);
+DepthBuffer draw_depth(DepthBuffer layout, const View& view, In<RasterMesh> meshes, const Cancel* cancel = nullptr);
 
 }  // namespace fovea

@@ -17,4 +17,11 @@ inline constexpr double exact_tolerance_px = 1.0 / 16.0;
 /// that all samples in it need no ray. Each change between samples is then narrowed to exact_tolerance_px.
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel);
 
+/// Per atlas sample: 1 where its point, moved `offset_px` pixels to the left of its segment (as seen, at the same
+/// distance along the view), is exactly visible, under the same rules: tells whether sampled visibility errs near a
+/// change of visibility or far from one. Lines of the image are seen everywhere. A segment without length in the image
+/// is moved up.
+Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, double offset_px,
+                                const Cancel& cancel);
+
 }  // namespace fovea

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
-#include <fovea/visibility/layout.h>
 
 namespace fovea {
 namespace {
@@ -134,29 +133,24 @@ Rows bin(const std::vector<Line>& lines, int height, Array<Index>& members) {
     return rows;
 }
 
-/// Looks for samples of segment i of a piece.
-struct Looker {
-    const ClippedPaths& clipped;
-    const DepthBuffer& depth;
-    const ItemBuffer& buffer;
-
-    float visibility(Index i, Index item, Index j) const {
-        const float middle = (float(j) + 0.5f) / float(clipped.sample_count[i]);
-        if (!depth.decides(glm::mix(clipped.px[i], clipped.px[i + 1], middle))) return 0.0f;
-        const dvec2 from = texels(depth, clipped.px[i]), to = texels(depth, clipped.px[i + 1]);
-        const bool x_wise = along_x(from, to);
-        int seen = 0;
-        for (int k = 0; k < depth.scale; ++k) {
-            const double t = (j + (k + 0.5) / depth.scale) / clipped.sample_count[i];
-            const glm::ivec2 at(glm::floor(glm::mix(from, to, t)));
-            bool found = false;
-            for (int side = -1; side <= 1 && !found; ++side)
-                found = buffer.holds(at.x + (x_wise ? 0 : side), at.y + (x_wise ? side : 0), item);
-            seen += found;
-        }
-        return float(seen) / float(depth.scale);
+/// Share of the looks for sample j of segment i of a piece that find it.
+float share_seen(const ClippedPaths& clipped, const DepthBuffer& depth, const ItemBuffer& buffer, Index piece, Index i,
+                 Index j) {
+    const float middle = (float(j) + 0.5f) / float(clipped.sample_count[i]);
+    if (!depth.decides(glm::mix(clipped.px[i], clipped.px[i + 1], middle))) return 0.0f;
+    const dvec2 from = texels(depth, clipped.px[i]), to = texels(depth, clipped.px[i + 1]);
+    const bool x_wise = along_x(from, to);
+    int seen = 0;
+    for (int k = 0; k < depth.scale; ++k) {
+        const double t = (j + (k + 0.5) / depth.scale) / clipped.sample_count[i];
+        const glm::ivec2 at(glm::floor(glm::mix(from, to, t)));
+        bool found = false;
+        for (int side = -1; side <= 1 && !found; ++side)
+            found = buffer.holds(at.x + (x_wise ? 0 : side), at.y + (x_wise ? side : 0), piece + 1);
+        seen += found;
     }
-};
+    return float(seen) / float(depth.scale);
+}
 
 }  // namespace
 
@@ -191,14 +185,13 @@ ItemBuffer draw_items(const ClippedPaths& clipped, const DepthBuffer& depth, con
 Array<float> item_visibility(const ClippedPaths& clipped, const DepthBuffer& depth, const ItemOptions& options,
                              const Cancel* cancel) {
     const ItemBuffer buffer = draw_items(clipped, depth, options, cancel);
-    const Looker looker{clipped, depth, buffer};
     Array<float> visibility(clipped.samples, 0.0f);
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
         for (Index q = Index(begin); q < end; ++q)
             for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i)
                 for (Index j = 0; j < clipped.sample_count[i]; ++j)
-                    visibility[clipped.sample_start[i] + j] = looker.visibility(i, q + 1, j);
+                    visibility[clipped.sample_start[i] + j] = share_seen(clipped, depth, buffer, q, i, j);
     });
     return visibility;
 }

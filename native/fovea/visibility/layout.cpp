@@ -16,31 +16,28 @@ Array<Index> segments_of(const ClippedPaths& clipped, const AtlasBatch& batch) {
 
 }  // namespace
 
-Rows piece_samples(const ClippedPaths& clipped) {
-    const Index pieces = clipped.pieces.count();
-    Rows rows;
-    rows.offsets.resize(pieces + 1);
-    for (Index q = 0; q < pieces; ++q) rows.offsets[q] = clipped.sample_start[clipped.pieces.begin(q)];
-    rows.offsets[pieces] = clipped.samples;
-    return rows;
-}
-
 Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit) {
-    const Rows samples = piece_samples(clipped);
     Array<AtlasBatch> batches;
-    for (Index q = 0; q < samples.count();) {
+    for (Index q = 0; q < clipped.pieces.count();) {
+        const Index first = clipped.first_sample(q);
         Index end = q + 1;
-        while (end < samples.count() && samples.end(end) - samples.begin(q) <= limit) ++end;
-        if (samples.end(end - 1) > samples.begin(q))
-            batches.push_back({q, end, samples.begin(q), samples.end(end - 1)});
+        while (end < clipped.pieces.count() && clipped.first_sample(end + 1) - first <= limit) ++end;
+        if (clipped.first_sample(end) > first) batches.push_back({q, end, first, clipped.first_sample(end)});
         q = end;
     }
     return batches;
 }
 
+void write_segment(const ClippedPaths& clipped, const OwnSides& sides, Index i, float with_start, float with_end,
+                   vec4* rows) {
+    rows[0] = {clipped.px[i], clipped.depth[i], with_start};
+    rows[1] = {clipped.px[i + 1], clipped.depth[i + 1], with_end};
+    rows[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]), sides.in_tables(i), 0.0f};
+}
+
 AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, const AtlasBatch& batch) {
-    check(sides.inner.size() == clipped.px.size() && sides.steepness.size() == clipped.px.size() &&
-              batch.piece_end <= clipped.pieces.count() && batch.sample_end <= clipped.samples,
+    check_sides(clipped, sides, "segment atlas");
+    check(batch.piece_end <= clipped.pieces.count() && batch.sample_end <= clipped.samples,
           "segment atlas: a batch or own sides of other paths");
     const Array<Index> points = segments_of(clipped, batch);
     const Index segments = static_cast<Index>(points.size());
@@ -48,11 +45,8 @@ AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, con
     tables.segments.resize(3 * std::size_t(segments));
     for (Index s = 0; s < segments; ++s) {
         const Index i = points[s];
-        vec4* row = &tables.segments[3 * std::size_t(s)];
-        row[0] = {clipped.px[i], clipped.depth[i], float(clipped.sample_start[i] - batch.sample_begin)};
-        row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.sample_count[i])};
-        row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]),
-                  sides.inner[i] ? -1.0f : sides.steepness[i], 0.0f};
+        write_segment(clipped, sides, i, float(clipped.sample_start[i] - batch.sample_begin),
+                      float(clipped.sample_count[i]), &tables.segments[3 * std::size_t(s)]);
     }
     if (segments == 0) return tables;
     Index owner = 0;

@@ -17,9 +17,6 @@ inline constexpr Index owner_stride = 64;
 inline constexpr Index facet_modulus = Index(1) << 24;
 inline float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
 
-/// Samples of each piece.
-Rows piece_samples(const ClippedPaths& clipped);
-
 /// Whole pieces whose samples fit into one atlas texture.
 struct AtlasBatch {
     Index piece_begin = 0, piece_end = 0;
@@ -28,6 +25,10 @@ struct AtlasBatch {
 
 /// Consecutive batches of at most `limit` samples (or one piece).
 Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit = batch_samples);
+
+/// Three entries of the segment from point i, as passes read them; what stands beside its start and its end is theirs.
+void write_segment(const ClippedPaths& clipped, const OwnSides& sides, Index i, float with_start, float with_end,
+                   vec4* rows);
 
 /// What the visibility pass reads, three entries a segment that has samples, in atlas order:
 /// (x0, y0, depth0, first sample), (x1, y1, depth1, sample count),

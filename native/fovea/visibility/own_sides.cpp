@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 #include <fovea/visibility/depth.h>
 
@@ -100,6 +101,11 @@ bool groove(const Facet& a, const Facet& b) {
 }
 
 }  // namespace
+
+void check_sides(const ClippedPaths& clipped, const OwnSides& sides, const char* what) {
+    check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
+          std::string(what) + ": own sides of other paths");
+}
 
 OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& view) {
     const std::vector<PlacedSurface> placed = place(scene, view);

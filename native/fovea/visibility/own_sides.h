@@ -17,7 +17,13 @@ struct OwnSides {
     /// 1 where both adjacent facets are back-facing, or one is and the edge is concave: a solid would hide the line,
     /// which is seen on open surfaces only, next to its own facets. 0 where the facets do not occlude.
     Array<std::uint8_t> inner;
+
+    /// As tables have it: the steepness, or -1 for an inner line.
+    float in_tables(Index segment) const { return inner[segment] ? -1.0f : steepness[segment]; }
 };
+
+/// Throws std::invalid_argument, naming `what`, where they belong to other paths.
+void check_sides(const ClippedPaths& clipped, const OwnSides& sides, const char* what);
 
 OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& view);
 

@@ -8,8 +8,8 @@ namespace fovea {
 PieceSamples::PieceSamples(const ClippedPaths& clipped, Index piece) : clipped_(clipped) {
     first_point_ = clipped.pieces.begin(piece);
     last_point_ = std::max(clipped.pieces.end(piece), first_point_ + 1) - 1;
-    begin_ = end_ = first_point_ < last_point_ ? clipped.sample_start[first_point_] : 0;
-    for (Index i = first_point_; i < last_point_; ++i) end_ += clipped.sample_count[i];
+    begin_ = clipped.first_sample(piece);
+    end_ = clipped.first_sample(piece + 1);
 }
 
 double PieceSamples::arc(std::ptrdiff_t sample) const {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 
 namespace fovea {
 namespace {
@@ -70,15 +69,9 @@ Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs) {
 
 Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float threshold) {
     check(visibility.size() == clipped.samples, "visibility: one value per atlas sample expected");
-    const std::size_t pieces = clipped.path.size();
-    std::vector<Runs> parts((pieces + pieces_per_block - 1) / pieces_per_block);
-    parallel_blocks(pieces, pieces_per_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-        for (std::size_t q = begin; q < end; ++q)
-            find_runs(clipped, visibility, threshold, static_cast<Index>(q), parts[b]);
+    return runs_by_blocks(clipped.path.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
+        for (std::size_t q = begin; q < end; ++q) find_runs(clipped, visibility, threshold, Index(q), runs);
     });
-    Runs runs;
-    for (const Runs& part : parts) runs.append(part);
-    return runs;
 }
 
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
@@ -87,10 +80,8 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
     parallel_blocks(clipped.path.size(), pieces_per_block, [&](std::size_t, std::size_t first, std::size_t end_piece) {
         for (std::size_t q = first; q < end_piece; ++q) {
             Index run = rows.begin(q);
-            const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
-            for (Index i = begin; i < last; ++i) {
+            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
                 const Index count = clipped.sample_count[i];
-                if (count == 0) continue;
                 const double step = (clipped.arc_px[i + 1] - clipped.arc_px[i]) / count;
                 for (Index j = 0; j < count; ++j) {
                     const double from = clipped.arc_px[i] + j * step, to = from + step;
@@ -107,28 +98,21 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
     return samples;
 }
 
-Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen) {
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<Index> placement) {
     const Rows rows = runs_of_pieces(clipped, visible);
-    check(clipped.path.empty() || clipped.path.back() < always_seen.size(), "always_seen: one value per path expected");
+    check(clipped.path.empty() || clipped.path.back() < placement.size(), "placement: one value per path expected");
     Runs all;
     for (Index q = 0; q < clipped.path.size(); ++q) {
-        const Index begin = clipped.pieces.begin(q), last = clipped.pieces.end(q) - 1;
-        const bool has_hidden = !always_seen[clipped.path[q]];
-        double from = clipped.arc_px[begin];
+        const bool has_hidden = placement[clipped.path[q]] != none;
+        double from = clipped.first_arc(q);
         for (Index r = rows.begin(q); r < rows.end(q); ++r) {
             if (has_hidden) all.push(q, from, visible.start_px[r], 1);
-            all.push(q, visible.start_px[r], visible.end_px[r]);
+            all.push(visible, r);
             from = visible.end_px[r];
         }
-        if (has_hidden) all.push(q, from, clipped.arc_px[last], 1);
+        if (has_hidden) all.push(q, from, clipped.last_arc(q), 1);
     }
     return all;
-}
-
-Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, const Paths& paths) {
-    Array<std::uint8_t> always_seen(paths.count());
-    for (Index p = 0; p < paths.count(); ++p) always_seen[p] = paths.placement[p] == none;
-    return with_hidden(clipped, visible, always_seen);
 }
 
 }  // namespace fovea

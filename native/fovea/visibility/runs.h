@@ -2,7 +2,7 @@
 // Visibility in its canonical form: runs of arc length, and the way between runs and atlas samples.
 #pragma once
 
-#include <fovea/base/types.h>
+#include <fovea/base/parallel.h>
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
 
@@ -26,11 +26,24 @@ struct Runs {
     std::size_t size() const { return piece.size(); }
     /// Appends a run, unless it has no length.
     void push(Index of, double start, double end, std::uint8_t hidden_by = 0);
+    /// Appends a run of others.
+    void push(const Runs& others, std::size_t run) {
+        push(others.piece[run], others.start_px[run], others.end_px[run], others.invisibility[run]);
+    }
     void append(const Runs& more);
 };
 
 /// Throws std::invalid_argument unless the runs can be of these pieces. Both ascend, so the last run tells.
 void check_runs(const ClippedPaths& clipped, const Runs& runs);
+
+/// The runs that add(runs, begin, end) appends for blocks of `size` of `count` elements, in their order. Parallel; the
+/// same for any number of threads.
+template <typename Add>
+Runs runs_by_blocks(std::size_t count, std::size_t size, const Add& add) {
+    Runs all;
+    for (const Runs& part : parallel_parts<Runs>(count, size, add)) all.append(part);
+    return all;
+}
 
 /// Runs of each piece.
 Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs);
@@ -42,11 +55,8 @@ Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float 
 /// Share of each atlas sample that visible runs cover, in [0,1].
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 
-/// Visible runs and what lies between them, hidden by 1 surface or more. Pieces of paths with `always_seen` set (one
-/// entry per path of Paths) have no hidden parts.
-Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> always_seen);
-
-/// The same, where lines of the image have none: they lie on no surface, and nothing hides them.
-Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, const Paths& paths);
+/// Visible runs and what lies between them, hidden by 1 surface or more. Lines of the image, whose path's `placement`
+/// is `none` (one entry per path of Paths), have no hidden parts: they lie on no surface, and nothing hides them.
+Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<Index> placement);
 
 }  // namespace fovea

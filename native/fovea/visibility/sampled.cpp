@@ -2,7 +2,6 @@
 #include <fovea/visibility/sampled.h>
 
 #include <fovea/base/check.h>
-#include <fovea/visibility/layout.h>
 #include <fovea/visibility/triangle_edges.h>
 
 namespace fovea {
@@ -60,7 +59,7 @@ struct SeenSegment {
 SeenSegment segment_of(const ClippedPaths& clipped, const OwnSides& sides, Index i) {
     return {vec3(clipped.px[i], clipped.depth[i]),
             vec3(clipped.px[i + 1], clipped.depth[i + 1]),
-            {clipped.facet0[i], clipped.facet1[i], sides.inner[i] ? -1.0f : sides.steepness[i]}};
+            {clipped.facet0[i], clipped.facet1[i], sides.in_tables(i)}};
 }
 
 /// Samples of piece q.
@@ -88,8 +87,7 @@ void check_sampled(const DepthBuffer& buffer, const SampledOptions& options) {
 Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
                                 const SampledOptions& options, const Cancel* cancel) {
     check_sampled(buffer, options);
-    check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
-          "sampled visibility: own sides of other paths");
+    check_sides(clipped, sides, "sampled visibility");
     Array<float> visibility(clipped.samples, 0.0f);
     parallel_blocks(clipped.pieces.count(), 64, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();

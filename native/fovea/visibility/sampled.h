@@ -23,7 +23,7 @@ struct SampledOptions {
 void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
 
 /// Share of its probes that see each atlas sample, in [0,1]. Samples that the buffer does not decide are 0: the whole
-/// is the sum over a view's tiles (depth_tiles.h).
+/// is the sum over a view's tiles (depth_tiles).
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
 /// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/visibility/shadow.h>
 
-#include <algorithm>
-
 namespace fovea {
 
 Shadow::Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin) {
@@ -40,6 +38,27 @@ Interval Shadow::hides(const dvec3& a, const dvec3& b) const {
         if (at_b < 0.0) interval.end = std::min(interval.end, at_a / (at_a - at_b));
     }
     return interval;
+}
+
+Occluding::Occluding(const Tracer& tracer, const Hit& hit) : placement_(hit.placement) {
+    const Outline outline = tracer.outline(hit);
+    const View& view = tracer.view();
+    shadow_ = Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
+    triangle_ = outline.triangle;
+    other_ = outline.other;
+}
+
+Interval Occluding::hides(const Tracer& tracer, const Segment& segment) const {
+    if (!shadow_.usable()) return {};
+    const Ignore& ignore = segment.ignore;
+    const Surface& surface = *tracer.scene().placements[placement_].surface;
+    // How near a curve's own surface may be, only rays know.
+    if (placement_ == ignore.placement && ignore.across_triangles()) return {};
+    if (ignore.holds(placement_, surface, triangle_)) return {};
+    if (other_ != none && ignore.holds(placement_, surface, other_)) return {};
+    const Interval interval = shadow_.hides(segment.a, segment.b);
+    if (interval.begin > interval.end) return {};
+    return {segment.to_screen(interval.begin), segment.to_screen(interval.end)};
 }
 
 }  // namespace fovea

@@ -3,31 +3,21 @@
 
 #include <algorithm>
 
-#include <fovea/base/check.h>
 #include <fovea/visibility/layout.h>
 
 namespace fovea {
-namespace {
-
-void check_sides(const ClippedPaths& clipped, const OwnSides& sides) {
-    check(sides.steepness.size() == clipped.px.size() && sides.inner.size() == clipped.px.size(),
-          "spine test: own sides of other paths");
-}
-
-}  // namespace
 
 Runs whole_pieces(const ClippedPaths& clipped) {
     Runs runs;
     for (Index q = 0; q < clipped.pieces.count(); ++q)
-        if (clipped.pieces.size(q) > 1)
-            runs.push(q, clipped.arc_px[clipped.pieces.begin(q)], clipped.arc_px[clipped.pieces.end(q) - 1]);
+        if (clipped.pieces.size(q) > 1) runs.push(q, clipped.first_arc(q), clipped.last_arc(q));
     return runs;
 }
 
 SpineTest::SpineTest(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
                      const SampledOptions& options)
     : clipped_(clipped), sides_(sides), buffer_(buffer), options_(options) {
-    check_sides(clipped, sides);
+    check_sides(clipped, sides, "spine test");
     check_sampled(buffer, options);
 }
 
@@ -49,17 +39,14 @@ float SpineTest::visibility(Index piece, float u) const {
 }
 
 Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
-    check_sides(clipped, sides);
+    check_sides(clipped, sides, "spine test");
     Array<vec4> table(3 * clipped.px.size(), vec4(0.0f));
     parallel_for(
         clipped.pieces.count(),
         [&](std::size_t q) {
             for (Index i = clipped.pieces.begin(Index(q)); i + 1 < clipped.pieces.end(Index(q)); ++i) {
-                vec4* row = &table[3 * std::size_t(i)];
-                row[0] = {clipped.px[i], clipped.depth[i], float(clipped.arc_px[i])};
-                row[1] = {clipped.px[i + 1], clipped.depth[i + 1], float(clipped.arc_px[i + 1])};
-                row[2] = {facet_number(clipped.facet0[i]), facet_number(clipped.facet1[i]),
-                          sides.inner[i] ? -1.0f : sides.steepness[i], 0.0f};
+                write_segment(clipped, sides, i, float(clipped.arc_px[i]), float(clipped.arc_px[i + 1]),
+                              &table[3 * std::size_t(i)]);
             }
         },
         256);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The walk over the atlas samples of clipped paths.
+// Values at the atlas samples of clipped paths.
 #pragma once
 
 #include <fovea/base/parallel.h>
@@ -14,9 +14,10 @@ struct SamplePlace {
     float on_screen, in_space;
 };
 
-/// Calls out(SamplePlace) for every atlas sample, from many threads.
-template <typename Out>
-void each_sample(const ClippedPaths& clipped, const Out& out) {
+/// value(SamplePlace) at every atlas sample, by many threads.
+template <typename Value>
+auto at_samples(const ClippedPaths& clipped, const Value& value) {
+    Array<decltype(value(SamplePlace()))> values(clipped.samples);
     parallel_blocks(clipped.px.size(), 4096, [&](std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const Index count = clipped.sample_count[i];
@@ -26,10 +27,12 @@ void each_sample(const ClippedPaths& clipped, const Out& out) {
             const float wb = flat ? 1.0f : -clipped.position_view[i + 1].z;
             for (Index j = 0; j < count; ++j) {
                 const float s = (float(j) + 0.5f) / float(count), t = s * wa / (wb + s * (wa - wb));
-                out(SamplePlace{clipped.sample_start[i] + j, Index(i), s, t});
+                const Index sample = clipped.sample_start[i] + j;
+                values[sample] = value(SamplePlace{sample, Index(i), s, t});
             }
         }
     });
+    return values;
 }
 
 inline vec2 px_at(const ClippedPaths& clipped, const SamplePlace& at) {

@@ -4,9 +4,12 @@
 
 #include <string>
 
-#include <fovea/base/types.h>
+#include <fovea/stroke/pen.h>
 
 namespace fovea {
+
+/// Reads a PNG as grey: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read.
+PenTexture read_texture(const std::string& path);
 
 /// The bytes of a PNG file of width x height pixels, sRGB, three values each, the lowest row first (as textures have
 /// it). Throws std::invalid_argument where there are not so many values, or none.
