@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/check.h>
 #include <fovea/draw/frame.h>
+#include <fovea/draw/methods.h>
 #include <fovea/elision/elide.h>
 #include <fovea/stroke/raster.h>
 #include <fovea/visibility/depth.h>
-#include <fovea/visibility/item_buffer.h>
-#include <fovea/visibility/sampled.h>
 #include <fovea/visibility/spine.h>
 
 namespace fovea {
@@ -42,17 +42,10 @@ std::vector<DepthBuffer> Frame::depth_layouts(int most_side, int overlap_px) con
 }
 
 Array<float> CpuBackend::visibility(const Frame& frame) {
-    const ClippedPaths& clipped = *frame.clipped;
-    const bool by_items = frame.job.options.visibility == Visibility::item_buffer;
+    const Method& method = method_of(frame.job.options.visibility);
+    check(method.look != nullptr, "visibility: this method takes no samples");
     Array<float> sum;
-    each_tile(frame, most_side, 0, [&](const DepthBuffer& depth) {
-        if (by_items) {
-            add(sum, item_visibility(clipped, depth, {.layers = frame.job.options.layers}, &frame.cancel()));
-        } else {
-            const OwnSides sides = own_sides(clipped, *frame.job.scene, frame.job.view);
-            add(sum, sampled_visibility(clipped, sides, depth, {.probes = frame.job.options.probes}, &frame.cancel()));
-        }
-    });
+    each_tile(frame, most_side, 0, [&](const DepthBuffer& depth) { add(sum, method.look(frame, depth)); });
     return sum;
 }
 
@@ -64,7 +57,7 @@ Array<vec2> CpuBackend::elide(const Frame& frame, const Elision& elision) {
 Array<vec4> CpuBackend::draw(const Frame& frame) {
     const View& view = frame.job.view;
     Array<vec4> image;
-    if (frame.job.options.visibility != Visibility::spine) {
+    if (!method_of(frame.job.options.visibility).in_strokes) {
         raster(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, image);
         return image;
     }

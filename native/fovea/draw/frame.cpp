@@ -7,6 +7,7 @@
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
 #include <fovea/draw/along_lines.h>
+#include <fovea/draw/methods.h>
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
 #include <fovea/path/extract.h>
@@ -14,8 +15,6 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/invisibility.h>
 #include <fovea/stroke/tessellate.h>
-#include <fovea/visibility/exact.h>
-#include <fovea/visibility/spine.h>
 
 namespace fovea {
 namespace {
@@ -61,22 +60,9 @@ void Frame::see() {
     find();
     if (has(Step::see)) return;
     check(job.backend != nullptr, "frame: there is no backend");
-    stage("visibility", 0.25, [&] { visible = std::make_shared<Runs>(visible_runs()); });
+    stage("visibility", 0.25,
+          [&] { visible = std::make_shared<Runs>(method_of(job.options.visibility).visible(*this)); });
     done_ = Step::see;
-}
-
-Runs Frame::visible_runs() {
-    switch (job.options.visibility) {
-        case Visibility::atlas:
-            samples = job.backend->visibility(*this);
-            return runs_from_samples(*clipped, samples);
-        case Visibility::item_buffer:  // where lines share texels, samples in part are not seen in part
-            return runs_from_samples(*clipped, job.backend->visibility(*this));
-        case Visibility::spine:
-            return whole_pieces(*clipped);
-        default:
-            return exact_visibility(*clipped, *paths, *tracer, cancel());
-    }
 }
 
 void Frame::filter() {
@@ -86,7 +72,7 @@ void Frame::filter() {
         const Options& o = job.options;
         // Samples only say whether something hides a line, not how often.
         const Index counted = job.style.counted();
-        const Index levels = o.visibility == Visibility::exact ? counted : std::min(counted, Index(1));
+        const Index levels = method_of(o.visibility).counts_surfaces ? counted : std::min(counted, Index(1));
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
@@ -184,23 +170,15 @@ Runs Frame::with_ends() const {
     return overshoot(*clipped, joined, reach(near), reach(away), mix);
 }
 
-bool Frame::thins() const { return job.style.elision.enabled && job.options.visibility != Visibility::spine; }
+bool Frame::thins() const { return job.style.elision.enabled && !method_of(job.options.visibility).in_strokes; }
 
 std::string Frame::visibility_in_words() const {
     const Options& o = job.options;
-    const auto by = [&](int looks, const char* what) {
-        return std::to_string(looks) + " " + what + " x " + std::to_string(o.depth_scale);
-    };
-    switch (o.visibility) {
-        case Visibility::atlas:
-            return "segment atlas, " + by(o.probes, "probes");
-        case Visibility::spine:
-            return "spine test, " + by(o.probes, "probes");
-        case Visibility::item_buffer:
-            return "item buffer, " + by(o.layers, "layers");
-        default:
-            return "exact";
-    }
+    const Method& method = method_of(o.visibility);
+    const std::string quality = method.quality ? ", " + std::to_string(o.*method.quality) + " " + method.counted +
+                                                     " x " + std::to_string(o.depth_scale)
+                                               : "";
+    return method.words + quality;
 }
 
 ShownLines Frame::shown_lines() {

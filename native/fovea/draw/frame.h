@@ -117,7 +117,6 @@ class Frame {
     enum class Step { none, find, see, filter, thin, ink, picture };
     bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
-    Runs visible_runs();
     Runs with_ends() const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     Array<float> left(float cut);
