@@ -34,16 +34,13 @@ class Backend(native.load().Backend):
         self._surfaces = {}  # version of a surface -> batch of its triangles
 
     def visibility(self, frame):
-        """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer, or by the item buffer."""
+        """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer, or by the item buffer; the
+        core's, by methods that it alone knows. One depth tile after the other: no two of them are there at once."""
+        look = {"atlas": self._look, "item_buffer": self._look_for_items}.get(frame.options.visibility)
+        if look is None:
+            return native.load().CpuBackend(self.most_side).visibility(frame)
         self.clock.start()
         atlas = Atlas(self._programs, frame, self.batch_samples)
-        if frame.options.visibility != "item_buffer":
-            return self._fill(atlas, frame, self._look)
-        atlas.add_table("items", item_of_point(frame.clipped))
-        return self._fill(atlas, frame, self._look_for_items)
-
-    def _fill(self, atlas, frame, look):
-        """Samples of an Atlas, looked at through one depth tile after the other; no two of them are there at once."""
         self.clock.mark("tables")
         for layout in self.layouts(frame) if atlas.batches else ():
             look(atlas, frame, layout)
@@ -57,6 +54,7 @@ class Backend(native.load().Backend):
         atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
 
     def _look_for_items(self, atlas, frame, layout):
+        atlas.add_table("items", item_of_point(frame.clipped))
         depth = self._depth(frame, layout)
         layers = self._items.draw(atlas, depth, layout, frame.options.layers)
         self.clock.mark("items", layers[-1])

@@ -15,6 +15,13 @@ VISIBILITY = [
     ("ITEM_BUFFER", "Item Buffer", "Lines are drawn by number and seen where their number is found: for comparison", 4),
     ("EXACT", "Exact", "Rays decide what is hidden", 1),
 ]
+LOOKS = ("probes", "depth_scale")
+QUALITY = {
+    "AUTO": LOOKS,
+    "ATLAS": LOOKS,
+    "SPINE": LOOKS,
+    "ITEM_BUFFER": ("layers", "depth_scale"),
+}  # what can be chosen
 PROBES = [(str(n), str(n), "", n) for n in (1, 4, 9, 16)]
 
 

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..render import session
+from ..render import methods, session
 from .common import FoveaPanel, draw_properties, fold
 
 STAGES = {"bvh": "BVH"}  # whose names are no words
@@ -16,10 +16,8 @@ class RENDER_PT_fovea_visibility(FoveaPanel, bpy.types.Panel):
     def show(self, layout, context):
         settings = context.scene.fovea
         layout.prop(settings, "visibility")
-        sampled, items = settings.visibility != "EXACT", settings.visibility == "ITEM_BUFFER"
-        draw_properties(layout, settings, ("probes",), sampled and not items)
-        draw_properties(layout, settings, ("layers",), items)
-        draw_properties(layout, settings, ("depth_scale",), sampled)
+        for name in ("probes", "layers", "depth_scale"):
+            draw_properties(layout, settings, (name,), name in methods.QUALITY.get(settings.visibility, ()))
         used = session.last_statistics().get("visibility")
         if used:
             layout.label(text=f"Last drawn: {used}", icon="INFO")

@@ -28,10 +28,10 @@ struct OwnBands {
     float reach_px = 0.0f;
 };
 
-/// `ranks`: per run (elision/priority.h). `half_width_px`: per atlas sample, half the width that a line wants there where
-/// it is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below 0, is
-/// 0. `reach_px`: 1.5 times the window over which elision_scores averages, so that a line that begins where another
-/// ends is whole there; above 0.
+/// `ranks`: per run (elision/priority.h). `half_width_px`: per atlas sample, half the width that a line wants there
+/// where it is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below
+/// 0, is 0. `reach_px`: 1.5 times the window over which elision_scores averages, so that a line that begins where
+/// another ends is whole there; above 0.
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
                    float reach_px);
 
