@@ -37,6 +37,8 @@ struct pybind11::detail::type_caster<glm::vec<N, T, Q>> {
 
 namespace fovea::bindings {
 
+using namespace draw;
+
 namespace py = pybind11;
 
 /// Scalar type and number of columns of an element: float for vec3, 3 columns; a plain number has none.

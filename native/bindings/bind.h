@@ -8,6 +8,8 @@
 
 namespace fovea::bindings {
 
+using namespace draw;
+
 using SurfaceClass = pybind11::class_<Surface, std::shared_ptr<Surface>>;
 
 void bind_base(pybind11::module_& m);

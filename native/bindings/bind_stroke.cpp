@@ -14,7 +14,7 @@ namespace {
 Numpy<vec4> draw(const Strokes& strokes, const std::vector<Pen>& pens, const std::vector<PenTexture>& textures,
                  int width, int height) {
     Array<vec4> image;
-    without_gil([&] { raster(strokes, pens, textures, width, height, image); });
+    without_gil([&] { rasterize(strokes, pens, textures, width, height, image); });
     return to_image(std::move(image), width, height);
 }
 

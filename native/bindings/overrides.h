@@ -8,6 +8,8 @@
 
 namespace fovea::bindings {
 
+using namespace draw;
+
 /// Overrides that keep alive what they borrow.
 struct OwningOverrides {
     Overrides overrides;

@@ -13,7 +13,7 @@ template <>
 inline constexpr Choice choices_of<Estimator>[] = {{"automatic"}, {"jets"}, {"one_ring"}};
 
 template <>
-inline constexpr Choice choices_of<fovea::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"bool"}};
+inline constexpr Choice choices_of<line::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"bool"}};
 
 /// For scripts lines depend on the surface alone, on the view too, or on the whole scene.
 template <>

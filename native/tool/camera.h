@@ -6,6 +6,8 @@
 
 namespace fovea::tool {
 
+using namespace draw;
+
 struct Camera {
     double azimuth = 35.0;    ///< degrees left of the model's front
     double elevation = 25.0;  ///< degrees above it

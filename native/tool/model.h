@@ -6,6 +6,8 @@
 
 namespace fovea::tool {
 
+using namespace draw;
+
 /// Elements that could not be read, and what is wrong with the first of them.
 struct Broken {
     Index count = 0;

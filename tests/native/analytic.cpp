@@ -2,6 +2,7 @@
 #include "analytic.h"
 
 namespace fovea::analytic {
+using namespace draw;
 
 ImplicitJet torus_jet(const dvec3& p, double R) {
     ImplicitJet jet;

@@ -13,6 +13,7 @@
 #include "meshes.h"
 
 namespace fovea::analytic {
+using namespace draw;
 
 using meshes::Mesh;
 

@@ -7,6 +7,7 @@
 #include "wires.h"
 
 namespace fovea::wires {
+using namespace draw;
 
 /// All runs of paths, hidden ones counted.
 struct Counted {
@@ -14,7 +15,7 @@ struct Counted {
     Runs runs;
 
     Counted(const Scene& scene, const Paths& paths, const View& view, Index levels, const ProjectOptions& options = {})
-        : clipped(project(paths, scene, view, options, Cancel())) {
+        : clipped(project::project(paths, scene, view, options, Cancel())) {
         const Tracer tracer(scene, view);
         const Runs visible = exact_visibility(clipped, paths, tracer, Cancel());
         const Runs all = with_hidden(clipped, visible, paths.placement);

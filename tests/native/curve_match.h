@@ -9,6 +9,7 @@
 #include "exact_curves.h"
 
 namespace fovea::analytic {
+using namespace draw;
 
 /// Nearest of many segments, up to a reach.
 class NearSegments {

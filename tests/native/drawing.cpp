@@ -2,6 +2,7 @@
 #include "drawing.h"
 
 namespace fovea::drawing {
+using namespace draw;
 
 Drawing::Drawing(std::vector<Placement> placements, const View& seen, const std::vector<LineSet>& sets,
                  const ProjectOptions& options)
@@ -9,7 +10,7 @@ Drawing::Drawing(std::vector<Placement> placements, const View& seen, const std:
       view(seen),
       tracer(scene, view),
       paths(extract_paths(scene, view, sets, tracer, Cancel())),
-      clipped(project(paths, scene, view, options, Cancel())),
+      clipped(project::project(paths, scene, view, options, Cancel())),
       runs(exact_visibility(clipped, paths, tracer, Cancel())) {}
 
 std::map<Index, Kinds> Drawing::lines(Index placement) const {

@@ -12,6 +12,7 @@
 #include "meshes.h"
 
 namespace fovea::drawing {
+using namespace draw;
 
 dmat4 look_at(dvec3 eye, dvec3 target);
 

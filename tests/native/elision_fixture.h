@@ -10,6 +10,7 @@
 #include <fovea/elision/priority.h>
 
 namespace fovea {
+using namespace draw;
 
 /// Straight or bent lines on a sheet, each one path, piece and run; the first is the most important.
 struct Sheet {

@@ -11,6 +11,7 @@
 #include "analytic.h"
 
 namespace fovea::analytic {
+using namespace draw;
 
 struct ExactSegment {
     dvec3 a, b;

@@ -11,6 +11,7 @@
 #include "rules.h"
 
 namespace fovea::analytic {
+using namespace draw;
 
 /// An eye, or with `orthographic` the direction towards it.
 struct Eye {
@@ -20,7 +21,7 @@ struct Eye {
     SeenOf<double> see(const CurvatureD& c, const dvec3& p) const {
         const dvec3 towards = orthographic ? at : at - p;
         const double distance = glm::length(towards);
-        return fovea::see(c, towards / distance, orthographic ? 0.0 : 1.0 / distance);
+        return field::see(c, towards / distance, orthographic ? 0.0 : 1.0 / distance);
     }
     SurfaceView view(const Surface& surface) const {
         SurfaceView seen{.surface = surface};

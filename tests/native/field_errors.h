@@ -7,6 +7,7 @@
 #include "analytic.h"
 
 namespace fovea::analytic {
+using namespace draw;
 
 /// Of k relative to |k1| at the point (the larger of the two), of C relative to the RMS of |C| over the surface.
 struct Errors {

@@ -7,6 +7,7 @@
 #include "drawing.h"
 
 namespace fovea::intersections {
+using namespace draw;
 
 using namespace fovea::meshes;
 using namespace fovea::drawing;

@@ -11,6 +11,7 @@
 #include "wires.h"
 
 namespace fovea::line_filters {
+using namespace draw;
 
 using namespace wires;
 

@@ -2,6 +2,7 @@
 #include "meshes.h"
 
 namespace fovea::meshes {
+using namespace draw;
 
 Mesh::Mesh(std::string called, std::vector<vec3> points) : name(std::move(called)), positions(std::move(points)) {}
 

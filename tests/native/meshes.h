@@ -11,6 +11,7 @@
 #include <fovea/mesh/surface.h>
 
 namespace fovea::meshes {
+using namespace draw;
 
 /// A mesh that owns its arrays.
 struct Mesh {

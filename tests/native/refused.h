@@ -6,6 +6,7 @@
 #include <string>
 
 namespace fovea {
+using namespace draw;
 
 /// The sentence; empty when the call goes through.
 template <typename Call>

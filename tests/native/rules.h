@@ -8,6 +8,7 @@
 #include <fovea/line/registry.h>
 
 namespace fovea {
+using namespace draw;
 
 /// rule_of<CurveRule>("ridge").find(seen, values)
 template <typename Rule>

@@ -9,6 +9,7 @@
 #include <fovea/stroke/tessellate.h>
 
 namespace fovea::stroke_fixture {
+using namespace draw;
 
 /// Adds a piece whose path is the polyline itself; arc length 0 at its middle. Strength is indexed
 /// by point.
@@ -46,21 +47,21 @@ inline Runs whole_runs(const ClippedPaths& clipped) {
 }
 
 /// Every run drawn with the one pen.
-inline Strokes draw(const ClippedPaths& clipped, const Runs& runs, const Pen& pen, In<float> strength = {}) {
+inline Strokes strokes_of(const ClippedPaths& clipped, const Runs& runs, const Pen& pen, In<float> strength = {}) {
     const std::vector<Index> pen_of_run(runs.size(), 0);
     return tessellate(clipped, runs, pen_of_run, strength, {&pen, 1});
 }
 
-inline Strokes draw(const std::vector<vec2>& line, const Pen& pen, bool closed = false) {
+inline Strokes strokes_of(const std::vector<vec2>& line, const Pen& pen, bool closed = false) {
     ClippedPaths clipped;
     add_piece(clipped, line, closed);
-    return draw(clipped, whole_runs(clipped), pen);
+    return strokes_of(clipped, whole_runs(clipped), pen);
 }
 
 inline Array<vec4> picture(const Strokes& strokes, const Pen& pen, int width, int height,
                            In<PenTexture> textures = {}) {
     Array<vec4> image;
-    raster(strokes, {&pen, 1}, textures, width, height, image);
+    rasterize(strokes, {&pen, 1}, textures, width, height, image);
     return image;
 }
 

@@ -11,6 +11,7 @@
 #include "drawing.h"
 
 namespace fovea {
+using namespace draw;
 
 using namespace drawing;
 

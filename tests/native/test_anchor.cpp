@@ -10,6 +10,7 @@
 #include "wires.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;
@@ -164,10 +165,10 @@ TEST(Anchor, StrokesHaveTheLengthOfTheirWholePath) {
     add_piece(clipped, {{10.0f, 20.0f}, {170.0f, 20.0f}});
     Runs part;
     add_run(part, 0, -60.0, 10.0);
-    const Strokes strokes = draw(clipped, part, p);
+    const Strokes strokes = strokes_of(clipped, part, p);
     for (const float path : strokes.path_px) EXPECT_EQ(path, 160.0f);
     const auto some = picture(strokes, p, 180, 40, {&texture, 1});
-    const auto all = picture(draw(clipped, whole_runs(clipped), p), p, 180, 40, {&texture, 1});
+    const auto all = picture(strokes_of(clipped, whole_runs(clipped), p), p, 180, 40, {&texture, 1});
     const PenTexture fitted = fit_texture(texture, 33.0f, 6.0f);
     for (int x = 32; x < 98; ++x)
         for (int y = 18; y < 22; ++y) {

@@ -9,6 +9,7 @@
 #include "stroke_fixture.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;

@@ -7,6 +7,7 @@
 #include "meshes.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 
 namespace {

@@ -8,6 +8,7 @@
 #include "meshes.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "rules.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::analytic;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "drawing.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace drawing;

@@ -9,6 +9,7 @@
 #include <fovea/color/effects.h>
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 constexpr int width = 37, height = 23;

@@ -8,6 +8,7 @@
 #include "drawing.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::drawing;
 
 namespace {

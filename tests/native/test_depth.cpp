@@ -10,6 +10,7 @@
 #include "meshes.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 
@@ -50,7 +51,7 @@ struct Mesh {
     operator RasterMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
 };
 
-DepthBuffer draw(const View& view, const std::vector<RasterMesh>& meshes, int scale = 1) {
+DepthBuffer depth_of(const View& view, const std::vector<RasterMesh>& meshes, int scale = 1) {
     return draw_depth(depth_layout(view, {.scale = scale, .margin = 0.0}), view, meshes);
 }
 
@@ -69,7 +70,7 @@ void expect_plane(const View& view, int scale) {
     const auto point = [](float x, float y) { return vec3(x, y, -5.0f + 0.2f * x + 0.1f * y); };
     Mesh mesh;
     mesh.add(point(-8, -8), point(8, -8), point(8, 8), point(-8, 8));
-    const DepthBuffer buffer = draw(view, {mesh}, scale);
+    const DepthBuffer buffer = depth_of(view, {mesh}, scale);
     ASSERT_EQ(buffer.width, view.width * scale);
     const dvec3 n(-0.2, -0.1, 1.0);
     for (int y = 0; y < buffer.height; ++y)
@@ -115,7 +116,7 @@ TEST(Depth, PlaneInOrthographicView) {
 }
 
 TEST(Depth, EmptySceneIsBackground) {
-    const DepthBuffer buffer = draw(perspective(8, 8), {});
+    const DepthBuffer buffer = depth_of(perspective(8, 8), {});
     for (const auto& texel : buffer.texels) {
         EXPECT_EQ(texel.facet, none);
         EXPECT_EQ(texel.depth, 0.0f);
@@ -126,7 +127,7 @@ TEST(Depth, BothSidesAreDrawnAndNeighboursLeaveNoGap) {
     Mesh mesh;
     mesh.add(vec3(-9, -9, -5), vec3(9, -9, -5), vec3(9, 9, -5));
     mesh.add(vec3(-9, -9, -5), vec3(-9, 9, -5), vec3(9, 9, -5));  // wound the other way
-    for (const auto& texel : draw(perspective(64, 64), {mesh}).texels) EXPECT_NE(texel.facet, none);
+    for (const auto& texel : depth_of(perspective(64, 64), {mesh}).texels) EXPECT_NE(texel.facet, none);
 }
 
 TEST(Depth, NearestWinsInAnyOrder) {
@@ -135,8 +136,8 @@ TEST(Depth, NearestWinsInAnyOrder) {
     far.add(vec3(-20, -20, -6), vec3(20, -20, -6), vec3(0, 20, -6));
     far.facet_base = 7;
     const View view = perspective(32, 32);
-    EXPECT_EQ(draw(view, {near, far}).at(16, 16).facet, 0u);
-    EXPECT_TRUE(same(draw(view, {near, far}), draw(view, {far, near})));
+    EXPECT_EQ(depth_of(view, {near, far}).at(16, 16).facet, 0u);
+    EXPECT_TRUE(same(depth_of(view, {near, far}), depth_of(view, {far, near})));
 }
 
 TEST(Depth, EqualDepthGoesToTheLowerFacet) {
@@ -146,8 +147,8 @@ TEST(Depth, EqualDepthGoesToTheLowerFacet) {
     first.facet_base = 5;
     second.facet_base = 3;
     const View view = perspective(32, 32);
-    EXPECT_EQ(draw(view, {first, second}).at(16, 16).facet, 3u);
-    EXPECT_TRUE(same(draw(view, {first, second}), draw(view, {second, first})));
+    EXPECT_EQ(depth_of(view, {first, second}).at(16, 16).facet, 3u);
+    EXPECT_TRUE(same(depth_of(view, {first, second}), depth_of(view, {second, first})));
 }
 
 TEST(Depth, CutAtTheNearPlane) {
@@ -155,7 +156,7 @@ TEST(Depth, CutAtTheNearPlane) {
     Mesh floor;
     floor.add(vec3(-50, -1, 50), vec3(50, -1, 50), vec3(50, -1, -50), vec3(-50, -1, -50));
     const View view = perspective(40, 400);
-    const DepthBuffer buffer = draw(view, {floor});
+    const DepthBuffer buffer = depth_of(view, {floor});
     for (int y = 0; y < view.height; ++y) {
         const double depth = plane_depth(view, dvec3(0, 1, 0), -1.0, dvec2(20.5, y + 0.5));
         const bool seen = depth <= 1.0 && depth > view.near_clip / 50.0;
@@ -168,7 +169,7 @@ TEST(Depth, CutAtTheNearPlane) {
     Mesh pane;
     pane.add(vec3(-2, -1, 0.5f), vec3(2, -1, 0.5f), vec3(2, 1, -1.5f), vec3(-2, 1, -1.5f));
     float nearest = 0.0f;
-    for (const auto& texel : draw(perspective(64, 64), {pane}).texels) nearest = std::max(nearest, texel.depth);
+    for (const auto& texel : depth_of(perspective(64, 64), {pane}).texels) nearest = std::max(nearest, texel.depth);
     EXPECT_LE(nearest, 1.0f);
     EXPECT_GT(nearest, 0.9f);
 }
@@ -176,8 +177,8 @@ TEST(Depth, CutAtTheNearPlane) {
 TEST(Depth, NothingIsTooFar) {
     Mesh far;
     far.add(vec3(-1e5f, -1e5f, -1e4f), vec3(1e5f, -1e5f, -1e4f), vec3(0, 1e5f, -1e4f));
-    EXPECT_NEAR(draw(perspective(8, 8), {far}).at(4, 4).depth, 0.5e-4, 1e-9);
-    EXPECT_LT(draw(orthographic(8, 8), {far}).at(4, 4).depth, 0.0f);
+    EXPECT_NEAR(depth_of(perspective(8, 8), {far}).at(4, 4).depth, 0.5e-4, 1e-9);
+    EXPECT_LT(depth_of(orthographic(8, 8), {far}).at(4, 4).depth, 0.0f);
 }
 
 TEST(Depth, BrokenTrianglesLeaveNoTrace) {
@@ -189,23 +190,23 @@ TEST(Depth, BrokenTrianglesLeaveNoTrace) {
     mesh.add(vec3(0, 0, -3), vec3(0, 0, -3), vec3(0, 1, -3));
     mesh.add(vec3(-1, 0, -3), vec3(0, 0, -3), vec3(1, 0, -3));
     mesh.add(vec3(0, 0, 0), vec3(0, 0, 0), vec3(0, 0, 0));
-    for (const auto& texel : draw(perspective(16, 16), {mesh}).texels) EXPECT_EQ(texel.facet, none);
+    for (const auto& texel : depth_of(perspective(16, 16), {mesh}).texels) EXPECT_EQ(texel.facet, none);
 }
 
 TEST(Depth, BadInputIsRefused) {
     Mesh mesh;
     mesh.add(vec3(0), vec3(1), vec3(2));
-    EXPECT_THROW(draw(perspective(8, 8), {mesh}, 0), std::invalid_argument);
-    EXPECT_THROW(draw(perspective(0, 8), {mesh}), std::invalid_argument);
+    EXPECT_THROW(depth_of(perspective(8, 8), {mesh}, 0), std::invalid_argument);
+    EXPECT_THROW(depth_of(perspective(0, 8), {mesh}), std::invalid_argument);
     EXPECT_THROW(depth_layout(perspective(8, 8), {.margin = -1.0}), std::invalid_argument);
     mesh.triangles[0].y = 9;
-    EXPECT_THROW(draw(perspective(8, 8), {mesh}), std::invalid_argument);
+    EXPECT_THROW(depth_of(perspective(8, 8), {mesh}), std::invalid_argument);
 }
 
 TEST(Depth, TheBorderShowsWhatLiesAroundTheFrame) {
     const Mesh mesh = random_triangles(200, 7);
     const View view = perspective(60, 41);
-    const DepthBuffer frame = draw(view, {mesh}, 2);
+    const DepthBuffer frame = depth_of(view, {mesh}, 2);
     const RasterMesh meshes[] = {mesh};
     const DepthBuffer wide = draw_depth(depth_layout(view, {.scale = 2, .margin = 0.3}), view, meshes);
     EXPECT_EQ(wide.border_x, 9);
@@ -233,23 +234,23 @@ TEST(Depth, SolidBodiesLookTheSameWithoutTheirFarSides) {
     std::vector<RasterMesh> meshes = depth_meshes(scene, view, 0.0);
     ASSERT_EQ(meshes.size(), 4u);
     EXPECT_TRUE(meshes[0].one_sided && meshes[1].one_sided && !meshes[2].one_sided && !meshes[3].one_sided);
-    const DepthBuffer culled = draw(view, meshes, 2);
+    const DepthBuffer culled = depth_of(view, meshes, 2);
     for (RasterMesh& mesh : meshes) mesh.one_sided = false;
-    EXPECT_TRUE(same(culled, draw(view, meshes, 2)));
+    EXPECT_TRUE(same(culled, depth_of(view, meshes, 2)));
 }
 
 TEST(Depth, SameWithOneAndManyThreads) {
     const Mesh mesh = random_triangles(20000, 3);
     const View view = perspective(200, 150);
-    const DepthBuffer many = draw(view, {mesh}, 2);
+    const DepthBuffer many = depth_of(view, {mesh}, 2);
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_TRUE(same(many, draw(view, {mesh}, 2)));
+    EXPECT_TRUE(same(many, depth_of(view, {mesh}, 2)));
 }
 
 TEST(Depth, AgreesWithRaysOnRandomTriangles) {
     const Mesh mesh = random_triangles(60, 5);
     const View view = perspective(60, 50);
-    const DepthBuffer buffer = draw(view, {mesh});
+    const DepthBuffer buffer = depth_of(view, {mesh});
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
             double nearest = 0.0;

@@ -12,6 +12,7 @@
 #include "drawing.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

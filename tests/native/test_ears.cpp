@@ -7,6 +7,7 @@
 #include <fovea/mesh/ears.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "elision_fixture.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

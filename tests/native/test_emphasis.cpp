@@ -5,6 +5,7 @@
 #include "stroke_fixture.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;
@@ -101,7 +102,7 @@ TEST(Emphasis, DistanceAndFocusActTogether) {
 TEST(Emphasis, WithoutItStrokesAreThoseOfThePenInFocus) {
     const Drawn drawn(pen(2, 0.7f), pen(6, 0.5f), {});
     const Pen alone = pen(2, 0.7f);
-    const Strokes expected = draw(drawn.clipped, whole_runs(drawn.clipped), alone);
+    const Strokes expected = strokes_of(drawn.clipped, whole_runs(drawn.clipped), alone);
     EXPECT_EQ(drawn.strokes.half_width, expected.half_width);
     EXPECT_EQ(drawn.strokes.opacity, expected.opacity);
     EXPECT_EQ(drawn.strokes.px, expected.px);
@@ -148,7 +149,7 @@ TEST(Emphasis, PictureBlendsColorsAndInk) {
     const PenTexture faint{1, 1, {0.5f}};
     const Drawn drawn(red, blue, emphasis);
     Array<vec4> image;
-    raster(drawn.strokes, drawn.pens, {&faint, 1}, 240, 40, image);
+    rasterize(drawn.strokes, drawn.pens, {&faint, 1}, 240, 40, image);
     const vec4 middle = image[20 * 240 + 120];
     EXPECT_NEAR(middle.a, 0.75f, 1e-5f);
     EXPECT_NEAR(middle.r, 0.375f, 1e-5f);

@@ -5,6 +5,7 @@
 #include "exact_lines.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::analytic;
 
 TEST(ExactCurves, OfATorusHaveTheirClosedForms) {

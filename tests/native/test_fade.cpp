@@ -9,6 +9,7 @@
 #include "stroke_fixture.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;
@@ -40,7 +41,7 @@ struct Line {
         for (std::uint8_t hidden_by : runs.invisibility)
             pen_of_run.push_back(hidden_by ? (hidden_pen ? 1 : none) : (visible_pen ? 0 : none));
         Array<vec4> image;
-        raster(tessellate(clipped, runs, pen_of_run, {}, pens, visibility), pens, {}, 120, 40, image);
+        rasterize(tessellate(clipped, runs, pen_of_run, {}, pens, visibility), pens, {}, 120, 40, image);
         std::vector<float> row;
         for (int x = 0; x < 120; ++x) row.push_back(image[20 * 120 + x].a);
         return row;
@@ -140,7 +141,7 @@ TEST(Overshoot, RunsBeyondTheirPieceGoStraightOn) {
     Runs runs;
     add_run(runs, 0, -30.0 - 12.0, 30.0 + 7.0);
     const Pen p = pen(4.0f, Cap::butt);
-    const auto image = picture(draw(clipped, runs, p), p, 100, 100);
+    const auto image = picture(strokes_of(clipped, runs, p), p, 100, 100);
     const auto at = [&](int x, int y) { return image[y * 100 + x].a; };
     EXPECT_EQ(at(29, 20), 1.0f);
     EXPECT_EQ(at(26, 20), 0.0f);

@@ -12,6 +12,7 @@
 #include "field_errors.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::analytic;
 
 namespace {

@@ -7,6 +7,7 @@
 #include "field_errors.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::analytic;
 
 namespace {

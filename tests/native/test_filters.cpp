@@ -9,6 +9,7 @@
 #include "line_filters.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::line_filters;
 
 namespace {

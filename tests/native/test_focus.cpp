@@ -6,6 +6,7 @@
 #include <fovea/focus/focus.h>
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();

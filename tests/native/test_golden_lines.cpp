@@ -7,6 +7,7 @@
 #include <fovea/field/view_curvature.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 
@@ -28,9 +29,9 @@ struct Golden {
         const dvec3 to_eye = eye - p;
         const double distance = glm::length(to_eye);
         seen = see(c, to_eye / distance, 1.0 / distance);
-        radial = fovea::radial(c, seen);
+        radial = fovea::field::radial(c, seen);
         view = view_curvature(c, seen);
-        demarcating = fovea::demarcating(c);
+        demarcating = fovea::field::demarcating(c);
         EXPECT_NEAR(glm::length(glm::cross(c.e1, c.e2) - c.normal), 0.0, 1e-12);
         EXPECT_GE(std::abs(c.k1), std::abs(c.k2));
     }

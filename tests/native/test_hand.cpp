@@ -5,6 +5,7 @@
 #include <fovea/stroke/hand.h>
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 CentreLine straight(double from, double to) { return {{{from, 10.0}, from, 2.0f}, {{to, 10.0}, to, 2.0f}}; }

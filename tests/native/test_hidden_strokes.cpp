@@ -8,6 +8,7 @@
 #include "stroke_fixture.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;
@@ -70,7 +71,7 @@ TEST(HiddenStrokes, TheMostHiddenLieBelow) {
         pens[first < second ? 0 : 1].look.color = {1.0f, 0.0f, 0.0f};
         const std::vector<Index> pen_of_run{0, 1};
         Array<vec4> image;
-        raster(tessellate(clipped, runs, pen_of_run, {}, pens), pens, {}, 64, 64, image);
+        rasterize(tessellate(clipped, runs, pen_of_run, {}, pens), pens, {}, 64, 64, image);
         EXPECT_EQ(image[32 * 64 + 32], vec4(1.0f, 0.0f, 0.0f, 1.0f)) << first << " " << second;
     }
 }

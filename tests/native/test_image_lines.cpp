@@ -13,6 +13,7 @@
 #include "wires.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 using namespace fovea::drawing;
 

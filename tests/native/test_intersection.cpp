@@ -5,6 +5,7 @@
 #include "intersections.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::intersections;
 
 TEST(Intersection, OfTwoSpheresIsACircle) {

@@ -8,6 +8,7 @@
 #include "intersections.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::intersections;
 
 namespace {

@@ -11,6 +11,7 @@
 #include "rules.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::intersections;
 
 TEST(Intersection, BrokenAndThinTrianglesLeaveNoGaps) {

@@ -6,6 +6,7 @@
 #include "counted.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 using namespace fovea::drawing;
 using namespace fovea::wires;

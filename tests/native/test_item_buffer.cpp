@@ -7,6 +7,7 @@
 #include <fovea/visibility/item_buffer.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "rules.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 using namespace fovea::drawing;
 using analytic::ExactCurves;

@@ -7,6 +7,7 @@
 #include "drawing.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 using namespace fovea::drawing;
 

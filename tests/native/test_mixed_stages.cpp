@@ -12,6 +12,7 @@
 #include "refused.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace drawing;
@@ -40,7 +41,7 @@ TEST(MixedStages, PathsAndRunsOfAnotherSceneAreRefused) {
     ASSERT_GT(a.paths.count(), b.paths.count());
     ASSERT_GT(a.runs.size(), b.runs.size());
     const std::vector<float> per_path(a.paths.count(), 1.0f), per_few(b.paths.count(), 1.0f);
-    expect_refused([&] { project(a.paths, b.scene, b.view, {}, Cancel()); });
+    expect_refused([&] { project::project(a.paths, b.scene, b.view, {}, Cancel()); });
     expect_refused([&] { exact_visibility(a.clipped, b.paths, b.tracer, Cancel()); });
     expect_refused([&] { exact_visibility(a.clipped, a.paths, b.tracer, Cancel()); });
     expect_refused([&] { samples_from_runs(b.clipped, a.runs); });

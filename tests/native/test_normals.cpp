@@ -9,6 +9,7 @@
 #include "analytic.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::analytic;
 
 namespace {

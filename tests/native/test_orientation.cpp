@@ -7,6 +7,7 @@
 #include <fovea/scene/orientation.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

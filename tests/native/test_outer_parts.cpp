@@ -9,6 +9,7 @@
 #include "refused.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace drawing;

@@ -12,6 +12,7 @@
 #include "wires.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <fovea/line/registry.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "wires.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "wires.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::wires;
 
 namespace {

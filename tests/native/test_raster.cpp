@@ -11,6 +11,7 @@
 #include "stroke_fixture.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;
@@ -58,7 +59,7 @@ TEST(Raster, PictureDoesNotDependOnTiles) {
         for (const auto& line : lines) add_piece(clipped, {line[0] + shift, line[1] + shift});
         Runs runs = whole_runs(clipped);
         const Pen p = pen(5.0f, Cap::round, 0.5f);
-        return picture(draw(clipped, runs, p), p, 400, 400);
+        return picture(strokes_of(clipped, runs, p), p, 400, 400);
     };
     const auto a = draw_at({0.0f, 0.0f}), b = draw_at({37.0f, 90.0f});
     for (int y = 0; y < 250; ++y)
@@ -75,7 +76,7 @@ TEST(Raster, LaterStrokesLieOverEarlierOnes) {
     pens[1].look.color = {0.0f, 0.0f, 1.0f};
     const std::vector<Index> pen_of_run{0, 1};
     Array<vec4> image;
-    raster(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64, image);
+    rasterize(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64, image);
     EXPECT_EQ(image[32 * 64 + 32], vec4(0.5f, 0.0f, 0.5f, 1.0f));
     EXPECT_EQ(image[32 * 64 + 15], vec4(1.0f, 0.0f, 0.0f, 1.0f));
     EXPECT_EQ(image[50 * 64 + 32], vec4(0.0f, 0.0f, 0.5f, 0.5f)) << "premultiplied";
@@ -84,7 +85,7 @@ TEST(Raster, LaterStrokesLieOverEarlierOnes) {
 
 TEST(Raster, StrokesAcrossTheBorderAreCut) {
     const Pen p = pen(20.0f);
-    const auto image = picture(draw({{-500.0f, -300.0f}, {700.0f, 420.0f}}, p), p, 100, 60);
+    const auto image = picture(strokes_of({{-500.0f, -300.0f}, {700.0f, 420.0f}}, p), p, 100, 60);
     EXPECT_GT(image[0].a, 0.99f);
     EXPECT_GT(image[59 * 100 + 99].a, 0.99f);
     EXPECT_EQ(image[59 * 100].a, 0.0f);
@@ -97,7 +98,7 @@ TEST(Raster, EmptyAndWrongInput) {
     Pen textured = p;
     textured.texture = 2;
     EXPECT_THROW(picture(Strokes{}, textured, 7, 5), std::invalid_argument);
-    Strokes wrong = draw({{1.0f, 1.0f}, {5.0f, 1.0f}}, p);
+    Strokes wrong = strokes_of({{1.0f, 1.0f}, {5.0f, 1.0f}}, p);
     wrong.triangles[0].x = 999;
     EXPECT_THROW(picture(wrong, p, 7, 5), std::invalid_argument);
 }
@@ -108,7 +109,7 @@ TEST(Raster, TextureRunsAlongTheStrokeFirstRowLeft) {
     Pen p = pen(16.0f, Cap::butt);
     p.texture = 0;
     p.texture_length_px = 40.0f;
-    const auto image = picture(draw({{20.0f, 32.0f}, {180.0f, 32.0f}}, p), p, 200, 64, {&texture, 1});
+    const auto image = picture(strokes_of({{20.0f, 32.0f}, {180.0f, 32.0f}}, p), p, 200, 64, {&texture, 1});
     for (int x = 25; x < 175; ++x) {
         const double u = x + 0.5 - 100.0, phase = u / 40.0 - std::floor(u / 40.0);
         if (phase > 0.13 && phase < 0.37) {
@@ -130,7 +131,7 @@ TEST(Raster, MinifiedTextureKeepsItsMeanInk) {
     Pen p = pen(3.0f, Cap::butt);
     p.texture = 0;
     p.texture_length_px = 10.0f;
-    const auto image = picture(draw({{10.0f, 30.0f}, {210.0f, 41.0f}}, p), p, 220, 80, {&texture, 1});
+    const auto image = picture(strokes_of({{10.0f, 30.0f}, {210.0f, 41.0f}}, p), p, 220, 80, {&texture, 1});
     const double full = std::hypot(200.0, 11.0) * 3.0;
     EXPECT_NEAR(area(image) / full, mean, 0.02);
     EXPECT_LT(largest_alpha(image), mean + 0.1) << "texels smaller than a pixel are averaged";

@@ -8,12 +8,13 @@
 #include "analytic.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 
 namespace {
 
 RepairedMesh repaired(const Mesh& mesh, const Repair& repair) {
-    return fovea::repaired(mesh.name, mesh.arrays(), repair);
+    return fovea::repair::repaired(mesh.name, mesh.arrays(), repair);
 }
 
 Surface surface_of(const RepairedMesh& mesh) { return Surface("repaired", mesh.arrays()); }

@@ -9,6 +9,7 @@
 #include <fovea/visibility/sampled.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 
@@ -51,8 +52,8 @@ struct Rectangle {
     operator RasterMesh() const { return {positions, triangles, facets, dmat4(1.0), facet_base}; }
 };
 
-Array<float> visibility(const View& view, const ClippedPaths& clipped, const OwnSides& sides,
-                        const std::vector<RasterMesh>& meshes, int scale, int probes) {
+Array<float> visibility_of(const View& view, const ClippedPaths& clipped, const OwnSides& sides,
+                           const std::vector<RasterMesh>& meshes, int scale, int probes) {
     SampledOptions options;
     options.probes = probes;
     return sampled_visibility(clipped, sides, draw_depth(depth_layout(view, {.scale = scale}), view, meshes), options);
@@ -63,9 +64,9 @@ OwnSides flat_sides(const ClippedPaths& clipped) {
     return {Array<float>(clipped.px.size(), 0.0f), Array<std::uint8_t>(clipped.px.size(), 0)};
 }
 
-Array<float> visibility(const View& view, const ClippedPaths& clipped, const std::vector<RasterMesh>& meshes,
-                        int scale = 2, int probes = 1) {
-    return visibility(view, clipped, flat_sides(clipped), meshes, scale, probes);
+Array<float> visibility_of(const View& view, const ClippedPaths& clipped, const std::vector<RasterMesh>& meshes,
+                           int scale = 2, int probes = 1) {
+    return visibility_of(view, clipped, flat_sides(clipped), meshes, scale, probes);
 }
 
 double mean(const Array<float>& values) {
@@ -80,8 +81,8 @@ TEST(Sampled, NothingHidesInAnEmptyScene) {
     const View view = test_view();
     ClippedPaths clipped;
     add_piece(view, clipped, {{-1, -1, -5}, {1, 1, -5}, {1, 0, -5}});
-    EXPECT_EQ(mean(visibility(view, clipped, {})), 1.0);
-    EXPECT_TRUE(visibility(view, ClippedPaths(), {}).empty());
+    EXPECT_EQ(mean(visibility_of(view, clipped, {})), 1.0);
+    EXPECT_TRUE(visibility_of(view, ClippedPaths(), {}).empty());
 }
 
 TEST(Sampled, PiercingALeaningFaceChangesAtTheAnalyticPixel) {
@@ -94,7 +95,7 @@ TEST(Sampled, PiercingALeaningFaceChangesAtTheAnalyticPixel) {
         for (const int probes : {1, 16}) {
             ClippedPaths clipped;
             add_piece(view, clipped, {hit - way, hit + way});
-            const Array<float> values = visibility(view, clipped, {face}, scale, probes);
+            const Array<float> values = visibility_of(view, clipped, {face}, scale, probes);
             const dvec2 hit_px = to_pixels(view, view.view_to_clip * dvec4(hit, 1.0));
             const double t = glm::length(hit_px - dvec2(clipped.px[0])) / glm::length(clipped.px[1] - clipped.px[0]);
             for (Index j = 0; j < clipped.sample_count[0]; ++j) {
@@ -112,7 +113,7 @@ TEST(Sampled, BehindAnEdgeChangesAtTheAnalyticPixel) {
     const double edge_px = to_pixels(view, view.view_to_clip * dvec4(0.123, 0, -4, 1)).x;
     ClippedPaths clipped;
     add_piece(view, clipped, {{-1, 0.1, -6}, {1, -0.2, -8}});
-    const Array<float> values = visibility(view, clipped, {face});
+    const Array<float> values = visibility_of(view, clipped, {face});
     for (Index j = 0; j < clipped.sample_count[0]; ++j) {
         const double x = glm::mix(clipped.px[0], clipped.px[1], (j + 0.5f) / clipped.sample_count[0]).x;
         if (std::abs(x - edge_px) > 2.0) {
@@ -133,8 +134,8 @@ TEST(Sampled, LinesOfASurfaceAreSeenAndLinesJustBehindAreNot) {
         add_piece(view, on, {a, b});
         add_piece(view, behind, {a - dvec3(0, 2e-3, 0), b - dvec3(0, 2e-3, 0)});
     }
-    EXPECT_EQ(mean(visibility(view, on, {face})), 1.0);
-    EXPECT_EQ(mean(visibility(view, behind, {face})), 0.0);
+    EXPECT_EQ(mean(visibility_of(view, on, {face})), 1.0);
+    EXPECT_EQ(mean(visibility_of(view, behind, {face})), 0.0);
 }
 
 TEST(Sampled, NeighbourFacetsOfTheLineDoNotHideIt) {
@@ -144,8 +145,8 @@ TEST(Sampled, NeighbourFacetsOfTheLineDoNotHideIt) {
     ClippedPaths own, other;
     add_piece(view, own, {{-1, 0, -4.01}, {1, 0.3, -4.01}}, 17, 41);
     add_piece(view, other, {{-1, 0, -4.01}, {1, 0.3, -4.01}}, 17, 18);
-    EXPECT_EQ(mean(visibility(view, own, {face})), 1.0);
-    EXPECT_EQ(mean(visibility(view, other, {face})), 0.0);
+    EXPECT_EQ(mean(visibility_of(view, own, {face})), 1.0);
+    EXPECT_EQ(mean(visibility_of(view, other, {face})), 0.0);
 }
 
 TEST(Sampled, SameWithOneAndManyThreads) {
@@ -160,9 +161,9 @@ TEST(Sampled, SameWithOneAndManyThreads) {
         add_piece(view, clipped, {c, c + dvec3(unit(random), unit(random), unit(random))});
     }
     const std::vector<RasterMesh> meshes(faces.begin(), faces.end());
-    const Array<float> many = visibility(view, clipped, meshes, 2, 4);
+    const Array<float> many = visibility_of(view, clipped, meshes, 2, 4);
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(many, visibility(view, clipped, meshes, 2, 4));
+    EXPECT_EQ(many, visibility_of(view, clipped, meshes, 2, 4));
 }
 
 TEST(Layout, BatchesHoldWholePiecesAndTablesFindTheOwner) {
@@ -204,7 +205,7 @@ TEST(Layout, NoneOneAndTwoSegmentsAndABatchThatIsJustFull) {
         EXPECT_EQ(atlas_batches(clipped).size(), segments ? 1u : 0u);
         EXPECT_EQ(atlas_batches(clipped, std::max(clipped.samples, 1u)).size(), segments ? 1u : 0u);
         EXPECT_EQ(atlas_batches(clipped, std::max(each, 1u)).size(), Index(segments));
-        EXPECT_EQ(visibility(view, clipped, {}), Array<float>(clipped.samples, 1.0f));
+        EXPECT_EQ(visibility_of(view, clipped, {}), Array<float>(clipped.samples, 1.0f));
         for (const AtlasBatch& batch : atlas_batches(clipped, each)) {
             const AtlasTables tables = atlas_tables(clipped, flat_sides(clipped), batch);
             EXPECT_EQ(tables.segments.size(), 3u);
@@ -223,7 +224,7 @@ TEST(Sampled, AnEdgeHidesALineLessThanHalfATexelBelowIt) {
             const Rectangle face(vec3(-3, -3, -4), vec3(3, -3, -4), vec3(3, top, -4), vec3(-3, top, -4), 0);
             ClippedPaths clipped;
             add_piece(view, clipped, {{-1, y, -5}, {1, y, -5}});
-            EXPECT_EQ(mean(visibility(view, clipped, {face}, scale, 9)), 0.0) << at_px << " " << scale;
+            EXPECT_EQ(mean(visibility_of(view, clipped, {face}, scale, 9)), 0.0) << at_px << " " << scale;
         }
 }
 

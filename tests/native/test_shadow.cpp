@@ -6,6 +6,7 @@
 #include <fovea/visibility/shadow.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

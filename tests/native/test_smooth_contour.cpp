@@ -13,6 +13,7 @@
 #include "rules.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::drawing;
 
 namespace {

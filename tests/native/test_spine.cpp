@@ -5,6 +5,7 @@
 #include <fovea/visibility/spine.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

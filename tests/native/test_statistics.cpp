@@ -13,6 +13,7 @@
 #include "refused.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::model_files;
 
 namespace {

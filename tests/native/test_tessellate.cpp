@@ -8,6 +8,7 @@
 #include "stroke_fixture.h"
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 using namespace stroke_fixture;
@@ -39,7 +40,7 @@ TEST(Tessellate, StraightButtStrokeCoversLengthTimesWidth) {
         for (const double angle : {0.0, 0.3, 0.75, 1.2, 2.5}) {
             const vec2 along(float(100.0 * std::cos(angle)), float(100.0 * std::sin(angle)));
             const Pen p = pen(width, Cap::butt);
-            const auto image = picture(draw({vec2(150.3f) - along, vec2(150.3f) + along}, p), p, 300, 300);
+            const auto image = picture(strokes_of({vec2(150.3f) - along, vec2(150.3f) + along}, p), p, 300, 300);
             EXPECT_NEAR(area(image), 200.0 * width, 0.004 * 200.0 * width) << width << " " << angle;
         }
 }
@@ -47,7 +48,7 @@ TEST(Tessellate, StraightButtStrokeCoversLengthTimesWidth) {
 TEST(Tessellate, RoundCapsAddADisc) {
     for (const float width : {2.0f, 5.0f, 14.0f}) {
         const Pen p = pen(width);
-        const auto image = picture(draw({{40.2f, 60.7f}, {160.9f, 93.1f}}, p), p, 200, 150);
+        const auto image = picture(strokes_of({{40.2f, 60.7f}, {160.9f, 93.1f}}, p), p, 200, 150);
         const double length = glm::distance(dvec2(40.2, 60.7), dvec2(160.9, 93.1));
         const double disc = std::numbers::pi * width * width / 4.0;
         EXPECT_NEAR(area(image) - length * width, disc, 0.05 * disc + 0.005 * length * width) << width;
@@ -56,7 +57,7 @@ TEST(Tessellate, RoundCapsAddADisc) {
 
 TEST(Tessellate, PenBelowOnePixelIsOnePixelWideAndFainter) {
     const Pen p = pen(0.25f, Cap::butt);
-    const Strokes strokes = draw({{10.0f, 20.0f}, {110.0f, 33.0f}}, p);
+    const Strokes strokes = strokes_of({{10.0f, 20.0f}, {110.0f, 33.0f}}, p);
     for (const float h : strokes.half_width) EXPECT_EQ(h, 0.5f);
     for (const float o : strokes.opacity) EXPECT_EQ(o, 0.25f);
     EXPECT_NEAR(area(picture(strokes, p, 120, 50)), 0.25 * std::hypot(100.0, 13.0), 0.3);
@@ -64,7 +65,7 @@ TEST(Tessellate, PenBelowOnePixelIsOnePixelWideAndFainter) {
 
 TEST(Tessellate, RightAngleIsMitredAndDrawnOnce) {
     const Pen p = pen(10.0f, Cap::butt, 0.5f);
-    const auto image = picture(draw({{20.0f, 20.0f}, {80.0f, 20.0f}, {80.0f, 80.0f}}, p), p, 100, 100);
+    const auto image = picture(strokes_of({{20.0f, 20.0f}, {80.0f, 20.0f}, {80.0f, 80.0f}}, p), p, 100, 100);
     EXPECT_FLOAT_EQ(largest_alpha(image), 0.5f);
     // Two arms of 60 x 10 and the outer quarter of the corner; the inner quarter belongs to both
     // arms.
@@ -80,7 +81,7 @@ TEST(Tessellate, SharpBendsAreDrawnOnce) {
             const vec2 corner(150.3f, 150.6f);
             const vec2 out(float(120.0 * std::cos(a)), float(120.0 * std::sin(a)));
             const Pen p = pen(8.0f, Cap::round, 0.5f);
-            const auto image = picture(draw({corner - vec2(120.0f, 0.0f), corner, corner + out}, p), p, 300, 300);
+            const auto image = picture(strokes_of({corner - vec2(120.0f, 0.0f), corner, corner + out}, p), p, 300, 300);
             EXPECT_LE(largest_alpha(image), 0.5f + 1e-6f) << degrees * sign;
             EXPECT_FLOAT_EQ(image[150 * 300 + 150].a, 0.5f) << degrees * sign;
         }
@@ -100,7 +101,7 @@ TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
             a += turn(random);
         }
         const Pen p = pen(10.0f);
-        const auto image = picture(draw(line, p), p, 200, 200);
+        const auto image = picture(strokes_of(line, p), p, 200, 200);
         for (int y = 0; y < 200; ++y)
             for (int x = 0; x < 200; ++x) {
                 const vec2 q(x + 0.5f, y + 0.5f);
@@ -124,7 +125,7 @@ TEST(Tessellate, ShortStepsInSharpBendsLeaveNoSpikesAndNoHoles) {
 TEST(Tessellate, ClosedCircleIsTheSameAllAround) {
     for (const int points : {12, 90, 2000}) {
         const Pen p = pen(6.0f, Cap::round, 0.5f);
-        const auto image = picture(draw(circle({100.25, 100.5}, 70.0, points), p, true), p, 200, 200);
+        const auto image = picture(strokes_of(circle({100.25, 100.5}, 70.0, points), p, true), p, 200, 200);
         EXPECT_LE(largest_alpha(image), 0.5f + 1e-6f);
         if (points < 90) continue;
         EXPECT_NEAR(area(image), 0.5 * 2.0 * std::numbers::pi * 70.0 * 6.0, 0.005 * area(image));
@@ -142,10 +143,10 @@ TEST(Tessellate, ClippedRunKeepsU) {
     ClippedPaths clipped;
     add_piece(clipped, line);
     const Pen p = pen(3.0f);
-    const Strokes whole = draw(clipped, whole_runs(clipped), p);
+    const Strokes whole = strokes_of(clipped, whole_runs(clipped), p);
     Runs runs;
     add_run(runs, 0, -37.3, 61.9);
-    const Strokes part = draw(clipped, runs, p);
+    const Strokes part = strokes_of(clipped, runs, p);
     EXPECT_FLOAT_EQ(part.arc[0].z, -37.3f);
     EXPECT_FLOAT_EQ(part.arc[0].w, 61.9f);
     for (float x = 80.0f; x < 165.0f; x += 1.7f) EXPECT_NEAR(u_at(part, x), u_at(whole, x), 0.05f) << x;
@@ -154,14 +155,14 @@ TEST(Tessellate, ClippedRunKeepsU) {
 TEST(Tessellate, ZigzagOfADenseMeshBecomesStraight) {
     std::vector<vec2> line;
     for (int i = 0; i <= 2000; ++i) line.push_back({10.0f + 0.1f * i, 50.0f + (i % 2 ? 0.08f : -0.08f)});
-    const Strokes strokes = draw(line, pen(2.0f));
+    const Strokes strokes = strokes_of(line, pen(2.0f));
     EXPECT_LE(strokes.triangles.size(), 40u);
     for (std::size_t i = 0; i < strokes.px.size(); ++i) EXPECT_NEAR(std::abs(strokes.px[i].y - 50.0f), 1.5f, 0.21f);
 }
 
 TEST(Tessellate, TurnBackIsKept) {
     const Pen p = pen(4.0f);
-    const auto image = picture(draw({{20.0f, 50.0f}, {80.0f, 50.0f}, {40.0f, 50.0f}}, p), p, 100, 100);
+    const auto image = picture(strokes_of({{20.0f, 50.0f}, {80.0f, 50.0f}, {40.0f, 50.0f}}, p), p, 100, 100);
     EXPECT_GT(image[50 * 100 + 79].a, 0.99f);
     EXPECT_GT(image[50 * 100 + 81].a, 0.5f) << "rounded at the turn";
     EXPECT_EQ(image[50 * 100 + 84].a, 0.0f);
@@ -170,14 +171,14 @@ TEST(Tessellate, TurnBackIsKept) {
 TEST(Tessellate, TapersAtTheEndsOnly) {
     Pen p = pen(8.0f);
     p.look.taper = 40.0f;
-    const Strokes strokes = draw({{20.0f, 20.0f}, {220.0f, 20.0f}}, p);
+    const Strokes strokes = strokes_of({{20.0f, 20.0f}, {220.0f, 20.0f}}, p);
     for (std::size_t i = 0; i < strokes.px.size(); ++i) {
         const float end = std::min(strokes.px[i].x - 20.0f, 220.0f - strokes.px[i].x);
         EXPECT_NEAR(strokes.half_width[i],
                     end > 40.0f ? 4.0f : 4.0f - 3.2f * std::pow(1.0f - std::max(end, 0.0f) / 40.0f, 2.0f), 1e-4f);
     }
     EXPECT_LT(area(picture(strokes, p, 240, 40)), 0.92 * 200.0 * 8.0);
-    for (const float h : draw({{20.0f, 20.0f}, {28.0f, 20.0f}}, p).half_width) EXPECT_GT(h, 3.6f) << "too short";
+    for (const float h : strokes_of({{20.0f, 20.0f}, {28.0f, 20.0f}}, p).half_width) EXPECT_GT(h, 3.6f) << "too short";
 }
 
 TEST(Tessellate, EndsThatTouchOtherLinesKeepTheirWidth) {
@@ -188,7 +189,7 @@ TEST(Tessellate, EndsThatTouchOtherLinesKeepTheirWidth) {
     clipped.free_ends[0] = 2;
     Runs runs;
     add_run(runs, 0, -100.0, 100.0);
-    const Strokes strokes = draw(clipped, runs, p);
+    const Strokes strokes = strokes_of(clipped, runs, p);
     for (std::size_t i = 0; i < strokes.px.size(); ++i) {
         if (strokes.px[i].x < 120.0f) {
             EXPECT_EQ(strokes.half_width[i], 4.0f);
@@ -198,7 +199,7 @@ TEST(Tessellate, EndsThatTouchOtherLinesKeepTheirWidth) {
         }
     }
     runs.end_px[0] = 50.0;  // hidden from there on: something stands before it
-    for (const float h : draw(clipped, runs, p).half_width) EXPECT_EQ(h, 4.0f);
+    for (const float h : strokes_of(clipped, runs, p).half_width) EXPECT_EQ(h, 4.0f);
 }
 
 TEST(Tessellate, StrengthIsOpacityAlongThePath) {
@@ -208,7 +209,7 @@ TEST(Tessellate, StrengthIsOpacityAlongThePath) {
     const Pen p = pen(4.0f, Cap::butt);
     Runs runs;
     add_run(runs, 0, -25.0, 50.0);
-    const auto image = picture(draw(clipped, runs, p, strength), p, 120, 40);
+    const auto image = picture(strokes_of(clipped, runs, p, strength), p, 120, 40);
     EXPECT_NEAR(image[20 * 120 + 36].a, 0.53f, 0.01f);
     EXPECT_NEAR(image[20 * 120 + 60].a, 0.99f, 0.01f);
     EXPECT_NEAR(image[20 * 120 + 85].a, 0.49f, 0.01f);
@@ -222,7 +223,7 @@ TEST(Tessellate, StrengthMayThinInsteadOfFade) {
     for (const float share : {0.0f, 0.5f, 1.0f}) {
         Pen p = pen(8.0f, Cap::butt);
         p.look.strength_width = share;
-        const Strokes strokes = draw(clipped, whole_runs(clipped), p, strength);
+        const Strokes strokes = strokes_of(clipped, whole_runs(clipped), p, strength);
         for (std::size_t i = 0; i < strokes.px.size(); ++i) {
             const float s = glm::mix(0.25f, 1.0f, std::clamp((strokes.px[i].x - 60.0f) / 150.0f, 0.0f, 1.0f));
             EXPECT_NEAR(strokes.half_width[i], 4.0f * (1.0f - share * (1.0f - s)), 0.02f) << share;
@@ -240,25 +241,25 @@ TEST(Tessellate, InkFollowsStrengthHoweverItIsDrawn) {
         for (const float share : {0.0f, 1.0f}) {
             Pen p = pen(width, Cap::butt);
             p.look.strength_width = share;
-            const auto image = picture(draw(clipped, whole_runs(clipped), p, strength), p, 230, 40);
+            const auto image = picture(strokes_of(clipped, whole_runs(clipped), p, strength), p, 230, 40);
             EXPECT_NEAR(area(image), 200.0 * width / 2.0, 0.02 * 200.0 * width / 2.0) << width << " " << share;
         }
 }
 
 TEST(Tessellate, DegenerateInputDrawsNothing) {
     const Pen p = pen(3.0f);
-    EXPECT_EQ(draw(ClippedPaths{}, Runs{}, p).count, 0u);
-    EXPECT_EQ(draw(std::vector<vec2>{{5.0f, 5.0f}}, p).count, 0u);
-    EXPECT_EQ(draw(std::vector<vec2>(6, {5.0f, 5.0f}), p).count, 0u);
-    EXPECT_EQ(draw(std::vector<vec2>(6, {5.0f, 5.0f}), p, true).count, 0u);
-    EXPECT_EQ(draw({{NAN, 5.0f}, {5.0f, INFINITY}}, p).count, 0u);
+    EXPECT_EQ(strokes_of(ClippedPaths{}, Runs{}, p).count, 0u);
+    EXPECT_EQ(strokes_of(std::vector<vec2>{{5.0f, 5.0f}}, p).count, 0u);
+    EXPECT_EQ(strokes_of(std::vector<vec2>(6, {5.0f, 5.0f}), p).count, 0u);
+    EXPECT_EQ(strokes_of(std::vector<vec2>(6, {5.0f, 5.0f}), p, true).count, 0u);
+    EXPECT_EQ(strokes_of({{NAN, 5.0f}, {5.0f, INFINITY}}, p).count, 0u);
     ClippedPaths clipped;
     add_piece(clipped, {{5.0f, 5.0f}, {20.0f, 5.0f}});
     Runs runs;
     add_run(runs, 0, 3.0, 3.0);
     add_run(runs, 0, 4.0, 2.0);
     add_run(runs, 0, 30.0, 40.0);
-    EXPECT_EQ(draw(clipped, runs, p).count, 0u);
+    EXPECT_EQ(strokes_of(clipped, runs, p).count, 0u);
     const std::vector<Index> nothing{none};
     EXPECT_EQ(tessellate(clipped, whole_runs(clipped), nothing, {}, {}).count, 0u);
 }
@@ -281,15 +282,16 @@ TEST(Tessellate, BrokenInputNeverCrashes) {
         p.look.strength_width = trial % 2 ? 0.7f : 0.0f;
         std::vector<float> strength;
         for (std::size_t i = 0; i < line.size(); ++i) strength.push_back(values[pick(random)]);
-        for (const vec4& pixel : picture(draw(clipped, runs, p, strength), p, 48, 32))
+        for (const vec4& pixel : picture(strokes_of(clipped, runs, p, strength), p, 48, 32))
             ASSERT_TRUE(pixel.a >= 0.0f && pixel.a <= 1.0f + 1e-5f) << trial;
     }
 }
 
 TEST(Tessellate, RepeatedPointsChangeNothing) {
     const Pen p = pen(5.0f);
-    const Strokes once = draw({{10.0f, 10.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
-    const Strokes twice = draw({{10.0f, 10.0f}, {10.0f, 10.0f}, {50.0f, 12.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
+    const Strokes once = strokes_of({{10.0f, 10.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
+    const Strokes twice =
+        strokes_of({{10.0f, 10.0f}, {10.0f, 10.0f}, {50.0f, 12.0f}, {50.0f, 12.0f}, {60.0f, 40.0f}}, p);
     EXPECT_NEAR(triangle_area(once), triangle_area(twice), 1e-3);
     EXPECT_EQ(once.triangles.size(), twice.triangles.size());
 }
@@ -302,10 +304,10 @@ TEST(Tessellate, WrongInputIsNamed) {
     EXPECT_THROW(tessellate(clipped, whole_runs(clipped), wrong_pen, {}, {&p, 1}), std::invalid_argument);
     EXPECT_THROW(tessellate(clipped, whole_runs(clipped), {}, {}, {&p, 1}), std::invalid_argument);
     const std::vector<float> too_short{1.0f};
-    EXPECT_THROW(draw(clipped, whole_runs(clipped), p, too_short), std::invalid_argument);
+    EXPECT_THROW(strokes_of(clipped, whole_runs(clipped), p, too_short), std::invalid_argument);
     Runs runs;
     add_run(runs, 9, 0.0, 1.0);
-    EXPECT_THROW(draw(clipped, runs, p), std::invalid_argument);
+    EXPECT_THROW(strokes_of(clipped, runs, p), std::invalid_argument);
 }
 
 TEST(Tessellate, SameForAnyNumberOfThreads) {
@@ -319,10 +321,10 @@ TEST(Tessellate, SameForAnyNumberOfThreads) {
     }
     const Pen p = pen(3.0f);
     const Runs runs = whole_runs(clipped);
-    const Strokes many = draw(clipped, runs, p);
+    const Strokes many = strokes_of(clipped, runs, p);
     const Array<vec4> many_image = picture(many, p, 400, 400);
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const Strokes single = draw(clipped, runs, p);
+    const Strokes single = strokes_of(clipped, runs, p);
     EXPECT_EQ(many.count, 2000u);
     EXPECT_EQ(many.px, single.px);
     EXPECT_EQ(many.arc, single.arc);

@@ -7,6 +7,7 @@
 #include <fovea/focus/transfer.h>
 
 namespace fovea {
+using namespace draw;
 namespace {
 
 TEST(Transfer, IsTheIdentityUnlessTold) {

@@ -5,6 +5,7 @@
 #include <fovea/visibility/triangle_edges.h>
 
 using namespace fovea;
+using namespace fovea::draw;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "meshes.h"
 
 using namespace fovea;
+using namespace fovea::draw;
 using namespace fovea::meshes;
 
 namespace {

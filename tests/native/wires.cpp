@@ -2,6 +2,7 @@
 #include "wires.h"
 
 namespace fovea::wires {
+using namespace draw;
 
 Wires::Wires(const std::vector<std::vector<dvec3>>& lines, dmat4 object_to_world,
              const std::vector<Placement>& others) {
@@ -40,7 +41,7 @@ Wires::Wires(const std::vector<std::vector<dvec3>>& lines, dmat4 object_to_world
 }
 
 ClippedPaths Wires::project(const View& view, const ProjectOptions& options) const {
-    return fovea::project(paths, scene, view, options, Cancel());
+    return project::project(paths, scene, view, options, Cancel());
 }
 
 View camera(double near_clip, bool orthographic) {

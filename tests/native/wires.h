@@ -5,6 +5,7 @@
 #include "drawing.h"
 
 namespace fovea::wires {
+using namespace draw;
 
 /// Looks along -z; half the frame's width and height at distance 1 are 0.8 and 0.6.
 View camera(double near_clip = 0.1, bool orthographic = false);

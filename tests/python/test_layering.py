@@ -84,6 +84,10 @@ def _native_violations(root):
             yield f"{name}: the folder {folder} is not in the order of the data"
             continue
         before = NATIVE[: NATIVE.index(folder) + 1] if folder in NATIVE else [*NATIVE, folder]
+        for namespace in re.findall(r"^namespace fovea(?:::)?(\w*) \{", file.read_text(), re.M):
+            # The words of an enumeration belong to style, whoever declares it.
+            if namespace not in (folder, "style") and name != "native/fovea/base/namespaces.h":
+                yield f"{name} has the namespace fovea::{namespace}"
         for header in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', file.read_text(), re.M):
             other = header.removeprefix("fovea/").split("/")[0]
             if other in (*NATIVE, *USERS) and other not in before:
@@ -153,6 +157,15 @@ def test_readme_names_the_native_folders_in_their_order():
     assert " ".join(NATIVE) in (PROJECT / "README.md").read_text(encoding="utf-8")
 
 
+def test_namespaces_see_those_of_the_folders_before_them():
+    """Names of style are called by its name: strokes have a Pen, too."""
+    text = (PROJECT / "native/fovea/base/namespaces.h").read_text()
+    told = re.findall(r"namespace (\w+) \{\s*(?:using namespace (\w+);)?", text.replace("namespace fovea {", ""))
+    seen = [folder for folder in NATIVE if folder != "style"]
+    before = dict(zip(seen, ["", *seen])) | {"style": "line"}
+    assert told == [(folder, before[folder]) for folder in NATIVE]
+
+
 def test_the_rules_hold():
     assert not list(violations(PROJECT))
 
@@ -176,6 +189,8 @@ def test_the_rules_hold():
         ("native/tool/planted.cpp", "#include <bindings/bind.h>", "which comes after it"),
         ("native/fovea/base/planted.cpp", "#include <nlohmann/json.hpp>", "allowed only in native/(tool/"),
         ("native/surprise/planted.h", "", "not in the order of the data"),
+        ("native/fovea/path/planted.h", "namespace fovea::line {", "has the namespace fovea::line"),
+        ("native/fovea/path/planted.h", "namespace fovea {", "has the namespace fovea::"),
         ("addon/planted.py", "import bpy", "imports bpy"),
         ("addon/style/__init__.py", "import bpy", "imports bpy"),
         ("addon/pipeline.py", "from .gpu import backend", "imports gpu/backend"),

@@ -9,7 +9,9 @@
 #include <tbb/task_arena.h>
 #include <typeindex>
 
-namespace fovea {
+#include <fovea/base/namespaces.h>
+
+namespace fovea::base {
 
 /// Store of derived quantities, told apart by their type and a key (a hash of what else they depend on). Keeps the
 /// most recently used few of each type. Thread-safe; a quantity is computed under the lock, once, and may ask for
@@ -66,4 +68,4 @@ class Cache {
     std::list<Entry> entries_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::base

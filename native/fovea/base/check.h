@@ -6,11 +6,13 @@
 #include <string>
 #include <string_view>
 
-namespace fovea {
+#include <fovea/base/namespaces.h>
+
+namespace fovea::base {
 
 /// Throws std::invalid_argument with `message` (name the object, say what is wrong and what to do) unless `condition`.
 inline void check(bool condition, std::string_view message) {
     if (!condition) throw std::invalid_argument(std::string(message));
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -8,7 +8,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::base {
 
 /// One array of a structure. A group of columns that have a length in common (of paths, say, or of points) is a
 /// std::tuple of them, a static member of the structure.
@@ -81,4 +81,4 @@ Strips join_strips(std::vector<Strips>& parts, const char* name) {
     return all;
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

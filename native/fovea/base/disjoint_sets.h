@@ -7,7 +7,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::base {
 
 /// Disjoint sets of the numbers below a count. A set is named by its least member, so that the order of joins does not
 /// matter.
@@ -29,4 +29,4 @@ class DisjointSets {
     Array<Index> parent_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::base

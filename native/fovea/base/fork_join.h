@@ -22,7 +22,7 @@ extern "C" void __tsan_release(void* place);
 #define FOVEA_TBB_HANDS_OVER
 #endif
 
-namespace fovea {
+namespace fovea::base {
 
 /// One parallel call, made before it and gone after it.
 class ForkJoin {
@@ -55,4 +55,4 @@ class ForkJoin {
     char begun_ = 0, ended_ = 0;  // only their addresses count
 };
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -3,10 +3,10 @@
 
 #include <xxhash.h>
 
-namespace fovea {
+namespace fovea::base {
 
 std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed) {
     return XXH3_64bits_withSeed(data, size, seed);
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

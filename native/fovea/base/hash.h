@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <span>
 
-namespace fovea {
+#include <fovea/base/namespaces.h>
+
+namespace fovea::base {
 
 /// 64-bit hash of bytes (XXH3).
 std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed = 0);
@@ -23,4 +25,4 @@ std::uint64_t hash_numbers(T... values) {
     return hash_bytes(words, sizeof(words));
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -4,7 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::base {
 
 /// Bits of the three coordinates, 20 each, take turns, so that what is near in order is near in space. Morton, "A
 /// Computer Oriented Geodetic Data Base", 1966.
@@ -19,4 +19,4 @@ inline std::uint64_t along_curve(const glm::uvec3& p) {
     return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -19,7 +19,7 @@
 #include <fovea/base/fork_join.h>
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::base {
 
 /// Raised when a long call is asked to stop.
 struct Cancelled : std::runtime_error {
@@ -134,4 +134,4 @@ Lists<T> lists_of(std::size_t count, const Each& each) {
     return lists;
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -6,7 +6,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::base {
 
 void limit_threads(int most) {
     check(most >= 0, "threads: 0 or more expected");
@@ -18,4 +18,4 @@ void limit_threads(int most) {
 
 int thread_limit() { return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)); }
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -2,7 +2,9 @@
 // How many threads parallel loops use.
 #pragma once
 
-namespace fovea {
+#include <fovea/base/namespaces.h>
+
+namespace fovea::base {
 
 /// Most threads that work at once from now on, all of the process' together, Embree's too; 0: as many as the machine
 /// has. Results never depend on it. Throws std::invalid_argument for a negative number. Not to be called from two
@@ -12,4 +14,4 @@ void limit_threads(int most);
 /// The limit that holds.
 int thread_limit();
 
-}  // namespace fovea
+}  // namespace fovea::base

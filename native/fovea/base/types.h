@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace fovea {
+#include <fovea/base/namespaces.h>
+
+namespace fovea::base {
 
 using glm::dmat3;
 using glm::dmat4;
@@ -69,4 +71,4 @@ struct Lists : Rows {
     In<T> operator[](Index i) const { return {values.data() + begin(i), size(i)}; }
 };
 
-}  // namespace fovea
+}  // namespace fovea::base

@@ -7,7 +7,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::base {
 
 /// Pixels: of an image so high, pixels are reference pixels.
 inline constexpr double reference_height = 1080.0;
@@ -66,4 +66,4 @@ inline double screen_depth(const View& view, double z_view) {
     return view.orthographic ? (view.far_clip + z_view) / (view.far_clip - view.near_clip) : view.near_clip / -z_view;
 }
 
-}  // namespace fovea
+}  // namespace fovea::base

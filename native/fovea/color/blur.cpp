@@ -8,7 +8,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/color/effects.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 /// Solutions along both axes; more make the kernel rounder.
@@ -104,4 +104,4 @@ void blur(std::span<vec4> image, int width, In<float> radius_px) {
     }
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 /// body(pixel, amount) wherever the amount is more than 0.
@@ -38,4 +38,4 @@ void fade(std::span<vec4> image, In<float> amount, const std::optional<vec3>& co
         });
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -8,7 +8,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// Moves colours towards the grey of their luminance (Rec. 709).
 void desaturate(std::span<vec4> image, In<float> amount);
@@ -22,4 +22,4 @@ void fade(std::span<vec4> image, In<float> amount, const std::optional<vec3>& co
 /// Lefohn & Owens, "Interactive Depth of Field Using Simulated Diffusion on a GPU", Pixar 2006.
 void blur(std::span<vec4> image, int width, In<float> radius_px);
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -7,7 +7,7 @@
 #include <fovea/color/shader.h>
 #include <fovea/visibility/depth.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 constexpr int fine_samples = 16;
@@ -183,4 +183,4 @@ Array<vec4> color_layer(const Tracer& tracer, const SceneColor& colors, In<Light
     return Layer(tracer, shader, cancel).draw();
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -7,7 +7,7 @@
 #include <fovea/color/source.h>
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// What each pixel sees (width * height, bottom row first): scene-linear, premultiplied, alpha the share of the pixel
 /// that surfaces cover. Surfaces that let lines behind them show, and holdouts, have no colour. One sample per pixel,
@@ -16,4 +16,4 @@ namespace fovea {
 Array<vec4> color_layer(const Tracer& tracer, const SceneColor& colors, In<Light> lights, const vec3& world,
                         const style::Color& style, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -8,7 +8,7 @@
 #include <fovea/base/view.h>
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 /// Shadow sides stay readable, and lit sides told from them.
@@ -119,4 +119,4 @@ vec3 Lighting::at(const dvec3& point, const vec3& normal, const vec3& to_eye) co
     return ambient_share_ * ambient_ + (1.0f - ambient_share_) * tint;
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

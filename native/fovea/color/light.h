@@ -2,12 +2,12 @@
 // Light on surfaces, without shadows.
 #pragma once
 
+#include <fovea/base/view.h>
+#include <fovea/scene/scene.h>
 #include <fovea/style/ground.h>
 
-namespace fovea {
+namespace fovea::color {
 
-struct Scene;
-struct View;
 using style::Shading;
 
 struct Light {
@@ -46,9 +46,9 @@ class Lighting {
     vec3 ambient_{1.0f};
 };
 
-}  // namespace fovea
+}  // namespace fovea::color
 
 namespace fovea::style {
 template <>
-inline constexpr Choice choices_of<Light::Kind>[] = {{"sun"}, {"point"}, {"spot"}, {"area"}};
+inline constexpr Choice choices_of<color::Light::Kind>[] = {{"sun"}, {"point"}, {"spot"}, {"area"}};
 }  // namespace fovea::style

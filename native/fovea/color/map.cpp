@@ -3,7 +3,7 @@
 
 #include <fovea/focus/at_samples.h>
 
-namespace fovea {
+namespace fovea::color {
 
 Array<float> map_of_samples(const ClippedPaths& clipped, const View& view, const ColorTexture& image) {
     const vec2 corner(view.frame.x, view.frame.y), size(view.frame.z, view.frame.w);
@@ -15,4 +15,4 @@ Array<float> map_of_samples(const ClippedPaths& clipped, const View& view, const
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

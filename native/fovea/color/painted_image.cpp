@@ -6,7 +6,7 @@
 
 #include <fovea/color/layer.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 /// Grey that shines by itself: as bright as painted.
@@ -47,4 +47,4 @@ Array<float> painted_image(const Tracer& tracer, const Painted& painted, const C
     return values;
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -8,7 +8,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 /// Share of the heights over which ink runs out.
@@ -137,4 +137,4 @@ void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& vie
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

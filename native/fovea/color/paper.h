@@ -5,7 +5,7 @@
 #include <fovea/base/view.h>
 #include <fovea/style/ground.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// A place on paper, as shares of all of it: any paper is spread evenly over [0, 1], and what follows keeps the mean.
 struct PaperPlace {
@@ -38,4 +38,4 @@ float toothed(float opacity, float lower, float tooth);
 void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& view, const PaperTexture* texture,
               const style::Paper& paper, const style::Color& color, Array<vec4>& out);
 
-}  // namespace fovea
+}  // namespace fovea::color

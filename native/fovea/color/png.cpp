@@ -5,7 +5,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::color {
 
 PenTexture read_texture(const std::string& path) {
     png_image image{};
@@ -35,4 +35,4 @@ std::string png_bytes(In<std::uint8_t> rgb, int width, int height) {
     return bytes;
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -6,7 +6,7 @@
 
 #include <fovea/stroke/pen.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// Reads a PNG as grey: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read.
 PenTexture read_texture(const std::string& path);
@@ -15,4 +15,4 @@ PenTexture read_texture(const std::string& path);
 /// it). Throws std::invalid_argument where there are not so many values, or none.
 std::string png_bytes(In<std::uint8_t> rgb, int width, int height);
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -4,7 +4,7 @@
 
 #include <fovea/base/view.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// Where pixels look: (x, y, 1) to a direction with z = -1 (perspective), or to the place (x, y, 1) on the image plane.
 inline dmat3 pixel_to_ray(const View& view) {
@@ -47,4 +47,4 @@ struct ScreenTriangle {
     }
 };
 
-}  // namespace fovea
+}  // namespace fovea::color

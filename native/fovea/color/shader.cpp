@@ -7,7 +7,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/corners.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 /// Shares of a place that rounding may have put a hair outside.
@@ -115,4 +115,4 @@ vec3 ColorShader::normal(const SeenTriangle& triangle, const vec3& share, const 
     return glm::dot(facet, to_eye) < 0.0f ? -found : found;
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -8,7 +8,7 @@
 #include <fovea/field/corner_normals.h>
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// A triangle that may be seen, ready to be asked for its colour.
 struct SeenTriangle {
@@ -46,4 +46,4 @@ class ColorShader {
     std::vector<Placed> placed_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::color

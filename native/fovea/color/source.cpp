@@ -3,7 +3,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::color {
 
 void check_color(const SurfaceColor& color, const Surface& surface) {
     const auto fits = [&](const auto& values, const char* what) {
@@ -19,4 +19,4 @@ void check_color(const SurfaceColor& color, const Surface& surface) {
     }
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

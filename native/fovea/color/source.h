@@ -7,7 +7,7 @@
 #include <fovea/color/texture.h>
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// What a material says: its colour, times an image, times an attribute of the mesh.
 struct ColorSlot {
@@ -33,4 +33,4 @@ using SceneColor = std::vector<std::shared_ptr<const SurfaceColor>>;
 /// one that does not exist.
 void check_color(const SurfaceColor& color, const Surface& surface);
 
-}  // namespace fovea
+}  // namespace fovea::color

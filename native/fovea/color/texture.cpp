@@ -8,7 +8,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::color {
 namespace {
 
 float decoded(float value) { return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
@@ -98,4 +98,4 @@ vec3 ColorTexture::bilinear(const Level& level, const vec2& uv) const {
                     share.y);
 }
 
-}  // namespace fovea
+}  // namespace fovea::color

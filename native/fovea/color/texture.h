@@ -4,7 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::color {
 
 /// An image of base colours, repeated over the plane; smaller copies of it serve where it is seen from far away.
 /// Colours are kept as 8-bit sRGB: shares of light that is reflected, not light.
@@ -30,4 +30,4 @@ class ColorTexture {
     std::vector<Level> levels_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::color

@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/focus/transfer.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 constexpr float most_density = 4.0f;  // times as dense as pens say, where a map is white
@@ -98,4 +98,4 @@ Array<float> half_width_px(const style::Style& style, const Paths& paths, const 
     return half_width;
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -9,7 +9,7 @@
 #include <fovea/style/style.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// The line sets of a style, for one scene's placements. Throws std::invalid_argument for lines that are not known.
 std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides);
@@ -36,4 +36,4 @@ struct Density {
 Array<float> half_width_px(const style::Style& style, const Paths& paths, const ClippedPaths& clipped, const Runs& runs,
                            const Density& density, double scale);
 
-}  // namespace fovea
+}  // namespace fovea::draw

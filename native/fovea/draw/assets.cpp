@@ -9,7 +9,7 @@
 #include <fovea/base/check.h>
 #include <fovea/color/png.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// Names come from style files, which may be anyone's: none leads out of the folder.
 std::filesystem::path Assets::file(const char* kind, const std::string& name) const {
@@ -55,4 +55,4 @@ std::shared_ptr<const PaperTexture> Assets::paper(const std::string& name) const
     return kept;
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -11,7 +11,7 @@
 #include <fovea/color/paper.h>
 #include <fovea/stroke/pen.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// Reads each file once; may be asked from many threads.
 class Assets {
@@ -42,4 +42,4 @@ class Assets {
     mutable std::map<std::string, std::shared_ptr<const PaperTexture>> papers_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::draw

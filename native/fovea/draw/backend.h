@@ -7,7 +7,7 @@
 #include <fovea/elision/bands.h>
 #include <fovea/elision/own_band.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 class Frame;
 
@@ -53,4 +53,4 @@ class CpuBackend : public Backend {
     int most_side;  ///< texels of a tile of the depth buffer; of 6144 one takes 0.9 GB
 };
 
-}  // namespace fovea
+}  // namespace fovea::draw

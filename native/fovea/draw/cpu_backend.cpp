@@ -11,7 +11,7 @@
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/spine.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 /// look(depth buffer) for each tile of a frame's depth buffer; no two of them are there at once.
@@ -58,17 +58,17 @@ Array<vec4> CpuBackend::draw(const Frame& frame) {
     const View& view = frame.job.view;
     Array<vec4> image;
     if (!method_of(frame.job.options.visibility).in_strokes) {
-        raster(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, image);
+        rasterize(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, image);
         return image;
     }
     const OwnSides sides = own_sides(*frame.clipped, *frame.job.scene, view);
     each_tile(frame, most_side, reach_px(*frame.strokes), [&](const DepthBuffer& depth) {
         const SpineTest spine(*frame.clipped, sides, depth, {.probes = frame.job.options.probes});
         Array<vec4> part;
-        raster(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, part, &spine);
+        rasterize(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, part, &spine);
         add(image, part);
     });
     return image;
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

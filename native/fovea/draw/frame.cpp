@@ -16,7 +16,7 @@
 #include <fovea/runs/invisibility.h>
 #include <fovea/stroke/tessellate.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 constexpr double stub = 12.0;        // reference pixels; what elision leaves of a line in shorter pieces goes, too
@@ -51,7 +51,7 @@ void Frame::find() {
     stage("project", 0.15, [&] {
         ProjectOptions options{.sample_step_px = job.options.sample_step * scale()};
         for (const auto& set : job.style.line_sets) options.least_length_px.push_back(set.least_length * scale());
-        clipped = std::make_shared<ClippedPaths>(project(*paths, *job.scene, job.view, options, cancel()));
+        clipped = std::make_shared<ClippedPaths>(project::project(*paths, *job.scene, job.view, options, cancel()));
     });
     done_ = Step::find;
 }
@@ -103,7 +103,7 @@ void Frame::thin() {
             }
             shown = left(0.0f);
             const ShownLines now =
-                fovea::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
+                elision::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
             shown = smoothed_in_time(shown, now, job.near, elision.frames);
             for (float& opacity : shown)
                 if (opacity < cut) opacity = 0.0f;
@@ -183,7 +183,7 @@ std::string Frame::visibility_in_words() const {
 
 ShownLines Frame::shown_lines() {
     filter();
-    return fovea::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
+    return elision::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
 }
 
 /// Per atlas sample: what elision leaves of the runs in this frame.
@@ -231,4 +231,4 @@ Array<float> Frame::distance_along_lines() const {
     return distance_of_samples(*clipped, float(d.near), float(d.far));
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

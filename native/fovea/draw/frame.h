@@ -23,7 +23,7 @@
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// Where the colors of a scene come from.
 struct ColorSources {
@@ -136,4 +136,4 @@ class Frame {
     std::optional<Focus> focus_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -6,7 +6,7 @@
 #include <fovea/visibility/sampled.h>
 #include <fovea/visibility/spine.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 Runs by_rays(Frame& frame) { return exact_visibility(*frame.clipped, *frame.paths, *frame.tracer, frame.cancel()); }
@@ -52,4 +52,4 @@ static_assert(std::size(methods) == std::size(style::choices_of<Visibility>));
 
 const Method& method_of(Visibility visibility) { return methods[static_cast<int>(visibility)]; }
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -5,7 +5,7 @@
 #include <fovea/draw/frame.h>
 #include <fovea/visibility/depth.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 struct Method {
     const char* words;  ///< its name in reports
@@ -21,4 +21,4 @@ struct Method {
 
 const Method& method_of(Visibility visibility);
 
-}  // namespace fovea
+}  // namespace fovea::draw

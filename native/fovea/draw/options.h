@@ -8,7 +8,7 @@
 
 #include <fovea/style/field.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// How it is decided what is hidden.
 enum class Visibility : std::uint8_t {
@@ -61,9 +61,9 @@ struct Options {
                                        style::Field{"with_focus", &Options::with_focus}};
 };
 
-}  // namespace fovea
+}  // namespace fovea::draw
 
 namespace fovea::style {
 template <>
-inline constexpr Choice choices_of<Visibility>[] = {{"exact"}, {"atlas"}, {"spine"}, {"item_buffer"}};
+inline constexpr Choice choices_of<draw::Visibility>[] = {{"exact"}, {"atlas"}, {"spine"}, {"item_buffer"}};
 }  // namespace fovea::style

@@ -6,7 +6,7 @@
 #include <fovea/draw/frame.h>
 #include <fovea/runs/outer_parts.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 constexpr double outline_step = 10.0;  // reference pixels between looks at what lies behind an outline
@@ -59,4 +59,4 @@ std::pair<Runs, Array<Index>> Frame::outlined(const Runs& drawn_runs) const {
     return {std::move(parts.runs), std::move(pen)};
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -11,7 +11,7 @@
 #include <fovea/path/line_set.h>
 #include <fovea/path/painted.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// Per placement where nothing else is said; empty arrays: nothing is said of any.
 struct Overrides {
@@ -40,4 +40,4 @@ struct Overrides {
     }
 };
 
-}  // namespace fovea
+}  // namespace fovea::draw

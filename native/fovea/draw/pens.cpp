@@ -6,7 +6,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 constexpr Index uncounted = 255;  // more surfaces than are ever counted
@@ -75,4 +75,4 @@ Array<Index> pens_of_runs(const ClippedPaths& clipped, const Runs& runs, In<std:
     return pens;
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

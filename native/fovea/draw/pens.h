@@ -7,7 +7,7 @@
 #include <fovea/style/style.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 /// A pen for the parts of a line set's lines that at least `from` and at most `to` surfaces hide (0: visible parts).
 struct PenRange {
@@ -32,4 +32,4 @@ std::vector<style::Pen> pens_in_order(const style::Style& style);
 Array<Index> pens_of_runs(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> line_set,
                           In<PenRange> ranges);
 
-}  // namespace fovea
+}  // namespace fovea::draw

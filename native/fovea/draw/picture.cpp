@@ -10,7 +10,7 @@
 #include <fovea/scene/seen.h>
 #include <fovea/visibility/depth_image.h>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 /// Distance from what the scene shows of an object and of what it makes instances of; null where that is nothing: then
@@ -107,9 +107,9 @@ Array<float> Frame::focus_of_pixels() {
         return image;
     }
     if (focus.basis() == style::FocusBasis::image)
-        return fovea::focus_of_pixels(job.view, Array<float>(std::size_t(job.view.width) * job.view.height, 0.0f),
+        return focus::focus_of_pixels(job.view, Array<float>(std::size_t(job.view.width) * job.view.height, 0.0f),
                                       focus_function());
-    return fovea::focus_of_pixels(job.view, depth(), focus_function());
+    return focus::focus_of_pixels(job.view, depth(), focus_function());
 }
 
 /// Focus evaluated at pixels so many apart; those between are as the nearest of them.
@@ -154,4 +154,4 @@ const Focus& Frame::focus_function() {
     return focus_.emplace(std::move(made));
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fovea {
+namespace fovea::draw {
 namespace {
 
 /// Samples of a piece: where each lies along it [px of arc length], ascending, and its number in the atlas.
@@ -60,4 +60,4 @@ Polylines polylines_of(Frame& frame) {
     return found;
 }
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -5,7 +5,7 @@
 #include <fovea/draw/frame.h>
 #include <fovea/runs/compaction.h>
 
-namespace fovea {
+namespace fovea::draw {
 
 struct Polylines : CompactRuns {
     Array<Index> pen;
@@ -22,4 +22,4 @@ Polylines polylines_of(Frame& frame);
 /// Per run of `lines`: mean of (samples) values along clipped paths over it; of runs between two samples as there.
 Array<float> means_over(const ClippedPaths& clipped, const CompactRuns& lines, In<float> values);
 
-}  // namespace fovea
+}  // namespace fovea::draw

@@ -9,7 +9,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::elision {
 namespace {
 
 constexpr std::size_t runs_per_block = 64;
@@ -196,4 +196,4 @@ Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks,
     return join_strips(parts, "elision");
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -5,7 +5,7 @@
 #include <fovea/base/columns.h>
 #include <fovea/elision/own_band.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 /// V corners and T triangles, run after run, the highest rank first. Bands are drawn half a pixel wider than they are,
 /// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its centre, v and h affine over the
@@ -32,4 +32,4 @@ struct Bands {
 /// samples, to 1/20 px. Throws std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own);
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fovea {
+namespace fovea::elision {
 namespace formulas {
 
 using namespace glm;
@@ -127,4 +127,4 @@ Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Ca
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -5,7 +5,7 @@
 #include <fovea/elision/own_band.h>
 #include <fovea/elision/priority_buffer.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 /// The window: 5 pixels along the line in so many columns, which reach over the whole band, however wide.
 inline constexpr float window_length_px = 5.0f;
@@ -29,4 +29,4 @@ inline constexpr float end_reach = 8.0f;
 /// line, and its places ask the pixels that they are in, so that it does not matter how the line lies in the grid.
 Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Cancel* cancel = nullptr);
 
-}  // namespace fovea
+}  // namespace fovea::elision

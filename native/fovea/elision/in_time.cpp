@@ -10,7 +10,7 @@
 #include <fovea/elision/own_band.h>
 #include <fovea/focus/at_samples.h>
 
-namespace fovea {
+namespace fovea::elision {
 namespace {
 
 using Part = ShownLines::Part;
@@ -197,4 +197,4 @@ Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNe
     return smooth;
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -7,7 +7,7 @@
 #include <fovea/scene/scene.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 /// What elision leaves, in one frame, of the lines that no view makes (Paths::of_view). Paths may be longer or shorter
 /// in another frame, where a line set before theirs takes edges away from them. So samples are matched across frames by
@@ -56,4 +56,4 @@ using FrameNear = std::pair<int, std::shared_ptr<const ShownLines>>;
 /// all do. Throws std::invalid_argument where a frame is farther away than `frames`, or is the frame itself.
 Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNear> near, int frames);
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::elision {
 namespace {
 
 constexpr std::size_t taps_aside = 4;
@@ -107,4 +107,4 @@ Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own,
     return opacities;
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -4,7 +4,7 @@
 
 #include <fovea/elision/own_band.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 struct ElisionOptions {
     /// A line of which no more than this share of its band is left is not drawn; up to a whole band left it fades in.
@@ -27,4 +27,4 @@ Array<float> elision_scores(const OwnBands& own, In<vec2> crowding);
 Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own, In<float> scores,
                                const ElisionOptions& options);
 
-}  // namespace fovea
+}  // namespace fovea::elision

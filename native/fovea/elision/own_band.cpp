@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::elision {
 namespace {
 
 constexpr std::size_t pieces_per_block = 256;
@@ -118,4 +118,4 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
     return own;
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -4,7 +4,7 @@
 
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 /// The atlas samples that runs cover, in the order of the atlas, and so of the runs; what the elision test reads, on
 /// either backend. A sample belongs to the run that covers most of it.
@@ -35,4 +35,4 @@ struct OwnBands {
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
                    float reach_px);
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -10,7 +10,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/line/registry.h>
 
-namespace fovea {
+namespace fovea::elision {
 namespace {
 
 /// Importance of the most important of some kinds.
@@ -171,4 +171,4 @@ Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<float> 
     return ranks;
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -10,7 +10,7 @@
 #include <fovea/style/thinning.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 /// Radius of a sphere in space around the placements that are drawn; 0 where there are none.
 double scene_radius(const Scene& scene);
@@ -35,4 +35,4 @@ Array<float> path_priorities(const Paths& paths, const Scene& scene, const View&
 /// number comes last. Cole 2009, section 5.2.2.
 Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<float> priority, In<std::uint64_t> id);
 
-}  // namespace fovea
+}  // namespace fovea::elision

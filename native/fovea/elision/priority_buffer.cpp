@@ -7,7 +7,7 @@
 #include <fovea/base/check.h>
 #include <fovea/image/tiles.h>
 
-namespace fovea {
+namespace fovea::elision {
 namespace {
 
 /// Of the sign of the cosine of twice the angle between two lines.
@@ -79,4 +79,4 @@ PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const 
     return buffer;
 }
 
-}  // namespace fovea
+}  // namespace fovea::elision

@@ -5,7 +5,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/elision/bands.h>
 
-namespace fovea {
+namespace fovea::elision {
 
 /// What a band holds of a pixel.
 struct PriorityTexel {
@@ -32,4 +32,4 @@ struct PriorityBuffer {
 /// pixel, the first drawn has it. Parallel over tiles; the same for any number of threads. May throw Cancelled.
 PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel = nullptr);
 
-}  // namespace fovea
+}  // namespace fovea::elision

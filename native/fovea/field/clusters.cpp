@@ -7,7 +7,7 @@
 
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 /// More than float arithmetic loses over one cluster.
@@ -220,4 +220,4 @@ std::shared_ptr<const Hierarchy> hierarchy_of(const Surface& surface) {
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -9,7 +9,7 @@
 #include <fovea/field/fields.h>
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::field {
 
 inline constexpr Index triangles_of_cluster = 64;
 
@@ -51,4 +51,4 @@ struct Hierarchy {
 /// Of the surface's own fields. Kept with the surface, by its options.
 std::shared_ptr<const Hierarchy> hierarchy_of(const Surface& surface);
 
-}  // namespace fovea
+}  // namespace fovea::field

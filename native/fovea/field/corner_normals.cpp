@@ -7,7 +7,7 @@
 #include <fovea/field/fields.h>
 #include <fovea/mesh/corners.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 /// Of the triangles around a vertex that go on smoothly from one of them.
@@ -70,4 +70,4 @@ std::shared_ptr<const CornerNormals> corner_normals(const Surface& surface) {
     return surface.cache().get<CornerNormals>(0, [&] { return find_normals(surface); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

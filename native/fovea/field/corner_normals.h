@@ -6,7 +6,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// Unit normals at the corners of triangles, on the side that the triangle's winding calls out. At a vertex without
 /// hard edges (field/neighbours.h) the fitted normal; at others the mean, by angle, of the triangles there that are
@@ -24,4 +24,4 @@ struct CornerNormals {
 /// Kept with the surface.
 std::shared_ptr<const CornerNormals> corner_normals(const Surface& surface);
 
-}  // namespace fovea
+}  // namespace fovea::field

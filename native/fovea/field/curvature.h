@@ -4,7 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// Shape operator h(x, y) = (D_x n) . y for the outward unit normal n: convex is positive, a sphere of radius R has
 /// 1 / R. C is the covariant derivative of h, symmetric in all arguments. Units: k 1 / length, C 1 / length^2.
@@ -28,4 +28,4 @@ inline Curvature rounded(const CurvatureD& c) {
             float(c.k1),    float(c.k2), {float(c.C[0]), float(c.C[1]), float(c.C[2]), float(c.C[3])}};
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -4,7 +4,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/field/frames.h>
 
-namespace fovea {
+namespace fovea::field {
 
 CurvatureD curvature_of(const ImplicitJet& jet) {
     CurvatureD c;
@@ -73,4 +73,4 @@ Array<Curvature> curvature_of(const Array<HeightJet>& jets) {
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -5,7 +5,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/mesh/height_jet.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// F's derivatives at a point, F growing outwards.
 struct ImplicitJet {
@@ -30,4 +30,4 @@ CurvatureD curvature_of(const HeightJetD& jet);
 /// One per jet.
 Array<Curvature> curvature_of(const Array<HeightJet>& jets);
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -16,7 +16,7 @@
 #include <fovea/field/one_ring.h>
 #include <fovea/field/smooth.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 /// Residuals, in edge lengths, up to which positions count as clean, and as slightly noisy. Under the first a jet of
@@ -178,4 +178,4 @@ std::string fields_reason(const Surface& surface) {
     return kept ? kept->reason : "";
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -8,7 +8,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/field/neighbours.h>
 
-namespace fovea {
+namespace fovea::field {
 
 struct Fields {
     Array<Curvature> curvature;  ///< per vertex
@@ -34,4 +34,4 @@ std::string fields_reason(const Surface& surface);
 /// Hash of all options.
 std::uint64_t hash_of(const FieldOptions& options);
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -8,7 +8,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/mesh/height_jet.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// Sets k and e of `c` from the shape operator [pp pq; pq qq] in the orthonormal frame (p, q), p x q the normal.
 inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double pp, double pq, double qq) {
@@ -46,4 +46,4 @@ inline dvec3 turned_form(const Curvature& c, const Turn& turn) {
             c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb};
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

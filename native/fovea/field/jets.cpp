@@ -9,7 +9,7 @@
 #include <fovea/field/exact_curvature.h>
 #include <fovea/field/walk.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 constexpr int terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
@@ -233,4 +233,4 @@ double jet_noise(const Surface& surface, const Neighbours& neighbours, const Arr
     return noise[noise.size() / 2];
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

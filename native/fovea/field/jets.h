@@ -5,7 +5,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/field/neighbours.h>
 
-namespace fovea {
+namespace fovea::field {
 
 struct JetOptions {
     int degree = 4;  ///< of the polynomial, 2 to 4; degree 2 leaves C at what the frame alone gives
@@ -27,4 +27,4 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
 double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
                  const JetOptions& options, Index samples = 500);
 
-}  // namespace fovea
+}  // namespace fovea::field

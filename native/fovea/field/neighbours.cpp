@@ -11,7 +11,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/corners.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 Index next_of(Index& count) { return std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed); }
@@ -198,4 +198,4 @@ std::shared_ptr<const Neighbours> neighbours_of(const Surface& surface, double h
                                            [&] { return find_neighbours(surface, hard_angle); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -6,7 +6,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// As an angle: no edge is hard, marks and edges of many facets included.
 inline constexpr double no_hard_edges = 1e9;
@@ -29,4 +29,4 @@ struct Neighbours {
 /// (noise), nor a border.
 std::shared_ptr<const Neighbours> neighbours_of(const Surface& surface, double hard_angle = default_hard_angle);
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -6,7 +6,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/corners.h>
 
-namespace fovea {
+namespace fovea::field {
 Array<vec3> vertex_normals(const Surface& surface, const Neighbours& neighbours) {
     Array<vec3> normals(surface.vertex_count());
     parallel_for(normals.size(), [&](std::size_t v) {
@@ -60,4 +60,4 @@ Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours) 
     return areas;
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

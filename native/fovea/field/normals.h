@@ -4,7 +4,7 @@
 
 #include <fovea/field/neighbours.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// Unit normals, one per vertex: triangle normals weighted so that they are exact on spheres. Zero where a vertex has
 /// no triangle with an area. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 1999.
@@ -17,4 +17,4 @@ dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2);
 /// Area that belongs to each vertex (squared length): the sum of its corners; zero without triangles.
 Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours);
 
-}  // namespace fovea
+}  // namespace fovea::field

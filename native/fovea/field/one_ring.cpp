@@ -8,7 +8,7 @@
 #include <fovea/field/frames.h>
 #include <fovea/field/normals.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 /// A triangle's own tangent frame, its second fundamental form (L, M, N) there, and the areas of its corners.
@@ -182,4 +182,4 @@ Array<Curvature> one_ring_curvature(const Surface& surface, const Neighbours& ne
     return OneRing(surface, neighbours).run();
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -5,7 +5,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/field/neighbours.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// One per vertex. Fast and accurate on regular meshes; on irregular ones k does not converge and C diverges: use jets.
 /// Triangles that lie beyond a hard edge of one of their vertices (see neighbours.h) take their own normal there and
@@ -13,4 +13,4 @@ namespace fovea {
 /// Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004.
 Array<Curvature> one_ring_curvature(const Surface& surface, const Neighbours& neighbours);
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -9,7 +9,7 @@
 #include <fovea/field/normals.h>
 #include <fovea/field/walk.h>
 
-namespace fovea {
+namespace fovea::field {
 namespace {
 
 /// Deviations up to which a Gaussian is looked at.
@@ -96,4 +96,4 @@ Array<Curvature> smooth(const Surface& surface, const Neighbours& neighbours, co
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -5,7 +5,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/field/neighbours.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// Both tensors, h and C, averaged over the surroundings of each vertex as a Gaussian in distance weighs them, times
 /// area and n . n'; `deviation`: of the Gaussian, in mean edge lengths at the vertex. Tensors are carried from tangent
@@ -14,4 +14,4 @@ namespace fovea {
 Array<Curvature> smooth(const Surface& surface, const Neighbours& neighbours, const Array<Curvature>& curvature,
                         double deviation);
 
-}  // namespace fovea
+}  // namespace fovea::field

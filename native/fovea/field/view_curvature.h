@@ -7,7 +7,7 @@
 
 #include <fovea/field/curvature.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// A point as it is seen: the direction towards the viewer in the frame (e1, e2, normal).
 template <typename Real>
@@ -183,4 +183,4 @@ DemarcatingOf<Real> demarcating(const CurvatureOf<Real>& c) {
     return demarcating_at(c, best, most);
 }
 
-}  // namespace fovea
+}  // namespace fovea::field

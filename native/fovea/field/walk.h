@@ -7,7 +7,7 @@
 
 #include <fovea/field/neighbours.h>
 
-namespace fovea {
+namespace fovea::field {
 
 /// One per thread: marks are stamps, so nothing has to be cleared between walks.
 class Walk {
@@ -48,4 +48,4 @@ class Walk {
     std::vector<Index> found_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::field

@@ -5,7 +5,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/project/clipped_paths.h>
 
-namespace fovea {
+namespace fovea::focus {
 
 /// Where an atlas sample lies: on the segment from a point of ClippedPaths to the next, and what share of it, on the
 /// screen and in space.
@@ -43,4 +43,4 @@ inline vec3 position_at(const ClippedPaths& clipped, const SamplePlace& at) {
     return glm::mix(clipped.position_view[at.point], clipped.position_view[at.point + 1], at.in_space);
 }
 
-}  // namespace fovea
+}  // namespace fovea::focus

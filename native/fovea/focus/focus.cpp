@@ -9,7 +9,7 @@
 #include <fovea/focus/at_samples.h>
 #include <fovea/focus/from_surfaces.h>
 
-namespace fovea {
+namespace fovea::focus {
 namespace {
 
 constexpr std::size_t rows_per_block = 8;
@@ -89,4 +89,4 @@ Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float 
     return at_samples(clipped, [&](const SamplePlace& at) { return between(-position_at(clipped, at).z, near, far); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::focus

@@ -8,7 +8,7 @@
 #include <fovea/project/clipped_paths.h>
 #include <fovea/scene/distance.h>
 
-namespace fovea {
+namespace fovea::focus {
 
 /// A place to look at: in focus up to `near` from it, out of focus from `far` on.
 struct FocusPoint {
@@ -58,4 +58,4 @@ Array<float> values_of_samples(const ClippedPaths& clipped, In<float> values);
 /// How far each atlas sample is from the camera, in [0,1] between the distances near and far along the view.
 Array<float> distance_of_samples(const ClippedPaths& clipped, float near, float far);
 
-}  // namespace fovea
+}  // namespace fovea::focus

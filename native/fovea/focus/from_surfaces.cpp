@@ -7,7 +7,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/focus/at_samples.h>
 
-namespace fovea {
+namespace fovea::focus {
 namespace {
 
 constexpr int cell = 4;  // pixels between those of the lattice
@@ -140,4 +140,4 @@ Array<float> focus_between_pixels(const View& view, In<float> distance, const Fo
     return BetweenPixels(view, distance, focus).all();
 }
 
-}  // namespace fovea
+}  // namespace fovea::focus

@@ -4,7 +4,7 @@
 
 #include <fovea/focus/focus.h>
 
-namespace fovea {
+namespace fovea::focus {
 
 /// f of each atlas sample: pieces are halved until f cannot change by more than the tolerance over a part.
 Array<float> focus_along_pieces(const ClippedPaths& clipped, const Focus& focus);
@@ -13,4 +13,4 @@ Array<float> focus_along_pieces(const ClippedPaths& clipped, const Focus& focus)
 /// for focus_of_pixels.
 Array<float> focus_between_pixels(const View& view, In<float> distance, const Focus& focus);
 
-}  // namespace fovea
+}  // namespace fovea::focus

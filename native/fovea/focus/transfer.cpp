@@ -5,7 +5,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::focus {
 namespace {
 
 void check_curve(In<vec2> curve) {
@@ -61,4 +61,4 @@ Transfer::Transfer(float start, float end, float strength, In<vec2> curve)
     for (float& y : response_) y = response(y);
 }
 
-}  // namespace fovea
+}  // namespace fovea::focus

@@ -6,7 +6,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::focus {
 
 /// From a normalized value (focus; distance from the camera) in [0,1] to a mix in [0,1] (Cole 2009, 5.3.2): 0 up to
 /// `start`, `strength` from `end` on, in between along the response curve. `start` beyond `end` turns it round; where
@@ -46,4 +46,4 @@ class Transfer {
 /// What two causes make of one effect, each a mix in [0,1]: neither undoes the other.
 inline float both(float a, float b) { return 1.0f - (1.0f - a) * (1.0f - b); }
 
-}  // namespace fovea
+}  // namespace fovea::focus

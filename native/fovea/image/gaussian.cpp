@@ -6,7 +6,7 @@
 
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::image {
 namespace {
 
 /// From the middle outwards; the whole kernel, both sides, sums to 1.
@@ -56,4 +56,4 @@ Buffer gaussian(const Buffer& values, int width, int height, double sigma) {
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::image

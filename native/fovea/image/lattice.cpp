@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fovea {
+namespace fovea::image {
 
 Lattice lattice_over(const View& view, double step_reference_px, int border) {
     constexpr double most_nodes = 1 << 24;
@@ -25,4 +25,4 @@ Lattice lattice_over(const View& view, double step_reference_px, int border) {
     return lattice;
 }
 
-}  // namespace fovea
+}  // namespace fovea::image

@@ -4,7 +4,7 @@
 
 #include <fovea/base/view.h>
 
-namespace fovea {
+namespace fovea::image {
 
 /// Room around the frame, as a share of its half size, in which lines are traced: as much as paths keep.
 inline constexpr double lattice_margin = 0.1;
@@ -29,4 +29,4 @@ using Buffer = Array<float>;
 /// than 2^24 nodes.
 Lattice lattice_over(const View& view, double step_reference_px, int border);
 
-}  // namespace fovea
+}  // namespace fovea::image

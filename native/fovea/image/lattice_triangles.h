@@ -6,7 +6,7 @@
 
 #include <fovea/image/lattice.h>
 
-namespace fovea {
+namespace fovea::image {
 
 /// Each square of four nodes is two triangles. A side is numbered by its first node, the lower or left one.
 struct LatticeTriangle {
@@ -59,4 +59,4 @@ inline vec2 lattice_place(const Lattice& lattice, Index node) {
     return vec2(float(node % lattice.width), float(node / lattice.width));
 }
 
-}  // namespace fovea
+}  // namespace fovea::image

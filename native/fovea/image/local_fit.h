@@ -6,7 +6,7 @@
 
 #include <fovea/image/lattice.h>
 
-namespace fovea {
+namespace fovea::image {
 
 /// First and second derivatives, per step.
 struct LocalFit {
@@ -62,4 +62,4 @@ inline Bend greatest_bend(const LocalFit& fit, float sign) {
     return {length > 0.0f ? direction / length : vec2(0.0f), mean + radius};
 }
 
-}  // namespace fovea
+}  // namespace fovea::image

@@ -6,7 +6,7 @@
 
 #include <fovea/field/corner_normals.h>
 
-namespace fovea {
+namespace fovea::image {
 namespace {
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
@@ -142,4 +142,4 @@ ShadedBuffer shade(const Tracer& tracer, const Lattice& lattice, const Lamp& lam
     return buffer;
 }
 
-}  // namespace fovea
+}  // namespace fovea::image

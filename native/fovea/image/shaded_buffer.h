@@ -6,7 +6,7 @@
 #include <fovea/image/lattice.h>
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::image {
 
 /// Direction of a distant lamp, in degrees from the viewer: 0, 0 is a lamp at the eye.
 struct Lamp {
@@ -26,4 +26,4 @@ struct ShadedBuffer {
 /// Shades by n . l with normals interpolated between field/corner_normals.h, turned to the viewer with their facet.
 ShadedBuffer shade(const Tracer& tracer, const Lattice& lattice, const Lamp& lamp, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::image

@@ -3,7 +3,7 @@
 
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::image {
 
 namespace {
 
@@ -53,4 +53,4 @@ Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int heig
     return tiles;
 }
 
-}  // namespace fovea
+}  // namespace fovea::image

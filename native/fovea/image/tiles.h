@@ -4,7 +4,7 @@
 
 #include <fovea/image/triangle.h>
 
-namespace fovea {
+namespace fovea::image {
 
 /// Triangles per tile, in the order in which they were given.
 struct Tiles {
@@ -18,4 +18,4 @@ struct Tiles {
 /// Corners in px; triangles that cover no pixel of the picture are left out.
 Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int height);
 
-}  // namespace fovea
+}  // namespace fovea::image

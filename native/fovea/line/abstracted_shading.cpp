@@ -6,7 +6,7 @@
 //      strong as it bends
 #include <fovea/line/image_curves.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct AbstractedShading : ImageValues {
@@ -73,4 +73,4 @@ extern const LineDefinition abstracted_shading = {
     .slow = true,
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

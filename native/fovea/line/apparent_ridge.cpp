@@ -7,7 +7,7 @@
 #include <fovea/line/cluster_trace.h>
 #include <fovea/line/threshold.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 /// n . v below which a contour is near.
@@ -87,4 +87,4 @@ extern const LineDefinition apparent_ridge = {
     .rule = feature_rule(parameters, 2, find),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

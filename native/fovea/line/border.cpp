@@ -3,7 +3,7 @@
 // Out  mesh edges with one facet
 #include <fovea/line/edges.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
@@ -23,4 +23,4 @@ extern const LineDefinition border = {
     .rule = EdgeRule{mark},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

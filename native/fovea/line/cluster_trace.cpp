@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/line/cluster_trace.h>
 
-namespace fovea {
+namespace fovea::line {
 
 Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, std::size_t triangles) {
     // Into buckets of a few triangles by counting, then each by itself.
@@ -19,4 +19,4 @@ Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, 
     return std::move(pieces.values);
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

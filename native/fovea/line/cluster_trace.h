@@ -14,7 +14,7 @@
 #include <fovea/line/seen_vertices.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// Pieces in the order of their triangles; those of one triangle keep theirs.
 Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, std::size_t triangles);
@@ -157,4 +157,4 @@ Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value&
         });
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

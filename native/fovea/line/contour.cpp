@@ -10,7 +10,7 @@
 
 #include <fovea/line/edges.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
@@ -38,4 +38,4 @@ extern const LineDefinition contour = {
     .smooth_twin = &smooth_contour,
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

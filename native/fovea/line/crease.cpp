@@ -7,7 +7,7 @@
 
 #include <fovea/line/edges.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct Crease {
@@ -48,4 +48,4 @@ extern const LineDefinition crease = {
     .rule = EdgeRule{parameters.of(mark)},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -5,7 +5,7 @@
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 
 struct CrestValues : ThresholdValues {
     double sharpness;
@@ -39,4 +39,4 @@ inline Curves find_crests(const SurfaceView& seen, const CrestValues& values, fl
         [&](Index v) { return k1(v) - thresholds.low; }, thresholds);
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

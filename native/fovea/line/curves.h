@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// A straight piece of a curve in one triangle. An end on a side of the triangle carries the side's number
 /// (mesh/triangle_sides.h), which the piece beyond the side shares; an end inside has `none`: there the curve ends.
@@ -45,4 +45,4 @@ struct SceneCurves {
     std::shared_ptr<const KeptCurves> curves;
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

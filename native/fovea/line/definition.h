@@ -16,7 +16,7 @@
 #include <fovea/mesh/surface.h>
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// A surface as one placement of it is seen. Its space is that of the object where the placement keeps angles, else the
 /// stretched one of mesh/stretch.h, so that definitions never see a scale that is uneven.
@@ -130,4 +130,4 @@ inline Values default_values(const LineDefinition& definition) {
     return values;
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -10,7 +10,7 @@
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 const auto parameters = threshold_parameters<ThresholdValues>(
@@ -83,4 +83,4 @@ extern const LineDefinition demarcating_curve = {
     .rule = feature_rule(parameters, 2, find),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

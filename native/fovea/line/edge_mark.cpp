@@ -3,7 +3,7 @@
 // Out  mesh edges with a Freestyle mark, and with `seams` those marked as seams
 #include <fovea/line/edges.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct EdgeMark {
@@ -34,4 +34,4 @@ extern const LineDefinition edge_mark = {
     .reads_edge_marks = true,
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

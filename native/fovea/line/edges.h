@@ -5,7 +5,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/line/definition.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// Sets `bit` on the edges [0, count) for which `is_line(edge)` holds.
 template <typename IsLine>
@@ -15,4 +15,4 @@ void mark_edges(std::size_t count, Kinds bit, Array<Kinds>& kinds, const IsLine&
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

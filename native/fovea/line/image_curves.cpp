@@ -10,7 +10,7 @@
 #include <fovea/base/hash.h>
 #include <fovea/image/gaussian.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 /// Steps that filters look beyond a node.
@@ -122,4 +122,4 @@ Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pi
     return lifted;
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -8,7 +8,7 @@
 #include <fovea/line/definition.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// Lattice steps in a sigma: accuracy is the same at every scale, and so are the filters.
 inline constexpr double steps_per_sigma = 2.0;
@@ -115,4 +115,4 @@ Curves trace_in_image(const FrameView& frame, const SmoothTone& tone, const Imag
     return lift(frame, *tone.shaded, collect_in_lattice(lattice, emit));
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -7,7 +7,7 @@
 
 #include <fovea/line/image_curves.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 const auto parameters = image_parameters<ImageValues>(0.3, "Contrast of a sharp edge from which lines are drawn", 2.0);
@@ -51,4 +51,4 @@ extern const LineDefinition image_edge = {
     .slow = true,
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -18,7 +18,7 @@
 #include <fovea/line/definition.h>
 #include <fovea/scene/crossings.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct Intersection {
@@ -215,4 +215,4 @@ extern const LineDefinition intersection = {
     .rule = SceneRule{parameters.of(find)},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

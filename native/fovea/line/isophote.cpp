@@ -5,7 +5,7 @@
 // Out  where n . v is one of so many evenly spaced values between 0 and 1
 #include <fovea/line/cluster_trace.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct Isophote {
@@ -38,4 +38,4 @@ extern const LineDefinition isophote = {
     .slow = true,
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -6,7 +6,7 @@
 #include <fovea/line/cluster_trace.h>
 #include <fovea/line/threshold.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 const auto parameters = threshold_parameters<ThresholdValues>(
@@ -38,4 +38,4 @@ extern const LineDefinition laplacian_line = {
     .rule = feature_rule(parameters, 1, find),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

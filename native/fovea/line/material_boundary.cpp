@@ -5,7 +5,7 @@
 
 #include <fovea/line/edges.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
@@ -29,4 +29,4 @@ extern const LineDefinition material_boundary = {
     .rule = EdgeRule{mark},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

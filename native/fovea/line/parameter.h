@@ -11,7 +11,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::line {
 
 enum class Unit { none, degrees, pixels, boolean };
 
@@ -106,4 +106,4 @@ class Parameters {
     std::vector<ParameterOf<P>> all_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -8,7 +8,7 @@
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 
 inline Parameters<ThresholdValues> principal_highlight_parameters() {
     return threshold_parameters<ThresholdValues>(
@@ -52,4 +52,4 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Threshold
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -6,7 +6,7 @@
 //      n . v is greatest across the line
 #include <fovea/line/principal_highlight.h>
 
-namespace fovea {
+namespace fovea::line {
 
 extern const LineDefinition principal_highlight_valley = {
     .name = "principal_highlight_valley",
@@ -19,4 +19,4 @@ extern const LineDefinition principal_highlight_valley = {
     .rule = feature_rule(principal_highlight_parameters(), 2, find_principal_highlights, -1.0f),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

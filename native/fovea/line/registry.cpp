@@ -34,7 +34,7 @@
     define(abstracted_shading)
 // clang-format on
 
-namespace fovea {
+namespace fovea::line {
 
 #define FOVEA_DECLARE(name) extern const LineDefinition name;
 FOVEA_LINE_DEFINITIONS(FOVEA_DECLARE)
@@ -108,4 +108,4 @@ Values values_of(const LineDefinition& definition, std::span<const std::pair<std
     return values;
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

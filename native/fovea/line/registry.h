@@ -10,7 +10,7 @@
 
 #include <fovea/line/definition.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// All definitions; a definition's index is its bit in Kinds. Not for constants of other files, which may be made
 /// before.
@@ -33,4 +33,4 @@ Kinds smooth_contours();
 /// Bits of those, and of what finds all contours of the mesh.
 Kinds contours();
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -8,7 +8,7 @@
 #include <fovea/line/definition.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// A cluster as one placement of it is seen. Every range holds what vertices of the cluster get from see_vertex and
 /// field/view_curvature.h, rounding included.
@@ -66,4 +66,4 @@ class SeenCluster {
     double turn_ = 0.0;  // the view direction of no vertex is farther from that of the centre
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -6,7 +6,7 @@
 #include <fovea/field/view_curvature.h>
 #include <fovea/line/definition.h>
 
-namespace fovea {
+namespace fovea::line {
 
 inline SeenOf<float> see_vertex(const SurfaceView& seen, const Curvature& c, Index vertex) {
     const vec3 towards = seen.to_viewer(vertex);
@@ -15,4 +15,4 @@ inline SeenOf<float> see_vertex(const SurfaceView& seen, const Curvature& c, Ind
     return see(c, towards / distance, seen.orthographic ? 0.0f : 1.0f / distance);
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

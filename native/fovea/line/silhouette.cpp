@@ -9,7 +9,7 @@
 
 #include <fovea/line/edges.h>
 
-namespace fovea {
+namespace fovea::line {
 
 extern const LineDefinition contour, border, smooth_silhouette;
 
@@ -89,4 +89,4 @@ extern const LineDefinition silhouette = {
     .stand_ins = {{&contour}, {&border}},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -8,7 +8,7 @@
 //      shape?", Perception 1984)
 #include <fovea/line/smooth_contour.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct SmoothContour {
@@ -72,4 +72,4 @@ extern const LineDefinition smooth_contour = {
     .rule = CurveRule{CurveType::contour, parameters.of(find), parameters.of(select)},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

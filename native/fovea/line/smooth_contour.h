@@ -4,7 +4,7 @@
 
 #include <fovea/line/cluster_trace.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// Zeros of the interpolated n . v, n the normals of the fitted surface; strength(v) at the vertices is interpolated.
 template <typename Strength>
@@ -20,4 +20,4 @@ Curves find_smooth_contour(const SurfaceView& seen, const Strength& strength) {
     return trace_zero_set(seen, none_in, glance, all, margin, [](float s) { return s; });
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -6,7 +6,7 @@
 // Out  the pieces beside which the same placement does not go on behind
 #include <fovea/line/smooth_contour.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
@@ -51,4 +51,4 @@ extern const LineDefinition smooth_silhouette = {
     .stand_ins = {{&smooth_contour, {{"end_at_cusps", 0.0}}}},
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -5,7 +5,7 @@
 #include <fovea/line/cluster_trace.h>
 #include <fovea/line/threshold.h>
 
-namespace fovea {
+namespace fovea::line {
 
 inline Parameters<ThresholdValues> suggestive_parameters(double threshold) {
     return threshold_parameters<ThresholdValues>(threshold, 0.5, 2.0,
@@ -33,4 +33,4 @@ inline Curves find_suggestive(const SurfaceView& seen, const ThresholdValues& va
     return trace_zero_set_in_front(seen, none_in, value, margin, thresholds);
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

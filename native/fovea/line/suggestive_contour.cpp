@@ -5,7 +5,7 @@
 // Out  on the side that faces the viewer, where the radial curvature is zero and rises along the view
 #include <fovea/line/suggestive.h>
 
-namespace fovea {
+namespace fovea::line {
 
 extern const LineDefinition suggestive_contour = {
     .name = "suggestive_contour",
@@ -18,4 +18,4 @@ extern const LineDefinition suggestive_contour = {
     .rule = feature_rule(suggestive_parameters(0.01), 2, find_suggestive, 1.0f),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -5,7 +5,7 @@
 // Out  on the side that faces the viewer, where the radial curvature is zero and falls along the view
 #include <fovea/line/suggestive.h>
 
-namespace fovea {
+namespace fovea::line {
 
 extern const LineDefinition suggestive_highlight = {
     .name = "suggestive_highlight",
@@ -19,4 +19,4 @@ extern const LineDefinition suggestive_highlight = {
     .rule = feature_rule(suggestive_parameters(0.02), 2, find_suggestive, -1.0f),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -5,7 +5,7 @@
 #include <fovea/field/fields.h>
 #include <fovea/line/definition.h>
 
-namespace fovea {
+namespace fovea::line {
 
 struct ThresholdValues {
     double threshold;
@@ -53,4 +53,4 @@ CurveRule feature_rule(const Parameters<P>& parameters, int power, Find find, Mo
     return {CurveType::feature, parameters.of(found), parameters.of(select)};
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

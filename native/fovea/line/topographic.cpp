@@ -5,7 +5,7 @@
 // Out  where the distance along the view is one of so many evenly spaced values over the depth of the surface
 #include <fovea/line/cluster_trace.h>
 
-namespace fovea {
+namespace fovea::line {
 namespace {
 
 struct Topographic {
@@ -48,4 +48,4 @@ extern const LineDefinition topographic = {
     .slow = true,
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -5,7 +5,7 @@
 // Out  maxima of -k1 > 0 along its own direction
 #include <fovea/line/crest.h>
 
-namespace fovea {
+namespace fovea::line {
 
 extern const LineDefinition valley = {
     .name = "valley",
@@ -18,4 +18,4 @@ extern const LineDefinition valley = {
     .rule = feature_rule(crest_parameters(), 1, find_crests, -1.0f),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -5,7 +5,7 @@
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
 
-namespace fovea {
+namespace fovea::line {
 
 inline Parameters<ThresholdValues> zero_curvature_parameters() {
     return threshold_parameters<ThresholdValues>(
@@ -24,4 +24,4 @@ inline constexpr auto find_zero_curvature = [](const SurfaceView& seen, const Th
         thresholds);
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

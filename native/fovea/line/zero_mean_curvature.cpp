@@ -5,7 +5,7 @@
 // Out  where k1 + k2 is zero and |k1| above the threshold
 #include <fovea/line/zero_curvature.h>
 
-namespace fovea {
+namespace fovea::line {
 
 extern const LineDefinition zero_mean_curvature = {
     .name = "zero_mean_curvature",
@@ -19,4 +19,4 @@ extern const LineDefinition zero_mean_curvature = {
                          [](const Curvature& c) { return c.k1 + c.k2; }),
 };
 
-}  // namespace fovea
+}  // namespace fovea::line

@@ -9,7 +9,7 @@
 #include <fovea/line/curves.h>
 #include <fovea/mesh/triangle_sides.h>
 
-namespace fovea {
+namespace fovea::line {
 
 /// A zero crossing on a side of a triangle, from vertex a to vertex b of the side as it is numbered.
 struct ZeroCrossing {
@@ -206,4 +206,4 @@ Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& 
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::line

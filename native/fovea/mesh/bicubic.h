@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/height_jet.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// Position and derivatives at one corner of a patch over [0,1]^2.
 struct PatchCorner {
@@ -71,4 +71,4 @@ struct Bicubic {
     }
 };
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -9,7 +9,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// From a vertex of a triangle to the next one, and to the one after that.
 inline std::pair<dvec3, dvec3> sides_from(const Surface& surface, Index triangle, Index vertex) {
@@ -39,4 +39,4 @@ inline std::array<Index, 3> triangle_corners(const Surface& surface, Index trian
     return {corner_at(surface, polygon, t[0]), corner_at(surface, polygon, t[1]), corner_at(surface, polygon, t[2])};
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Seen along Newell's normal, counter-clockwise.
@@ -92,4 +92,4 @@ std::vector<Triangle> cut_ears(In<vec3> corners) {
     return triangles;
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// Corners, as numbers from 0, of the triangles of a polygon: n - 2 for n corners, turned as it is, inside its outline
 /// as seen along its average normal; badly shaped ones where it crosses itself. Ears are cut one after the other, in
@@ -12,4 +12,4 @@ namespace fovea {
 /// Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975.
 std::vector<Triangle> cut_ears(In<vec3> corners);
 
-}  // namespace fovea
+}  // namespace fovea::mesh

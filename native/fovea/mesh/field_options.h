@@ -7,7 +7,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 enum class Estimator { automatic, jets, one_ring };
 
@@ -32,4 +32,4 @@ inline void check_options(const FieldOptions& options, const std::string& name) 
     check(options.smoothing >= 0.0 && options.smoothing <= 8.0, name + ": smoothing of curvature must be 0 to 8 edges");
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/mesh/height_jet.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Sine of the angle between u and v below which they span no plane.
@@ -76,4 +76,4 @@ HeightJetD turned(const HeightJetD& jet, const dvec3& normal, const dvec3& tange
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -6,7 +6,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// z = f(x, y) over the tangent plane at the point, x along `tangent`, y along normal x tangent, z along the outward
 /// unit normal: f and its first derivatives are zero there. Units: second 1 / length, third 1 / length^2. All zero
@@ -42,4 +42,4 @@ inline dvec3 any_tangent(const dvec3& n) {
     return glm::normalize(glm::cross(axis, n));
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -8,7 +8,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/ears.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Larger polygons are left to be cut as a fan: cutting ears takes time with the square of their corners.
@@ -83,4 +83,4 @@ std::shared_ptr<Surface> polygon_surface(const std::string& name, In<vec3> posit
     return std::make_shared<Surface>(name, mesh);
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

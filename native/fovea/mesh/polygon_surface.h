@@ -6,7 +6,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// The distinct vertex pairs along polygons, numbered by first appearance, and for every corner the edge to the next.
 struct PolygonEdges {
@@ -21,4 +21,4 @@ PolygonEdges polygon_edges(In<int> polygon_offsets, In<int> corner_verts);
 std::shared_ptr<Surface> polygon_surface(const std::string& name, In<vec3> positions, In<int> corner_verts,
                                          In<int> polygon_offsets, In<int> material = {});
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -5,7 +5,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/refine_limit.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 struct RefinedSurface::Limit {
     std::unique_ptr<LimitPatches> patches;
@@ -107,4 +107,4 @@ Array<float> RefinedSurface::mix_corners(In<float> values, int columns, In<int> 
     return mixed;
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// How a cage is subdivided. Creases are Blender's weights, from 0 (smooth) to 1 (infinitely sharp), of which the
 /// sharpness is 10 w^2; an empty array is all smooth.
@@ -52,4 +52,4 @@ class RefinedSurface : public Surface {
     std::unique_ptr<Limit> limit_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -7,7 +7,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
@@ -124,4 +124,4 @@ std::unique_ptr<Far::TopologyRefiner> shared(const Cage& cage) {
     return std::unique_ptr<Far::TopologyRefiner>(Factory::Create(*cage.refiner));
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -6,7 +6,7 @@
 
 #include <fovea/mesh/refine.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
@@ -25,4 +25,4 @@ struct Cage {
 Cage cage_of(const std::string& name, const MeshArrays& mesh, const Refinement& refinement);
 std::unique_ptr<Far::TopologyRefiner> shared(const Cage& cage);
 
-}  // namespace fovea
+}  // namespace fovea::mesh

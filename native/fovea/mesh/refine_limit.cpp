@@ -10,7 +10,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// The quads around a vertex that lie on one side of the sharp edges there: as many as there are, in the order around
@@ -212,4 +212,4 @@ void LimitPatches::evaluate_vertex(Index v) {
     for (int i = 0; i < 4; ++i) jets[v].third[i] = float(sum.third[i] / weight);
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -8,7 +8,7 @@
 #include <fovea/mesh/bicubic.h>
 #include <fovea/mesh/refine_mesh.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// Patches of the limit surface, with the places of vertices in them; the places stay when the cage moves.
 class LimitPatches {
@@ -56,4 +56,4 @@ class LimitPatches {
     Array<Place> shapes_;  // per vertex: second and third derivatives
 };
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -5,7 +5,7 @@
 
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Edges of the finest level with those of the cage that they descend from.
@@ -100,4 +100,4 @@ OwnedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Ce
     return out;
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

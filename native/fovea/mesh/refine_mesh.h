@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/refine_cage.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// One quad of the refined mesh in the parameters of the cage's face (or the part of it at one corner, where the face
 /// is no quad).
@@ -24,4 +24,4 @@ std::vector<Cell> cells_of(const Far::TopologyRefiner& uniform);
 OwnedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Cell>& cells, const Cage& cage,
                        const MeshArrays& mesh);
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -5,7 +5,7 @@
 
 #include <fovea/base/hash.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Deviation from the identity up to which a stretch is none, and the steps others are rounded to.
@@ -42,4 +42,4 @@ std::shared_ptr<const Surface> as_placed(const std::shared_ptr<const Surface>& s
         hash_bytes(&stretch, sizeof stretch), [&] { return std::make_shared<const Surface>(*surface, stretch); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

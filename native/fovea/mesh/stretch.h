@@ -7,7 +7,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// The symmetric positive factor of a linear map's polar decomposition, which is all of it that changes angles;
 /// rotation, reflection and uniform scale do not. The sum of its squared entries is 3. The identity for maps that keep
@@ -20,4 +20,4 @@ dmat3 stretch_of(const dmat3& linear);
 /// which it ends; the surface itself where it is not stretched.
 std::shared_ptr<const Surface> as_placed(const std::shared_ptr<const Surface>& surface, const dmat4& object_to_world);
 
-}  // namespace fovea
+}  // namespace fovea::mesh

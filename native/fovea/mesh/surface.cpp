@@ -8,7 +8,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 std::uint64_t next_version() {
@@ -133,4 +133,4 @@ void Surface::build_edge_corners() {
     for (Index e = 0; e < mesh_edges; ++e) report_.loose_edges += edge_corners_.size(e) == 0;
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -10,7 +10,7 @@
 #include <fovea/mesh/field_options.h>
 #include <fovea/mesh/height_jet.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 using Triangle = glm::uvec3;
 using Edge = glm::uvec2;
@@ -195,4 +195,4 @@ class Surface : public SurfaceArrays {
     std::uint64_t version_ = 0;
 };
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -9,7 +9,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Deviation from its plane, as a share of its size, up to which a polygon counts as flat: 0.1 degrees.
@@ -296,4 +296,4 @@ void Surface::bound() {
     radius = any ? 0.5f * glm::length(high - low) : 0.0f;
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

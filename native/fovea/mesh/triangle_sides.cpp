@@ -5,7 +5,7 @@
 
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::mesh {
 namespace {
 
 /// Numbers by lower vertex: sides are grouped by it, and the few of one group are told apart by their other vertex.
@@ -59,4 +59,4 @@ std::shared_ptr<const TriangleSides> triangle_sides(const Surface& surface) {
     return surface.cache().get<TriangleSides>(0, [&] { return number_sides(surface); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::mesh

@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::mesh {
 
 /// Every pair of vertices that some triangle joins has one number, whichever triangles share it; diagonals of polygons
 /// are among them.
@@ -16,4 +16,4 @@ struct TriangleSides {
 /// Kept with the surface.
 std::shared_ptr<const TriangleSides> triangle_sides(const Surface& surface);
 
-}  // namespace fovea
+}  // namespace fovea::mesh

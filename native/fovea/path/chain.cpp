@@ -9,7 +9,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/path/ends.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 constexpr Index most_lines_at_a_vertex = 32;
@@ -115,4 +115,4 @@ Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::ui
     return chains;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -4,7 +4,7 @@
 
 #include <fovea/line/definition.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Chains of edges; points of chain c are rows.begin(c) .. rows.end(c).
 struct Chains {
@@ -23,4 +23,4 @@ struct Chains {
 Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels,
              In<double> corner_angle_rad);
 
-}  // namespace fovea
+}  // namespace fovea::path

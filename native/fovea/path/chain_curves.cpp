@@ -7,7 +7,7 @@
 
 #include <fovea/path/ends.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 /// One end of a piece: 2 piece + end.
@@ -100,4 +100,4 @@ CurveChains chain_curves(const Curves& pieces) {
     return chains;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -5,7 +5,7 @@
 #include <fovea/base/columns.h>
 #include <fovea/line/curves.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Polylines across triangles; points of curve c are rows.begin(c) .. rows.end(c).
 struct CurveChains {
@@ -33,4 +33,4 @@ struct CurveChains {
 /// three or more pieces end (a non-manifold edge) ends them all. The result depends on the order of the pieces alone.
 CurveChains chain_curves(const Curves& pieces);
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -11,7 +11,7 @@
 #include <fovea/mesh/triangle_sides.h>
 #include <fovea/path/hysteresis.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 std::shared_ptr<const Neighbours> neighbours_in(const Surface& surface) {
@@ -119,4 +119,4 @@ CurveChains without_doubles(const CurveChains& chains, const Surface& surface, I
     return without_triangles(chains, removed);
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

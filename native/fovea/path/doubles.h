@@ -7,7 +7,7 @@
 #include <fovea/line/definition.h>
 #include <fovea/path/chain_curves.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Which triangles' curves a line set has already: where two definitions trace the same curve, the first keeps it.
 class Claims {
@@ -35,4 +35,4 @@ Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> 
 /// a line: that line is drawn there. What crosses it, or continues it, stays.
 CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners = 3);
 
-}  // namespace fovea
+}  // namespace fovea::path

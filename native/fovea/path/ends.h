@@ -4,7 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Goes along chains of elements, of which element k has the ends 2 k and 2 k + 1. next[end]: the end of another
 /// element that goes on from it and back to it, or `none`. Calls point(end) where each element begins and where the
@@ -30,4 +30,4 @@ void walk_ends(In<Index> next, const Point& point, const Finish& finish) {
         if (!taken[k]) walk(2 * k);
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

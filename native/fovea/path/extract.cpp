@@ -12,7 +12,7 @@
 #include <fovea/path/find_curves.h>
 #include <fovea/path/find_edges.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 /// Room around the frame, as a share of its half size: strokes must not end where one can see it.
@@ -83,7 +83,7 @@ Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<
     std::vector<const PlacedSet*> asking;
     for (const PlacedSet& set : sets)
         if (asked_of(set) & kinds) asking.push_back(&set);
-    return triangles_without(surface, [&](int material) {
+    return path::triangles_without(surface, [&](int material) {
         const auto has = [&](const PlacedSet* set) { return set->has_material(material); };
         return std::any_of(asking.begin(), asking.end(), has);
     });
@@ -250,4 +250,4 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     return paths;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

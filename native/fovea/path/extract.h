@@ -6,7 +6,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/path/placed_set.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Every edge that a line set finds, once (the first set that finds it has it), chained into paths. What depends on
 /// the surface alone is found and chained once and kept with it. Placements outside the frame are left out.
@@ -14,4 +14,4 @@ namespace fovea {
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
                     const Cancel& cancel, const OwnLines& own = {});
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -9,7 +9,7 @@
 #include <fovea/path/hysteresis.h>
 #include <fovea/path/smooth.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 void to_object(const dmat3& stretch, Array<vec3>& points) {
@@ -148,4 +148,4 @@ std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, 
     return found;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

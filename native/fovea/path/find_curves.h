@@ -5,7 +5,7 @@
 #include <fovea/path/chain_curves.h>
 #include <fovea/path/placed_set.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Traces, chains and smooths the curves of one definition. Contours are then projected to the smooth surface; features
 /// lose the spurs at their ends and the stretches that duplicate a contour (`near` of doubles.h; empty: none). Of both,
@@ -51,4 +51,4 @@ void each_with_rule(const std::vector<LineSet>& sets, const Visit& visit) {
 std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,
                                               const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -9,7 +9,7 @@
 #include <fovea/path/doubles.h>
 #include <fovea/path/paths.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 constexpr std::uint8_t unlabelled = 255;
@@ -175,4 +175,4 @@ std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std
     return {{with_kinds(kept_chains), with_kinds(seen_chains)}, hard};
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

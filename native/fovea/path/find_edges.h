@@ -5,7 +5,7 @@
 #include <fovea/path/chain.h>
 #include <fovea/path/placed_set.h>
 
-namespace fovea {
+namespace fovea::path {
 
 struct EdgeChains {
     std::shared_ptr<const Chains> chains;
@@ -26,4 +26,4 @@ Kinds doubled_edges(Kinds asked);
 std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
                                                      std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near);
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -5,7 +5,7 @@
 #include <fovea/base/hash.h>
 #include <fovea/path/find_curves.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 /// Two placements' line sets, and what lies on both.
@@ -79,4 +79,4 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
     return found;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -6,7 +6,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/triangle_sides.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 /// A place on a chain: between point `i` and the next, `t` of the way.
@@ -239,4 +239,4 @@ CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> remove
     return gather(chains, find_stretches(chains, find), false);
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -4,7 +4,7 @@
 
 #include <fovea/path/chain_curves.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// The stretches of chains that a selection keeps, in their order. Cut chains are open; a closed one that is cut
 /// nowhere stays closed.
@@ -17,4 +17,4 @@ CurveChains without_hooks(const CurveChains& chains, const Surface& surface);
 /// What is left of chains where `removed` (per triangle of the surface) is not set.
 CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed);
 
-}  // namespace fovea
+}  // namespace fovea::path

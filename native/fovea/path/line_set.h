@@ -7,7 +7,7 @@
 
 #include <fovea/line/registry.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// A definition with its parameters.
 struct LineKind {
@@ -47,4 +47,4 @@ struct OwnLines {
     }
 };
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -7,7 +7,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/corners.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 /// Of the polygons beside an edge, the mean at one of its vertices.
@@ -74,4 +74,4 @@ Array<float> values_on_paths(const Paths& paths, const Scene& scene, const Paint
     return values;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -5,7 +5,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// What counts where nothing is painted.
 inline constexpr float unpainted = 0.5f;
@@ -26,4 +26,4 @@ void check_painted(const Painted& painted, const Scene& scene);
 /// Throws as check_painted.
 Array<float> values_on_paths(const Paths& paths, const Scene& scene, const Painted& painted);
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -5,7 +5,7 @@
 #include <fovea/base/columns.h>
 #include <fovea/line/definition.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// Ends of a path that touch no other line.
 enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2 };
@@ -57,4 +57,4 @@ struct Paths {
     Index other_facet_at(Index point) const { return point < other_facet.size() ? other_facet[point] : none; }
 };
 
-}  // namespace fovea
+}  // namespace fovea::path

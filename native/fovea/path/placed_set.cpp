@@ -5,7 +5,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 void check_materials(const MaterialFilter& filter, std::size_t placements) {
@@ -74,4 +74,4 @@ bool any_by_material(const std::vector<PlacedSet>& sets) {
     return std::any_of(sets.begin(), sets.end(), [](const PlacedSet& set) { return !set.materials.empty(); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

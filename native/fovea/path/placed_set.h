@@ -6,7 +6,7 @@
 
 #include <fovea/path/line_set.h>
 
-namespace fovea {
+namespace fovea::path {
 
 /// A line set without what a placement does not show. A line lies on the faces beside it: it is there where one of them
 /// has a material of the set.
@@ -55,4 +55,4 @@ Array<std::uint8_t> triangles_without(const Surface& surface, const Holds& holds
     return without;
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -7,7 +7,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/triangle_sides.h>
 
-namespace fovea {
+namespace fovea::path {
 namespace {
 
 /// Sums for a weighted fit by a parabola in s, whose value and slope at s = 0 are asked for.
@@ -246,4 +246,4 @@ void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature) 
         [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, {}).run_free(); }, 16);
 }
 
-}  // namespace fovea
+}  // namespace fovea::path

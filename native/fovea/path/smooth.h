@@ -5,7 +5,7 @@
 #include <fovea/field/curvature.h>
 #include <fovea/path/chain_curves.h>
 
-namespace fovea {
+namespace fovea::path {
 
 struct Smoothing {
     /// Half width of the stretch that a point is fitted to, in local edge lengths.
@@ -30,4 +30,4 @@ void smooth(CurveChains& chains, const Surface& surface, const Smoothing& option
 /// an estimated normal is not so exact as the eye that looks along a contour.
 void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature);
 
-}  // namespace fovea
+}  // namespace fovea::path

@@ -6,7 +6,7 @@
 
 #include <fovea/base/view.h>
 
-namespace fovea {
+namespace fovea::project {
 
 /// Part of a segment, in fractions of its length in space; empty when begin >= end.
 struct ClipRange {
@@ -61,4 +61,4 @@ inline ClipRange clip_segment(const dvec3& a, const dvec3& b, const dvec4& clip_
     return range;
 }
 
-}  // namespace fovea
+}  // namespace fovea::project

@@ -6,7 +6,7 @@
 
 #include <fovea/base/columns.h>
 
-namespace fovea {
+namespace fovea::project {
 
 /// The depth of lines that nothing hides: nearer than any surface, however steep it is.
 inline constexpr float before_all = 1e30f;
@@ -102,4 +102,4 @@ struct ClippedPaths {
     }
 };
 
-}  // namespace fovea
+}  // namespace fovea::project

@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/project/clip.h>
 
-namespace fovea {
+namespace fovea::project {
 namespace {
 
 constexpr std::size_t paths_per_block = 512;
@@ -339,4 +339,4 @@ ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, c
     return all;
 }
 
-}  // namespace fovea
+}  // namespace fovea::project

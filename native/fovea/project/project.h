@@ -6,7 +6,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
 
-namespace fovea {
+namespace fovea::project {
 
 struct ProjectOptions {
     /// Pixels between samples (k of eq. 5.1): l = ceil(length / k).
@@ -24,4 +24,4 @@ struct ProjectOptions {
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::project

@@ -6,7 +6,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::raster {
 namespace {
 
 constexpr std::size_t block_triangles = 2048;
@@ -237,4 +237,4 @@ void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Can
     }
 }
 
-}  // namespace fovea
+}  // namespace fovea::raster

@@ -8,7 +8,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::raster {
 
 /// Triangles of one placement, borrowed.
 struct RasterMesh {
@@ -88,4 +88,4 @@ inline constexpr int raster_band_rows = 16;
 void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Cancel* cancel,
                     const std::function<void(const RasterTriangle&, int, int)>& draw);
 
-}  // namespace fovea
+}  // namespace fovea::raster

@@ -6,7 +6,7 @@
 
 #include <fovea/mesh/polygon_surface.h>
 
-namespace fovea {
+namespace fovea::repair {
 namespace {
 
 /// Angle between triangles from which their edge is a feature.
@@ -162,4 +162,4 @@ RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
     return out;
 }
 
-}  // namespace fovea
+}  // namespace fovea::repair

@@ -6,7 +6,7 @@
 
 #include <fovea/repair/repair.h>
 
-namespace fovea {
+namespace fovea::repair {
 
 struct HalfEdgeTraits : OpenMesh::DefaultTraitsDouble {
     VertexAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal);
@@ -36,4 +36,4 @@ struct Triangulated {
 inline dvec3 to_glm(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
 inline OpenMesh::Vec3d from_glm(const dvec3& p) { return {p.x, p.y, p.z}; }
 
-}  // namespace fovea
+}  // namespace fovea::repair

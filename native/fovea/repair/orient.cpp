@@ -5,7 +5,7 @@
 
 #include <fovea/base/disjoint_sets.h>
 
-namespace fovea {
+namespace fovea::repair {
 namespace {
 
 /// The polygons that run along an edge: how many, and the first and the last of them with their direction.
@@ -100,4 +100,4 @@ Index orient(RepairedMesh& mesh) {
     return static_cast<Index>(std::count(turned.begin(), turned.end(), 1));
 }
 
-}  // namespace fovea
+}  // namespace fovea::repair

@@ -5,7 +5,7 @@
 #include <fovea/repair/orient.h>
 #include <fovea/repair/resample.h>
 
-namespace fovea {
+namespace fovea::repair {
 namespace {
 
 OwnedMesh owned(const MeshArrays& mesh) {
@@ -29,4 +29,4 @@ RepairedMesh repaired(const std::string& name, const MeshArrays& mesh, const Rep
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::repair

@@ -4,7 +4,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::repair {
 
 /// What is done, in this order; everything is off at first.
 struct Repair {
@@ -28,4 +28,4 @@ struct RepairedMesh : OwnedMesh {
 /// options out of range.
 RepairedMesh repaired(const std::string& name, const MeshArrays& mesh, const Repair& repair);
 
-}  // namespace fovea
+}  // namespace fovea::repair

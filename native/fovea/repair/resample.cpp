@@ -10,7 +10,7 @@
 #include <fovea/repair/half_edges.h>
 #include <fovea/scene/nearest.h>
 
-namespace fovea {
+namespace fovea::repair {
 namespace {
 
 /// No triangle may come to face more than this away from how it did: 0.2 is the cosine.
@@ -142,4 +142,4 @@ void resample(RepairedMesh& source, int steps, double length) {
     source = triangulated.arrays(source);
 }
 
-}  // namespace fovea
+}  // namespace fovea::repair

@@ -4,7 +4,7 @@
 
 #include <fovea/repair/repair.h>
 
-namespace fovea {
+namespace fovea::repair {
 
 /// Makes triangles whose sides are about as long as `edge_length` (object units; 0: as long as they are on average), in
 /// so many steps: splits long edges, collapses short ones, evens out valences, relaxes vertices along the surface and
@@ -15,4 +15,4 @@ namespace fovea {
 /// Botsch & Kobbelt, "A Remeshing Approach to Multiresolution Modeling", SGP 2004, section 4.
 void resample(RepairedMesh& mesh, int steps, double edge_length);
 
-}  // namespace fovea
+}  // namespace fovea::repair

@@ -5,7 +5,7 @@
 #include <fovea/base/check.h>
 #include <fovea/runs/filters.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr std::size_t runs_per_block = 256;
@@ -132,4 +132,4 @@ Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, doubl
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

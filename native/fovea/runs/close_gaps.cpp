@@ -3,7 +3,7 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 /// Joins spans whose gap is shorter than gap_px, across the seam of a closed line, too.
@@ -44,4 +44,4 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -7,7 +7,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr double whole_error = 1e-3;  // px a run may miss at the ends of a closed piece that it covers
@@ -138,4 +138,4 @@ CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs&
     return out;
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -5,7 +5,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 /// Runs as flat arrays in the order of the runs, which is path order. Points of run r are rows.begin(r) .. rows.end(r),
 /// two or more; segment i of a run goes from its point i to its point i + 1.
@@ -48,4 +48,4 @@ struct CompactRuns {
 /// where runs, pieces and paths do not belong together. Parallel; the same for any number of threads.
 CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs);
 
-}  // namespace fovea
+}  // namespace fovea::runs

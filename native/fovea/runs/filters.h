@@ -10,7 +10,7 @@
 
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 /// Joins visible runs whose gap is shorter than `gap_px`, then drops those shorter than the path's `spur_px`; of those
 /// that begin or end where their line does, or the frame, only the ones shorter than `speck_px`. What is all of a line
@@ -60,4 +60,4 @@ Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, doubl
 /// its parts; one that is a whole piece stays.
 Runs without_short_hidden(const ClippedPaths& clipped, const Runs& runs, In<float> least_px);
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -7,7 +7,7 @@
 #include <fovea/runs/passes_behind.h>
 #include <fovea/runs/strand.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr double least_sine = 0.2588;  // of 15 degrees: a gap does not grow along the line it follows
@@ -56,4 +56,4 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<st
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -6,7 +6,7 @@
 #include <fovea/visibility/exact.h>
 #include <fovea/visibility/shadow.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr std::size_t runs_per_block = 256;
@@ -136,4 +136,4 @@ Runs count_invisibility(const ClippedPaths& clipped, const Paths& paths, const T
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

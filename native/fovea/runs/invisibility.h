@@ -8,7 +8,7 @@
 #include <fovea/scene/tracer.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 /// `all` (visibility/runs.h, with_hidden) with its hidden runs split where the number of surfaces before them changes,
 /// told apart up to `levels` (at most 255): a run's invisibility is the number of surfaces or `levels`, whichever is
@@ -18,4 +18,4 @@ namespace fovea {
 Runs count_invisibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& all,
                         Index levels, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -7,7 +7,7 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr double look_back_px = 4.0;  // a dense mesh's own segments zigzag
@@ -128,4 +128,4 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

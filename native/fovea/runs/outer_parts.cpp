@@ -7,7 +7,7 @@
 #include <fovea/base/check.h>
 #include <fovea/visibility/segment.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr std::size_t runs_per_block = 64;
@@ -100,4 +100,4 @@ OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tr
     return all;
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

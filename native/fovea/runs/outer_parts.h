@@ -9,7 +9,7 @@
 #include <fovea/scene/tracer.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 struct OuterParts {
     Runs runs;                  ///< those given, parted
@@ -24,4 +24,4 @@ struct OuterParts {
 OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs,
                        In<Kinds> sure, double step_px, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -6,7 +6,7 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 void check_amounts(const ClippedPaths& clipped, In<float> amounts, const char* name) {
@@ -52,4 +52,4 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -7,7 +7,7 @@
 
 #include <fovea/runs/stretch_grid.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 constexpr std::size_t runs_per_block = 256;
@@ -136,4 +136,4 @@ Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, I
     }));
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -4,7 +4,7 @@
 
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 /// A visible run passes behind another visible line.
 struct PassBehind {
@@ -21,4 +21,4 @@ struct PassBehind {
 /// grid over the image, in parallel; the same for any number of threads.
 Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> wanted);
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -3,7 +3,7 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 Runs without_short_hidden(const ClippedPaths& clipped, const Runs& runs, In<float> least_px) {
     check_runs(clipped, runs);
@@ -26,4 +26,4 @@ Runs without_short_hidden(const ClippedPaths& clipped, const Runs& runs, In<floa
     return kept;
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -6,7 +6,7 @@
 
 #include <fovea/visibility/piece_samples.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 /// The pieces of a path stand together: the other one at its seam is the last or the first of them.
@@ -132,4 +132,4 @@ void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> v
     write_before(std::numeric_limits<double>::infinity());
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

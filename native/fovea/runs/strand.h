@@ -4,7 +4,7 @@
 
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 /// Part of a strand, in pixels of the strand's arc length.
 struct Span {
@@ -81,4 +81,4 @@ Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted&
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

@@ -7,7 +7,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 StretchGrid::StretchGrid(Array<Stretch>&& stretches) : stretches_(std::move(stretches)) {
     constexpr double least_px = 4.0, most_px = 64.0;
@@ -42,4 +42,4 @@ StretchGrid::StretchGrid(Array<Stretch>&& stretches) : stretches_(std::move(stre
     });
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

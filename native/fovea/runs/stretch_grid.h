@@ -6,7 +6,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::runs {
 
 /// The part of a segment of ClippedPaths between two places in the image [px].
 struct Stretch {
@@ -55,4 +55,4 @@ class StretchGrid {
     std::vector<Index> starts_, entries_;  // stretches of each cell
 };
 
-}  // namespace fovea
+}  // namespace fovea::runs

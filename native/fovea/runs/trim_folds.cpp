@@ -6,7 +6,7 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/strand.h>
 
-namespace fovea {
+namespace fovea::runs {
 namespace {
 
 /// Where a run of a contour that ends at `end` should end instead, looking back over at most fold_px along `way` (+1
@@ -71,4 +71,4 @@ Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> 
     return trimmed;
 }
 
-}  // namespace fovea
+}  // namespace fovea::runs

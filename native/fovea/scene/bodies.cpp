@@ -3,7 +3,7 @@
 
 #include <fovea/base/disjoint_sets.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
     Array<std::uint8_t> hides(surface.facet_count(), 0);
@@ -55,4 +55,4 @@ SceneBodies bodies_of(const Scene& scene) {
     return bodies;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

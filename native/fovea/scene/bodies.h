@@ -4,7 +4,7 @@
 
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// Facets of a surface that hide, gathered in bodies: components connected by edges. A solid body is closed and
 /// consistently oriented: at each of its edges as many sides run one way as the other. All others are sheets, however
@@ -24,4 +24,4 @@ std::shared_ptr<const Bodies> bodies_of(const Surface& surface);
 using SceneBodies = std::vector<std::shared_ptr<const Bodies>>;
 SceneBodies bodies_of(const Scene& scene);
 
-}  // namespace fovea
+}  // namespace fovea::scene

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 void skip_ignored(const RTCFilterFunctionNArguments* at) {
@@ -75,4 +75,4 @@ RTCRay embree_ray(const Ray& ray) {
     return {from.x, from.y, from.z, ray.near_t, along.x, along.y, along.z, 0.0f, ray.far_t, ~0u, 0, 0};
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

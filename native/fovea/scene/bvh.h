@@ -7,7 +7,7 @@
 
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// Robust: no ray slips between two triangles that share a side.
 inline const RTCSceneFlags bvh_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
@@ -79,4 +79,4 @@ struct RayContext : RTCRayQueryContext {
 /// The ray as Embree takes it.
 RTCRay embree_ray(const Ray& ray);
 
-}  // namespace fovea
+}  // namespace fovea::scene

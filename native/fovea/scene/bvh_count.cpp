@@ -5,7 +5,7 @@
 
 #include <fovea/scene/bvh.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 /// A hit, and on what. Of a sheet both sides are alike.
@@ -101,4 +101,4 @@ void Tracer::surfaces_before(const vec3& point, const Ignore& ignore, int most, 
     each_surface(counted.met, [&](const Hit& hit) { surfaces.push_back(hit); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

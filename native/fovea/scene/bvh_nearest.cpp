@@ -6,7 +6,7 @@
 #include <fovea/scene/bvh.h>
 #include <fovea/scene/nearest.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 /// A hair more than the radius asked for: bounds of boxes are rounded.
@@ -97,4 +97,4 @@ std::optional<dvec3> NearestPoint::operator()(const vec3& p, float far) const {
     return asked.nearest;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

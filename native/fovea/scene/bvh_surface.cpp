@@ -9,7 +9,7 @@
 #include <fovea/base/morton.h>
 #include <fovea/scene/bvh.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 /// Triangles whose neighbours tell how good a refitted BVH still is, and how many times farther apart they may come.
@@ -118,4 +118,4 @@ void SurfaceBvh::take_triangles(const Surface& surface) const {
     spread_ = spread(surface, neighbours_);
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

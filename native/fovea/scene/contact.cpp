@@ -4,7 +4,7 @@
 #include <fovea/base/disjoint_sets.h>
 #include <fovea/mesh/triangle_sides.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 /// Tolerances that a curve must be long; what is left of one that touches is shorter.
@@ -112,4 +112,4 @@ Crossings without_contact(const Crossings& crossings, const Mapped& first, const
     return result;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

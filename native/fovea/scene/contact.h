@@ -4,7 +4,7 @@
 
 #include <fovea/scene/crossings.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// A surface mapped into the space of crossings.
 struct Mapped {
@@ -20,4 +20,4 @@ struct Mapped {
 /// tolerances (a length, in the space of crossings).
 Crossings without_contact(const Crossings& crossings, const Mapped& first, const Mapped& second, double tolerance);
 
-}  // namespace fovea
+}  // namespace fovea::scene

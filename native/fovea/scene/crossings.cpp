@@ -11,7 +11,7 @@
 #include <fovea/scene/contact.h>
 #include <fovea/scene/orientation.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 /// Sine of the angle up to which two triangles, each within the tolerance of the other's plane, lie in one.
@@ -273,4 +273,4 @@ Crossings cross_itself(const Surface& surface, const Cancel& cancel) {
     return find({surface, Affine(1.0)}, {surface, Affine(1.0)}, true, cancel);
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

@@ -4,7 +4,7 @@
 
 #include <fovea/scene/triangle_tree.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// The straight piece in which two triangles cross. An end is where a side of one meets the other triangle; it has a
 /// number, by which the piece of the next triangle beyond the side goes on from it.
@@ -32,4 +32,4 @@ Crossings cross(const Surface& first, const Surface& second, const Affine& secon
 /// Crossings of triangles of one surface; triangles that share an edge do not cross, and those that share a vertex may.
 Crossings cross_itself(const Surface& surface, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::scene

@@ -4,7 +4,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 SurfaceDistance::SurfaceDistance(const Scene& scene, const View& view, In<Index> placements) {
     Array<vec3> positions;
@@ -32,4 +32,4 @@ float SurfaceDistance::operator()(const vec3& position_view, float far) const {
     return static_cast<float>(glm::distance(dvec3(position_view), *nearest));
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

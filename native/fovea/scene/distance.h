@@ -5,7 +5,7 @@
 #include <fovea/scene/nearest.h>
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// Distance from some of a scene's placements. Keeps a copy of their triangles, those that hide nothing, too, in one
 /// piece and in view space: distances do not survive placements that stretch. May be asked from many threads.
@@ -22,4 +22,4 @@ class SurfaceDistance {
     std::shared_ptr<const NearestPoint> nearest_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::scene

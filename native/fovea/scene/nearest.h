@@ -7,7 +7,7 @@
 
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// A BVH over triangles of its own, in whatever space their vertices are; may be asked from many threads.
 class NearestPoint {
@@ -27,4 +27,4 @@ class NearestPoint {
     std::unique_ptr<Bvh> bvh_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::scene

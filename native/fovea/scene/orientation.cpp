@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 using Wide = __int128;
@@ -92,4 +92,4 @@ Orientation orientation(const dvec3 (&p)[4], unsigned second) {
     return {0.0, both ? shifted_sign(rows, second) : simulated_sign(p, rows)};
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

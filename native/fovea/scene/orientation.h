@@ -4,7 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// Points whose orientation is asked have whole coordinates of at most this size.
 inline constexpr double grid_limit = 549755813888.0;  // 2^39: a determinant then fits 128 bits
@@ -27,4 +27,4 @@ inline bool before(const dvec3& a, const dvec3& b) {
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 Sphere bounding_sphere(const Placement& placement, const View& view) {
     const Surface& surface = *placement.surface;
@@ -26,4 +26,4 @@ bool in_frame(const Placement& placement, const View& view, double margin) {
     return true;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

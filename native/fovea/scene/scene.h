@@ -8,7 +8,7 @@
 #include <fovea/base/view.h>
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// What a placement does in the drawing.
 enum Usage : std::uint8_t {
@@ -51,4 +51,4 @@ Sphere bounding_sphere(const Placement& placement, const View& view);
 /// True unless the placement's bounding sphere lies outside the frame (widened by `margin` of its half size).
 bool in_frame(const Placement& placement, const View& view, double margin);
 
-}  // namespace fovea
+}  // namespace fovea::scene

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fovea {
+namespace fovea::scene {
 Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
     const auto& placements = tracer.scene().placements;
     if (std::none_of(placements.begin(), placements.end(), [](const Placement& p) { return p.usage & usage_holdout; }))
@@ -28,4 +28,4 @@ Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
     return image;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

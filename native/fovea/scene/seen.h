@@ -5,10 +5,10 @@
 #include <fovea/base/parallel.h>
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// Share of each pixel (of 4 samples) in which a holdout is the first thing seen; width * height, bottom row first.
 /// Empty when the scene has no holdout.
 Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::scene

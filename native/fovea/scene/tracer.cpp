@@ -9,7 +9,7 @@
 #include <fovea/base/check.h>
 #include <fovea/scene/bvh.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 /// Flat to the margin of rays, so that it hides no more than its two triangles do.
@@ -171,4 +171,4 @@ Outline Tracer::outline(const Hit& hit) const {
     return triangle;
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

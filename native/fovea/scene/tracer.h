@@ -7,7 +7,7 @@
 
 #include <fovea/scene/bodies.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// Triangles that a visibility ray ignores:
 /// (a) of a line on a mesh edge, those of the facets at the edge;
@@ -132,4 +132,4 @@ class Tracer {
     std::unique_ptr<Bvh> bvh_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::scene

@@ -6,7 +6,7 @@
 #include <fovea/base/morton.h>
 #include <fovea/base/parallel.h>
 
-namespace fovea {
+namespace fovea::scene {
 namespace {
 
 Box box_of(const Surface& surface, Index triangle) {
@@ -75,4 +75,4 @@ std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface) {
     return surface.cache().get<TriangleTree>(0, [&] { return make_tree(surface); });
 }
 
-}  // namespace fovea
+}  // namespace fovea::scene

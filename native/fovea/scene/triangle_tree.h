@@ -7,7 +7,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/surface.h>
 
-namespace fovea {
+namespace fovea::scene {
 
 /// An affine map; column 3 is the translation.
 using Affine = glm::dmat4x3;
@@ -110,4 +110,4 @@ class TreeMeeting {
     const Index start_a_ = a_.level_of(64), start_b_ = b_.level_of(8);
 };
 
-}  // namespace fovea
+}  // namespace fovea::scene

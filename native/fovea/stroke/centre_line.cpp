@@ -5,7 +5,7 @@
 #include <cmath>
 #include <ranges>
 
-namespace fovea {
+namespace fovea::stroke {
 
 namespace {
 
@@ -212,4 +212,4 @@ void extend(CentreLine& line, Cap cap) {
     line.insert(line.begin(), first);
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

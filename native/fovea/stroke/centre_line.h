@@ -6,7 +6,7 @@
 #include <fovea/project/clipped_paths.h>
 #include <fovea/stroke/pen.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 struct CentrePoint {
     dvec2 px;
@@ -58,4 +58,4 @@ void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered);
 /// Adds a point beyond either end, as far as the cap reaches.
 void extend(CentreLine& line, Cap cap);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/visibility/piece_samples.h>
 
-namespace fovea {
+namespace fovea::stroke {
 namespace {
 
 constexpr float tolerance = 0.02f;
@@ -126,4 +126,4 @@ void emphasize(CentreLine& line, const EmphasisAlong& emphasis) {
     }
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -5,7 +5,7 @@
 #include <fovea/focus/transfer.h>
 #include <fovea/stroke/centre_line.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// Per atlas sample, each in [0,1]; empty ones count as 0, `shown` as 1.
 struct Emphasis {
@@ -39,4 +39,4 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis, Index 
 /// Adds the points at which the emphasis bends, and sets CentrePoint::mix and ::shown everywhere; before `shape`.
 void emphasize(CentreLine& line, const EmphasisAlong& emphasis);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -5,7 +5,7 @@
 
 #include <fovea/visibility/piece_samples.h>
 
-namespace fovea {
+namespace fovea::stroke {
 namespace {
 
 /// How much of each sample of a piece a run shows.
@@ -93,4 +93,4 @@ void fade_ends(CentreLine& line, const Fade& fade) {
     }
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

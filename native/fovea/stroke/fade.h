@@ -4,7 +4,7 @@
 
 #include <fovea/stroke/centre_line.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// How a run fades at its ends: its share at places along the piece [px of arc], ascending; linear between two of them.
 /// Beyond them it stays what it is at an end that fades, and is 1 at one that does not.
@@ -29,4 +29,4 @@ void insert_bends(CentreLine& line, const Fade& fade);
 /// Multiplies opacity; after `shape`.
 void fade_ends(CentreLine& line, const Fade& fade);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

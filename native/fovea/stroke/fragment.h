@@ -5,7 +5,7 @@
 
 #include <fovea/stroke/pen.h>
 
-namespace fovea {
+namespace fovea::stroke {
 namespace formulas {
 
 using namespace glm;
@@ -41,4 +41,4 @@ inline float anchored_ink(const PenTexture& texture, float u, float v, float hal
 /// Ink over what is there; both premultiplied. alpha = coverage * ink * vertex opacity.
 inline vec4 over(vec4 below, vec3 color, float alpha) { return vec4(color * alpha, alpha) + below * (1.0f - alpha); }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fovea {
+namespace fovea::stroke {
 namespace {
 
 constexpr double steps_per_wave = 6.0;
@@ -75,4 +75,4 @@ void press(CentreLine& line, float amount) {
     }
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -6,7 +6,7 @@
 
 #include <fovea/stroke/centre_line.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// Moves a line sideways by smooth noise of its arc length: at most `amount_px`, in waves of about `length_px`. The
 /// noise belongs to `seed` and stays where it is along the path, whatever is hidden of it. Ends (of a closed line: the
@@ -17,4 +17,4 @@ void wobble(CentreLine& line, double amount_px, double length_px, std::uint64_t 
 /// `shape`.
 void press(CentreLine& line, float amount);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

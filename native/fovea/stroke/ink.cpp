@@ -7,7 +7,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 namespace {
 
@@ -77,4 +77,4 @@ PenTable pen_table(In<Pen> pens, In<PenTexture> textures) {
     return table;
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

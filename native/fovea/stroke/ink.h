@@ -4,7 +4,7 @@
 
 #include <fovea/stroke/pen.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// Area-filtered copy of a texture with at most one column per px of `length_px` and one row per px
 /// of `width_px` (at least one of each); never larger than the texture. Drawn with bilinear
@@ -30,4 +30,4 @@ struct PenTable {
 /// Throws where a pen's texture does not exist.
 PenTable pen_table(In<Pen> pens, In<PenTexture> textures);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -4,7 +4,7 @@
 
 #include <fovea/style/pen.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 using style::Anchor, style::Cap;
 
@@ -28,4 +28,4 @@ struct Pen {
     Index away = none;
 };
 
-}  // namespace fovea
+}  // namespace fovea::stroke

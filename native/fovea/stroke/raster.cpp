@@ -10,7 +10,7 @@
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 namespace {
 
@@ -116,8 +116,8 @@ void check_input(const Strokes& strokes, In<Pen> pens) {
 
 }  // namespace
 
-void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
-            const SpineTest* spine) {
+void rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
+               const SpineTest* spine) {
     check(width > 0 && height > 0, "raster: the picture needs a positive width and height");
     check_input(strokes, pens);
     if (spine) check_pieces(strokes, *spine);
@@ -129,4 +129,4 @@ void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int w
         [&](std::size_t t) { painter.tile(tiles, int(t % tiles.across), int(t / tiles.across)); }, 1);
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

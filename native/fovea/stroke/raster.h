@@ -6,7 +6,7 @@
 #include <fovea/stroke/strokes.h>
 #include <fovea/visibility/spine.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// Draws the strokes into `image` (height rows of width pixels, bottom row first; resized and
 /// overwritten): scene-linear, premultiplied colour and alpha, triangle over triangle in their
@@ -14,7 +14,7 @@ namespace fovea {
 /// at its u, and pixels outside the core of its depth buffer stay empty. The same for any number of threads. Throws
 /// where a stroke's pen, a pen's texture, a triangle's corner or (with `spine`) a vertex's piece does not exist, or the
 /// size is not positive.
-void raster(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
-            const SpineTest* spine = nullptr);
+void rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
+               const SpineTest* spine = nullptr);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

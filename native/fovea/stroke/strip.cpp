@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fovea {
+namespace fovea::stroke {
 
 namespace {
 
@@ -251,4 +251,4 @@ void add_strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes
     if (line.size() >= 2) Strip(line, closed, ends, out).build();
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

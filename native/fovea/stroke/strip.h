@@ -5,7 +5,7 @@
 #include <fovea/stroke/centre_line.h>
 #include <fovea/stroke/strokes.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// What is the same all over a stroke.
 struct StripEnds {
@@ -23,4 +23,4 @@ struct StripEnds {
 /// within its own width. `closed`: the last point repeats the first, and is joined to it.
 void add_strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes& out);
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -4,7 +4,7 @@
 
 #include <fovea/base/columns.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// Strips of triangles around the centre lines of strokes, half a pixel wider than the pen for
 /// antialiasing. Triangles of a stroke that touch share corners (or have corners at the very same
@@ -43,4 +43,4 @@ struct Strokes {
     Index count = 0;
 };
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -13,7 +13,7 @@
 #include <fovea/stroke/hand.h>
 #include <fovea/stroke/strip.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 namespace {
 
@@ -112,4 +112,4 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
     return all;
 }
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -6,7 +6,7 @@
 #include <fovea/stroke/strokes.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::stroke {
 
 /// Shapes every run that has a pen into a strip. The most hidden runs come first and visible ones last, so that visible
 /// strokes lie on top; those that are hidden alike keep the order of the runs. Runs without length in pixels and points
@@ -22,4 +22,4 @@ namespace fovea {
 Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
                    In<Pen> pens, In<float> visibility = {}, const Emphasis& emphasis = {}, In<std::uint64_t> ids = {});
 
-}  // namespace fovea
+}  // namespace fovea::stroke

@@ -207,7 +207,7 @@ class Reader {
     }
 
     double value_of(const JsonValue& json, const Parameter& parameter) {
-        if (json.type == Type::boolean && parameter.unit == fovea::Unit::boolean) return json.boolean;
+        if (json.type == Type::boolean && parameter.unit == line::Unit::boolean) return json.boolean;
         double value = 0.0;
         read(json, value, number(parameter.low, parameter.high, parameter.high));
         return value;

@@ -7,7 +7,7 @@
 #include <fovea/scene/bodies.h>
 #include <fovea/visibility/triangle_edges.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 /// Slopes of triangles seen almost edge on stay finite.
@@ -176,4 +176,4 @@ DepthBuffer draw_depth(DepthBuffer buffer, const View& view, In<RasterMesh> mesh
     return buffer;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

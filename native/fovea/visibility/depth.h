@@ -8,7 +8,7 @@
 #include <fovea/raster/triangles.h>
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Surfaces seen almost edge on have no steeper slope than this.
 inline constexpr float max_depth_slope = 1e6f;
@@ -87,4 +87,4 @@ std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, doubl
 /// coordinate that is not finite leave no trace. Throws std::invalid_argument on indices out of range.
 DepthBuffer draw_depth(DepthBuffer layout, const View& view, In<RasterMesh> meshes, const Cancel* cancel = nullptr);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

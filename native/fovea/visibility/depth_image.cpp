@@ -6,7 +6,7 @@
 
 #include <fovea/visibility/depth.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 /// Nearness as it is compared: larger is nearer. Of an orthographic view it is -distance: depth, which counts from the
@@ -111,4 +111,4 @@ Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
     return nearest.take();
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

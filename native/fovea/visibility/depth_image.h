@@ -5,7 +5,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Depth of pixels that see nothing, as Blender's own engines write it.
 inline constexpr float background_depth = 1e10f;
@@ -15,4 +15,4 @@ inline constexpr float background_depth = 1e10f;
 /// std::invalid_argument where a surface has moved since the tracer was made.
 Array<float> depth_image(const Tracer& tracer, const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -5,7 +5,7 @@
 
 #include <fovea/visibility/shadow.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 constexpr std::size_t pieces_per_block = 256;
@@ -156,4 +156,4 @@ Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths,
     return seen;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

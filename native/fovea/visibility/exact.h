@@ -7,7 +7,7 @@
 #include <fovea/scene/tracer.h>
 #include <fovea/visibility/runs.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Changes of visibility are found to this many pixels.
 inline constexpr double exact_tolerance_px = 1.0 / 16.0;
@@ -24,4 +24,4 @@ Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tra
 Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, double offset_px,
                                 const Cancel& cancel);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

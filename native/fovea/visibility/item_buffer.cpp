@@ -5,7 +5,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 constexpr int most_layers = 3;
@@ -196,4 +196,4 @@ Array<float> item_visibility(const ClippedPaths& clipped, const DepthBuffer& dep
     return visibility;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -7,7 +7,7 @@
 #include <fovea/project/clipped_paths.h>
 #include <fovea/visibility/depth.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 struct ItemOptions {
     /// Nearest lines kept per texel: 1 .. 3.
@@ -37,4 +37,4 @@ ItemBuffer draw_items(const ClippedPaths& clipped, const DepthBuffer& depth, con
 Array<float> item_visibility(const ClippedPaths& clipped, const DepthBuffer& depth, const ItemOptions& options,
                              const Cancel* cancel = nullptr);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

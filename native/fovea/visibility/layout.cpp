@@ -3,7 +3,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 /// Points of the batch's pieces that start a segment with samples.
@@ -58,4 +58,4 @@ AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, con
     return tables;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -5,7 +5,7 @@
 #include <fovea/project/clipped_paths.h>
 #include <fovea/visibility/own_sides.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// The atlas is one row of samples wrapped over texture rows of this width.
 inline constexpr Index atlas_width = 2048;
@@ -44,4 +44,4 @@ struct AtlasTables {
 /// Throws std::invalid_argument where batch or sides belong to other paths.
 AtlasTables atlas_tables(const ClippedPaths& clipped, const OwnSides& sides, const AtlasBatch& batch);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

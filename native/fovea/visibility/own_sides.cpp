@@ -8,7 +8,7 @@
 #include <fovea/base/parallel.h>
 #include <fovea/visibility/depth.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 /// A triangle of each facet of a surface.
@@ -123,4 +123,4 @@ OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& 
     return sides;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

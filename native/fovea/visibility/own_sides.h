@@ -6,7 +6,7 @@
 #include <fovea/project/clipped_paths.h>
 #include <fovea/scene/scene.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Per segment (indexed by its first point); the last point of a piece holds the same as a segment without facets.
 struct OwnSides {
@@ -27,4 +27,4 @@ void check_sides(const ClippedPaths& clipped, const OwnSides& sides, const char*
 
 OwnSides own_sides(const ClippedPaths& clipped, const Scene& scene, const View& view);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fovea {
+namespace fovea::visibility {
 
 PieceSamples::PieceSamples(const ClippedPaths& clipped, Index piece) : clipped_(clipped) {
     first_point_ = clipped.pieces.begin(piece);
@@ -40,4 +40,4 @@ float PieceSamples::value(In<float> values, double arc_px, float otherwise) cons
     return glm::mix(values[in_atlas(next - 1)], values[in_atlas(next)], float((arc_px - a) / (b - a)));
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -4,7 +4,7 @@
 
 #include <fovea/project/clipped_paths.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Samples of a piece, numbered from 0 along it; they lie at ascending arc lengths.
 class PieceSamples {
@@ -28,4 +28,4 @@ class PieceSamples {
     std::ptrdiff_t begin_, end_;
 };
 
-}  // namespace fovea
+}  // namespace fovea::visibility

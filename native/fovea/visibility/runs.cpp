@@ -5,7 +5,7 @@
 
 #include <fovea/base/check.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace {
 
 constexpr std::size_t pieces_per_block = 256;
@@ -115,4 +115,4 @@ Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<Index> pla
     return all;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

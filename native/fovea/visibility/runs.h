@@ -6,7 +6,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Parts of pieces, sorted by piece, then by start; they do not overlap. start < end, in pixels of the piece's own
 /// arc_px; a run that overshoots its line starts before it or ends after it, where the line goes straight on. What
@@ -59,4 +59,4 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 /// is `none` (one entry per path of Paths), have no hidden parts: they lie on no surface, and nothing hides them.
 Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<Index> placement);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -4,7 +4,7 @@
 #include <fovea/base/check.h>
 #include <fovea/visibility/triangle_edges.h>
 
-namespace fovea {
+namespace fovea::visibility {
 namespace formulas {
 
 using namespace glm;
@@ -103,4 +103,4 @@ float visibility_between(const ClippedPaths& clipped, const OwnSides& sides, Ind
     return formulas::Depth(buffer, options).depth_share(seen.line, seen.first, seen.last, t0, t1);
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -6,7 +6,7 @@
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/own_sides.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 struct SampledOptions {
     /// Places looked at per sample: 1 .. 16. They lie in the middles of equal parts of its share of the segment, where
@@ -43,4 +43,4 @@ Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sid
 float visibility_between(const ClippedPaths& clipped, const OwnSides& sides, Index segment, float t0, float t1,
                          const DepthBuffer& buffer, const SampledOptions& options);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -6,7 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/line/registry.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 Segment segment_at(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Index piece, Index i) {
     Segment s{dvec3(clipped.position_view[i]), dvec3(clipped.position_view[i + 1]), 1.0, 1.0, {}};
@@ -31,4 +31,4 @@ void check_same_paths(const ClippedPaths& clipped, const Paths& paths, const cha
           std::string(what) + ": these are not the paths that were clipped");
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

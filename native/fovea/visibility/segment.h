@@ -6,7 +6,7 @@
 #include <fovea/project/clipped_paths.h>
 #include <fovea/scene/tracer.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// A segment of a piece between its ends in view space, where rays ask for it (Ignore::above is added). Positions along
 /// it are screen fractions s in [0,1], or fractions t of its length in space.
@@ -27,4 +27,4 @@ Segment segment_at(const ClippedPaths& clipped, const Paths& paths, const Tracer
 /// Throws std::invalid_argument where `clipped` cannot come from `paths`; `what` names the caller.
 void check_same_paths(const ClippedPaths& clipped, const Paths& paths, const char* what);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/visibility/shadow.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 Shadow::Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin) {
     const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -61,4 +61,4 @@ Interval Occluding::hides(const Tracer& tracer, const Segment& segment) const {
     return {segment.to_screen(interval.begin), segment.to_screen(interval.end)};
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

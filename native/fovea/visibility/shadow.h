@@ -9,7 +9,7 @@
 
 #include <fovea/visibility/segment.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Interval of a segment's parameter; empty when begin > end.
 struct Interval {
@@ -92,4 +92,4 @@ class Remembered {
     std::array<std::size_t, count> order_;  // of entries_, those that hid last before the others
 };
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -5,7 +5,7 @@
 
 #include <fovea/visibility/layout.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 Runs whole_pieces(const ClippedPaths& clipped) {
     Runs runs;
@@ -53,4 +53,4 @@ Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
     return table;
 }
 
-}  // namespace fovea
+}  // namespace fovea::visibility

@@ -9,7 +9,7 @@
 #include <fovea/visibility/runs.h>
 #include <fovea/visibility/sampled.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 /// Runs over the whole of every piece that has length: what the spine test draws.
 Runs whole_pieces(const ClippedPaths& clipped);
@@ -43,4 +43,4 @@ class SpineTest {
 /// (facet0, facet1, steepness, or -1 for an inner line, 0).
 Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides);
 
-}  // namespace fovea
+}  // namespace fovea::visibility

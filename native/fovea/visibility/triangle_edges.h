@@ -4,7 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea {
+namespace fovea::visibility {
 
 namespace formulas {
 
@@ -16,4 +16,4 @@ struct Edges {
 };
 
 }  // namespace formulas
-}  // namespace fovea
+}  // namespace fovea::visibility

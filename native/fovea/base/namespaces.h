@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A namespace for each folder, in the order of the data: each sees the names of those before it; those of style are
+// called style::Pen, as strokes have a Pen of their own.
+#pragma once
+
+namespace fovea {
+
+namespace base {}
+namespace raster {
+using namespace base;
+}
+namespace mesh {
+using namespace raster;
+}
+namespace field {
+using namespace mesh;
+}
+namespace scene {
+using namespace field;
+}
+namespace repair {
+using namespace scene;
+}
+namespace image {
+using namespace repair;
+}
+namespace line {
+using namespace image;
+}
+namespace style {
+using namespace line;
+}
+namespace path {
+using namespace line;
+}
+namespace project {
+using namespace path;
+}
+namespace visibility {
+using namespace project;
+}
+namespace runs {
+using namespace visibility;
+}
+namespace focus {
+using namespace runs;
+}
+namespace elision {
+using namespace focus;
+}
+namespace stroke {
+using namespace elision;
+}
+namespace color {
+using namespace stroke;
+}
+namespace draw {
+using namespace color;
+}
+
+}  // namespace fovea
