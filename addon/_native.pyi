@@ -1029,12 +1029,12 @@ class Strokes:
         otherwise"""
 
 class ColorTexture:
-    """An image of base colours."""
+    """An image of base colors."""
     def __init__(self, pixels: Annotated[ArrayLike, numpy.float32], encoded: bool) -> None:
         """(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear."""
 
 class ColorSlot:
-    """What a material says about colour."""
+    """What a material says about color."""
     def __init__(
         self,
         color: Annotated[Sequence[float], 'FixedSize(3)'],
@@ -1045,7 +1045,7 @@ class ColorSlot:
     ) -> None: ...
 
 class SurfaceColor:
-    """Colours of a surface; see native/fovea/color/source.h."""
+    """Colors of a surface; see native/fovea/color/source.h."""
     def __init__(
         self,
         slots: Sequence[ColorSlot],

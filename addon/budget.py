@@ -22,8 +22,8 @@ class Quality:
     step: float = 1.0  # between visibility samples, times that of the options
     probes: int = 16  # at most
     depth_scale: int = 3  # at most
-    focus_step: int = 1  # pixels between those whose focus is evaluated for colours
-    blur: bool = True  # of colours out of focus; that they are faded and desaturated is in every draft
+    focus_step: int = 1  # pixels between those whose focus is evaluated for colors
+    blur: bool = True  # of colors out of focus; that they are faded and desaturated is in every draft
     hidden: bool = True  # hidden lines, haloes and overshoot
     elision: bool = True
     definitions: bool = True  # lines that take long to find

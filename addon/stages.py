@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What passes between Blender, the stages and the backends: frozen records of plain arrays.
 
-Pixels have their origin at the lower left corner of the drawn region, y up, centres at .5. View space looks along -z.
+Pixels have their origin at the lower left corner of the drawn region, y up, centers at .5. View space looks along -z.
 Depth is reversed and screen-linear: near / distance for a perspective camera, 1 at the near and 0 at the far plane for
 an orthographic one; larger is nearer. Matrices are (4, 4) float64 acting on columns, as Blender's.
 """
@@ -35,6 +35,6 @@ class Image:
     combined: np.ndarray  # (H, W, 4) float32
     lines: np.ndarray | None = None  # (H, W, 4) float32, strokes alone
     depth: np.ndarray | None = None  # (H, W) float32, distance from the camera
-    color: np.ndarray | None = None  # (H, W, 4) float32, the colour layer alone
+    color: np.ndarray | None = None  # (H, W, 4) float32, the color layer alone
     focus: np.ndarray | None = None  # (H, W) float32 in [0, 1], 0: in focus
     statistics: dict = field(default_factory=dict)

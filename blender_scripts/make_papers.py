@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the papers of addon/papers: python3 blender_scripts/make_papers.py [FOLDER]
 
-Each is a grey PNG of heights, white is high, that repeats without a seam on all sides. A texel is meant to cover about
+Each is a gray PNG of heights, white is high, that repeats without a seam on all sides. A texel is meant to cover about
 one reference pixel. Seeds are fixed: every run makes the same files.
 """
 
@@ -89,7 +89,7 @@ class Sheet:
 
 
 def cold_press():
-    """Watercolour paper: what the felt has pressed into it, coarse and fine, and a tooth on that."""
+    """Watercolor paper: what the felt has pressed into it, coarse and fine, and a tooth on that."""
     s = Sheet(11)
     return s.pebbles(4.5) + 0.5 * s.pebbles(8) + 0.8 * s.grain(7) + 0.1 * s.clouds(60)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pen textures of addon/textures: python3 blender_scripts/make_textures.py [FOLDER]
 
-Each is a grey PNG, white is full ink: columns run along the stroke and repeat without a seam, rows run across it from its
+Each is a gray PNG, white is full ink: columns run along the stroke and repeat without a seam, rows run across it from its
 left side to its right. All have as many texels per pen width along as across, so that grain is round on paper;
 textures.json holds the length of each, in widths of the pen. Seeds are fixed: every run makes the same files.
 """
@@ -140,7 +140,7 @@ def dots():
 
 
 def dash_dot():
-    """The centre line of technical drawings."""
+    """The center line of technical drawings."""
     c = Canvas(14)
     return c, c.capsules((-4.0, 4.0), (7.0, 7.0))
 
@@ -148,9 +148,9 @@ def dash_dot():
 TEXTURES = (solid, pencil, charcoal, ink, brush, chalk, marker, dashes, dots, dash_dot)
 
 
-def write_png(path, grey):
-    """An 8-bit grey PNG of values in [0, 1]."""
-    pixels = (np.clip(grey, 0, 1) * 255 + 0.5).astype(np.uint8)
+def write_png(path, gray):
+    """An 8-bit gray PNG of values in [0, 1]."""
+    pixels = (np.clip(gray, 0, 1) * 255 + 0.5).astype(np.uint8)
     rows = b"".join(b"\0" + row.tobytes() for row in pixels)
 
     def chunk(name, data):

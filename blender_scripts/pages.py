@@ -62,7 +62,7 @@ def stage(name, path):
 
 
 def plot(name, path):
-    """(N, N) of a transfer function over focus: a frame with quarters in grey, the curve in black."""
+    """(N, N) of a transfer function over focus: a frame with quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
     size, margin, fine = pages.PLOT, 0.06, 8
     place = np.arange(size * fine) / (size * fine - 1) * (1 + 2 * margin) - margin  # 0 and 1: the frame
@@ -74,8 +74,8 @@ def plot(name, path):
     lines = np.abs(place[:, None] - np.linspace(0, 1, 5)).min(axis=1) < 0.003
     inside = (place >= -0.003) & (place <= 1.003)
     grid = (lines[:, None] | lines[None, :]) & inside[:, None] & inside[None, :]
-    grey = np.where(curve, 0.0, np.where(grid, 0.75, 1.0))
-    return grey.reshape(size, fine, size, fine).mean(axis=(1, 3))
+    gray = np.where(curve, 0.0, np.where(grid, 0.75, 1.0))
+    return gray.reshape(size, fine, size, fine).mean(axis=(1, 3))
 
 
 DRAWN_BY = {"lines": line, "way": stage, "focus": stage, "transfers": plot}
@@ -103,7 +103,7 @@ def draw_lines(shown, lines, params, pen, path):
     chosen = ["--size", pages.SIZE, "--style", "plain", "--lines", ",".join(lines), *params, "-o", str(path)]
     set_drawing(scene, draw_options.parse([*shown.camera, *chosen]), pen)
     picture.render(scene, path)
-    return sheet.grey(path)
+    return sheet.gray(path)
 
 
 def set_drawing(scene, options, settings):

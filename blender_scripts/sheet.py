@@ -19,7 +19,7 @@ PEN = {"width": 5.0, "color": (0.0, 0.0, 0.0), "taper": 0.0}
 
 
 def render(scene, definitions, path):
-    """Writes the sheet of the definitions that are on to `path`, an 8-bit grey PNG."""
+    """Writes the sheet of the definitions that are on to `path`, an 8-bit gray PNG."""
     held = style_data.own(scene)
     drawn = style_data.drawn_kinds(held)
     shown = [definition for definition in definitions if definition["name"] in drawn]
@@ -34,7 +34,7 @@ def render(scene, definitions, path):
             for name, value in pen.items():
                 setattr(held.line_sets[-1].pen, name, value)
             picture.render(scene, tile)
-            return grey(tile)
+            return gray(tile)
 
         shape = draw({SHAPE}, SHAPE_PEN)
         tiles = [np.minimum(shape, draw({definition["name"]}, PEN)) for definition in shown]
@@ -102,12 +102,12 @@ def _look_down(scene, width, height):
     scene.render.resolution_x, scene.render.resolution_y = 2 * width, 2 * height
 
 
-def grey(path):
+def gray(path):
     return picture.pixels(path)[..., :3].mean(axis=2)
 
 
 def save(sheet, path):
-    """An (H, W) sheet as an 8-bit grey PNG, an (H, W, 3) sheet as a JPEG, its values as they are."""
+    """An (H, W) sheet as an 8-bit gray PNG, an (H, W, 3) sheet as a JPEG, its values as they are."""
     gray = sheet.ndim == 2
     colors = np.repeat(sheet[..., None], 3, axis=2) if gray else sheet
     image = bpy.data.images.new("Sheet", sheet.shape[1], sheet.shape[0])

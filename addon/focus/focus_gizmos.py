@@ -39,7 +39,7 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
             return None
         if place is None or kind.no_pull or (kind.in_frame and look.frame is None):
             return None
-        middle = look.centre(place, kind)
+        middle = look.center(place, kind)
         if middle is None:
             return None
         radius = 0.0 if self.part == "middle" else getattr(place, self.name(kind)) * look.unit(place, kind)

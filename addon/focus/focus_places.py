@@ -90,7 +90,7 @@ class Look:
     def __init__(self, region, view, frame):
         self.region, self.view, self.frame = region, view, frame
 
-    def centre(self, place, kind):
+    def center(self, place, kind):
         """Pixels of a place, or None where it is not to be seen."""
         if kind.in_frame:
             left, lower, width, height = self.frame

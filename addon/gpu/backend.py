@@ -31,7 +31,7 @@ class Backend(native.load().Backend):
         self.clock = Clock()
         self._programs = Programs()
         self._items = ItemPass(self._programs)
-        self._surfaces = {}  # version of a surface -> batch of its triangles
+        self.surfaces = {}  # version of a surface -> batch of its triangles
 
     def visibility(self, frame):
         """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer, or by the item buffer; the
@@ -87,7 +87,7 @@ class Backend(native.load().Backend):
                 gpu.state.face_culling_set(draw.culled)
                 program.uniform_float("object_to_depth_clip", draw.object_to_depth_clip)
                 program.uniform_int("facet_base", draw.facet_base)
-                self._surfaces[draw.surface_version].draw(program)
+                self.surfaces[draw.surface_version].draw(program)
         return target
 
     def _keep_surfaces(self, scene, draws):
@@ -96,8 +96,8 @@ class Backend(native.load().Backend):
         for draw in draws:
             version = draw.surface_version
             if version not in kept:
-                kept[version] = self._surfaces.get(version) or _batch(scene.surface(draw.placement))
-        self._surfaces = kept
+                kept[version] = self.surfaces.get(version) or _batch(scene.surface(draw.placement))
+        self.surfaces = kept
 
     def elide(self, frame, elision):
         """(D, 2) float32: pixels of each sample's band that others take, pixels that it has; as the cpu backend's."""

@@ -13,21 +13,21 @@ _ANGLES = np.linspace(0, 2 * np.pi, _SEGMENTS + 1)
 _CIRCLE = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros_like(_ANGLES)], axis=1)
 
 
-def ring(centre, radius, color, width):
+def ring(center, radius, color, width):
     """A circle of a width in pixels; color: RGBA in the display's space."""
     shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
     shader.uniform_float("lineWidth", width)
-    _draw(shader, "LINE_STRIP", centre, radius, color)
+    _draw(shader, "LINE_STRIP", center, radius, color)
 
 
-def dot(centre, radius, color):
+def dot(center, radius, color):
     """A disc."""
-    _draw(gpu.shader.from_builtin("UNIFORM_COLOR"), "TRI_FAN", centre, radius, color)
+    _draw(gpu.shader.from_builtin("UNIFORM_COLOR"), "TRI_FAN", center, radius, color)
 
 
-def _draw(shader, kind, centre, radius, color):
-    points = (radius * _CIRCLE + (*centre, 0)).astype(np.float32)
+def _draw(shader, kind, center, radius, color):
+    points = (radius * _CIRCLE + (*center, 0)).astype(np.float32)
     shader.uniform_float("color", color)
     gpu.state.blend_set("ALPHA")
     batch_for_shader(shader, kind, {"pos": points}).draw(shader)

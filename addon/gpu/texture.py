@@ -41,7 +41,7 @@ def upload_row(entries):
 
 
 class Target:
-    """Something to draw into: one colour texture, with a second where asked for, and with a depth texture, a new one (True)
+    """Something to draw into: one color texture, with a second where asked for, and with a depth texture, a new one (True)
     or one that is given.
 
     The textures live as long as this object; framebuffers alone do not keep them."""

@@ -39,7 +39,7 @@ class Changes:
         if subdivision.is_echo(updates):
             return
         self._told = True
-        self._must_read = self._must_read or not _are_harmless(list(updates))
+        self._must_read = self._must_read or not are_harmless(list(updates))
 
     def read(self, engine, depsgraph, space):
         """The Scene as it is now, for a SpaceView3D."""
@@ -62,7 +62,7 @@ class Changes:
         return self._scene
 
 
-def _are_harmless(updates):
+def are_harmless(updates):
     """Whether updates leave alone what is read of the scene. With a scene its objects are reported, as shaded anew."""
     of_scene = any(isinstance(update.id, bpy.types.Scene) for update in updates)
     return bool(updates) and all(_is_harmless(update, of_scene) for update in updates)

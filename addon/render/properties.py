@@ -121,7 +121,7 @@ def _shape_properties():
     return {
         "refine": switch("Refine", refine),
         "refine_level": whole_number("Level", level, default=2, min=1, max=6),
-        "repair_orient": switch("Face Outwards", "Turn faces that disagree with their neighbours"),
+        "repair_orient": switch("Face Outwards", "Turn faces that disagree with their neighbors"),
         "repair_resample": whole_number("Resample", "Steps towards triangles of equal sides", min=0, max=50),
         "repair_edge_length": number("Edge Length", "Of the triangles; 0: as the mesh has it on average", **length),
     }

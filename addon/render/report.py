@@ -29,7 +29,7 @@ STAGES = {  # of a picture, in words
     "elision": "elision",
     "shape": "shaping strokes",
     "strokes": "drawing strokes",
-    "color": "colours under lines",
+    "color": "colors under lines",
     "focus": "focus and its effects",
     "paper": "paper",
     "depth": "depth pass",
@@ -135,7 +135,7 @@ def report(read, depsgraph, note=""):
         "Left out, or looks wrong": skipped(read, depsgraph) or ["Nothing was left out"],
         "Transparency": list(transparency(read)),
         "Last picture": list(times(session.last_statistics())),
-        "Curvature": list(_grouped(curvature)),
+        "Curvature": list(grouped(curvature)),
         "Memory": list(memory()),
     }
     if note:
@@ -146,7 +146,7 @@ def report(read, depsgraph, note=""):
             yield from (f"  {line}" for line in lines)
 
 
-def _grouped(reasons):
+def grouped(reasons):
     """Lines that say each of the reasons {name: reason} once."""
     names = {}
     for name, reason in reasons.items():

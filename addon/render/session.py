@@ -21,13 +21,13 @@ from ..scene.problem import CannotDraw
 from . import methods, near_frames, properties, reading
 
 _log = logging.getLogger(__package__)
-_readers = {}  # depsgraph mode -> Reader
+readers = {}  # depsgraph mode -> Reader
 _statistics = {}
 _remarked = set()  # what has been said of styles
 
 PASSES = {  # besides the picture: channels, their names and kind
     "Lines": (4, "RGBA", "COLOR"),
-    "Colour": (4, "RGBA", "COLOR"),
+    "Color": (4, "RGBA", "COLOR"),
     "Focus": (1, "X", "VALUE"),
     "Depth": (1, "Z", "VALUE"),
 }
@@ -44,7 +44,7 @@ def register_passes(engine, scene_, layer):
     chosen = _style_of(scene_)
     wanted = {
         "Lines": True,
-        "Colour": chosen and chosen.has_color(),
+        "Color": chosen and chosen.has_color(),
         "Focus": chosen and chosen.focus.active(),
         "Depth": layer.use_pass_z,
     }
@@ -69,7 +69,7 @@ def render(engine, depsgraph):
         image = final_image(engine, depsgraph)
         if image is not None:
             passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
-            passes |= {"Colour": image.color, "Focus": image.focus}
+            passes |= {"Color": image.color, "Focus": image.focus}
             del image
             _hand_over(engine, depsgraph.view_layer, passes)
         kept.trim()
@@ -91,13 +91,13 @@ def reported(tell, what="this view"):
 
 def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     """What is Read of the depsgraph's scene for a Style. `viewport`: its SpaceView3D; None for a final render."""
-    if depsgraph.mode not in _readers:
-        _readers[depsgraph.mode] = reading.Reader(refit=depsgraph.mode == "VIEWPORT")
-    found = _readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors)
+    if depsgraph.mode not in readers:
+        readers[depsgraph.mode] = reading.Reader(refit=depsgraph.mode == "VIEWPORT")
+    found = readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors)
     if not found.snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
-    _report_skipped(engine, found.built, found.remarks)
-    _report_unknown(engine, chosen)
+    report_skipped(engine, found.built, found.remarks)
+    report_unknown(engine, chosen)
     kept.trim()
     return found
 
@@ -127,7 +127,7 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
-    with _watched(engine, cancel):
+    with watched(engine, cancel):
         try:
             start = time.perf_counter()
             near = lines_near(engine, depsgraph, chosen, backend, options, cancel)
@@ -161,7 +161,7 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
 
 
 @contextmanager
-def _watched(engine, cancel):
+def watched(engine, cancel):
     """Stops what runs natively soon after the user asks for it."""
     done = threading.Event()
 
@@ -185,7 +185,7 @@ def _progress(engine, share, text):
     engine.update_stats("Fovea", text)
 
 
-def _report_skipped(engine, built, remarks=()):
+def report_skipped(engine, built, remarks=()):
     """Says once per mesh what of it was left out or looks wrong."""
     for sentence in remarks:
         engine.report({"INFO"}, sentence)
@@ -194,7 +194,7 @@ def _report_skipped(engine, built, remarks=()):
             engine.report({"INFO"}, found)
 
 
-def _report_unknown(engine, chosen):
+def report_unknown(engine, chosen):
     """Says once what a style has that nothing here reads."""
     remark = style.remark(chosen)
     if remark and remark not in _remarked:
@@ -242,6 +242,6 @@ def _hand_over(engine, layer, passes):
 
 def forget():
     """Another file: nothing that is kept belongs to it."""
-    _readers.clear()
+    readers.clear()
     _statistics.clear()
     _remarked.clear()

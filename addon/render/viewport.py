@@ -183,7 +183,7 @@ class Viewport:
                 self._start(self.budget.next_at_rest(self.shown.quality), draft=False)
                 return True
         elif not job.done:
-            self._tell(engine, job)
+            self.tell(engine, job)
             return True
         elif job.result is None and job.error is None:
             self.job = None  # stopped
@@ -191,7 +191,7 @@ class Viewport:
         engine.tag_redraw()
         return False
 
-    def _tell(self, engine, job):
+    def tell(self, engine, job):
         """A word to the user now and then."""
         now = time.monotonic()
         if now > max(job.started, self._said_at) + WORD:

@@ -36,7 +36,7 @@ class Corners:
         return self._index(self.uvs, (name, place), lambda: _mapped(self._refined(name, _uvs), place))
 
     def attribute(self, name):
-        """Which of `attributes` holds a colour attribute; None where there is none."""
+        """Which of `attributes` holds a color attribute; None where there is none."""
         colors = self._mesh.color_attributes
         if name == color_nodes.ACTIVE:
             index = colors.render_color_index
@@ -46,7 +46,7 @@ class Corners:
         return self._index(self.attributes, name, lambda: self._refined(name, _colors))
 
     def values(self, name):
-        """(C,) float32 of an attribute of numbers, or the mean of a colour's channels; None where there is none."""
+        """(C,) float32 of an attribute of numbers, or the mean of a color's channels; None where there is none."""
         found = self._mesh.attributes.get(name)
         if found is None or found.data_type not in COLORS | {"FLOAT"} or found.domain not in {"POINT", "CORNER"}:
             return None
@@ -78,12 +78,12 @@ def _uvs(mesh, name):
 
 
 def _colors(mesh, name):
-    """(C, 3) scene-linear colours."""
+    """(C, 3) scene-linear colors."""
     return np.ascontiguousarray(_at_corners(mesh, mesh.attributes[name], "color", 4)[:, :3])
 
 
 def _values(mesh, name):
-    """(C, 1) numbers, or means of scene-linear colours."""
+    """(C, 1) numbers, or means of scene-linear colors."""
     attribute = mesh.attributes[name]
     if attribute.data_type in COLORS:
         return _at_corners(mesh, attribute, "color", 4)[:, :3].mean(axis=1, keepdims=True)

@@ -66,6 +66,6 @@ def _pixels(image):
 
 
 def _is_encoded(image):
-    """Whether pixels are as sRGB has them: floats are scene-linear, bytes as their colour space says."""
+    """Whether pixels are as sRGB has them: floats are scene-linear, bytes as their color space says."""
     space = image.colorspace_settings
     return not (image.is_float or space.is_data or space.name.startswith("Linear"))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a material's nodes say about its base colour, where that can be told without running them."""
+"""What a material's nodes say about its base color, where that can be told without running them."""
 
 import math
 from dataclasses import dataclass, replace
 
 from . import shader_links
 
-# Shader node -> the input that is its colour.
+# Shader node -> the input that is its color.
 COLOR_INPUTS = {
     "BSDF_PRINCIPLED": "Base Color",
     "BSDF_DIFFUSE": "Color",
@@ -18,12 +18,12 @@ COLOR_INPUTS = {
     "SUBSURFACE_SCATTERING": "Color",
     "EMISSION": "Color",
 }
-ACTIVE = ""  # the mesh's own choice of a UV map or a colour attribute
+ACTIVE = ""  # the mesh's own choice of a UV map or a color attribute
 
 
 @dataclass(frozen=True)
 class Source:
-    """A colour, times an image, times an attribute of the mesh."""
+    """A color, times an image, times an attribute of the mesh."""
 
     color: tuple = (0.8, 0.8, 0.8)  # scene-linear
     image: object | None = None  # Blender's
@@ -32,24 +32,24 @@ class Source:
     attribute: str | None = None
     unlit: bool = False
     viewport: tuple = (0.8, 0.8, 0.8)  # stands for what is not there: an image or an attribute
-    followed: bool = True  # False: nodes that cannot be told beforehand; the viewport colour stands for them
+    followed: bool = True  # False: nodes that cannot be told beforehand; the viewport color stands for them
 
 
 def source(material):
-    """The Source of a material; an empty slot shows the mesh's active colours, if it has any."""
+    """The Source of a material; an empty slot shows the mesh's active colors, if it has any."""
     if material is None:
         return Source(attribute=ACTIVE)
     viewport = tuple(material.diffuse_color)[:3]
     shader = _colored(shader_links.surface_shader(material))
     if shader is None:
-        # No surface at all looks as in the viewport; a shader without a colour is one that is not followed.
+        # No surface at all looks as in the viewport; a shader without a color is one that is not followed.
         return Source(viewport, viewport=viewport, followed=shader_links.surface_shader(material) is None)
     found = _of_socket(shader.inputs[COLOR_INPUTS[shader.type]], shader.type == "EMISSION")
     return replace(found or Source(viewport, followed=False), viewport=viewport)
 
 
 def _colored(shader):
-    """The first shader of a mix that has a colour of its own, or None."""
+    """The first shader of a mix that has a color of its own, or None."""
     if shader is None or shader.type in COLOR_INPUTS:
         return shader
     if shader.type in {"MIX_SHADER", "ADD_SHADER"}:

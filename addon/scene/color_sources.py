@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the colours of a scene come from: materials, images, attributes, lights and the world, as plain arrays."""
+"""Where the colors of a scene come from: materials, images, attributes, lights and the world, as plain arrays."""
 
 import math
 import weakref
@@ -32,7 +32,7 @@ class ColorCache:
 
 
 class Gathering:
-    """Colours as a scene is walked over: one entry per native surface, in the scene's order."""
+    """Colors as a scene is walked over: one entry per native surface, in the scene's order."""
 
     def __init__(self, core, cache):
         self._core, self._cache = core, cache
@@ -42,7 +42,7 @@ class Gathering:
         self.unfollowed = set()  # materials whose nodes were not followed
 
     def add_surface(self, obj, mesh, surface, cage, repaired):
-        """The colours of an evaluated mesh whose native surface is given; `cage()`: a context with what a refined one
+        """The colors of an evaluated mesh whose native surface is given; `cage()`: a context with what a refined one
         was made from. Of a repaired one only the materials count: its corners are no longer the mesh's."""
         found = materials.of(obj, mesh)
         if repaired or not len(mesh.loops):
@@ -79,7 +79,7 @@ class Gathering:
         """A sentence about what could not be followed, if anything."""
         names = sorted(self.unfollowed)
         shown = ", ".join(f"'{name}'" for name in names[:3]) + (f" and {len(names) - 3} more" if names[3:] else "")
-        return [f"Colours of nodes that are not followed are drawn as in the viewport: {shown}"] if names else []
+        return [f"Colors of nodes that are not followed are drawn as in the viewport: {shown}"] if names else []
 
     def _source(self, material):
         name = material and material.name_full
@@ -90,7 +90,7 @@ class Gathering:
         return self._sources[name]
 
     def _slot(self, material, corners):
-        """The native slot; where an image, a UV map or an attribute is missing the viewport colour stands for it."""
+        """The native slot; where an image, a UV map or an attribute is missing the viewport color stands for it."""
         source = self._source(material)
         texture = source.image and self._cache.images.texture(source.image)
         uv = corners.uv(source.uv, source.place) if texture else None
@@ -103,7 +103,7 @@ class Gathering:
 
 
 def _world(scene):
-    """Radiance of the sky: the background's colour, or the world's own where nodes make it."""
+    """Radiance of the sky: the background's color, or the world's own where nodes make it."""
     world = scene.world
     if world is None:
         return (0.0, 0.0, 0.0)

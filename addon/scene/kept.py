@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is kept between pictures, and the bound that preferences give to it.
 
-Caches of surfaces (with what was found on them: fields, lines, BVHs) and of colours are registered here. When they
+Caches of surfaces (with what was found on them: fields, lines, BVHs) and of colors are registered here. When they
 hold more than the limit, what was unused longest is let go, until it is enough or only what a snapshot of a scene still
 needs is left: what viewports show, what is being drawn. It is made again when it is needed, so that pictures do not
 depend on it. What allocates memory for Blender holds on to some of it for what comes next.
@@ -15,7 +15,7 @@ MEGABYTE = 1 << 20
 
 _caches = weakref.WeakSet()
 _snapshots = weakref.WeakValueDictionary()  # by their ids
-_limit = 0  # bytes; 0: none
+limit = 0  # bytes; 0: none
 _times = itertools.count(1)
 
 
@@ -35,8 +35,8 @@ def now():
 
 def set_limit(megabytes):
     """From now on; 0: no limit."""
-    global _limit
-    _limit = megabytes * MEGABYTE
+    global limit
+    limit = megabytes * MEGABYTE
     trim()
 
 
@@ -58,12 +58,12 @@ def held():
 
 def trim():
     """Lets go of what is beyond the limit."""
-    if not _limit:
+    if not limit:
         return
     items = held()
     size = sum(item.size for item in items)
     for item in sorted(items, key=lambda item: item.used):
-        if size <= _limit:
+        if size <= limit:
             return
         if item.let_go:
             item.let_go()

@@ -11,7 +11,7 @@ class Slot:
     """A material as a surface needs it."""
 
     name: str  # "" for an empty slot
-    color: tuple = (0.8, 0.8, 0.8, 1.0)  # viewport display colour, scene-linear
+    color: tuple = (0.8, 0.8, 0.8, 1.0)  # viewport display color, scene-linear
     hides: bool = True
     holdout: bool = False
     lines: bool = field(default=True, compare=False)  # whether its faces have lines; the surface is the same without

@@ -191,9 +191,9 @@ def placements(depsgraph, viewport):
             shown.append(None)
             continue
         owner = (instance.parent if instance.is_instance else None) or obj
-        worn = [slot.material and slot.material.name_full for slot in obj.material_slots]
+        names = [slot.material and slot.material.name_full for slot in obj.material_slots]
         seen = instance.show_self and owner.visible_in_viewport_get(viewport)
-        shown.append((owner.name_full, obj.name_full, seen, worn))
+        shown.append((owner.name_full, obj.name_full, seen, names))
     arrays = _instance_arrays(depsgraph.object_instances)
     kept = np.array([told is not None for told in shown], np.bool_)
     return shown, *(array[kept].tobytes() for array in arrays)

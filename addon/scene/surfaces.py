@@ -39,7 +39,7 @@ class SurfaceCache:
         """`refit`: what moves is followed faster, by rays whose last bits depend on where it was before. Not for final
         renders, whose frames depend on nothing but themselves."""
         self._core, self._refit = core, refit  # the native module
-        self._entries = {}
+        self.entries = {}
         self._asked = {}  # how often each key came up in this pass
         self._buffers = mesh_arrays.Buffers()
         self.rebuilt = []  # surfaces built in this pass
@@ -50,23 +50,23 @@ class SurfaceCache:
     def begin(self):
         """Starts a pass over a depsgraph."""
         self._asked, self.rebuilt, self.moved, self.remarks = {}, [], [], []
-        for entry in self._entries.values():
+        for entry in self.entries.values():
             entry.age += 1
 
     def end(self, kept_passes):
         """Ends it: lets go of surfaces that none of the last `kept_passes` passes asked for."""
-        self._entries = {key: entry for key, entry in self._entries.items() if entry.age < kept_passes}
+        self.entries = {key: entry for key, entry in self.entries.items() if entry.age < kept_passes}
 
     def items(self, needed):
         """The kept.Items: surfaces; those that are needed, by their ids, stay."""
         found = []
-        for key, entry in self._entries.items():
+        for key, entry in self.entries.items():
             let_go = None if id(entry.surface) in needed else partial(self._drop, key)
             found.append(kept.Item(entry.used, _size(entry.surface), let_go))
         return found
 
     def _drop(self, key):
-        gone = self._entries.pop(key).surface
+        gone = self.entries.pop(key).surface
         self.rebuilt = [surface for surface in self.rebuilt if surface is not gone]
         self.moved = [surface for surface in self.moved if surface is not gone]
 
@@ -74,7 +74,7 @@ class SurfaceCache:
         """The native surface of an evaluated mesh. `slots`: its materials; `name` is for messages."""
         key = self._ordered((key, repair))
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
-        entry = self._entries.get(key)
+        entry = self.entries.get(key)
         if entry is None or (entry.topology, entry.positions) != (topology, positions):
             triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
             ngons = self._hashes(triangles.values())
@@ -83,7 +83,7 @@ class SurfaceCache:
             else:
                 whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
                 surface = self._core.Surface(name, self._repaired(name, whole, repair))
-                entry = self._entries[key] = _Entry(surface, topology, positions, ngons)
+                entry = self.entries[key] = _Entry(surface, topology, positions, ngons)
                 self.rebuilt.append(entry.surface)
         entry.age, entry.used = 0, kept.now()
         return entry.surface
@@ -96,10 +96,10 @@ class SurfaceCache:
         key = self._ordered((key, plan, repair))
         _, _, topology, positions = self._read(mesh, slots, with_marks)
         seen = (*topology, *self._hashes(mesh_arrays.creases(mesh, self._buffers)), positions)
-        entry = self._entries.get(key)
+        entry = self.entries.get(key)
         if entry is None or entry.seen != seen:
             with cage() as mesh:
-                entry = self._entries[key] = self._refined(entry, name, mesh, slots, plan, repair, with_marks)
+                entry = self.entries[key] = self._refined(entry, name, mesh, slots, plan, repair, with_marks)
             entry.seen = seen
         entry.age, entry.used = 0, kept.now()
         return entry.surface

@@ -95,7 +95,7 @@ class FOVEA_OT_line_set_move(_Edit, bpy.types.Operator):
 
     bl_idname, bl_label = "fovea.line_set_move", "Move Line Set"
 
-    direction: EnumProperty(name="Direction", description="Before or after its neighbour", items=DIRECTIONS)
+    direction: EnumProperty(name="Direction", description="Before or after its neighbor", items=DIRECTIONS)
 
     def edit(self, held):
         to = held.line_set_index + (-1 if self.direction == "UP" else 1)

@@ -40,7 +40,7 @@ class StylePanel(FoveaPanel):
 
 
 def draw_properties(layout, group, names, heeded=True):
-    """Greyed out where they make no difference."""
+    """Grayed out where they make no difference."""
     column = layout.column()
     column.active = heeded
     for name in names:

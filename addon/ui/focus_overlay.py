@@ -20,12 +20,12 @@ from ..scene.operator import TOLD
 
 SCALE = 0.25  # of the viewport's size, at rest
 LEAST = SCALE / 4  # the same while something changes
-# Colours from focus 0 to 1, in the display's space; what they cover shows through.
+# Colors from focus 0 to 1, in the display's space; what they cover shows through.
 STOPS = np.array([(0.95, 0.25, 0.1), (1.0, 0.8, 0.2), (0.3, 0.75, 0.6), (0.15, 0.3, 0.8)], np.float32)
 OPACITY = 0.45
 
-_shown = {}  # region's address -> _Shown
-_readers = []  # one, while it is needed
+in_regions = {}  # region's address -> _Shown
+readers = []  # one, while it is needed
 
 
 class _Shown:
@@ -75,9 +75,9 @@ class _Shown:
 
 
 def _reader():
-    if not _readers:
-        _readers.append(reading.Reader())
-    return _readers[0]
+    if not readers:
+        readers.append(reading.Reader())
+    return readers[0]
 
 
 def affordable(scale, ms, budget_ms):
@@ -102,7 +102,7 @@ def _draw():
     if not focus_kinds.of(context.scene.fovea).is_on:
         return
     try:
-        shown = _shown.setdefault(context.region.as_pointer(), _Shown())
+        shown = in_regions.setdefault(context.region.as_pointer(), _Shown())
         shown.update(context)
     except TOLD:
         return  # the panels and the engine say what is wrong
@@ -114,7 +114,7 @@ def _draw():
 
 def _refine():
     """Has what was drawn coarsely drawn again when all rests: a timer, there only until then."""
-    coarse = [shown for shown in _shown.values() if shown.scale < SCALE]
+    coarse = [shown for shown in in_regions.values() if shown.scale < SCALE]
     if not all(shown.movement.rests() for shown in coarse):
         return caretaker.TICK
     if coarse:
@@ -139,14 +139,14 @@ def _redraw(manager):
 def _changed(_scene, depsgraph):
     """Something in the scene changed, unless it was us who read a cage: it is read again when it is shown next."""
     if not subdivision.is_echo(depsgraph.updates):
-        for shown in list(_shown.values()):
+        for shown in list(in_regions.values()):
             shown.forget()
 
 
 @persistent
 def _forget(*_arguments):
-    _shown.clear()
-    _readers.clear()
+    in_regions.clear()
+    readers.clear()
     if bpy.app.timers.is_registered(_refine):
         bpy.app.timers.unregister(_refine)
 
@@ -159,29 +159,29 @@ def _in_popover(self, context):
 
 
 _HANDLERS = (("depsgraph_update_post", _changed), ("frame_change_post", _changed), ("load_pre", _forget))
-_handle = None
+handle = None
 
 
 def register():
-    global _handle
+    global handle
     bpy.types.WindowManager.fovea_show_focus = bpy.props.BoolProperty(
         name="Focus as Colors",
         description="Show in 3D viewports what is in focus (red) and out of it (blue), while overlays are shown",
         options={"SKIP_SAVE"},
         update=_toggled,
     )
-    _handle = bpy.types.SpaceView3D.draw_handler_add(_draw, (), "WINDOW", "POST_PIXEL")
+    handle = bpy.types.SpaceView3D.draw_handler_add(_draw, (), "WINDOW", "POST_PIXEL")
     for name, function in _HANDLERS:
         getattr(bpy.app.handlers, name).append(function)
     bpy.types.VIEW3D_PT_overlay.append(_in_popover)
 
 
 def unregister():
-    global _handle
+    global handle
     bpy.types.VIEW3D_PT_overlay.remove(_in_popover)
     for name, function in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(function)
-    bpy.types.SpaceView3D.draw_handler_remove(_handle, "WINDOW")
-    _handle = None
+    bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")
+    handle = None
     del bpy.types.WindowManager.fovea_show_focus
     _forget()

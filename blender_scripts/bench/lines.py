@@ -134,13 +134,13 @@ def steps(native, name, mesh, views):
 
 def eyes_around(mesh, count):
     """Positions on a turn of 40 degrees."""
-    centre, radius = mesh.sphere()
+    center, radius = mesh.sphere()
     turn = np.radians(np.linspace(-20, 20, count))
     x, y, z = TOWARDS
     directions = np.stack(
         [np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y, np.full(count, z)], 1
     )
-    return [tuple(centre + 5 * radius * direction) for direction in directions]
+    return [tuple(center + 5 * radius * direction) for direction in directions]
 
 
 def placed(native, surface, mesh, eye):

@@ -10,15 +10,15 @@ def view(positions, eye, ortho, size=(1024, 1024), fov=90.0):
     orthographic frame does in any case."""
     finite = positions[np.isfinite(positions).all(axis=1)]
     low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
-    centre, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
-    towards = eye if ortho else eye - centre
+    center, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
+    towards = eye if ortho else eye - center
     if not towards.any():
         if ortho:
             raise ValueError("--eye 0,0,0 is no direction")
         towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: lines partly in the frame are found whole
     distance = 2 * radius if ortho else np.linalg.norm(towards)
     backwards = towards / np.linalg.norm(towards)
-    eye = centre + distance * backwards if ortho else eye
+    eye = center + distance * backwards if ortho else eye
     near, far = (0.5 * radius, 4 * radius) if ortho else (1e-3 * max(distance, radius), distance + 2 * radius)
     half = radius if ortho else _half_frame(radius, distance, fov)
     halves = half * np.array(size) / min(size)

@@ -41,7 +41,7 @@ def parse(words):
     parser.add_argument("--corner-angle", type=turn, default=60.0, metavar="DEG", help="paths end at sharper turns")
     parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic")
     parser.add_argument("--degree", type=int, default=0, help="of jets, 2 to 4 (0: automatic)")
-    parser.add_argument("--rings", type=int, default=0, help="of neighbours that jets are fitted to (0: automatic)")
+    parser.add_argument("--rings", type=int, default=0, help="of neighbors that jets are fitted to (0: automatic)")
     parser.add_argument("--smoothing", type=float, default=0.0, metavar="EDGES", help="how far curvature is averaged")
     parser.add_argument("--visible", action="store_true", help="only what is seen, also in pixels")
     parser.add_argument("--hidden", action="store_true", help="with --visible: hidden parts, too")

@@ -47,7 +47,7 @@ def read(path):
 
 
 def _positions(lines):
-    """(V, 3): the first three numbers of each line; weights or colours may follow."""
+    """(V, 3): the first three numbers of each line; weights or colors may follow."""
     numbers = _numbers(lines, float)
     if len(numbers) != 3 * len(lines):
         numbers = _numbers([b" ".join(line.split()[:3]) for line in lines], float)

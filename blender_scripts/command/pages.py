@@ -117,5 +117,5 @@ def names():
 
 
 def file_of(name):
-    """Of a GROUP/PICTURE, relative to addon/docs: grey ones as PNG, others as JPEG."""
+    """Of a GROUP/PICTURE, relative to addon/docs: gray ones as PNG, others as JPEG."""
     return f"{name}.png" if name.startswith(("lines/", "transfers/")) else f"{name}.jpg"

@@ -38,13 +38,13 @@ SHEETS = {  # name: (scene, tiles), after Cole 2009: figures 5.7, 5.8, 5.9, and 
         "office",
         [
             ("1 uniform", [*WATERCOLOR, "--uniform", "both"]),
-            ("2 uniform colour, no lines", [*WATERCOLOR, "--uniform", "both", "--without", "lines"]),
-            ("3 uniform lines, no colour", [*WATERCOLOR, "--uniform", "both", "--without", "colors"]),
+            ("2 uniform color, no lines", [*WATERCOLOR, "--uniform", "both", "--without", "lines"]),
+            ("3 uniform lines, no color", [*WATERCOLOR, "--uniform", "both", "--without", "colors"]),
             ("4 emphasis", WATERCOLOR),
-            ("5 emphasis in colour", [*WATERCOLOR, "--uniform", "lines"]),
+            ("5 emphasis in color", [*WATERCOLOR, "--uniform", "lines"]),
             ("6 emphasis in lines", [*WATERCOLOR, "--uniform", "colors"]),
-            ("7 emphasis in colour, no lines", [*WATERCOLOR, "--without", "lines"]),
-            ("8 emphasis in lines, no colour", [*WATERCOLOR, "--without", "colors"]),
+            ("7 emphasis in color, no lines", [*WATERCOLOR, "--without", "lines"]),
+            ("8 emphasis in lines, no color", [*WATERCOLOR, "--without", "colors"]),
         ],
     ),
 }

@@ -37,7 +37,7 @@ def pipe(name: str, points, radius: float, paint: str, closed: bool = False, loc
 
 
 def lettering(name: str, body: str, height: float, paint: str, location, turn: float = 0.0):
-    """A flat text object that stands upright, centred, readable from -y when not turned."""
+    """A flat text object that stands upright, centered, readable from -y when not turned."""
     data = bpy.data.curves.new(name, "FONT")
     data.body, data.size = body, height
     data.align_x, data.align_y = "CENTER", "CENTER"

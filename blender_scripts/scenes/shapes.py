@@ -94,10 +94,10 @@ def sweep(name: str, path, radius, sides: int = 16, closed: bool = False):
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
     side = np.cross(tangent[0], np.eye(3)[np.abs(tangent[0]).argmin()])
     rings, angle = [], np.linspace(0, 2 * math.pi, sides, endpoint=False)
-    for centre, along, r in zip(path, tangent, radius):  # the frame is carried along, so that it never flips
+    for center, along, r in zip(path, tangent, radius):  # the frame is carried along, so that it never flips
         side = side - along * (side @ along)
         side /= np.linalg.norm(side)
-        rings.append(centre + r * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(along, side)))
+        rings.append(center + r * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(along, side)))
     faces = quads(len(path), sides, wrap_rows=closed, wrap_columns=True).tolist()
     if not closed:
         faces += [list(range(sides)), list(range((len(path) - 1) * sides, len(path) * sides))]

@@ -23,7 +23,7 @@ def clear():
 
 
 def frame():
-    """A 1920 x 1080 picture on a white world. Standard view transform: AgX would print white paper grey."""
+    """A 1920 x 1080 picture on a white world. Standard view transform: AgX would print white paper gray."""
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = 1920, 1080
     scene.render.resolution_percentage = 100
@@ -63,13 +63,13 @@ def sun(azimuth: float, elevation: float, strength: float = 3.0):
     return made
 
 
-def material(name: str, colour: tuple[float, float, float]):
-    """The material of that name, made on first use; `colour` is scene-linear, the same in Workbench and in shaders."""
+def material(name: str, color: tuple[float, float, float]):
+    """The material of that name, made on first use; `color` is scene-linear, the same in Workbench and in shaders."""
     found = bpy.data.materials.get(name)
     if found:
         return found
     made = bpy.data.materials.new(name)
-    made.diffuse_color = (*colour, 1)
+    made.diffuse_color = (*color, 1)
     made.roughness = 0.8
     if made.node_tree is None:  # from 5.0 on every material has nodes, and the switch is deprecated
         made.use_nodes = True

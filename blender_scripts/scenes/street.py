@@ -70,7 +70,7 @@ def setts(name: str, places, location=(0, 0, 0), turn: float = 0.0):
     put(shapes.joined(name, stones), "stone", location, turn)
 
 
-def cobbles(centre, turn: float, rows: int, columns: int, seed: int):
+def cobbles(center, turn: float, rows: int, columns: int, seed: int):
     """A patch of setts laid in arcs, thinning out from its middle."""
     draw, places = random.Random(seed), []
     for row in range(rows):
@@ -82,7 +82,7 @@ def cobbles(centre, turn: float, rows: int, columns: int, seed: int):
             spin = math.atan(0.6 * u / columns / 0.105) + draw.uniform(-0.06, 0.06)
             x, y = x + draw.uniform(-0.008, 0.008), y + draw.uniform(-0.008, 0.008)
             places.append((x, y, spin, draw.uniform(0.88, 1.04)))
-    setts("Cobbles", places, centre, turn)
+    setts("Cobbles", places, center, turn)
 
 
 def edging(path, seed: int):

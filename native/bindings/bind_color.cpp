@@ -44,10 +44,10 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
 }  // namespace
 
 void bind_color(py::module_& m) {
-    py::class_<ColorTexture, std::shared_ptr<ColorTexture>>(m, "ColorTexture", "An image of base colours.")
+    py::class_<ColorTexture, std::shared_ptr<ColorTexture>>(m, "ColorTexture", "An image of base colors.")
         .def(py::init(&make_texture), py::arg("pixels"), py::arg("encoded"),
              "(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear.");
-    py::class_<ColorSlot>(m, "ColorSlot", "What a material says about colour.")
+    py::class_<ColorSlot>(m, "ColorSlot", "What a material says about color.")
         .def(py::init([](const vec3& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
                          std::optional<Index> attribute, bool unlit) {
                  return ColorSlot{color, std::move(texture), uv.value_or(none), attribute.value_or(none), unlit};
@@ -55,7 +55,7 @@ void bind_color(py::module_& m) {
              py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
              py::arg("attribute") = py::none(), py::arg("unlit") = false);
     py::class_<SurfaceColor, std::shared_ptr<SurfaceColor>>(m, "SurfaceColor",
-                                                            "Colours of a surface; see native/fovea/color/source.h.")
+                                                            "Colors of a surface; see native/fovea/color/source.h.")
         .def(py::init(&make_surface_color), py::arg("slots"), py::arg("normals") = py::none(),
              py::arg("uvs") = std::vector<Arg<vec2>>(), py::arg("attributes") = std::vector<Arg<vec3>>(),
              "normals (C, 3), each of uvs (C, 2), each of attributes (C, 3): float32 per corner of the mesh.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The edges of a texel's triangle near its centre, in integers (native/fovea/visibility/triangle_edges.h). C++ compiles
+// The edges of a texel's triangle near its center, in integers (native/fovea/visibility/triangle_edges.h). C++ compiles
 // this file, too, as members of a struct.
 
 // An edge in 16 bits: 256 directions, evenly spread over the diamond |x| + |y| = 1, times 256 + the distance in [0, 1] in
@@ -28,7 +28,7 @@ vec2 pack_edges(int a, int b, int c)
   return vec2(float(a * 256 + c / 256), float(b * 256 + c % 256));
 }
 
-// (distance, normal) of an edge of a code: (x, y) texels from the centre lie inside where distance + normal . (x, y) >= 0,
+// (distance, normal) of an edge of a code: (x, y) texels from the center lie inside where distance + normal . (x, y) >= 0,
 // |normal.x| + |normal.y| = 1.
 vec3 edge_of_code(int code)
 {
@@ -43,7 +43,7 @@ bool edge_holds(int code, vec2 off)
   return edge.x + edge.y * off.x + edge.z * off.y >= 0.0f;
 }
 
-// True where `off` texels from the centre lie inside all three.
+// True where `off` texels from the center lie inside all three.
 bool packed_edges_hold(vec2 packed_edges, vec2 off)
 {
   int a = int(packed_edges.x), b = int(packed_edges.y);

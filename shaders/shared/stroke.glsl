@@ -5,7 +5,7 @@
 //   float ink_row(int first, ivec2 size, int row)  mean of a row of the texture whose first texel is number `first`
 
 // Share of the pixel that the stroke covers, in [0, 1]. All in px: u along the path, v across, u of the run's start and
-// end, half the drawn width. The edge is a ramp one pixel wide, centred on the true edge.
+// end, half the drawn width. The edge is a ramp one pixel wide, centered on the true edge.
 float stroke_coverage(float u, float v, float start, float end, float half_width_px, bool round_cap)
 {
   if (round_cap) {

@@ -3,7 +3,7 @@
 
 Drawings are mostly paper, so shares of all pixels hide what matters; two measures of the ink take their place:
 
-- `share`: of the pixels that have ink in either picture, how many differ at all. Sees tone, width, colour, a wrong
+- `share`: of the pixels that have ink in either picture, how many differ at all. Sees tone, width, color, a wrong
   style.
 - `cluster`: where most pixels of a small window have lost, gained or changed half of their ink or more. Sees one
   short line that is missing, new or moved, in a drawing with thousands. Antialiasing that is a little different
@@ -27,7 +27,7 @@ MOST_CLUSTER = 6  # pixels: half of a window's width, as a line one pixel wide
 class Comparison:
     share: float
     cluster: int  # pixels, of the worst window
-    difference: np.ndarray = field(repr=False)  # (H, W, 3): grey ink is in both, red was lost, blue was gained
+    difference: np.ndarray = field(repr=False)  # (H, W, 3): gray ink is in both, red was lost, blue was gained
 
     @property
     def passed(self):
@@ -72,7 +72,7 @@ def _most_in_a_window(mask):
 
 
 def _difference(ink_one, ink_other, changed):
-    """What is in both in a light grey, what changed in full colour, so that it is seen at a glance."""
+    """What is in both in a light gray, what changed in full color, so that it is seen at a glance."""
     picture = np.repeat(1 - 0.3 * np.minimum(ink_one, ink_other)[..., None], 3, axis=2)
     picture[changed & (ink_one >= ink_other)] = (0.9, 0.1, 0.0)
     picture[changed & (ink_one < ink_other)] = (0.0, 0.2, 0.9)

@@ -21,9 +21,9 @@ def ends(found):
     return {tuple(point) for point in np.round(found["points"], 4).tolist()}
 
 
-def corners(centre, half=1.0):
+def corners(center, half=1.0):
     return {
-        tuple(np.add(centre, (x, y, z)).tolist()) for x in (-half, half) for y in (-half, half) for z in (-half, half)
+        tuple(np.add(center, (x, y, z)).tolist()) for x in (-half, half) for y in (-half, half) for z in (-half, half)
     }
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Base colours of every source, lights, and the colour layer in pictures and passes."""
+"""Base colors of every source, lights, and the color layer in pictures and passes."""
 
 import bpy
 import numpy as np
@@ -12,7 +12,7 @@ session, style = part("render.session"), part("style")
 
 @pytest.fixture
 def scene(monkeypatch):
-    """A square that fills the picture, seen from above, in flat colours and without lines."""
+    """A square that fills the picture, seen from above, in flat colors and without lines."""
     made = box_scene()
     bpy.data.objects.remove(bpy.data.objects["Box"])
     camera = made.camera
@@ -30,7 +30,7 @@ def scene(monkeypatch):
 
 
 def colored(monkeypatch, paper=None, **values):
-    """Draws with a colour layer, whatever the panel says."""
+    """Draws with a color layer, whatever the panel says."""
     original = part("render.properties").style_of
 
     def style_of(scene):
@@ -56,9 +56,9 @@ def painted(square_material):
 
 
 def layer_of(scene, tmp_path):
-    """(H, W, 3) of the Colour pass, rows from the bottom."""
+    """(H, W, 3) of the Color pass, rows from the bottom."""
     found = layered(scene, tmp_path / "layer.exr")
-    names = {name.rpartition("Colour.")[2]: pixels for name, pixels in found.items() if "Colour." in name}
+    names = {name.rpartition("Color.")[2]: pixels for name, pixels in found.items() if "Color." in name}
     return np.stack([names[channel] for channel in "RGB"], 2)
 
 
@@ -77,7 +77,7 @@ def textured(made, tree, shader):
 
 
 def corners_of(picture):
-    """Colours near the square's lower left, lower right, upper left and upper right, as the camera sees them."""
+    """Colors near the square's lower left, lower right, upper left and upper right, as the camera sees them."""
     height, width = picture.shape[:2]
     return [picture[y, x] for y in (height // 4, 3 * height // 4) for x in (width // 4, 3 * width // 4)]
 
@@ -123,10 +123,10 @@ def test_an_image_lies_on_the_active_map(scene, tmp_path, kind):
         assert np.allclose(found, expected, atol=0.01)
 
 
-def test_bytes_are_decoded_as_their_colour_space_says(scene, tmp_path):
+def test_bytes_are_decoded_as_their_color_space_says(scene, tmp_path):
     made, shader, tree = material()
-    pixels = image("Grey", np.full((4, 4, 4), 0.5))
-    pixels.pack()  # Blender makes generated ones anew for another colour space
+    pixels = image("Gray", np.full((4, 4, 4), 0.5))
+    pixels.pack()  # Blender makes generated ones anew for another color space
     textured(pixels, tree, shader)
     painted(made)
     assert np.allclose(layer_of(scene, tmp_path), 0.2140, atol=0.003)
@@ -157,7 +157,7 @@ def test_a_named_map_and_a_mapping(scene, tmp_path):
     assert np.allclose(layer_of(scene, tmp_path), (0, 1, 0), atol=0.01)
 
 
-def test_a_missing_image_leaves_the_viewport_colour(scene, tmp_path):
+def test_a_missing_image_leaves_the_viewport_color(scene, tmp_path):
     made, shader, tree = material()
     pixels = bpy.data.images.new("Gone", 4, 4)
     pixels.source, pixels.filepath = "FILE", str(tmp_path / "gone.png")
@@ -177,7 +177,7 @@ def test_an_attribute_of_the_mesh(scene, tmp_path, domain, kind):
     assert np.allclose(layer_of(scene, tmp_path), (0.25, 0.5, 1), atol=0.01)
 
 
-def test_a_mesh_without_materials_shows_its_active_colours(scene, tmp_path):
+def test_a_mesh_without_materials_shows_its_active_colors(scene, tmp_path):
     mesh = bpy.data.objects["Square"].data
     assert np.allclose(layer_of(scene, tmp_path), 0.8, atol=1e-4)
     attribute = mesh.color_attributes.new("Col", "FLOAT_COLOR", "POINT")
@@ -253,7 +253,7 @@ def test_paper_settles_pigment(scene, tmp_path, monkeypatch):
 
 def test_a_plain_style_has_no_layer(scene, tmp_path, monkeypatch):
     colored(monkeypatch)
-    assert not any("Colour." in name for name in layered(scene, tmp_path / "plain.exr"))
+    assert not any("Color." in name for name in layered(scene, tmp_path / "plain.exr"))
 
 
 def test_a_viewport_without_a_mesh_or_lights_is_still_drawn(scene, tmp_path):

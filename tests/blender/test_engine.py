@@ -40,7 +40,7 @@ def test_an_animation_writes_every_frame(scene, tmp_path):
     assert all(ink(frame).max() > 0.9 for frame in frames)
     assert not np.array_equal(frames[0], frames[1]) and not np.array_equal(frames[1], frames[2])
     # The box moved, its mesh did not.
-    assert session._readers["RENDER"].surfaces.rebuilt == []
+    assert session.readers["RENDER"].surfaces.rebuilt == []
 
 
 def test_markers_switch_the_camera(scene, tmp_path):

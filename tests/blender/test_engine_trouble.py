@@ -97,7 +97,7 @@ def test_what_was_left_out_is_said_once():
     report = SimpleNamespace(
         **dict.fromkeys(part("scene.surfaces").REMARKS, 0) | {"degenerate_polygons": 3, "non_finite_vertices": 1}
     )
-    session._report_skipped(engine, [SimpleNamespace(name="Box", report=report)])
+    session.report_skipped(engine, [SimpleNamespace(name="Box", report=report)])
     ((kind, message),) = said
     assert kind == {"INFO"} and "'Box'" in message and "3 faces have no area" in message and "loose" not in message
 
@@ -126,7 +126,7 @@ class StoppedEngine:
 def test_cancel_reaches_what_runs_natively():
     cancel = native.load().Cancel()
     engine = StoppedEngine()
-    with session._watched(engine, cancel):
+    with session.watched(engine, cancel):
         for _ in range(100):
             if cancel.requested:
                 break

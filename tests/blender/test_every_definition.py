@@ -127,8 +127,8 @@ def test_a_sheet_has_a_labelled_tile_for_every_definition(contact_sheet):
     assert len({tile.tobytes() for tile in drawn_tiles}) == len(NAMES)
 
 
-def test_a_sheet_is_a_small_grey_file(contact_sheet):
-    header = contact_sheet.read_bytes()[24:26]  # bit depth and colour type of a PNG
+def test_a_sheet_is_a_small_gray_file(contact_sheet):
+    header = contact_sheet.read_bytes()[24:26]  # bit depth and color type of a PNG
     assert tuple(header) == (8, 0)
     assert contact_sheet.stat().st_size < 300_000
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The focus tools from scripts: picking, what gizmos drag, the overlay's colours."""
+"""The focus tools from scripts: picking, what gizmos drag, the overlay's colors."""
 
 from types import SimpleNamespace
 
@@ -172,7 +172,7 @@ def test_a_dragged_ring_goes_through_the_pointer(scene, model):
     seen, settings = look(frame=(40, 20, 300, 150)), scene.fovea
     settings.focus_model, settings.focus_location = model, (1, 0.5, 2)
     kind = KINDS[model]
-    middle = seen.centre(settings, kind)
+    middle = seen.center(settings, kind)
     for name, name_of in zip(("near", "far"), kind.radii):
         gizmos.drag(seen, settings, kind, name, middle, at(middle.x + 30, middle.y + 40))
         assert getattr(settings, name_of) * seen.unit(settings, kind) == pytest.approx(50, abs=1e-3)
@@ -181,7 +181,7 @@ def test_a_dragged_ring_goes_through_the_pointer(scene, model):
 def test_radii_stay_in_order(scene):
     seen, settings = look(), scene.fovea
     settings.focus_model, kind = "SCENE", KINDS["SCENE"]
-    middle = seen.centre(settings, kind)
+    middle = seen.center(settings, kind)
     gizmos.drag(seen, settings, kind, "far", middle, at(middle.x + 10, middle.y))
     assert settings.focus_near_distance == settings.focus_far_distance
     gizmos.drag(seen, settings, kind, "near", middle, at(middle.x + 80, middle.y))
@@ -193,7 +193,7 @@ def test_a_dragged_middle_is_under_the_pointer(scene):
     settings.focus_location = (1, 0.5, 2)
     for kind in (KINDS["SCENE"], KINDS["IMAGE"]):
         gizmos.drag(seen, settings, kind, "middle", None, at(130, 90))
-        assert (seen.centre(settings, kind) - Vector((130, 90))).length < 1e-2
+        assert (seen.center(settings, kind) - Vector((130, 90))).length < 1e-2
     assert settings.focus_location.z == pytest.approx(2, abs=1e-5), "it moves across the view"
     assert settings.focus_place[0] == pytest.approx(90 / 300) and settings.focus_place[1] == pytest.approx(1 - 70 / 150)
 
@@ -238,7 +238,7 @@ def leftovers():
     handlers = {name: len(functions) for name, functions in kept.items() if isinstance(functions, list)}
     menus = [bpy.types.TOPBAR_MT_render, bpy.types.VIEW3D_PT_overlay]
     drawn = [len(menu._dyn_ui_initialize()) for menu in menus]
-    return handlers, drawn, hasattr(bpy.types.WindowManager, "fovea_show_focus"), overlay._handle is None
+    return handlers, drawn, hasattr(bpy.types.WindowManager, "fovea_show_focus"), overlay.handle is None
 
 
 def test_registered_and_unregistered_again_and_again_they_leave_nothing(scene):

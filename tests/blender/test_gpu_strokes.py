@@ -77,7 +77,7 @@ def test_strokes_that_thin_and_fade_with_strength():
         pen = style.Pen(width=7.0, strength_width=share)
         chosen = style.Style(line_sets=(style.LineSet(kinds=kinds, least_length=0, pen=pen),))
         drawn, off, strokes = on_both(scene_of([(hills(), np.eye(4))]), chosen)
-        # Where a wide stroke folds, either may give single pixels to the neighbouring triangle.
+        # Where a wide stroke folds, either may give single pixels to the neighboring triangle.
         assert off.mean() < 1e-4 and (off > 0.02).sum() <= 4 and off.max() < 0.1
         assert np.ptp(strokes.half_width) > 1 if share else np.ptp(strokes.half_width) == 0
         pictures.append(drawn)
@@ -86,7 +86,7 @@ def test_strokes_that_thin_and_fade_with_strength():
 
 
 def test_strokes_on_their_way_out_of_focus():
-    """Colour, ink, width and opacity between two pens, by a focus that falls off over the image."""
+    """Color, ink, width and opacity between two pens, by a focus that falls off over the image."""
     pen = style.Pen(color=(1, 0, 0), width=5)
     away = style.Pen(color=(0, 0, 1), width=2, opacity=0.5, texture="pencil")
     lines = style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0, pen=pen, pen_away=away)

@@ -46,7 +46,7 @@ def test_depth(orthographic, scale):
 
 
 def edges_reach(packed, off):
-    """(n,) how far inside their triangles places `off` texels beside the centres are, below 0 outside;
+    """(n,) how far inside their triangles places `off` texels beside the centers are, below 0 outside;
     native/fovea/visibility/triangle_edges.h."""
     a, b = packed.astype(np.int64).T
     codes = np.stack((a // 256, b // 256, a % 256 * 256 + b % 256))
@@ -138,15 +138,15 @@ def test_surfaces_stay_on_the_gpu_until_they_are_gone():
     layout = core.DepthLayout(view_of(), 1)
     two = scene_of([(crate, moved((0, 0, 0))), (crate, moved((1, 2, 0)))])
     backend.draw_depth(two, view_of(), layout)
-    (batch,) = backend._surfaces.values()
+    (batch,) = backend.surfaces.values()
     backend.draw_depth(two, view_of(eye=(3, 3, 3)), layout)
-    assert list(backend._surfaces.values()) == [batch]
+    assert list(backend.surfaces.values()) == [batch]
     crate.set_positions(crate.positions * 2)
     backend.draw_depth(two, view_of(), layout)
-    (other,) = backend._surfaces.values()
+    (other,) = backend.surfaces.values()
     assert other is not batch
     backend.draw_depth(scene_of([(box(), moved((0, 0, 0)))]), view_of(), layout)
-    assert other not in backend._surfaces.values()
+    assert other not in backend.surfaces.values()
 
 
 def test_state_is_left_as_it_was():

@@ -32,7 +32,7 @@ def scene():
 
 def surfaces_kept():
     return sorted(
-        entry.surface.name for reader in session._readers.values() for entry in reader.surfaces._entries.values()
+        entry.surface.name for reader in session.readers.values() for entry in reader.surfaces.entries.values()
     )
 
 
@@ -42,7 +42,7 @@ def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, 
     assert whole > 10 and len(surfaces_kept()) == 4
     kept.set_limit(int(whole) + 1)
     again = drawn(scene, tmp_path / "b.png")
-    assert len(surfaces_kept()) == 4 and session._readers["RENDER"].surfaces.rebuilt == []
+    assert len(surfaces_kept()) == 4 and session.readers["RENDER"].surfaces.rebuilt == []
     kept.set_limit(int(0.5 * whole))
     assert 0 < megabytes() <= 0.5 * whole, "at once"
     bounded = drawn(scene, tmp_path / "c.png")
@@ -55,7 +55,7 @@ def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, 
 
 def test_the_longest_unused_goes_first(scene, tmp_path):
     drawn(scene, tmp_path / "a.png")
-    entries = session._readers["RENDER"].surfaces._entries
+    entries = session.readers["RENDER"].surfaces.entries
     order = [entry.surface.name for entry in sorted(entries.values(), key=lambda entry: entry.used)]
     kept.set_limit(int(0.75 * megabytes()))
     assert 1 < len(surfaces_kept()) < 4 and surfaces_kept() == sorted(order[-len(surfaces_kept()) :])
@@ -87,7 +87,7 @@ def test_images_of_materials_count_and_go(scene, tmp_path):
     mesh.materials.append(material)
     assert held.color.shading != "PLAIN"
     first = drawn(scene, tmp_path / "a.png")
-    colors = session._readers["RENDER"].colors
+    colors = session.readers["RENDER"].colors
     assert colors.items(set())[0].size == 4 * 1024 * 1024 * 4 // 3
     kept.set_limit(1)
     gc.collect()
@@ -101,11 +101,11 @@ def test_what_a_snapshot_needs_stays(scene, tmp_path):
     depsgraph = bpy.context.evaluated_depsgraph_get()
     found = read.read(depsgraph, part("render.properties").style_of(scene))
     kept.set_limit(1)
-    assert len(read.surfaces._entries) == 4, "somebody still looks at it"
+    assert len(read.surfaces.entries) == 4, "somebody still looks at it"
     del found
     gc.collect()
     kept.trim()
-    assert len(read.surfaces._entries) == 0
+    assert len(read.surfaces.entries) == 0
 
 
 def test_the_preference_sets_the_limit(scene):
@@ -116,4 +116,4 @@ def test_the_preference_sets_the_limit(scene):
         log_level, threads, memory_limit = "WARNING", 0, 7
 
     preferences.apply(Wanted)
-    assert kept._limit == 7 * kept.MEGABYTE
+    assert kept.limit == 7 * kept.MEGABYTE

@@ -193,7 +193,7 @@ def test_there_is_a_report_whatever_the_scene():
 
 def test_reasons_are_told_once():
     reasons = {f"Ball{i}": "a sphere" for i in range(5)} | {"Cube": "a box"}
-    assert list(report._grouped(reasons)) == ["'Ball0', 'Ball1', 'Ball2' and 2 more: a sphere", "'Cube': a box"]
+    assert list(report.grouped(reasons)) == ["'Ball0', 'Ball1', 'Ball2' and 2 more: a sphere", "'Cube': a box"]
 
 
 def test_without_the_native_module_tools_say_why_not(scene, monkeypatch):

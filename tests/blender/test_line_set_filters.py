@@ -162,7 +162,7 @@ def test_viewports_hear_of_each_change(striped):
     told = []
 
     def note(_scene, depsgraph):
-        told.append(list(depsgraph.updates) and not changes._are_harmless(list(depsgraph.updates)))
+        told.append(list(depsgraph.updates) and not changes.are_harmless(list(depsgraph.updates)))
 
     bpy.context.view_layer.update()
     bpy.app.handlers.depsgraph_update_post.append(note)

@@ -199,14 +199,14 @@ def test_lines_are_as_dense_as_is_painted(crowded, tmp_path):
     for mesh in meshes:
         paint(mesh, lambda x, y: 0.0, name="black")
         paint(mesh, lambda x, y: 1.0, name="white")
-        paint(mesh, lambda x, y: 0.5, name="grey")
+        paint(mesh, lambda x, y: 0.5, name="gray")
     bare = sides(scene, tmp_path)
     inks = {}
-    for name in ("black", "grey", "white"):
+    for name in ("black", "gray", "white"):
         own_style(scene).elision.density_attribute = name
         inks[name] = sides(scene, tmp_path)
     assert min(inks["white"]) > 0.3 and min(inks["black"]) < 0.1
-    assert inks["grey"] == bare
+    assert inks["gray"] == bare
 
 
 def test_lines_are_as_dense_as_an_image_says(crowded, tmp_path):

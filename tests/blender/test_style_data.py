@@ -216,8 +216,8 @@ def test_keyed_and_driven_numbers_arrive_in_the_pictures_of_an_animation(tmp_pat
     scene.render.filepath = str(tmp_path / "frame_")
     bpy.ops.render.render(animation=True)
     pictures = [pixels_of(tmp_path / f"frame_{frame:04}.png") for frame in (1, 2, 3)]
-    grey = [picture[0, 0, 0] for picture in pictures]
-    linear = [((v + 0.055) / 1.055) ** 2.4 for v in grey]
+    gray = [picture[0, 0, 0] for picture in pictures]
+    linear = [((v + 0.055) / 1.055) ** 2.4 for v in gray]
     assert linear == pytest.approx([0.25, 0.5, 0.75], abs=0.01)
     covered = [np.mean(ink(p) > 0.5 * (1 + ink(p)[0, 0])) for p in pictures]
     assert covered[0] < 0.75 * covered[1] < 0.7 * covered[2]

@@ -125,7 +125,7 @@ def test_surfaces_that_are_gone_are_let_go():
     in_viewport(cache)
     bpy.data.objects.remove(obj)
     in_viewport(cache)
-    assert not cache._entries
+    assert not cache.entries
 
 
 def test_objects_ask_for_curvature_of_their_own():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Visibility panel: what does not apply to a method is greyed out."""
+"""The Visibility panel: what does not apply to a method is grayed out."""
 
 from types import SimpleNamespace
 
@@ -17,7 +17,7 @@ APPLIES = {  # method: the settings that make a difference
 
 
 class Layout:
-    """Stands in for a panel's; its parts are greyed out with it."""
+    """Stands in for a panel's; its parts are grayed out with it."""
 
     def __init__(self, told, above=None):
         self.told, self.above, self.active, self.enabled = told, above, True, True

@@ -75,7 +75,7 @@ Mesh sphere(int n);
 /// n quads around z, radius 1, from z = -1 to 1, open at both ends.
 Mesh cylinder(int n);
 
-/// One-sided strip of n quads: exactly one edge where neighbours disagree about which side is out.
+/// One-sided strip of n quads: exactly one edge where neighbors disagree about which side is out.
 Mesh moebius(int n);
 
 /// Two boxes that touch along one edge: four polygons meet there.

@@ -79,11 +79,11 @@ inline float largest_alpha(const Array<vec4>& image) {
 }
 
 /// Points on a circle, the first repeated at the end.
-inline std::vector<vec2> circle(dvec2 centre, double radius, int count) {
+inline std::vector<vec2> circle(dvec2 center, double radius, int count) {
     std::vector<vec2> line;
     for (int i = 0; i <= count; ++i) {
         const double a = 2.0 * std::numbers::pi * (i % count) / count;
-        line.push_back(vec2(centre + radius * dvec2(std::cos(a), std::sin(a))));
+        line.push_back(vec2(center + radius * dvec2(std::cos(a), std::sin(a))));
     }
     return line;
 }

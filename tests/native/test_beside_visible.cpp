@@ -62,8 +62,8 @@ TEST(BesideVisible, OnlyThePartBesideIsCut) {
 TEST(BesideVisible, LinesThatCrossStayWhole) {
     for (int degrees : {15, 30, 60, 90, 165}) {
         const float a = float(degrees * 3.14159265 / 180.0);
-        const vec2 way(100.0f * std::cos(a), 100.0f * std::sin(a)), centre(110, 50);
-        EXPECT_NEAR(Lines({{{10, 50}, {210, 50}}, {centre - way, centre + way}}).left(1), 200.0, 1e-3) << degrees;
+        const vec2 way(100.0f * std::cos(a), 100.0f * std::sin(a)), center(110, 50);
+        EXPECT_NEAR(Lines({{{10, 50}, {210, 50}}, {center - way, center + way}}).left(1), 200.0, 1e-3) << degrees;
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colour layer, its effects and paper: the same for any number of threads, sound on poor input.
+// The color layer, its effects and paper: the same for any number of threads, sound on poor input.
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>

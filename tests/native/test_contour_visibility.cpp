@@ -62,12 +62,12 @@ Truth truth_of(const Body& body, dvec3 point, const dvec3& eye) {
 }
 
 /// What one frame says of a body's contour. Places: along the contour, 720 each way around.
-struct Glance {
+struct Measured {
     double seen_px = 0.0, lost_px = 0.0, hidden_px = 0.0, leaked_px = 0.0;
     int breaks = 0;
     std::map<int, std::pair<Truth, bool>> at;  // place -> truth, whether it is drawn
 
-    Glance(const Body& body, const std::shared_ptr<const Surface>& surface, const View& view) {
+    Measured(const Body& body, const std::shared_ptr<const Surface>& surface, const View& view) {
         const Drawing drawing({{surface, dmat4(1.0), 1}}, view, {line_set({"smooth_contour"})});
         const ClippedPaths& clipped = drawing.clipped;
         const Array<float> visible = samples_from_runs(clipped, drawing.runs);
@@ -115,20 +115,20 @@ struct Orbit {
         std::map<int, std::pair<Truth, bool>> last;
         for (int k = 0; k < 20; ++k) {
             const double turn = 0.3 + 0.005 * k;
-            const Glance glance(body, surface,
-                                perspective({4 * std::cos(turn), 4 * std::sin(turn), 2.6}, {0, 0, 0}, 50));
-            seen_px += glance.seen_px + glance.lost_px;
-            hidden_px += glance.hidden_px + glance.leaked_px;
-            lost += glance.lost_px;
-            leaked += glance.leaked_px;
-            breaks += glance.breaks;
-            for (const auto& [where, now] : glance.at) {
+            const Measured measured(body, surface,
+                                    perspective({4 * std::cos(turn), 4 * std::sin(turn), 2.6}, {0, 0, 0}, 50));
+            seen_px += measured.seen_px + measured.lost_px;
+            hidden_px += measured.hidden_px + measured.leaked_px;
+            lost += measured.lost_px;
+            leaked += measured.leaked_px;
+            breaks += measured.breaks;
+            for (const auto& [where, now] : measured.at) {
                 const auto then = last.find(where);
                 if (then == last.end() || now.first == unsure || then->second.first != now.first) continue;
                 ++compared;
                 changed += then->second.second != now.second;
             }
-            last = glance.at;
+            last = measured.at;
         }
         EXPECT_GT(seen_px, 20 * 500.0) << body.name;
         EXPECT_GT(compared, 20 * 100) << body.name;

@@ -32,7 +32,7 @@ Curves find(const Surface& surface, const char* name, const dvec3& towards = dve
     return rule_of<CurveRule>(name).find(seen_from(surface, glm::normalize(towards), true), values);
 }
 
-/// Away from the border of a grid over [-1, 1]^2, where neighbourhoods are one-sided.
+/// Away from the border of a grid over [-1, 1]^2, where neighborhoods are one-sided.
 Curves inner(const Curves& curves) {
     Curves kept;
     for (const CurvePiece& p : curves)

@@ -123,7 +123,7 @@ TEST(Depth, EmptySceneIsBackground) {
     }
 }
 
-TEST(Depth, BothSidesAreDrawnAndNeighboursLeaveNoGap) {
+TEST(Depth, BothSidesAreDrawnAndNeighborsLeaveNoGap) {
     Mesh mesh;
     mesh.add(vec3(-9, -9, -5), vec3(9, -9, -5), vec3(9, 9, -5));
     mesh.add(vec3(-9, -9, -5), vec3(-9, 9, -5), vec3(9, 9, -5));  // wound the other way

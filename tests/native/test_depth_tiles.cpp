@@ -98,7 +98,7 @@ TEST(DepthTiles, TexelsAreThoseOfTheWhole) {
                     }
             }
             EXPECT_GT(shown, all / 4);
-            EXPECT_GE(same + 2, all) << orthographic << " " << scale;  // a centre may lie on an edge
+            EXPECT_GE(same + 2, all) << orthographic << " " << scale;  // a center may lie on an edge
         }
 }
 

@@ -127,7 +127,7 @@ TEST(Extract, CachedLinesFollowTheParameters) {
                 EXPECT_EQ(creases(angle), all);
             }
             if (angle > 12) {
-                EXPECT_EQ(creases(angle), 0u) << "neighbours differ by 11.25 degrees";
+                EXPECT_EQ(creases(angle), 0u) << "neighbors differ by 11.25 degrees";
             }
             if (angle == 11.5) {
                 EXPECT_LT(creases(angle), creases(5.0));

@@ -150,8 +150,8 @@ TEST(FieldConditions, BoxIsFlatUpToItsEdges) {
 TEST(FieldConditions, AFoldIsHardWhereTheSurfaceBesideItIsSmooth) {
     const auto hard_vertices = [](const Mesh& mesh) {
         const auto surface = mesh.surface();
-        const auto neighbours = neighbours_of(*surface);
-        return std::count(neighbours->hard.begin(), neighbours->hard.end(), 1);
+        const auto neighbors = neighbors_of(*surface);
+        return std::count(neighbors->hard.begin(), neighbors->hard.end(), 1);
     };
     Mesh sheet = meshes::grid(8);
     for (vec3& p : sheet.positions)

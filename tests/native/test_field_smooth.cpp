@@ -21,7 +21,7 @@ Array<Curvature> exact(const Sample& sample) {
 }
 
 Array<Curvature> smoothed(const Surface& surface, const Array<Curvature>& curvature, double deviation) {
-    return smooth(surface, *neighbours_of(surface), curvature, deviation);
+    return smooth(surface, *neighbors_of(surface), curvature, deviation);
 }
 
 Sample noisy_torus(double share_of_edge) {
@@ -96,7 +96,7 @@ TEST(FieldSmooth, DoesNotCrossHardEdges) {
         return dvec3(3 * u, 1 - std::cos(a), std::sin(a));
     });
     const auto surface = mesh.surface();
-    const auto neighbours = neighbours_of(*surface);
+    const auto neighbors = neighbors_of(*surface);
     Array<Curvature> before(surface->vertex_count());
     for (Index v = 0; v < before.size(); ++v) {
         const vec3 p = surface->positions[v];
@@ -104,13 +104,13 @@ TEST(FieldSmooth, DoesNotCrossHardEdges) {
         c.normal = p.y < 0.01f ? vec3(0, 0, 1) : vec3(0, p.y - 1, p.z);
         c.e2 = vec3(1, 0, 0);
         c.e1 = glm::cross(c.e2, c.normal);
-        c.k1 = neighbours->hard[v] ? 1000.0f : p.y < 0.01f ? 0.0f : 1.0f;
+        c.k1 = neighbors->hard[v] ? 1000.0f : p.y < 0.01f ? 0.0f : 1.0f;
     }
     const Array<Curvature> after = smoothed(*surface, before, 2.0);
     int hard = 0;
     for (Index v = 0; v < before.size(); ++v) {
-        hard += neighbours->hard[v];
-        if (neighbours->hard[v]) continue;
+        hard += neighbors->hard[v];
+        if (neighbors->hard[v]) continue;
         EXPECT_NEAR(after[v].k1, before[v].k1, 1e-4f) << surface->positions[v].y;
     }
     EXPECT_EQ(hard, 25);

@@ -8,31 +8,31 @@ namespace fovea {
 using namespace draw;
 namespace {
 
-CentreLine straight(double from, double to) { return {{{from, 10.0}, from, 2.0f}, {{to, 10.0}, to, 2.0f}}; }
+CenterLine straight(double from, double to) { return {{{from, 10.0}, from, 2.0f}, {{to, 10.0}, to, 2.0f}}; }
 
 TEST(Wobble, StraysAsFarAsToldAndNoFarther) {
-    CentreLine line = straight(-300, 300);
+    CenterLine line = straight(-300, 300);
     wobble(line, 5.0, 40.0, 7);
     double most = 0.0;
-    for (const CentrePoint& p : line) most = std::max(most, std::abs(p.px.y - 10.0));
+    for (const CenterPoint& p : line) most = std::max(most, std::abs(p.px.y - 10.0));
     EXPECT_LE(most, 5.0);
     EXPECT_GT(most, 1.5);
 }
 
 TEST(Wobble, EndsStay) {
-    CentreLine line = straight(-30, 170);
+    CenterLine line = straight(-30, 170);
     wobble(line, 5.0, 40.0, 3);
     EXPECT_EQ(line.front().px, dvec2(-30, 10));
     EXPECT_EQ(line.back().px, dvec2(170, 10));
 }
 
 TEST(Wobble, BelongsToThePathAndNotToWhatIsSeenOfIt) {
-    CentreLine whole = straight(-400, 400), part = straight(-100, 250);
+    CenterLine whole = straight(-400, 400), part = straight(-100, 250);
     wobble(whole, 4.0, 30.0, 11);
     wobble(part, 4.0, 30.0, 11);
     int same = 0;
-    for (const CentrePoint& p : part)
-        for (const CentrePoint& q : whole)
+    for (const CenterPoint& p : part)
+        for (const CenterPoint& q : whole)
             if (std::abs(p.arc - q.arc) < 1e-9 && p.arc > -60 && p.arc < 210) {
                 EXPECT_NEAR(p.px.y, q.px.y, 1e-6);
                 ++same;
@@ -41,7 +41,7 @@ TEST(Wobble, BelongsToThePathAndNotToWhatIsSeenOfIt) {
 }
 
 TEST(Wobble, OtherSeedsAreOtherHands) {
-    CentreLine a = straight(-200, 200), b = a, still = a;
+    CenterLine a = straight(-200, 200), b = a, still = a;
     wobble(a, 4.0, 30.0, 1);
     wobble(b, 4.0, 30.0, 2);
     wobble(still, 0.0, 30.0, 1);
@@ -53,9 +53,9 @@ TEST(Wobble, OtherSeedsAreOtherHands) {
 }
 
 TEST(Pressure, ThinsEndsAndLeavesTheMiddle) {
-    CentreLine line = straight(-100, 100);
+    CenterLine line = straight(-100, 100);
     press(line, 1.0f);
-    for (const CentrePoint& p : line) {
+    for (const CenterPoint& p : line) {
         const float width = 2.0f * p.half_width * p.opacity;  // thinner than a pixel is fainter
         EXPECT_LE(width, 4.0f);
         if (std::abs(p.arc) < 1.0) {
@@ -63,7 +63,7 @@ TEST(Pressure, ThinsEndsAndLeavesTheMiddle) {
         }
     }
     EXPECT_NEAR(line.front().opacity, 0.0f, 1e-6f);
-    CentreLine even = straight(-100, 100);
+    CenterLine even = straight(-100, 100);
     press(even, 0.0f);
     EXPECT_EQ(even.size(), 2u);
 }

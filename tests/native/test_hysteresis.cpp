@@ -133,7 +133,7 @@ TEST(Hysteresis, HooksGoFromTheEndsOfOpenChains) {
             chains.point[i] = vec3(dvec3(before + past * std::cos(angle), past * std::sin(angle), 0));
         }
         if (from_start) std::reverse(chains.point.begin(), chains.point.end());
-        return without_hooks(chains, *surface).point.size();
+        return without_spurs(chains, *surface).point.size();
     };
     for (const bool from_start : {false, true}) {
         EXPECT_NEAR(double(bent(17, M_PI / 2, from_start)), 18.0, 1.0) << "to the corner, or the point before it";

@@ -150,7 +150,7 @@ TEST(Hysteresis, KeepsWholeCurvesThatAreStrongSomewhereAndLong) {
 }
 
 TEST(ImageEdge, OfAStepIsStraightAndWhereTheStepIs) {
-    // A square lit from the side, grey on a light background.
+    // A square lit from the side, gray on a light background.
     for (const double shift : {0.0, 0.13, 0.37, 0.5, 0.71})
         for (const double turn : {0.0, 3.0, 20.0}) {
             const dmat4 at = moved({shift * px, 0, 0}) * glm::rotate(dmat4(1.0), glm::radians(turn), dvec3(0, 0, 1));
@@ -200,7 +200,7 @@ TEST(ImageEdge, OfASphereIsACircle) {
 
 TEST(ImageEdge, OfASphereInPerspectiveIsACircle) {
     const View view = perspective({0, -5, 0}, {0, 0, 0});
-    const double pixels = 640 * 50.0 / 36.0 / std::sqrt(24.0);  // tan of the angle from its centre to its contour
+    const double pixels = 640 * 50.0 / 36.0 / std::sqrt(24.0);  // tan of the angle from its center to its contour
     const Drawing drawing({place(sphere(96))}, view, {line_set({"image_edge"})});
     ASSERT_EQ(drawing.paths.count(), 1u);
     double low = 1e9, high = 0;

@@ -75,7 +75,7 @@ TEST(Intersection, OfASurfaceThatCrossesItself) {
     EXPECT_NEAR(at_vertex.length, 0.5, 1e-6);
 }
 
-TEST(Intersection, NeighboursDoNotIntersect) {
+TEST(Intersection, NeighborsDoNotIntersect) {
     for (const Mesh& mesh : {box(), sphere(24), two_boxes_at_an_edge(), moebius(24), grid(8), tetrahedron(),
                              bent_quad(), l_shape(), torus(2, 0.5, 24, 12), cylinder(12)}) {
         EXPECT_EQ(Found({put(mesh, turned(0.3, {1, 2, 3}), 1)}).count, 0u) << mesh.name;

@@ -35,7 +35,7 @@ struct Body {
         }
         edge = std::sqrt(2.0 * area / double(surface->triangles.size()));
     }
-    /// Away from the border of a grid over [-1, 1]^2, where neighbourhoods are one-sided.
+    /// Away from the border of a grid over [-1, 1]^2, where neighborhoods are one-sided.
     bool inner(const dvec3& p) const { return name[0] != 'w' || std::max(std::abs(p.x), std::abs(p.y)) < 0.95; }
 };
 

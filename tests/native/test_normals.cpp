@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals, areas and neighbours against closed forms.
+// Normals, areas and neighbors against closed forms.
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -25,13 +25,13 @@ double area_of(const Surface& surface) {
 
 double sum_of_areas(const Surface& surface) {
     double sum = 0.0;
-    for (float area : vertex_areas(surface, *neighbours_of(surface, no_hard_edges))) sum += area;
+    for (float area : vertex_areas(surface, *neighbors_of(surface, no_hard_edges))) sum += area;
     return sum;
 }
 
 std::size_t within(const Surface& surface, Index v, int rings) {
     Walk walk(surface.vertex_count());
-    return walk.gather(*neighbours_of(surface), v, rings).size();
+    return walk.gather(*neighbors_of(surface), v, rings).size();
 }
 
 }  // namespace
@@ -46,19 +46,19 @@ TEST(Normals, AreExactOnSpheresHoweverTheyAreDivided) {
             p += center;
         }
         const auto surface = mesh.surface();
-        const Array<vec3> normals = vertex_normals(*surface, *neighbours_of(*surface));
+        const Array<vec3> normals = vertex_normals(*surface, *neighbors_of(*surface));
         for (std::size_t v = 0; v < normals.size(); ++v) EXPECT_LT(glm::distance(normals[v], outward[v]), 1e-5f);
     }
 }
 
 TEST(Normals, OfFlatFacesAreTheirs) {
     const auto surface = meshes::grid(5).surface();
-    for (const vec3& n : vertex_normals(*surface, *neighbours_of(*surface))) EXPECT_EQ(n, vec3(0, 0, 1));
+    for (const vec3& n : vertex_normals(*surface, *neighbors_of(*surface))) EXPECT_EQ(n, vec3(0, 0, 1));
     Mesh box = meshes::box();  // every edge is hard: a vertex has one of its three faces
     const auto hard = box.surface();
-    for (const vec3& n : vertex_normals(*hard, *neighbours_of(*hard)))
+    for (const vec3& n : vertex_normals(*hard, *neighbors_of(*hard)))
         EXPECT_EQ(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1.0f);
-    const Array<vec3> soft = vertex_normals(*hard, *neighbours_of(*hard, no_hard_edges));
+    const Array<vec3> soft = vertex_normals(*hard, *neighbors_of(*hard, no_hard_edges));
     for (std::size_t v = 0; v < soft.size(); ++v) EXPECT_GT(glm::dot(soft[v], box.positions[v]), 1.0f);
 }
 
@@ -71,7 +71,7 @@ TEST(Areas, OfVerticesSumToThatOfTheSurface) {
         const auto surface = mesh.surface();
         const double area = area_of(*surface);
         EXPECT_NEAR(sum_of_areas(*surface) / area, 1.0, 1e-6) << mesh.name;
-        for (float a : vertex_areas(*surface, *neighbours_of(*surface, no_hard_edges))) EXPECT_GE(a, 0.0f) << mesh.name;
+        for (float a : vertex_areas(*surface, *neighbors_of(*surface, no_hard_edges))) EXPECT_GE(a, 0.0f) << mesh.name;
     }
     EXPECT_NEAR(sum_of_areas(*meshes::box().surface()), 24.0, 1e-5);
     EXPECT_NEAR(sum_of_areas(*meshes::grid(7).surface()), 4.0, 1e-5);
@@ -79,23 +79,23 @@ TEST(Areas, OfVerticesSumToThatOfTheSurface) {
 
 TEST(Areas, OfAnEvenGridAreItsCells) {
     const auto surface = meshes::grid(4).surface();
-    const Array<float> areas = vertex_areas(*surface, *neighbours_of(*surface));
+    const Array<float> areas = vertex_areas(*surface, *neighbors_of(*surface));
     EXPECT_NEAR(areas[12], 0.25f, 1e-6f) << "inside";
     EXPECT_NEAR(areas[2], 0.125f, 1e-6f) << "at a border";
     EXPECT_NEAR(areas[0], 0.0625f, 1e-6f) << "at a corner";
 }
 
-TEST(NeighboursOf, RingsOfARegularTriangulation) {
+TEST(NeighborsOf, RingsOfARegularTriangulation) {
     // Vertices of six triangles each: 1 + 3 r (r + 1) within r rings.
     const auto surface = torus({.n = 48}).mesh.surface();
     for (Index v : {0u, 77u, 500u})
         for (int r : {0, 1, 2, 3, 4, 5}) EXPECT_EQ(within(*surface, v, r), std::size_t(1 + 3 * r * (r + 1)));
 }
 
-TEST(NeighboursOf, AreMutualWhereNothingIsHard) {
+TEST(NeighborsOf, AreMutualWhereNothingIsHard) {
     for (const Mesh& mesh : {ellipsoid(2, true).mesh, waves({.n = 12, .irregular = true}).mesh, meshes::moebius(24)}) {
         const auto surface = mesh.surface();
-        const auto around = neighbours_of(*surface, no_hard_edges);
+        const auto around = neighbors_of(*surface, no_hard_edges);
         for (Index v = 0; v < surface->vertex_count(); ++v)
             for (const Index w : around->vertices[v])
                 EXPECT_TRUE(std::ranges::binary_search(around->vertices[w], v)) << mesh.name;
@@ -104,7 +104,7 @@ TEST(NeighboursOf, AreMutualWhereNothingIsHard) {
     }
 }
 
-TEST(NeighboursOf, AWalkDoesNotCrossAHardEdge) {
+TEST(NeighborsOf, AWalkDoesNotCrossAHardEdge) {
     // The lid of a box, 5 x 5 vertices: from its middle a walk of any length finds the lid with its rim.
     Mesh mesh = meshes::grid(4);
     for (int i : {0, 1, 2, 3}) {  // a wall down from the side y = -1

@@ -40,7 +40,7 @@ TEST(Orientation, IsTheVolume) {
 TEST(Orientation, TellsTheLastUnitOfTheGrid) {
     const double far = grid_limit;
     const dvec3 a(-far, -far, -far), b(far, far, far), c(-far, far, 0);
-    // The middle of a and b, and its neighbours on the grid.
+    // The middle of a and b, and its neighbors on the grid.
     EXPECT_EQ(orientation({a, b, c, dvec3(0, 0, 0)}, 8).value, 0.0);
     const Orientation above = orientation({a, b, c, dvec3(0, 0, 1)}, 8),
                       below = orientation({a, b, c, dvec3(0, 0, -1)}, 8);

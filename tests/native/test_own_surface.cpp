@@ -47,7 +47,7 @@ struct AllEdges {
                                   {.probes = probes});
     }
 
-    /// Per sample: 1 where it and its neighbours along the path are all visible, or all hidden; 0 for padding.
+    /// Per sample: 1 where it and its neighbors along the path are all visible, or all hidden; 0 for padding.
     Array<std::uint8_t> far_on_path() const {
         Array<std::uint8_t> far(exact.size(), 0);
         for (Index i = 0; i < drawing.clipped.px.size(); ++i)

@@ -74,7 +74,7 @@ TEST(Painted, AtVerticesAndMidEdge) {
     for (int i = 0; i < 4; ++i) EXPECT_FLOAT_EQ(found[i], expected[i]) << i;
 }
 
-TEST(Painted, WhereNeighboursDisagreeAnEdgeHasTheirMean) {
+TEST(Painted, WhereNeighborsDisagreeAnEdgeHasTheirMean) {
     const meshes::Mesh mesh = meshes::of_polygons(
         "pair", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2, 3}, {1, 4, 5, 2}});
     const Scene scene({drawing::place(mesh)});

@@ -20,14 +20,14 @@ TEST(Triangle, FanAroundAPointCoversEveryPixelOnce) {
     std::mt19937 random(5);
     std::uniform_int_distribution<int> at(0, 64 * 4);
     for (int trial = 0; trial < 300; ++trial) {
-        // Corners on quarters of pixels: many edges run through pixel centres.
-        const vec2 centre(at(random) / 4.0f, at(random) / 4.0f);
+        // Corners on quarters of pixels: many edges run through pixel centers.
+        const vec2 center(at(random) / 4.0f, at(random) / 4.0f);
         const vec2 ring[4] = {{0.0f, 0.0f}, {64.0f, 0.0f}, {64.0f, 64.0f}, {0.0f, 64.0f}};
         std::vector<int> hits(64 * 64, 0);
         for (int k = 0; k < 4; ++k) {
             const vec2 next = ring[(k + 1) % 4];
             const FixedTriangle t =
-                trial % 2 ? FixedTriangle(centre, ring[k], next) : FixedTriangle(next, ring[k], centre);
+                trial % 2 ? FixedTriangle(center, ring[k], next) : FixedTriangle(next, ring[k], center);
             const PixelBox box = intersect(t.box(), {0, 0, 64, 64});
             for (int y = box.y0; y < box.y1; ++y) {
                 int x0 = box.x0, x1 = box.x1;

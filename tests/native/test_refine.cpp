@@ -115,7 +115,7 @@ double b_spline_height(const Mesh& cage, int n, double x, double y, int a, int b
 }  // namespace
 
 TEST(Refine, CornersOfACube) {
-    // (n^2 v + 4 sum of edge neighbours + sum of diagonal ones) / (n (n + 5)) with n = 3.
+    // (n^2 v + 4 sum of edge neighbors + sum of diagonal ones) / (n (n + 5)) with n = 3.
     for (int level : {1, 2, 4}) {
         const RefinedSurface surface = refined(box(), level);
         EXPECT_EQ(surface.polygon_count(), 6u << (2 * level));
@@ -299,9 +299,9 @@ TEST(Refine, TrianglesAndPolygonsOfManyCorners) {
 TEST(Refine, NormalsAreThoseOfTheFacetsWhereverFourQuadsDoNotMeet) {
     for (const Mesh& cage : {box(), tetrahedron(), sphere(4)}) {
         const RefinedSurface surface = refined(cage, 5);
-        const auto neighbours = neighbours_of(surface);
+        const auto neighbors = neighbors_of(surface);
         for (Index v = 0; v < surface.vertex_count(); ++v)
-            for (const Index t : neighbours->triangles[v]) {
+            for (const Index t : neighbors->triangles[v]) {
                 const vec4 plane = surface.facet_plane[surface.triangle_facet[t]];
                 EXPECT_GT(glm::dot(vec3(plane), surface.jets[v].normal), 0.99f);
             }

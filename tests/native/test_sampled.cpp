@@ -138,7 +138,7 @@ TEST(Sampled, LinesOfASurfaceAreSeenAndLinesJustBehindAreNot) {
     EXPECT_EQ(mean(visibility_of(view, behind, {face})), 0.0);
 }
 
-TEST(Sampled, NeighbourFacetsOfTheLineDoNotHideIt) {
+TEST(Sampled, NeighborFacetsOfTheLineDoNotHideIt) {
     const View view = test_view();
     // The line lies a little behind the face, as rounding or a bulge may put it.
     const Rectangle face(vec3(-3, -3, -4), vec3(3, -3, -4), vec3(3, 3, -4), vec3(-3, 3, -4), 41);

@@ -38,7 +38,7 @@ TEST(Tracer, SeesASphereWhereItIs) {
             const dvec2 px(x + 0.5, y + 0.5);
             const dvec3 direction = glm::normalize(dvec3((px.x / 320 - 1) * 0.36, 1.0, (px.y / 240 - 1) * 0.27));
             const double expected = to_sphere(eye, direction, {0.3, 0, 0});
-            const double beside = glm::length(glm::cross(dvec3(0.3, 6, 0), direction));  // the ray passes the centre at
+            const double beside = glm::length(glm::cross(dvec3(0.3, 6, 0), direction));  // the ray passes the center at
             if (std::abs(beside - 1.0) < 0.01) continue;
             const auto hit = tracer.seen(px);
             ASSERT_EQ(hit.has_value(), expected > 0.0) << x << " " << y;
@@ -167,7 +167,7 @@ TEST(Seen, DepthIsTheDistanceAlongTheView) {
     }
 }
 
-TEST(Seen, DepthIsWhatARayThroughThePixelsCentreMeets) {
+TEST(Seen, DepthIsWhatARayThroughThePixelsCenterMeets) {
     // Crossing bodies, one of them mirrored, a sheet, and a floor on which the camera stands.
     const Placement ball = place(sphere(20), scaled({-1.3, 1, 1}), 1), crate = place(box(), moved({0.8, 0.3, 0.2}), 2),
                     sheet = place(grid(5), moved({-1, 1, 0.5}) * scaled(dvec3(2)), 3),
@@ -187,7 +187,7 @@ TEST(Seen, DepthIsWhatARayThroughThePixelsCentreMeets) {
                 hits += hit.has_value();
             }
         EXPECT_GT(hits, 30000);
-        EXPECT_LE(differing, 2);  // centres that lie on an edge to the last bits
+        EXPECT_LE(differing, 2);  // centers that lie on an edge to the last bits
     }
 }
 

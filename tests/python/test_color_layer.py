@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The colour layer against closed forms: Lambert on a sphere, coverage at edges, textures, attributes, exposure."""
+"""The color layer against closed forms: Lambert on a sphere, coverage at edges, textures, attributes, exposure."""
 
 import json
 
@@ -38,7 +38,7 @@ def layer(surfaces, colors, shading="flat", lights=(), world=(0, 0, 0), seen=Non
 
 
 def sphere_normals(eye, orthographic, size=SIZE):
-    """(H, W, 3) normals of the unit sphere at each pixel's centre, nan beside it, for `view` towards the origin."""
+    """(H, W, 3) normals of the unit sphere at each pixel's center, nan beside it, for `view` towards the origin."""
     eye = np.array(eye, float)
     back = eye / np.linalg.norm(eye)
     right = np.cross((0, 0, 1), back)
@@ -141,13 +141,13 @@ def test_edges_cover_their_share(turn):
     assert np.allclose(found[..., :3], 0.5 * found[..., 3:], atol=1e-6)
 
 
-def test_colours_meet_without_a_gap_and_do_not_bleed():
+def test_colors_meet_without_a_gap_and_do_not_bleed():
     ground, block = box((-60, -60, -2), (60, 60, -1)).surface(), box().surface()
     red, blue = (1, 0, 0), (0, 0, 1)
     found = layer([ground, block], [plain(red), plain(blue)], seen=view((4, -3, 5), (0, 0, 0), size=SIZE))
     assert (found[..., 3] == 1).all() and np.allclose(found[..., 0] + found[..., 2], 1, atol=1e-6)
     mixed = (found[..., 0] > 0) & (found[..., 2] > 0)
-    # Only pixels that an edge crosses: none has all four neighbours mixed, too.
+    # Only pixels that an edge crosses: none has all four neighbors mixed, too.
     inner = mixed[1:-1, 1:-1] & mixed[2:, 1:-1] & mixed[:-2, 1:-1] & mixed[1:-1, 2:] & mixed[1:-1, :-2]
     assert 0.005 < mixed.mean() < 0.04 and not inner.any()
 
@@ -166,8 +166,8 @@ def test_a_texture_lies_where_its_uvs_say():
     ramp[..., 1] = np.linspace(0, 1, 80)[:, None]
     found = square(slots=[core.ColorSlot((1, 1, 1), core.ColorTexture(ramp, False), 0)], uvs=[uvs])
     assert np.abs(found[2:-2, 2:-2, :3] - ramp[2:-2, 2:-2]).max() < 0.03
-    grey = core.ColorTexture(np.full((4, 4, 3), 0.5, np.float32), True)
-    encoded = square(slots=[core.ColorSlot((1, 1, 1), grey, 0)], uvs=[uvs])
+    gray = core.ColorTexture(np.full((4, 4, 3), 0.5, np.float32), True)
+    encoded = square(slots=[core.ColorSlot((1, 1, 1), gray, 0)], uvs=[uvs])
     assert np.allclose(encoded[..., :3], 0.2140, atol=0.002)
 
 
@@ -198,7 +198,7 @@ def test_images_of_any_kind(channels):
     assert (drawn(True)[..., :3] <= 0.06).all()
 
 
-def test_holdouts_and_the_background_have_no_colour():
+def test_holdouts_and_the_background_have_no_color():
     holdout = core.Usage.OCCLUDE | core.Usage.HOLDOUT
     assert (layer([sphere(16).surface()], [None], usage=[holdout]) == 0).all()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a style file says about colour and paper."""
+"""What a style file says about color and paper."""
 
 import pytest
 
@@ -12,7 +12,7 @@ def parsed(extra):
     return style.parse(f'{{"schema": 1, {extra}, {LINES}}}')
 
 
-def test_without_a_word_nothing_is_coloured():
+def test_without_a_word_nothing_is_colored():
     plain = style.parse(f'{{"schema": 1, {LINES}}}')
     assert plain.color == style.Color() and plain.color.shading == "plain"
     assert plain.paper == style.Paper() and plain.paper.texture == "none"

@@ -110,7 +110,7 @@ def dimmed(model, quality=None, effects=style.Effects(**DIMMED)):
 
 
 def halves(image):
-    """(2, 3) mean colours of what lies in focus and of what does not, at the left and at the right."""
+    """(2, 3) mean colors of what lies in focus and of what does not, at the left and at the right."""
     left, right = np.array_split(image.combined[..., :3], 2, axis=1)
     return np.array([left.mean((0, 1)), right.mean((0, 1))])
 
@@ -120,7 +120,7 @@ def halves(image):
 def test_a_draft_of_any_quality_fades_and_desaturates_as_the_final_picture_does(model, index):
     final, draft = dimmed(model), dimmed(model, budget.QUALITIES[index])
     plain = halves(dimmed(model, effects=style.Effects()))
-    assert np.abs(plain - halves(final))[1].max() > 0.05, "what is out of focus is another colour without the effects"
+    assert np.abs(plain - halves(final))[1].max() > 0.05, "what is out of focus is another color without the effects"
     assert np.abs(halves(draft) - halves(final)).max() < 0.005
 
 

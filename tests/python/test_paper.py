@@ -150,7 +150,7 @@ def test_ink_breaks_up_into_specks_and_not_into_worms(name):
         assert coherence(picture[..., 0]) < 0.26, opacity
 
 
-def test_without_amounts_a_paper_is_its_colour(paper):
+def test_without_amounts_a_paper_is_its_color(paper):
     lines, layer = (0.1, 0.2, 0.1, 0.5), (0.1, 0.3, 0.2, 0.6)
     expected = np.array([0.9, 0.8, 0.6, 1.0])
     for over in (layer, lines):

@@ -69,7 +69,7 @@ def test_every_line_of_both_is_drawn_once(one, two):
         assert style.parse(style.dump(mixed)).line_sets == mixed.line_sets
 
 
-def test_numbers_and_colours_go_over_steadily():
+def test_numbers_and_colors_go_over_steadily():
     one = Style(paper=Paper(color=(1.0, 1.0, 1.0), scale=1.0), line_sets=(LineSet(kinds={"crease": {"angle": 20.0}}),))
     two = Style(paper=Paper(color=(0.0, 0.5, 1.0), scale=3.0), line_sets=(LineSet(kinds={"crease": {"angle": 60.0}}),))
     mixed = one.mixed(two, 0.25)

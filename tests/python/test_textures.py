@@ -18,7 +18,7 @@ LENGTHS = json.loads((FOLDER / "textures.json").read_text())
 
 
 def read_png(path):
-    """Values of an 8-bit grey PNG whose rows are not filtered, as the script writes them."""
+    """Values of an 8-bit gray PNG whose rows are not filtered, as the script writes them."""
     data, at, packed = path.read_bytes(), 8, b""
     while at < len(data):
         (size,), name = struct.unpack(">I", data[at : at + 4]), data[at + 4 : at + 8]

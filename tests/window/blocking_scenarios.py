@@ -15,7 +15,7 @@ class Waits:
     """What each draw of the region is ready to wait for pictures, in seconds, and what the header says."""
 
     def __init__(self):
-        self._old = worker.Job.wait, viewport.draw, viewport.Viewport._tell
+        self._old = worker.Job.wait, viewport.draw, viewport.Viewport.tell
         self.of_draws, self.said = [], []
         waits, told = self.of_draws, self.said
 
@@ -31,10 +31,10 @@ class Waits:
         def tell(one, engine, job):
             self._old[2](one, Header(engine, told), job)
 
-        worker.Job.wait, viewport.draw, viewport.Viewport._tell = wait, draw, tell
+        worker.Job.wait, viewport.draw, viewport.Viewport.tell = wait, draw, tell
 
     def end(self):
-        worker.Job.wait, viewport.draw, viewport.Viewport._tell = self._old
+        worker.Job.wait, viewport.draw, viewport.Viewport.tell = self._old
 
 
 class Header:

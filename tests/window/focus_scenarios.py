@@ -164,7 +164,7 @@ def rings(folder):
     told, shown = {}, screen.picture()
     np.save(folder / "rings.npy", shown)
     kind = part("focus.focus_kinds").of(scene.fovea)
-    middle, unit = look().centre(scene.fovea, kind), look().unit(scene.fovea, kind)
+    middle, unit = look().center(scene.fovea, kind), look().unit(scene.fovea, kind)
     yield from drag(middle + Vector((0, 4 * unit)), middle + Vector((0, 5 * unit)))
     told["far"] = scene.fovea.focus_far_distance
     yield from drag(middle + Vector((0, -2 * unit)), middle + Vector((0, -unit)))
@@ -187,7 +187,7 @@ def rings(folder):
 
 
 def orange(picture):
-    """Which pixels have the colour of the near ring."""
+    """Which pixels have the color of the near ring."""
     return (picture[..., 0] > 0.8) & (picture[..., 2] < 0.35) & (picture[..., 1] > 0.35) & (picture[..., 1] < 0.75)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Focus as colours, in a window; see inside.py. What a scenario returns is for the tests to judge."""
+"""Focus as colors, in a window; see inside.py. What a scenario returns is for the tests to judge."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ SHARED = Path(__file__).parents[3] / "shared"
 
 
 def heat(folder):
-    """Focus as colours: warm at the place, cool beside it, follows the view and the place; nothing is done at rest."""
+    """Focus as colors: warm at the place, cool beside it, follows the view and the place; nothing is done at rest."""
     scene = yield from opened()
     manager = bpy.context.window_manager
     scene.fovea.focus_model, scene.fovea.focus_location = "SCENE", (0, 0, 1)
@@ -57,12 +57,12 @@ def heat(folder):
     yield from screen.rest(0.3)
     screen.swap()
     told["off"] = float(np.abs(screen.picture()[50:200, 50:200] - plain[50:200, 50:200]).mean())
-    told["kept"] = len(overlay._shown) + len(overlay._readers)
+    told["kept"] = len(overlay.in_regions) + len(overlay.readers)
     return told
 
 
 def rendered(folder, spec="office"):
-    """Focus as colours over Fovea's own picture of a scene; while the view turns, how coarse it is and how much
+    """Focus as colors over Fovea's own picture of a scene; while the view turns, how coarse it is and how much
     bluer than red the ground is, which is out of focus."""
     scenes.build(spec, SHARED if SHARED.is_dir() else None)
     scene = bpy.context.scene
@@ -84,7 +84,7 @@ def rendered(folder, spec="office"):
     reads, read = [], reading.Reader.read
 
     def counted(reader, *words):
-        reads.extend(own for own in overlay._readers if own is reader)  # others read what the engine draws
+        reads.extend(own for own in overlay.readers if own is reader)  # others read what the engine draws
         return read(reader, *words)
 
     overlay._Shown.update, reading.Reader.read = update, counted

@@ -33,7 +33,7 @@ def test_rings(play):
     assert found["no overlays"] == found["other engine"] == 0
 
 
-def test_focus_as_colours(play):
+def test_focus_as_colors(play):
     found = play("heat", file=OVERLAY)
     assert found["here"] > 0.2 and found["there"] < -0.1 and abs(found["plain"]) < 0.05
     assert found["idle"] == 0

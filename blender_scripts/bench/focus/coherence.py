@@ -107,8 +107,8 @@ def match(before, after):
     right = np.minimum(right, len(new) - 1)
     left, right = order[right - 1], order[right]
     low, high = before.arc - after.arc[left], after.arc[right] - before.arc
-    neighbours = (np.abs(after.index[left] - after.index[right]) == 1) & (after.id[left] == after.id[right])
-    matched = neighbours & (after.id[left] == before.id) & (low >= 0) & (high >= 0)
+    neighbors = (np.abs(after.index[left] - after.index[right]) == 1) & (after.id[left] == after.id[right])
+    matched = neighbors & (after.id[left] == before.id) & (low >= 0) & (high >= 0)
     left, right, low, high = left[matched], right[matched], low[matched], high[matched]
     share = low / np.maximum(low + high, 1e-12)
     there = after.position[left] + share[:, None] * (after.position[right] - after.position[left])

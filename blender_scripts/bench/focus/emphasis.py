@@ -17,7 +17,7 @@ LEAST_INK = 0.002  # a ring with less of it, all in focus, tells nothing
 
 
 def display(picture):
-    """(H, W, 3) as a screen shows scene-linear colours."""
+    """(H, W, 3) as a screen shows scene-linear colors."""
     linear = np.clip(picture[..., :3], 0, 1)
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 

@@ -45,7 +45,7 @@ class Seen:
 
 @dataclass(frozen=True)
 class Over:
-    at: np.ndarray  # (H, W, 2) in pixels of the earlier picture, whole numbers at their centres
+    at: np.ndarray  # (H, W, 2) in pixels of the earlier picture, whole numbers at their centers
     known: np.ndarray  # (H, W) whether the place was seen there
 
     def difference(self, now, before):

@@ -72,7 +72,7 @@ def cost_rows(asked):
 
 
 def stage_costs(scene, workbench, place):
-    """Of watercolor, which has all effects of colour, with focus in the middle of the image."""
+    """Of watercolor, which has all effects of color, with focus in the middle of the image."""
     middle_ = style.Focus(model="image", points=(style.FocusPlace(at=(0.5, 0.5, 0.0), near=0.1, far=0.6),))
     chosen = world.named_style("watercolor").replace(focus=middle_)
     told, backends = [("Workbench, ms a frame", workbench, None)], [native.load().CpuBackend()]
@@ -86,7 +86,7 @@ def stage_costs(scene, workbench, place):
         elision, colors = (stage_ms(drawn, name) for name in ("elision", "focus"))
         told += [(f"elision, {backend.name}, of Workbench's frame", elision / workbench, "<= .15")]
         if backend.name == "cpu":
-            told += [("effects of colour, of Workbench's frame", colors / workbench, "<= .2")]
+            told += [("effects of color, of Workbench's frame", colors / workbench, "<= .2")]
             told += [(PER_SAMPLE, 1000 * elision / max(len(drawn[-1].places().index), 1), None)]
             told += [(PER_ATLAS_SAMPLE, 1000 * elision / max(drawn[-1].frame.clipped.samples, 1), None)]
     return [{"figure": figure, "scene": scene, "value": value, "wanted": wanted} for figure, value, wanted in told]

@@ -53,7 +53,7 @@ class World:
 
 
 def measure(work, size, named="watercolor"):
-    """work(World) of the open scene, inside a render. `named`: a style; one with a colour layer brings colours."""
+    """work(World) of the open scene, inside a render. `named`: a style; one with a color layer brings colors."""
     draw, views, outcome = pipeline.draw, [], []
 
     def measured(placed, seen, style_, backend, options, **given):

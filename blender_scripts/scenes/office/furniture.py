@@ -47,7 +47,7 @@ def imported(model: Path):
 
 
 def plain(material):
-    """The colour of the file also where materials are drawn flat; its pictures are left out."""
+    """The color of the file also where materials are drawn flat; its pictures are left out."""
     shader = material.node_tree.nodes.get("Principled BSDF") if material and material.node_tree else None
     if shader:
         socket = shader.inputs["Base Color"]

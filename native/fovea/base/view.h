@@ -13,7 +13,7 @@ namespace fovea::base {
 inline constexpr double reference_height = 1080.0;
 
 /// Camera and image. View space: eye at the origin, looking along -z, x right, y up. Clip space as in OpenGL.
-/// Pixels: origin at the lower left corner of the drawn region, y up, pixel centres at .5.
+/// Pixels: origin at the lower left corner of the drawn region, y up, pixel centers at .5.
 struct View {
     dmat4 world_to_view{1.0};
     /// Crop for a render border, lens shift and pixel aspect are already in it.

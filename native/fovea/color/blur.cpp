@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diffusion with a conductivity of its own between any two neighbours, solved along rows and columns in turn.
+// Diffusion with a conductivity of its own between any two neighbors, solved along rows and columns in turn.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr std::size_t side_by_side = 16;
 bool finite(const vec4& pixel) { return std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w); }
 
 /// One line of pixels at equal strides, several of them side by side. Solves (1 + flow) u = c where the flow between
-/// neighbours is symmetric: its sum over the line is 0, whatever goes out of one pixel comes into the next.
+/// neighbors is symmetric: its sum over the line is 0, whatever goes out of one pixel comes into the next.
 template <std::size_t lanes>
 struct Line {
     vec4* pixel;

@@ -12,7 +12,7 @@ namespace {
 /// body(pixel, amount) wherever the amount is more than 0.
 template <typename Body>
 void where_any(std::span<vec4> image, In<float> amount, const Body& body) {
-    check(amount.size() == image.size(), "colour effect: expected one amount per pixel");
+    check(amount.size() == image.size(), "color effect: expected one amount per pixel");
     parallel_blocks(image.size(), 1 << 15, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             if (amount[i] > 0.0f) body(image[i], std::min(amount[i], 1.0f));
@@ -24,8 +24,8 @@ void where_any(std::span<vec4> image, In<float> amount, const Body& body) {
 void desaturate(std::span<vec4> image, In<float> amount) {
     where_any(image, amount, [](vec4& pixel, float share) {
         const vec3 color(pixel);
-        const float grey = glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f));
-        pixel = vec4(glm::mix(color, vec3(grey), share), pixel.a);
+        const float gray = glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f));
+        pixel = vec4(glm::mix(color, vec3(gray), share), pixel.a);
     });
 }
 

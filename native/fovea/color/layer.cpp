@@ -11,10 +11,10 @@ namespace fovea::color {
 namespace {
 
 constexpr int fine_samples = 16;
-/// Colours, as seen, that differ by more are worth the fine samples.
+/// Colors, as seen, that differ by more are worth the fine samples.
 constexpr float fine_color = 1.0f / 96.0f;
 
-/// Which triangle each pixel's centre sees, numbered over those that occlude.
+/// Which triangle each pixel's center sees, numbered over those that occlude.
 class Items {
    public:
     Items(const Scene& scene, const View& view, const Cancel& cancel) : width_(view.width) {
@@ -81,7 +81,7 @@ class Layer {
                 for (std::size_t y = begin; y < end; ++y) pixel(int(y));
             });
         };
-        rows([&](int y) { centres(y, &coarse[std::size_t(y) * view_.width]); });
+        rows([&](int y) { centers(y, &coarse[std::size_t(y) * view_.width]); });
         rows([&](int y) {
             for (int x = 0; x < view_.width; ++x) {
                 const std::size_t i = std::size_t(y) * view_.width + x;
@@ -92,7 +92,7 @@ class Layer {
     }
 
    private:
-    void centres(int y, vec4* row) const {
+    void centers(int y, vec4* row) const {
         SeenTriangle triangle;
         Index known = none;
         for (int x = 0; x < view_.width; ++x) {

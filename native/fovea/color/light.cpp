@@ -16,7 +16,7 @@ constexpr float least_ambient = 0.2f, most_ambient = 0.6f;
 /// Half the width of the step between two bands, as a share of full light.
 constexpr float soft_step = 0.012f;
 
-/// By the strongest channel: a white surface in coloured light keeps its hue up to full light.
+/// By the strongest channel: a white surface in colored light keeps its hue up to full light.
 float brightness(const vec3& color) { return std::max({color.x, color.y, color.z}); }
 
 float smooth_step(float low, float high, float x) {

@@ -21,7 +21,7 @@ struct Light {
 };
 
 /// The lights of a scene as a view needs them, exposed for the picture: what irradiates the middle of most placements
-/// head on makes them as bright as their base colour, whatever the units. The exposure looks at the scene, not at the
+/// head on makes them as bright as their base color, whatever the units. The exposure looks at the scene, not at the
 /// view, so that a moving camera does not change it. Where no light reaches anything there is one at the eye.
 class Lighting {
    public:

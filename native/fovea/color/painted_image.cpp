@@ -9,8 +9,8 @@
 namespace fovea::color {
 namespace {
 
-/// Grey that shines by itself: as bright as painted.
-std::shared_ptr<const SurfaceColor> grey(const Surface& surface, In<float> values) {
+/// Gray that shines by itself: as bright as painted.
+std::shared_ptr<const SurfaceColor> gray(const Surface& surface, In<float> values) {
     auto color = std::make_shared<SurfaceColor>();
     ColorSlot slot;
     slot.color = vec3(values.empty() ? unpainted : 1.0f);
@@ -36,7 +36,7 @@ Array<float> painted_image(const Tracer& tracer, const Painted& painted, const C
     for (std::size_t i = 0; i < painted.size(); ++i) {
         const Surface& surface = *scene.placements[i].surface;
         auto& color = known[{&surface, painted[i].data()}];
-        if (!color) color = grey(surface, painted[i]);
+        if (!color) color = gray(surface, painted[i]);
         colors.push_back(color);
     }
     style::Color flat;

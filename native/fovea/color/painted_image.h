@@ -8,7 +8,7 @@
 
 namespace fovea::color {
 
-/// The painted value of what each pixel sees (width * height, bottom row first), as the colour layer sees it: the mean
+/// The painted value of what each pixel sees (width * height, bottom row first), as the color layer sees it: the mean
 /// over the pixel, where what no surface covers counts 0. Throws as check_painted and color_layer.
 Array<float> painted_image(const Tracer& tracer, const Painted& painted, const Cancel& cancel);
 

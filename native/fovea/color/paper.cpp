@@ -56,7 +56,7 @@ vec2 origin_of(const View& view) {
     return std::isfinite(px.x) && std::isfinite(px.y) ? vec2(px) : vec2(0.0f);
 }
 
-/// Pigment of colour `seen` on `under`, its density times `share`.
+/// Pigment of color `seen` on `under`, its density times `share`.
 vec3 granulated(const vec3& seen, const vec3& under, float share) {
     vec3 result;
     for (int c = 0; c < 3; ++c) {

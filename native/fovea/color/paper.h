@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paper that takes pigment: what colour and lines look like on its tooth.
+// Paper that takes pigment: what color and lines look like on its tooth.
 #pragma once
 
 #include <fovea/base/view.h>

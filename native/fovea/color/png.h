@@ -8,7 +8,7 @@
 
 namespace fovea::color {
 
-/// Reads a PNG as grey: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read.
+/// Reads a PNG as gray: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read.
 PenTexture read_texture(const std::string& path);
 
 /// The bytes of a PNG file of width x height pixels, sRGB, three values each, the lowest row first (as textures have

@@ -33,7 +33,7 @@ ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor&
       lighting_(lighting),
       pixel_to_ray_(pixel_to_ray(view)),
       placed_(scene.placements.size()) {
-    check(colors.size() == scene.placements.size(), "colours: one entry per placement expected");
+    check(colors.size() == scene.placements.size(), "colors: one entry per placement expected");
     parallel_for(
         placed_.size(),
         [&](std::size_t i) {

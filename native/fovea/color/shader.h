@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colour of a place on a triangle as the camera sees it.
+// The color of a place on a triangle as the camera sees it.
 #pragma once
 
 #include <fovea/color/light.h>
@@ -10,7 +10,7 @@
 
 namespace fovea::color {
 
-/// A triangle that may be seen, ready to be asked for its colour.
+/// A triangle that may be seen, ready to be asked for its color.
 struct SeenTriangle {
     ScreenTriangle screen;
     Index placement = none;

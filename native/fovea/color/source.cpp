@@ -11,7 +11,7 @@ void check_color(const SurfaceColor& color, const Surface& surface) {
     };
     if (!color.normals.empty()) fits(color.normals, "normal");
     for (const auto& uv : color.uvs) fits(uv, "uv");
-    for (const auto& attribute : color.attributes) fits(attribute, "colour");
+    for (const auto& attribute : color.attributes) fits(attribute, "color");
     for (const ColorSlot& slot : color.slots) {
         check(slot.uv == none || slot.uv < color.uvs.size(), surface.name() + ": a slot's uvs do not exist");
         check(slot.attribute == none || slot.attribute < color.attributes.size(),

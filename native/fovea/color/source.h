@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the colours of surfaces come from.
+// Where the colors of surfaces come from.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace fovea::color {
 
-/// What a material says: its colour, times an image, times an attribute of the mesh.
+/// What a material says: its color, times an image, times an attribute of the mesh.
 struct ColorSlot {
     vec3 color{0.8f};                             ///< scene-linear
     std::shared_ptr<const ColorTexture> texture;  ///< null: none

@@ -8,7 +8,7 @@
 namespace fovea::elision {
 
 /// V corners and T triangles, run after run, the highest rank first. Bands are drawn half a pixel wider than they are,
-/// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its centre, v and h affine over the
+/// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its center, v and h affine over the
 /// triangle. They end straight, an eighth of
 /// their width before their run does.
 struct Bands {

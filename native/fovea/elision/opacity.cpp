@@ -35,7 +35,7 @@ void windows(const std::vector<float>& values, std::size_t length, std::vector<f
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = better(back[i], ahead[i + length - 1]);
 }
 
-/// Grey-scale opening by windows that lie inside, so many values long; between two whole numbers, between both
+/// Gray-scale opening by windows that lie inside, so many values long; between two whole numbers, between both
 /// openings. Of fewer values the least.
 class Opening {
    public:

@@ -21,7 +21,7 @@ struct ElisionOptions {
 Array<float> elision_scores(const OwnBands& own, In<vec2> crowding);
 
 /// Factor for the opacity of lines per atlas sample, in [0,1], 1 where no run is, from scores: 0 at fade_from, 1 at 1,
-/// linear between. What is left of shorter than stub_px is taken away by a grey-scale opening along each run (Serra
+/// linear between. What is left of shorter than stub_px is taken away by a gray-scale opening along each run (Serra
 /// 1982): of all stretches of that length that hold a sample, the one whose faintest sample is the least faint counts.
 /// So a small change of scores is a small change of opacities, unless `cut` is set.
 Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own, In<float> scores,

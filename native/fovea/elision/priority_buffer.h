@@ -12,7 +12,7 @@ struct PriorityTexel {
     std::uint32_t rank : 23;     ///< of the line (elision/priority.h); 0: none
     std::uint32_t crossed : 1;   ///< 1 where there is another band in the layer behind
     std::uint32_t coverage : 8;  ///< share of the pixel that the band covers, of 255
-    /// Vector across the line, away from its middle towards the pixel's centre, of `away_unit`; its length is 1, and
+    /// Vector across the line, away from its middle towards the pixel's center, of `away_unit`; its length is 1, and
     /// towards the ends of the band falls to .5 (Bands::across).
     std::int32_t away_x : 15, away_y : 15;
     std::uint32_t right : 1;  ///< 1 where the nearer end of the band lies to the right of `away`
@@ -28,7 +28,7 @@ struct PriorityBuffer {
     Array<PriorityTexel> first, second;
 };
 
-/// Draws bands by the pixel's centre; what lies outside of the picture is left out. Where bands of one rank share a
+/// Draws bands by the pixel's center; what lies outside of the picture is left out. Where bands of one rank share a
 /// pixel, the first drawn has it. Parallel over tiles; the same for any number of threads. May throw Cancelled.
 PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel = nullptr);
 

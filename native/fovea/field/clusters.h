@@ -29,7 +29,7 @@ struct ClusterBounds {
     float third;      ///< C(x, x, x) of no unit tangent x is greater
 };
 
-/// Every triangle is in one cluster; only the last is smaller than the others. Neighbours in number lie together, too.
+/// Every triangle is in one cluster; only the last is smaller than the others. Neighbors in number lie together, too.
 struct Clusters {
     Array<Index> triangles;       ///< cluster c has those from c * triangles_of_cluster on, ascending
     Array<glm::u16vec3> corners;  ///< per entry of `triangles`: its vertices, as places in the cluster's row

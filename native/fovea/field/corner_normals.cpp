@@ -11,13 +11,13 @@ namespace fovea::field {
 namespace {
 
 /// Of the triangles around a vertex that go on smoothly from one of them.
-vec3 smooth_side(const Surface& surface, const Neighbours& all, Index vertex, const vec3& own) {
+vec3 smooth_side(const Surface& surface, const Neighbors& all, Index vertex, const vec3& own) {
     const double least_cosine = std::cos(glm::radians(default_hard_angle));
     dvec3 sum(0.0);
     for (const Index t : all.triangles[vertex]) {
         const vec3 normal(surface.facet_plane[surface.triangle_facet[t]]);
         const double cosine = glm::dot(dvec3(normal), dvec3(own));
-        // Neighbours may disagree about which side is out.
+        // Neighbors may disagree about which side is out.
         if (std::abs(cosine) < least_cosine) continue;
         sum += (cosine < 0.0 ? -1.0 : 1.0) * corner_angle(surface, t, vertex) * dvec3(normal);
     }
@@ -27,7 +27,7 @@ vec3 smooth_side(const Surface& surface, const Neighbours& all, Index vertex, co
 
 CornerNormals find_normals(const Surface& surface) {
     const auto fields = fields_of(surface);
-    const auto smooth = neighbours_of(surface), all = neighbours_of(surface, no_hard_edges);
+    const auto smooth = neighbors_of(surface), all = neighbors_of(surface, no_hard_edges);
     CornerNormals normals;
     normals.vertex.resize(surface.vertex_count());
     parallel_for(normals.vertex.size(), [&](std::size_t v) { normals.vertex[v] = fields->curvature[v].normal; });

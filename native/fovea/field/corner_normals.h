@@ -9,7 +9,7 @@
 namespace fovea::field {
 
 /// Unit normals at the corners of triangles, on the side that the triangle's winding calls out. At a vertex without
-/// hard edges (field/neighbours.h) the fitted normal; at others the mean, by angle, of the triangles there that are
+/// hard edges (field/neighbors.h) the fitted normal; at others the mean, by angle, of the triangles there that are
 /// within the hard angle of the corner's own. A corner of which nothing is known has the normal of its facet.
 struct CornerNormals {
     Array<vec3> vertex;

@@ -49,7 +49,7 @@ int rings_for(double noise, const std::function<double(int)>& residual) {
     return best;
 }
 
-Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
                    const FieldOptions& options) {
     Choice choice;
     choice.jets = {.degree = 4, .rings = 3};
@@ -58,7 +58,7 @@ Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const A
         choice.reason = "jets as asked for";
     } else {
         const auto residual = [&](int degree, int rings) {
-            return jet_noise(surface, neighbours, normals, {.degree = degree, .rings = rings, .even = degree == 3});
+            return jet_noise(surface, neighbors, normals, {.degree = degree, .rings = rings, .even = degree == 3});
         };
         // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
         const double noise = std::min(residual(4, 3), residual(4, 2));
@@ -82,8 +82,8 @@ Choice choose_jets(const Surface& surface, const Neighbours& neighbours, const A
     return choice;
 }
 
-float feature_size_of(const Surface& surface, const Neighbours& neighbours, const Array<Curvature>& curvature) {
-    const Array<float> areas = vertex_areas(surface, neighbours);
+float feature_size_of(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature) {
+    const Array<float> areas = vertex_areas(surface, neighbors);
     struct Weighted {
         float k, area;
     };
@@ -124,34 +124,34 @@ Fields map_fields(const Surface& surface, const Fields& source, const FieldOptio
     const dmat3 inverse = glm::inverse(surface.stretch());
     parallel_for(fields.curvature.size(),
                  [&](std::size_t v) { fields.curvature[v] = rounded(mapped(source.curvature[v], inverse)); });
-    const auto neighbours = neighbours_of(*surface.source(), options.hard_angle);
-    fields.feature_size = feature_size_of(surface, *neighbours, fields.curvature);
+    const auto neighbors = neighbors_of(*surface.source(), options.hard_angle);
+    fields.feature_size = feature_size_of(surface, *neighbors, fields.curvature);
     return fields;
 }
 
 Fields make_fields(const Surface& surface, const FieldOptions& options) {
-    const auto around = neighbours_of(surface, options.hard_angle);
-    const Neighbours& neighbours = *around;
+    const auto around = neighbors_of(surface, options.hard_angle);
+    const Neighbors& neighbors = *around;
     Fields fields;
     double smoothing = options.smoothing;
     if (options.estimator == Estimator::automatic && !surface.jets.empty()) {
         fields.curvature = curvature_of(surface.jets);
         fields.reason = "exact: derivatives of the subdivision's limit surface";
     } else if (options.estimator == Estimator::one_ring) {
-        fields.curvature = one_ring_curvature(surface, neighbours);
+        fields.curvature = one_ring_curvature(surface, neighbors);
         fields.reason = "one-rings as asked for";
     } else {
-        const Array<vec3> normals = vertex_normals(surface, neighbours);
-        const Choice choice = choose_jets(surface, neighbours, normals, options);
-        fields.curvature = jet_curvature(surface, neighbours, normals, choice.jets);
+        const Array<vec3> normals = vertex_normals(surface, neighbors);
+        const Choice choice = choose_jets(surface, neighbors, normals, options);
+        fields.curvature = jet_curvature(surface, neighbors, normals, choice.jets);
         fields.reason = choice.reason;
         smoothing = choice.smoothing;
     }
     if (smoothing > 0.0) {
-        fields.curvature = smooth(surface, neighbours, fields.curvature, smoothing);
+        fields.curvature = smooth(surface, neighbors, fields.curvature, smoothing);
         fields.reason += std::format(", smoothed over {:.3g} edges", smoothing);
     }
-    fields.feature_size = feature_size_of(surface, neighbours, fields.curvature);
+    fields.feature_size = feature_size_of(surface, neighbors, fields.curvature);
     return fields;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <fovea/field/curvature.h>
-#include <fovea/field/neighbours.h>
+#include <fovea/field/neighbors.h>
 
 namespace fovea::field {
 

@@ -40,8 +40,8 @@ struct Look {
 
     /// `even`: all points weigh the same, which noisy surfaces need; else near points count more, which is what makes
     /// fits exact on clean ones.
-    void place(const Surface& surface, const Neighbours& neighbours, const std::vector<Index>& found,
-               const dvec3& normal, bool even) {
+    void place(const Surface& surface, const Neighbors& neighbors, const std::vector<Index>& found, const dvec3& normal,
+               bool even) {
         around.count = found.size();
         around.n = normal;
         around.t = any_tangent(normal);
@@ -49,7 +49,7 @@ struct Look {
         const std::size_t padded = (found.size() + unrolled - 1) / unrolled * unrolled;
         for (auto* values : {&around.x, &around.y, &around.z, &around.weight}) values->assign(padded, 0.0);
         const dvec3 origin(surface.positions[found[0]]);
-        const std::size_t first_ring = std::min<std::size_t>(neighbours.vertices.size(found[0]), found.size() - 1);
+        const std::size_t first_ring = std::min<std::size_t>(neighbors.vertices.size(found[0]), found.size() - 1);
         double sum = 0.0;
         around.edge_length = 0.0;
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -179,18 +179,18 @@ Curvature to_object(CurvatureD c, const Surroundings& around) {
 }
 
 /// Surroundings of vertex v, placed; false where v has no normal.
-bool look_around(const Surface& surface, const Neighbours& neighbours, const JetOptions& options, const vec3& normal,
+bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, const vec3& normal,
                  Index v, Look& look) {
     if (normal == vec3(0.0f)) return false;
     const auto& found =
-        look.walk.gather(neighbours, v, options.rings, terms(options.degree) + spare_points, extra_rings);
-    look.place(surface, neighbours, found, glm::normalize(dvec3(normal)), options.even);
+        look.walk.gather(neighbors, v, options.rings, terms(options.degree) + spare_points, extra_rings);
+    look.place(surface, neighbors, found, glm::normalize(dvec3(normal)), options.even);
     return look.around.scale > 0.0;
 }
 
 }  // namespace
 
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
                                const JetOptions& options) {
     Array<Curvature> result(surface.vertex_count());
     tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
@@ -199,7 +199,7 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
         double a[terms(max_degree)];
         for (std::size_t v = begin; v < end; ++v) {
             result[v] = {};
-            if (!look_around(surface, neighbours, options, normals[v], Index(v), look)) continue;
+            if (!look_around(surface, neighbors, options, normals[v], Index(v), look)) continue;
             fit_up_to(options, look.around, a);
             result[v] = to_object(curvature_of(jet_of(a)), look.around);
         }
@@ -207,14 +207,14 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbours& neighbo
     return result;
 }
 
-double jet_noise(const Surface& surface, const Neighbours& neighbours, const Array<vec3>& normals,
+double jet_noise(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
                  const JetOptions& options, Index samples) {
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
     Look look(surface.vertex_count());
     std::vector<double> noise;
     double a[terms(max_degree)], m[terms(max_degree)];
     for (Index v = 0; v < surface.vertex_count(); v += step) {
-        if (!look_around(surface, neighbours, options, normals[v], v, look)) continue;
+        if (!look_around(surface, neighbors, options, normals[v], v, look)) continue;
         const Surroundings& around = look.around;
         if (around.count < std::size_t(terms(options.degree) + spare_points)) continue;
         if (fit_up_to(options, around, a) != options.degree) continue;

@@ -7,11 +7,11 @@
 #include <fovea/mesh/corners.h>
 
 namespace fovea::field {
-Array<vec3> vertex_normals(const Surface& surface, const Neighbours& neighbours) {
+Array<vec3> vertex_normals(const Surface& surface, const Neighbors& neighbors) {
     Array<vec3> normals(surface.vertex_count());
     parallel_for(normals.size(), [&](std::size_t v) {
         dvec3 sum(0.0);
-        for (const Index t : neighbours.triangles[Index(v)]) {
+        for (const Index t : neighbors.triangles[Index(v)]) {
             const auto [a, b] = sides_from(surface, t, Index(v));
             const double weight = glm::dot(a, a) * glm::dot(b, b);
             if (weight > 0.0) sum += glm::cross(a, b) / weight;
@@ -42,7 +42,7 @@ dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {
     return corner;
 }
 
-Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours) {
+Array<float> vertex_areas(const Surface& surface, const Neighbors& neighbors) {
     // By triangle first: each has three corners that would ask for the same.
     Array<vec3> corners(surface.triangles.size());
     parallel_for(corners.size(), [&](std::size_t t) {
@@ -53,7 +53,7 @@ Array<float> vertex_areas(const Surface& surface, const Neighbours& neighbours) 
     Array<float> areas(surface.vertex_count());
     parallel_for(areas.size(), [&](std::size_t v) {
         double sum = 0.0;
-        for (const Index t : neighbours.triangles[Index(v)])
+        for (const Index t : neighbors.triangles[Index(v)])
             sum += corners[t][corner_of(surface.triangles[t], Index(v))];
         areas[v] = static_cast<float>(sum);
     });

@@ -21,8 +21,8 @@ using Third = vec4;  ///< C(t,t,t), C(t,t,b), C(t,b,b), C(b,b,b)
 
 class OneRing {
    public:
-    OneRing(const Surface& surface, const Neighbours& neighbours)
-        : surface_(surface), neighbours_(neighbours), normals_(vertex_normals(surface, neighbours)) {}
+    OneRing(const Surface& surface, const Neighbors& neighbors)
+        : surface_(surface), neighbors_(neighbors), normals_(vertex_normals(surface, neighbors)) {}
 
     Array<Curvature> run() {
         faces_.resize(surface_.triangles.size());
@@ -39,8 +39,8 @@ class OneRing {
    private:
     /// Whether triangle t lies in the smooth surroundings of its vertex v.
     bool belongs(Index v, Index t) const {
-        if (!neighbours_.hard[v]) return true;
-        return std::ranges::binary_search(neighbours_.triangles[v], t);
+        if (!neighbors_.hard[v]) return true;
+        return std::ranges::binary_search(neighbors_.triangles[v], t);
     }
 
     Face face_of(Index number) const {
@@ -81,7 +81,7 @@ class OneRing {
     /// visit(face, weight, triangle) for the triangles around v.
     template <typename Visit>
     void around(Index v, const Visit& visit) const {
-        for (const Index t : neighbours_.triangles[v]) {
+        for (const Index t : neighbors_.triangles[v]) {
             const double weight = faces_[t].corner[corner_of(surface_.triangles[t], v)];
             if (weight > 0.0) visit(faces_[t], weight, t);
         }
@@ -168,7 +168,7 @@ class OneRing {
     }
 
     const Surface& surface_;
-    const Neighbours& neighbours_;
+    const Neighbors& neighbors_;
     Array<vec3> normals_;
     Array<Face> faces_;
     Array<Curvature> result_;
@@ -178,8 +178,8 @@ class OneRing {
 
 }  // namespace
 
-Array<Curvature> one_ring_curvature(const Surface& surface, const Neighbours& neighbours) {
-    return OneRing(surface, neighbours).run();
+Array<Curvature> one_ring_curvature(const Surface& surface, const Neighbors& neighbors) {
+    return OneRing(surface, neighbors).run();
 }
 
 }  // namespace fovea::field

@@ -39,11 +39,11 @@ struct Tensors {
     }
 };
 
-double mean_edge(const Surface& surface, const Neighbours& neighbours, Index v) {
+double mean_edge(const Surface& surface, const Neighbors& neighbors, Index v) {
     double sum = 0.0;
-    for (const Index w : neighbours.vertices[v])
+    for (const Index w : neighbors.vertices[v])
         sum += glm::distance(dvec3(surface.positions[v]), dvec3(surface.positions[w]));
-    const Index count = neighbours.vertices.size(v);
+    const Index count = neighbors.vertices.size(v);
     return count > 0 ? sum / count : 0.0;
 }
 
@@ -62,9 +62,9 @@ Curvature principal(const Tensors& sum, double total, const dvec3& n, const dvec
 
 }  // namespace
 
-Array<Curvature> smooth(const Surface& surface, const Neighbours& neighbours, const Array<Curvature>& curvature,
+Array<Curvature> smooth(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature,
                         double deviation) {
-    const Array<float> areas = vertex_areas(surface, neighbours);
+    const Array<float> areas = vertex_areas(surface, neighbors);
     const int rings = static_cast<int>(std::ceil(reach * deviation));
     Array<Curvature> result(curvature.size());
     tbb::enumerable_thread_specific<Walk> walks([&] { return Walk(surface.vertex_count()); });
@@ -72,13 +72,13 @@ Array<Curvature> smooth(const Surface& surface, const Neighbours& neighbours, co
         Walk& walk = walks.local();
         for (Index v = static_cast<Index>(begin); v < end; ++v) {
             const Curvature& here = result[v] = curvature[v];
-            const double scale = deviation * mean_edge(surface, neighbours, v);
+            const double scale = deviation * mean_edge(surface, neighbors, v);
             if (here.normal == vec3(0.0f) || !(scale > 0.0 && scale < HUGE_VAL)) continue;
             const dvec3 n(here.normal), t(here.e1), b = glm::cross(n, t);
             Tensors sum;
             double total = 0.0;
-            for (const Index w : walk.gather(neighbours, v, rings)) {
-                if (w != v && neighbours.hard[w]) continue;
+            for (const Index w : walk.gather(neighbors, v, rings)) {
+                if (w != v && neighbors.hard[w]) continue;
                 const Curvature& c = curvature[w];
                 const dvec3 d = (dvec3(surface.positions[w]) - dvec3(surface.positions[v])) / scale;
                 const double distance2 = glm::dot(d, d), agreement = glm::dot(n, dvec3(c.normal));

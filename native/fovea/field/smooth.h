@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fovea/field/curvature.h>
-#include <fovea/field/neighbours.h>
+#include <fovea/field/neighbors.h>
 
 namespace fovea::field {
 
@@ -11,7 +11,7 @@ namespace fovea::field {
 /// area and n . n'; `deviation`: of the Gaussian, in mean edge lengths at the vertex. Tensors are carried from tangent
 /// plane to tangent plane, so that spheres and cylinders stay what they are. Does not cross hard edges: vertices on one
 /// count for nobody but themselves. Normals stay. As trimesh2 diffuses curvature (Rusinkiewicz).
-Array<Curvature> smooth(const Surface& surface, const Neighbours& neighbours, const Array<Curvature>& curvature,
+Array<Curvature> smooth(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature,
                         double deviation);
 
 }  // namespace fovea::field

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <fovea/field/neighbours.h>
+#include <fovea/field/neighbors.h>
 
 namespace fovea::field {
 
@@ -16,7 +16,7 @@ class Walk {
 
     /// The vertices within `rings` of v, v first, then ring by ring; further rings, up to `extra_rings`, while they are
     /// fewer than `enough`. Does not go on from vertices on hard edges, but for v itself. Valid until the next call.
-    const std::vector<Index>& gather(const Neighbours& neighbours, Index v, int rings, std::size_t enough = 0,
+    const std::vector<Index>& gather(const Neighbors& neighbors, Index v, int rings, std::size_t enough = 0,
                                      int extra_rings = 0) {
         if (++stamp_ == 0) {
             std::fill(seen_.begin(), seen_.end(), 0);
@@ -31,8 +31,8 @@ class Walk {
             if (begin == end) break;
             for (; begin < end; ++begin) {
                 const Index from = found_[begin];
-                if (from != v && neighbours.hard[from]) continue;
-                for (const Index to : neighbours.vertices[from]) {
+                if (from != v && neighbors.hard[from]) continue;
+                for (const Index to : neighbors.vertices[from]) {
                     if (seen_[to] == stamp_) continue;
                     seen_[to] = stamp_;
                     found_.push_back(to);

@@ -10,7 +10,7 @@ namespace fovea::image {
 namespace {
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
-/// Neighbours whose tones differ by more are sampled again.
+/// Neighbors whose tones differ by more are sampled again.
 constexpr float fine_tone = 1.0f / 32.0f;
 constexpr int fine_rays = 32;
 

@@ -13,7 +13,7 @@ struct Lamp {
     double right = 0.0, up = 0.0;
 };
 
-/// What each node sees, one ray each, and 32 where neighbours differ. Placements that are not drawn hide what lies
+/// What each node sees, one ray each, and 32 where neighbors differ. Placements that are not drawn hide what lies
 /// behind them, but have no tone.
 struct ShadedBuffer {
     Lattice lattice;

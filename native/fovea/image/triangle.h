@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A triangle in fixed point: which pixel centres it covers, exactly. Of two triangles on either
-// side of a common edge, one and only one covers a centre that lies on it.
+// A triangle in fixed point: which pixel centers it covers, exactly. Of two triangles on either
+// side of a common edge, one and only one covers a center that lies on it.
 #pragma once
 
 #include <algorithm>
@@ -47,11 +47,11 @@ class FixedTriangle {
     /// Without area, or with a corner that is not finite or far away: covers nothing.
     bool empty() const { return area_ == 0; }
 
-    /// Pixels whose centres lie in the bounding box.
+    /// Pixels whose centers lie in the bounding box.
     PixelBox box() const {
         const auto [left, right] = std::minmax({x_[0], x_[1], x_[2]});
         const auto [low, high] = std::minmax({y_[0], y_[1], y_[2]});
-        return {first_centre(left), first_centre(low), first_centre(right + 1), first_centre(high + 1)};
+        return {first_center(left), first_center(low), first_center(right + 1), first_center(high + 1)};
     }
 
     /// False where the box certainly lies outside.
@@ -82,11 +82,11 @@ class FixedTriangle {
 
    private:
     static std::int64_t floor(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
-    static int first_centre(std::int64_t x) { return int(floor(x + one / 2 - 1, one)); }
+    static int first_center(std::int64_t x) { return int(floor(x + one / 2 - 1, one)); }
 
     std::int64_t x_[3]{}, y_[3]{};
     std::int64_t area_ = 0;
-    // Edge functions at pixel centres; >= 0 inside.
+    // Edge functions at pixel centers; >= 0 inside.
     std::int64_t at_origin_[3]{}, step_x_[3]{}, step_y_[3]{};
 };
 
@@ -104,7 +104,7 @@ class OverTriangle {
         slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
     }
 
-    /// At the centre of pixel (x, y).
+    /// At the center of pixel (x, y).
     glm::vec<N, float> at(int x, int y) const {
         return glm::vec<N, float>(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) + slope_x_ * (x + 0.5 - origin_.x));
     }

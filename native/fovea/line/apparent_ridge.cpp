@@ -32,11 +32,11 @@ Curves find(const SurfaceView& seen, const ApparentRidge& values) {
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
     // Nothing appears more curved than it is by more than 1 / n . v.
-    struct Glance {
+    struct VertexEval {
         SeenOf<float> seen;
         bool may_be_above;
     };
-    const auto glance = [&](Index v) -> Glance {
+    const auto eval = [&](Index v) -> VertexEval {
         const Curvature& c = fields->curvature[v];
         const SeenOf<float> s = see_vertex(seen, c, v);
         return {s, c.k1 * c.k1 > 0.9999f * thresholds.low * s.facing * s.facing};
@@ -46,7 +46,7 @@ Curves find(const SurfaceView& seen, const ApparentRidge& values) {
         float bend;
         vec2 margin;
     };
-    const auto detail = [&](Index v, const Glance& at) -> Detail {
+    const auto detail = [&](Index v, const VertexEval& at) -> Detail {
         const Curvature& c = fields->curvature[v];
         const ViewCurvatureOf<float> view = view_curvature(c, at.seen, least_facing);
         const vec3 along = view.a1 * c.e1 + view.a2 * c.e2;
@@ -58,12 +58,12 @@ Curves find(const SurfaceView& seen, const ApparentRidge& values) {
         const float most = cluster.bounds().curvature / std::max(facing.low, least_facing);
         return facing.high <= contour_near || most * most <= 0.9999f * thresholds.low;
     };
-    const auto wanted = [](const Glance& a, const Glance& b, const Glance& c) {
+    const auto wanted = [](const VertexEval& a, const VertexEval& b, const VertexEval& c) {
         return a.seen.facing > 0.0f && b.seen.facing > 0.0f && c.seen.facing > 0.0f &&
                (a.may_be_above || b.may_be_above || c.may_be_above);
     };
     const auto sides = triangle_sides(surface);
-    return trace_clusters(seen, none_in, glance, wanted, detail,
+    return trace_clusters(seen, none_in, eval, wanted, detail,
                           [&](Index triangle, const auto&, const auto& at, auto& out) {
                               const Triangle& t = surface.triangles[triangle];
                               const bool bulges = at(t.x).bend + at(t.y).bend + at(t.z).bend >= 0.0f;

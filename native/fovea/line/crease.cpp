@@ -29,7 +29,7 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
         if (sides.size() > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
         const EdgeSide a = sides[0], b = sides[1];
         const vec3 na(surface.facet_plane[a.facet()]), nb(surface.facet_plane[b.facet()]);
-        // Neighbours that disagree about which side is out: turn one of them around.
+        // Neighbors that disagree about which side is out: turn one of them around.
         const float cosine = a.forward() == b.forward() ? -glm::dot(na, nb) : glm::dot(na, nb);
         return cosine <= limit;
     });

@@ -63,7 +63,7 @@ class SeenCluster {
 
     const ClusterBounds& bounds_;
     dvec3 towards_;
-    double turn_ = 0.0;  // the view direction of no vertex is farther from that of the centre
+    double turn_ = 0.0;  // the view direction of no vertex is farther from that of the center
 };
 
 }  // namespace fovea::line

@@ -10,14 +10,14 @@ namespace fovea::line {
 template <typename Strength>
 Curves find_smooth_contour(const SurfaceView& seen, const Strength& strength) {
     const auto fields = fields_of(seen.surface);
-    struct Glance {
+    struct VertexEval {
         float value;
     };
-    const auto glance = [&](Index v) { return Glance{glm::dot(fields->curvature[v].normal, seen.to_viewer(v))}; };
+    const auto eval = [&](Index v) { return VertexEval{glm::dot(fields->curvature[v].normal, seen.to_viewer(v))}; };
     const auto none_in = [](const SeenCluster& cluster) { return !cluster.facing().may_hold(0.0f); };
-    const auto all = [](Glance, Glance, Glance) { return true; };
-    const auto margin = [&](Index v, Glance) { return strength(v); };
-    return trace_zero_set(seen, none_in, glance, all, margin, [](float s) { return s; });
+    const auto all = [](VertexEval, VertexEval, VertexEval) { return true; };
+    const auto margin = [&](Index v, VertexEval) { return strength(v); };
+    return trace_zero_set(seen, none_in, eval, all, margin, [](float s) { return s; });
 }
 
 }  // namespace fovea::line

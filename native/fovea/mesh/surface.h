@@ -60,7 +60,7 @@ struct SurfaceReport {
     Index duplicate_polygons = 0;   ///< the same vertices as an earlier polygon
     Index loose_edges = 0;          ///< edges without a polygon: they bound no surface and draw no line
     Index non_manifold_edges = 0;   ///< more than two polygons; kept, all of them
-    Index inconsistent_edges = 0;   ///< neighbours that disagree about which side is out; kept
+    Index inconsistent_edges = 0;   ///< neighbors that disagree about which side is out; kept
 };
 
 /// One incident facet of an edge, and whether the facet's boundary runs along the edge from its first to its second

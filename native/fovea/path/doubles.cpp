@@ -14,16 +14,16 @@
 namespace fovea::path {
 namespace {
 
-std::shared_ptr<const Neighbours> neighbours_in(const Surface& surface) {
-    return neighbours_of(surface, surface.field_options().hard_angle);
+std::shared_ptr<const Neighbors> neighbors_in(const Surface& surface) {
+    return neighbors_of(surface, surface.field_options().hard_angle);
 }
 
 /// An edge that the smooth surface does not go around.
-bool is_hard(const Surface& surface, const Neighbours& neighbours, Index edge) {
+bool is_hard(const Surface& surface, const Neighbors& neighbors, Index edge) {
     static const double hard = std::cos(glm::radians(default_hard_angle));
     const In<EdgeSide> sides = surface.sides(edge);
     if (sides.size() != 2) return true;
-    if (!neighbours.hard[surface.edges[edge].x] || !neighbours.hard[surface.edges[edge].y]) return false;
+    if (!neighbors.hard[surface.edges[edge].x] || !neighbors.hard[surface.edges[edge].y]) return false;
     const auto normal = [&](EdgeSide side) { return vec3(surface.facet_plane[side.facet()]); };
     return glm::dot(normal(sides[0]), normal(sides[1])) <= hard;
 }
@@ -69,7 +69,7 @@ CurveChains Claims::claim(const CurveRule& rule, CurveChains chains) {
 
 Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without) {
     const Surface& surface = seen.surface;
-    const auto neighbours = neighbours_in(surface);
+    const auto neighbors = neighbors_in(surface);
     Array<std::uint8_t> near(surface.vertex_count(), 0);
     Array<Index> at;
     const auto mark = [&](Index triangle, bool first) {
@@ -82,24 +82,24 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t
     for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
         if (without.empty() || !without[piece.triangle]) mark(piece.triangle, true);
     for (const Index v : at)
-        for (const Index triangle : neighbours->triangles[v]) mark(triangle, false);
+        for (const Index triangle : neighbors->triangles[v]) mark(triangle, false);
     return near;
 }
 
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds) {
-    const auto neighbours = neighbours_in(surface);
+    const auto neighbors = neighbors_in(surface);
     parallel_for(kinds.size(), [&](std::size_t e) {
         const Edge edge = surface.edges[e];
         if (!(kinds[e] & bits[e]) || !near[edge.x] || !near[edge.y]) return;
-        if (!is_hard(surface, *neighbours, static_cast<Index>(e))) kinds[e] &= ~bits[e];
+        if (!is_hard(surface, *neighbors, static_cast<Index>(e))) kinds[e] &= ~bits[e];
     });
 }
 
 Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds) {
-    const auto neighbours = neighbours_in(surface);
+    const auto neighbors = neighbors_in(surface);
     Array<std::uint8_t> at(surface.vertex_count(), 0);
     parallel_for(kinds.size(), [&](std::size_t e) {
-        if (!(kinds[e] & bits) || !is_hard(surface, *neighbours, static_cast<Index>(e))) return;
+        if (!(kinds[e] & bits) || !is_hard(surface, *neighbors, static_cast<Index>(e))) return;
         for (Index v : {surface.edges[e].x, surface.edges[e].y})
             std::atomic_ref(at[v]).store(1, std::memory_order_relaxed);
     });

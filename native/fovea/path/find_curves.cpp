@@ -102,7 +102,7 @@ CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Valu
             break;
         case CurveType::feature:
             if (!near.empty()) chains = without_doubles(chains, seen.surface, near);
-            chains = without_hooks(chains, seen.surface);
+            chains = without_spurs(chains, seen.surface);
             break;
     }
     return select_stretches(chains, rule.select(seen.surface, values));

@@ -128,9 +128,9 @@ bool is_strong(const Walk& walk, const Stretch& stretch, const Selection& select
     return most >= selection.reach && sum >= selection.least * selection.reach;
 }
 
-/// How many points a hook has at an end of an open chain: at its first point (way 1) or its last (way -1). `side`:
+/// How many points a spur has at an end of an open chain: at its first point (way 1) or its last (way -1). `side`:
 /// the length of sides there.
-Index hook(const Walk& walk, int way, float side) {
+Index spur(const Walk& walk, int way, float side) {
     constexpr float least_cosine = 0.5f, longest = 2.0f, before = 1.5f;
     const Index count = walk.points();
     const auto at = [&](Index n) { return walk.point({way > 0 ? n : count - 1 - n, 0.0f}); };
@@ -210,7 +210,7 @@ CurveChains select_stretches(const CurveChains& chains, const Selection& selecti
     return gather(chains, find_stretches(chains, find), selection.uniform);
 }
 
-CurveChains without_hooks(const CurveChains& chains, const Surface& surface) {
+CurveChains without_spurs(const CurveChains& chains, const Surface& surface) {
     const auto sides = triangle_sides(surface);
     const auto side_at = [&](Index point) {
         const glm::uvec3& of = sides->of_triangle[chains.triangle[point]];
@@ -224,8 +224,8 @@ CurveChains without_hooks(const CurveChains& chains, const Surface& surface) {
     const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
         Index begin = 0, end = walk.segments();
         if (!walk.closed()) {
-            begin = hook(walk, 1, side_at(walk.at(begin)));
-            end -= hook(walk, -1, side_at(walk.at(end)));
+            begin = spur(walk, 1, side_at(walk.at(begin)));
+            end -= spur(walk, -1, side_at(walk.at(end)));
         }
         if (begin < end) out.push_back({walk.chain(), {begin, 0.0f}, {end, 0.0f}, walk.closed()});
     };

@@ -10,9 +10,9 @@ namespace fovea::path {
 /// nowhere stays closed.
 CurveChains select_stretches(const CurveChains& chains, const Selection& selection);
 
-/// Open chains without the hooks at their ends: noise where a line fades. A hook turns by more than 60 degrees within
+/// Open chains without the spurs at their ends: noise where a line fades. A spur turns by more than 60 degrees within
 /// two side lengths of the end.
-CurveChains without_hooks(const CurveChains& chains, const Surface& surface);
+CurveChains without_spurs(const CurveChains& chains, const Surface& surface);
 
 /// What is left of chains where `removed` (per triangle of the surface) is not set.
 CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed);

@@ -26,7 +26,7 @@ double edge_function(dvec2 a, dvec2 b, dvec2 p) {
     return swapped ? -area : area;
 }
 
-/// First texel whose centre is not below `edge`, clamped to [0, size].
+/// First texel whose center is not below `edge`, clamped to [0, size].
 int first_texel(double edge, int size) {
     return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
 }
@@ -47,7 +47,7 @@ struct Source {
     Index mesh, triangle;
 };
 
-/// Appends the triangle unless it covers no texel centre. `clip`: homogeneous corners of what is left of it in front
+/// Appends the triangle unless it covers no texel center. `clip`: homogeneous corners of what is left of it in front
 /// of the near plane.
 void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, const RasterTarget& target, double away,
                       const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {

@@ -29,7 +29,7 @@ struct RasterTriangle {
     Index mesh, triangle;  ///< which of the meshes, and which triangle of it
     /// Which edges, from each corner to the next, are the mesh's; the near plane's cut is none, as on the GPU.
     std::array<bool, 3> of_mesh;
-    int x0, x1, y0, y1;  ///< texels whose centres the bounding box holds, x1 and y1 excluded
+    int x0, x1, y0, y1;  ///< texels whose centers the bounding box holds, x1 and y1 excluded
 
     bool covers(dvec2 p) const;
 };
@@ -43,7 +43,7 @@ class TriangleRows {
     struct Texels {
         int begin, end;
     };
-    /// Those whose centres are covered: of a convex shape they lie side by side.
+    /// Those whose centers are covered: of a convex shape they lie side by side.
     Texels covered(int y) const;
 
     double depth(int x, double depth_y) const { return plane_.x * (x + 0.5) + depth_y; }
@@ -51,14 +51,14 @@ class TriangleRows {
     double depth_y(int y) const { return plane_.y * (y + 0.5) + plane_.z; }
 
    private:
-    /// Where the line of an edge crosses the middle of the rows: at + step * y [texels' centres].
+    /// Where the line of an edge crosses the middle of the rows: at + step * y [texels' centers].
     struct Side {
         double at, step;
     };
     const RasterTriangle& triangle_;
     dvec3 plane_;
     std::array<Side, 2> left_, right_;  // without an edge: one that cuts nothing off
-    double unsure_ = 0.0;               // centres that lie nearer to an edge are asked for with `covers`
+    double unsure_ = 0.0;               // centers that lie nearer to an edge are asked for with `covers`
 };
 
 /// put(x, depth) for each texel (x, y) that the triangle covers and where in_front(x, depth).
@@ -81,7 +81,7 @@ struct RasterTarget {
 /// Rows of a band; the first band begins at row 0.
 inline constexpr int raster_band_rows = 16;
 
-/// draw(triangle, y0, y1) for every triangle that may cover a texel's centre in the rows y0 to y1 (excluded):
+/// draw(triangle, y0, y1) for every triangle that may cover a texel's center in the rows y0 to y1 (excluded):
 /// side by side for bands of rows, within each in the order of the meshes. What lies nearer than the near plane
 /// is cut off; the far plane cuts nothing off. Triangles without area on the screen or with a coordinate that is not
 /// finite are left out. Throws std::invalid_argument on indices out of range.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/base/check.h>
+#include <fovea/runs/chain.h>
 #include <fovea/runs/filters.h>
-#include <fovea/runs/strand.h>
 
 namespace fovea::runs {
 namespace {
 
 /// Joins spans whose gap is shorter than gap_px, across the seam of a closed line, too.
-void join(const Strand& strand, double gap_px, std::vector<Span>& spans) {
+void join(const Chain& chain, double gap_px, std::vector<Span>& spans) {
     std::size_t kept = 0;
     for (const Span& span : spans) {
         if (kept > 0 && span.begin - spans[kept - 1].end < gap_px) {
@@ -17,13 +17,13 @@ void join(const Strand& strand, double gap_px, std::vector<Span>& spans) {
         }
     }
     spans.resize(kept);
-    if (!strand.cyclic || spans.empty()) return;
-    const double first = spans.front().begin + strand.length();
-    if (strand.is_whole(spans.back()) || first - spans.back().end >= gap_px) return;
+    if (!chain.cyclic || spans.empty()) return;
+    const double first = spans.front().begin + chain.length();
+    if (chain.is_whole(spans.back()) || first - spans.back().end >= gap_px) return;
     if (spans.size() == 1) {
-        spans.front() = {strand.begin, strand.end};
+        spans.front() = {chain.begin, chain.end};
     } else {
-        spans.back().end = spans.front().end + strand.length();
+        spans.back().end = spans.front().end + chain.length();
         spans.erase(spans.begin());
     }
 }
@@ -33,12 +33,12 @@ void join(const Strand& strand, double gap_px, std::vector<Span>& spans) {
 Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px, double speck_px) {
     check(clipped.path.empty() || clipped.path.back() < spur_px.size(), "spur_px: one value per path expected");
     const auto changes = [&](Index path) { return gap_px > 0.0 || spur_px[path] > 0.0f || speck_px > 0.0; };
-    return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
-        join(strand, gap_px, spans);
-        const double spur = spur_px[clipped.path[strand.parts()[0].piece]];
+    return change_visible(clipped, runs, changes, [&](const Chain& chain, std::vector<Span>& spans) {
+        join(chain, gap_px, spans);
+        const double spur = spur_px[clipped.path[chain.parts()[0].piece]];
         std::erase_if(spans, [&](const Span& span) {
-            const bool from_begin = strand.reaches_begin(span), to_end = strand.reaches_end(span);
-            if ((from_begin && to_end) || strand.is_whole(span)) return false;
+            const bool from_begin = chain.reaches_begin(span), to_end = chain.reaches_end(span);
+            if ((from_begin && to_end) || chain.is_whole(span)) return false;
             return span.length() < (from_begin || to_end ? speck_px : spur);
         });
     });

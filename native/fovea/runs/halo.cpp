@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/runs/chain.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/passes_behind.h>
-#include <fovea/runs/strand.h>
 
 namespace fovea::runs {
 namespace {
@@ -39,18 +39,18 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<st
     if (std::ranges::find(wanted, 1) == wanted.end()) return runs;
     const Array<PassBehind> passes = passes_behind(clipped, runs, wanted);
     const auto changes = [&](Index path) { return wanted[path] != 0; };
-    return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
-        const Index path = clipped.path[strand.parts()[0].piece];
+    return change_visible(clipped, runs, changes, [&](const Chain& chain, std::vector<Span>& spans) {
+        const Index path = clipped.path[chain.parts()[0].piece];
         const double gap = gap_px[path];
         const bool contour = !of_view.empty() && of_view[path];
-        for (const auto& [piece, shift] : strand.parts()) {
+        for (const auto& [piece, shift] : chain.parts()) {
             for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
                 if (contour && pass.sine < least_sine) continue;
                 const double at = pass.arc_px + shift, along = gap / std::max(pass.sine, least_sine);
                 cut_out({at - along, at + along}, spans);
-                if (!strand.cyclic) continue;
-                cut_out({at - along - strand.length(), at + along - strand.length()}, spans);
-                cut_out({at - along + strand.length(), at + along + strand.length()}, spans);
+                if (!chain.cyclic) continue;
+                cut_out({at - along - chain.length(), at + along - chain.length()}, spans);
+                cut_out({at - along + chain.length(), at + along + chain.length()}, spans);
             }
         }
     });

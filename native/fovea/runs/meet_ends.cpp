@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include <fovea/base/check.h>
+#include <fovea/runs/chain.h>
 #include <fovea/runs/filters.h>
-#include <fovea/runs/strand.h>
 
 namespace fovea::runs {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/runs/chain.h>
 #include <fovea/runs/filters.h>
-#include <fovea/runs/strand.h>
 
 namespace fovea::runs {
 namespace {
@@ -32,21 +32,20 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
     if (mixed) check_amounts(clipped, other_px, "other_px");
     check(!mixed || mix.size() == clipped.samples, "mix: one value per atlas sample expected");
     const auto changes = [&](Index path) { return amount_px[path] != 0.0f || (mixed && other_px[path] != 0.0f); };
-    return change_visible(clipped, runs, changes, [&](const Strand& strand, std::vector<Span>& spans) {
-        const Index path = clipped.path[strand.parts()[0].piece];
+    return change_visible(clipped, runs, changes, [&](const Chain& chain, std::vector<Span>& spans) {
+        const Index path = clipped.path[chain.parts()[0].piece];
         const auto amount = [&](double at) -> double {
             if (!mixed) return amount_px[path];
-            return glm::mix(amount_px[path], other_px[path], strand.value(clipped, mix, at, 0.0f));
+            return glm::mix(amount_px[path], other_px[path], chain.value(clipped, mix, at, 0.0f));
         };
         for (Span& span : spans) {
-            if (strand.is_whole(span)) continue;
+            if (chain.is_whole(span)) continue;
             const double before = amount(span.begin), after = amount(span.end);
-            const double rest_before = span.begin - strand.begin, rest_after = strand.end - span.end;
+            const double rest_before = span.begin - chain.begin, rest_after = chain.end - span.end;
             // At the frame the line only seems to end.
-            if (strand.ends_at_begin || !strand.reaches_begin(span))
-                span.begin -= beyond(before, strand.ends_at_begin, rest_before);
-            if (strand.ends_at_end || !strand.reaches_end(span))
-                span.end += beyond(after, strand.ends_at_end, rest_after);
+            if (chain.ends_at_begin || !chain.reaches_begin(span))
+                span.begin -= beyond(before, chain.ends_at_begin, rest_before);
+            if (chain.ends_at_end || !chain.reaches_end(span)) span.end += beyond(after, chain.ends_at_end, rest_after);
         }
         std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
     });

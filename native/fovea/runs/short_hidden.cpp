@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/base/check.h>
+#include <fovea/runs/chain.h>
 #include <fovea/runs/filters.h>
-#include <fovea/runs/strand.h>
 
 namespace fovea::runs {
 

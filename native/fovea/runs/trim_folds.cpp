@@ -3,8 +3,8 @@
 
 #include <fovea/base/check.h>
 #include <fovea/path/paths.h>
+#include <fovea/runs/chain.h>
 #include <fovea/runs/filters.h>
-#include <fovea/runs/strand.h>
 
 namespace fovea::runs {
 namespace {

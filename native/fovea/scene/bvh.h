@@ -44,8 +44,8 @@ class SurfaceBvh {
     mutable std::mutex mutex_;
     mutable bool moves_ = false;                         // it has followed once
     mutable std::uint64_t version_ = 0, triangles_ = 0;  // of the surface; hash of contents and place
-    mutable Array<Index> neighbours_;                    // some triangles, in an order in which they lay side by side
-    mutable double spread_ = 0.0;                        // of the neighbours, when built
+    mutable Array<Index> neighbors_;                     // some triangles, in an order in which they lay side by side
+    mutable double spread_ = 0.0;                        // of the neighbors, when built
 };
 
 struct Tracer::Bvh {

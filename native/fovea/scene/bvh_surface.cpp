@@ -12,7 +12,7 @@
 namespace fovea::scene {
 namespace {
 
-/// Triangles whose neighbours tell how good a refitted BVH still is, and how many times farther apart they may come.
+/// Triangles whose neighbors tell how good a refitted BVH still is, and how many times farther apart they may come.
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
 
@@ -21,7 +21,7 @@ vec3 middle(const Surface& surface, Index triangle) {
     return (surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3.0f;
 }
 
-Array<Index> neighbours(const Surface& surface) {
+Array<Index> neighbors(const Surface& surface) {
     const Index count = std::min(probes, surface.occluding_triangles);
     Array<Index> chosen(count);
     for (Index i = 0; i < count; ++i)
@@ -94,7 +94,7 @@ void SurfaceBvh::follow(const Surface& surface) const {
     const std::lock_guard lock(mutex_);
     if (version_ == surface.version()) return;
     const bool same = moves_ && hash_of_triangles(surface) == triangles_;
-    if (same && spread(surface, neighbours_) <= worst_spread * spread_) {
+    if (same && spread(surface, neighbors_) <= worst_spread * spread_) {
         rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
     } else {
         rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_DYNAMIC);
@@ -114,8 +114,8 @@ void SurfaceBvh::take_triangles(const Surface& surface) const {
     share_triangles(geometry_, surface.positions, surface.vertex_count(), surface.triangles,
                     surface.occluding_triangles);
     triangles_ = hash_of_triangles(surface);
-    neighbours_ = neighbours(surface);
-    spread_ = spread(surface, neighbours_);
+    neighbors_ = neighbors(surface);
+    spread_ = spread(surface, neighbors_);
 }
 
 }  // namespace fovea::scene

@@ -113,11 +113,11 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
     if (last > first) keep(before);
 }
 
-void emphasize(CentreLine& line, const EmphasisAlong& emphasis) {
+void emphasize(CenterLine& line, const EmphasisAlong& emphasis) {
     if (emphasis.arc.empty() || line.size() < 2) return;
     insert_points(line, emphasis.arc);
     const auto& arc = emphasis.arc;
-    for (CentrePoint& p : line) {
+    for (CenterPoint& p : line) {
         const std::size_t k = std::upper_bound(arc.begin(), arc.end(), p.arc) - arc.begin();
         const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k, arc.size() - 1);
         const float t = a < b ? float((p.arc - arc[a]) / (arc[b] - arc[a])) : 0.0f;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fovea/focus/transfer.h>
-#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/center_line.h>
 
 namespace fovea::stroke {
 
@@ -36,7 +36,7 @@ void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis);
 void find_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis, Index piece, double start_px, double end_px,
                    EmphasisAlong& out);
 
-/// Adds the points at which the emphasis bends, and sets CentrePoint::mix and ::shown everywhere; before `shape`.
-void emphasize(CentreLine& line, const EmphasisAlong& emphasis);
+/// Adds the points at which the emphasis bends, and sets CenterPoint::mix and ::shown everywhere; before `shape`.
+void emphasize(CenterLine& line, const EmphasisAlong& emphasis);
 
 }  // namespace fovea::stroke

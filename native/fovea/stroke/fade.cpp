@@ -72,14 +72,14 @@ void find_fade(const ClippedPaths& clipped, In<float> visibility, Index piece, d
     if (out.at_end) out.end_px = std::max(end_px, samples.arc(at_end.last));
 }
 
-void insert_bends(CentreLine& line, const Fade& fade) {
+void insert_bends(CenterLine& line, const Fade& fade) {
     // Samples of a small picture lie close together: without the last bend before an end, all of the line would fade.
     if (!fade.arc.empty() && line.size() > 1) insert_points(line, fade.arc, 0.1);
 }
 
-void fade_ends(CentreLine& line, const Fade& fade) {
+void fade_ends(CenterLine& line, const Fade& fade) {
     if (fade.arc.empty()) return;
-    for (CentrePoint& p : line) {
+    for (CenterPoint& p : line) {
         const auto above = std::upper_bound(fade.arc.begin(), fade.arc.end(), p.arc);
         const std::size_t k = above - fade.arc.begin();
         if (k == 0) {

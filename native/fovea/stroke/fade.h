@@ -2,7 +2,7 @@
 // Partial visibility: where samples are seen in part, the visible pen fades out and the hidden pen fades in.
 #pragma once
 
-#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/center_line.h>
 
 namespace fovea::stroke {
 
@@ -24,9 +24,9 @@ void find_fade(const ClippedPaths& clipped, In<float> visibility, Index piece, d
                bool hidden, Fade& out);
 
 /// Adds the points at which a line's opacity bends by a fade; before `shape`.
-void insert_bends(CentreLine& line, const Fade& fade);
+void insert_bends(CenterLine& line, const Fade& fade);
 
 /// Multiplies opacity; after `shape`.
-void fade_ends(CentreLine& line, const Fade& fade);
+void fade_ends(CenterLine& line, const Fade& fade);
 
 }  // namespace fovea::stroke

@@ -31,14 +31,14 @@ double noise(double x, std::uint64_t seed) {
     return glm::mix(lattice(std::int64_t(below), seed), lattice(std::int64_t(below) + 1, seed), s);
 }
 
-dvec2 normal_at(const CentreLine& line, std::size_t i) {
+dvec2 normal_at(const CenterLine& line, std::size_t i) {
     const dvec2 along = line[std::min(i + 1, line.size() - 1)].px - line[i > 0 ? i - 1 : 0].px;
     const double length = glm::length(along);
     return length > 0.0 ? dvec2(-along.y, along.x) / length : dvec2(0.0);
 }
 
 /// Arc lengths at whole multiples of a step inside a line: they do not depend on where it begins.
-std::vector<double> multiples(const CentreLine& line, double step) {
+std::vector<double> multiples(const CenterLine& line, double step) {
     std::vector<double> arcs;
     for (double k = std::ceil(line.front().arc / step); k * step < line.back().arc; ++k) arcs.push_back(k * step);
     return arcs;
@@ -46,7 +46,7 @@ std::vector<double> multiples(const CentreLine& line, double step) {
 
 }  // namespace
 
-void wobble(CentreLine& line, double amount_px, double length_px, std::uint64_t seed) {
+void wobble(CenterLine& line, double amount_px, double length_px, std::uint64_t seed) {
     if (line.size() < 2 || amount_px <= 0.0 || length_px <= 0.0) return;
     insert_points(line, multiples(line, std::max(length_px / steps_per_wave, 1.0)));
     const double start = line.front().arc, end = line.back().arc;
@@ -60,16 +60,16 @@ void wobble(CentreLine& line, double amount_px, double length_px, std::uint64_t 
     for (std::size_t i = 0; i < line.size(); ++i) line[i].px += shift[i];
 }
 
-void press(CentreLine& line, float amount) {
+void press(CenterLine& line, float amount) {
     if (line.size() < 2 || amount <= 0.0f) return;
     const double start = line.front().arc, length = line.back().arc - start;
     std::vector<double> arcs;
     for (int k = 1; k < pressure_steps; ++k) arcs.push_back(start + length * k / pressure_steps);
     insert_points(line, arcs);
-    for (CentrePoint& p : line) {
+    for (CenterPoint& p : line) {
         const double swell = std::sqrt(std::max(std::sin(std::numbers::pi * (p.arc - start) / length), 0.0));
         const float width = 2.0f * p.half_width * float(1.0 - amount * (1.0 - swell));
-        // Less than a pixel is drawn as a pixel of that much less opacity (centre_line.h).
+        // Less than a pixel is drawn as a pixel of that much less opacity (center_line.h).
         p.half_width = std::max(width, 1.0f) / 2.0f;
         p.opacity *= std::min(width, 1.0f);
     }

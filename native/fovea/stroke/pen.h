@@ -8,7 +8,7 @@ namespace fovea::stroke {
 
 using style::Anchor, style::Cap;
 
-/// Grey image of ink in [0,1], rows across the stroke (first row = left side of the way), columns along it, repeated.
+/// Gray image of ink in [0,1], rows across the stroke (first row = left side of the way), columns along it, repeated.
 struct PenTexture {
     int width = 0, height = 0;
     Array<float> ink;

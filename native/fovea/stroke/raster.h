@@ -9,7 +9,7 @@
 namespace fovea::stroke {
 
 /// Draws the strokes into `image` (height rows of width pixels, bottom row first; resized and
-/// overwritten): scene-linear, premultiplied colour and alpha, triangle over triangle in their
+/// overwritten): scene-linear, premultiplied color and alpha, triangle over triangle in their
 /// order, fragments as in fragment.h. With `spine` every fragment is as opaque as its stroke is visible
 /// at its u, and pixels outside the core of its depth buffer stay empty. The same for any number of threads. Throws
 /// where a stroke's pen, a pen's texture, a triangle's corner or (with `spine`) a vertex's piece does not exist, or the

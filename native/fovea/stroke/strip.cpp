@@ -35,7 +35,7 @@ struct Group {
 
 class Strip {
    public:
-    Strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes& out)
+    Strip(In<CenterPoint> line, bool closed, const StripEnds& ends, Strokes& out)
         : line_(line), closed_(closed), ends_(ends), out_(out), size_(Index(line.size())) {
         directions_.reserve(size_ - 1);
         for (Index i = 0; i + 1 < size_; ++i) directions_.push_back(glm::normalize(line[i + 1].px - line[i].px));
@@ -142,12 +142,12 @@ class Strip {
     }
 
     void shared_corner(const Group& g, double side, std::vector<Corners>& corners) {
-        const CentrePoint &p = line_[g.first], &q = line_[g.last];
+        const CenterPoint &p = line_[g.first], &q = line_[g.last];
         const bool merged = g.first != g.last, start = g.first == 0, end = g.last + 1 == size_;
         const dvec2 a = into(g.first), b = out_of(g.last);
-        const CentrePoint mean{p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width),
+        const CenterPoint mean{p.px, 0.5 * (p.arc + q.arc), 0.5f * (p.half_width + q.half_width),
                                0.5f * (p.opacity + q.opacity), 0.5f * (p.mix + q.mix)};
-        const CentrePoint& middle = merged && start ? p : merged && end ? q : mean;
+        const CenterPoint& middle = merged && start ? p : merged && end ? q : mean;
         Corners split;
         if (glm::dot(a, b) > stretch_limit || (merged && (start || end))) {
             split.before = split.after = vertex(middle, g.corner, middle.arc, side);
@@ -162,7 +162,7 @@ class Strip {
     }
 
     void square_corners(Index i, double side, Corners& corners) {
-        const CentrePoint& p = line_[i];
+        const CenterPoint& p = line_[i];
         corners.before = vertex(p, square(i, into(i), side), p.arc, side);
         corners.after = vertex(p, square(i, out_of(i), side), p.arc, side);
         corners.square = true;
@@ -178,8 +178,8 @@ class Strip {
         return std::clamp(u, double(ends_.start), std::max<double>(ends_.start, ends_.end));
     }
 
-    /// A corner on a side of the strip; side 0: on the centre line.
-    Index vertex(const CentrePoint& p, dvec2 px, double u, double side) {
+    /// A corner on a side of the strip; side 0: on the center line.
+    Index vertex(const CenterPoint& p, dvec2 px, double u, double side) {
         out_.px.push_back(vec2(px));
         out_.arc.push_back({float(u), float(side * (p.half_width + fringe)), ends_.start, ends_.end});
         out_.half_width.push_back(p.half_width);
@@ -236,7 +236,7 @@ class Strip {
         }
     }
 
-    In<CentrePoint> line_;
+    In<CenterPoint> line_;
     bool closed_;
     StripEnds ends_;
     Strokes& out_;
@@ -247,7 +247,7 @@ class Strip {
 
 }  // namespace
 
-void add_strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes& out) {
+void add_strip(In<CenterPoint> line, bool closed, const StripEnds& ends, Strokes& out) {
     if (line.size() >= 2) Strip(line, closed, ends, out).build();
 }
 

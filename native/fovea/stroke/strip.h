@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A centre line with width becomes a strip of triangles with mitred or round joins.
+// A center line with width becomes a strip of triangles with mitred or round joins.
 #pragma once
 
-#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/center_line.h>
 #include <fovea/stroke/strokes.h>
 
 namespace fovea::stroke {
@@ -16,11 +16,11 @@ struct StripEnds {
     Index pen;
 };
 
-/// Appends the strip around `line` (at least two points, neighbours apart), half a pixel wider than
+/// Appends the strip around `line` (at least two points, neighbors apart), half a pixel wider than
 /// its width. Bends up to 100 degrees are mitred, sharper ones rounded. Where the inner side of
 /// bends is longer than the steps between them, their inner corners merge: no spikes, no folded
 /// triangles, and no pixel drawn twice unless the line turns back on itself (more than 150 degrees)
 /// within its own width. `closed`: the last point repeats the first, and is joined to it.
-void add_strip(In<CentrePoint> line, bool closed, const StripEnds& ends, Strokes& out);
+void add_strip(In<CenterPoint> line, bool closed, const StripEnds& ends, Strokes& out);
 
 }  // namespace fovea::stroke

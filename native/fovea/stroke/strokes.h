@@ -6,7 +6,7 @@
 
 namespace fovea::stroke {
 
-/// Strips of triangles around the centre lines of strokes, half a pixel wider than the pen for
+/// Strips of triangles around the center lines of strokes, half a pixel wider than the pen for
 /// antialiasing. Triangles of a stroke that touch share corners (or have corners at the very same
 /// place), so that a pixel between them is drawn once. Pixels as in View. Everything is affine over
 /// a triangle; coverage and ink of a fragment: fragment.h.

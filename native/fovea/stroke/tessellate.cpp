@@ -7,7 +7,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/path/paths.h>
-#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/center_line.h>
 #include <fovea/stroke/emphasis.h>
 #include <fovea/stroke/fade.h>
 #include <fovea/stroke/hand.h>
@@ -67,7 +67,7 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
     const Array<Index> order = drawing_order(runs, pen_of_run);
     auto parts =
         parallel_parts<Strokes>(order.size(), block_size, [&](Strokes& out, std::size_t begin, std::size_t end) {
-            CentreLine line;
+            CenterLine line;
             Fade fade;
             EmphasisAlong along;
             for (std::size_t k = begin; k < end; ++k) {

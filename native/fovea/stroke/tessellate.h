@@ -14,7 +14,7 @@ namespace fovea::stroke {
 /// - A run over the whole of a closed piece is joined to itself; other runs end in the pen's caps, and taper where
 ///   their path ends freely; those that start before their piece or end after it go straight on.
 /// - `pen_of_run`: index into `pens` per run; `none` draws nothing.
-/// - `strength`: per point of Paths, in [0,1], thins or fades (centre_line.h); empty: 1.
+/// - `strength`: per point of Paths, in [0,1], thins or fades (center_line.h); empty: 1.
 /// - `emphasis`: leads from each pen to the one out of focus, and fades what elision drops.
 /// - `ids`: per path of Paths, what wobble is made from; empty: the path's number.
 /// - `visibility`: per atlas sample; those at the ends of runs that are seen in part fade them out (fade.h). Empty: all

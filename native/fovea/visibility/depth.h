@@ -13,23 +13,23 @@ namespace fovea::visibility {
 /// Surfaces seen almost edge on have no steeper slope than this.
 inline constexpr float max_depth_slope = 1e6f;
 
-/// The nearest surface at a texel's centre, as a plane over the image.
+/// The nearest surface at a texel's center, as a plane over the image.
 struct DepthTexel {
-    float depth = 0.0f;  ///< reversed screen-linear depth (base/view.h), at the texel's centre
+    float depth = 0.0f;  ///< reversed screen-linear depth (base/view.h), at the texel's center
     /// Its change per pixel of the view (not per texel), to the right and up; at most max_depth_slope.
     float ddx = 0.0f, ddy = 0.0f;
     Index facet = none;  ///< number over the whole scene; `none`: background
-    vec2 edges{0.0f};    ///< of the triangle that covers the centre (triangle_edges.h)
+    vec2 edges{0.0f};    ///< of the triangle that covers the center (triangle_edges.h)
 };
 
 /// Texels of a view drawn at `scale` times its resolution, with `border_x` and `border_y` pixels left of and below the
-/// frame (fewer than none in most tiles, depth_tiles); rows from bottom to top. The centre of texel (x, y) lies at
+/// frame (fewer than none in most tiles, depth_tiles); rows from bottom to top. The center of texel (x, y) lies at
 /// ((x + .5) / scale - border_x, (y + .5) / scale - border_y) pixels.
 struct DepthBuffer {
     int scale = 1;
     int border_x = 0, border_y = 0;
     int width = 0, height = 0;  ///< texels
-    /// Left, lower, right and upper edge [px] of what it decides; a tile's neighbours decide the rest.
+    /// Left, lower, right and upper edge [px] of what it decides; a tile's neighbors decide the rest.
     vec4 core{-far_px, -far_px, far_px, far_px};
     Array<DepthTexel> texels;
 
@@ -37,7 +37,7 @@ struct DepthBuffer {
 
     bool decides(vec2 px) const { return px.x >= core.x && px.y >= core.y && px.x < core.z && px.y < core.w; }
     const DepthTexel& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
-    /// Texels of a pixel position: (.5, .5) is the centre of texel (0, 0).
+    /// Texels of a pixel position: (.5, .5) is the center of texel (0, 0).
     vec2 to_texels(vec2 px) const { return (px + vec2(border_x, border_y)) * float(scale); }
 };
 

@@ -79,7 +79,7 @@ class Marcher {
 
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
-    /// From segment to segment: neighbours are mostly hidden by the same triangles.
+    /// From segment to segment: neighbors are mostly hidden by the same triangles.
     Remembered<Occluding, 8> known_;
 };
 

@@ -27,7 +27,7 @@ dvec2 texels(const DepthBuffer& depth, vec2 px) {
 /// True where a line from `from` to `to` goes as far in x as in y.
 bool along_x(dvec2 from, dvec2 to) { return std::abs(to.x - from.x) >= std::abs(to.y - from.y); }
 
-/// First and last texel (excluded) whose centres lie on the way; the texel in which a line ends is left to the next.
+/// First and last texel (excluded) whose centers lie on the way; the texel in which a line ends is left to the next.
 std::pair<int, int> texels_between(double a, double b, int size) {
     const double low = a <= b ? std::ceil(a - 0.5) : std::floor(b - 0.5) + 1.0;
     const double high = a <= b ? std::ceil(b - 0.5) : std::floor(a - 0.5) + 1.0;

@@ -30,7 +30,7 @@ void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
 /// - Any whose triangle (triangle_edges.h) reaches as far as the probe: what hides it is really there, on the near
 ///   side of its edge, even where the probe's own texel shows what is beyond.
 /// - Else the texel the probe lies in, when it hides the line clearly: by more than surfaces as steep as its own, or as
-///   the line's own facets, rise over the distance between the texel's centre and the probe.
+///   the line's own facets, rise over the distance between the texel's center and the probe.
 /// - Else all four: a silhouette lies a little behind the bulge of its own surface, but has open texels beside it.
 /// - An inner line (own_sides.h) is seen where its texel does not hide it and one of the four shows an own facet.
 ///

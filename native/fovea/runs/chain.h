@@ -6,7 +6,7 @@
 
 namespace fovea::runs {
 
-/// Part of a strand, in pixels of the strand's arc length.
+/// Part of a chain, in pixels of the chain's arc length.
 struct Span {
     double begin, end;
     double length() const { return end - begin; }
@@ -17,9 +17,9 @@ inline constexpr double same_place_px = 1e-6;
 
 /// A piece; or, where the frame cuts a closed path, the two pieces that meet at its seam. A closed piece goes on into
 /// itself. Arc length is that of the first piece, and goes on along the second.
-class Strand {
+class Chain {
    public:
-    Strand(const ClippedPaths& clipped, Index piece);
+    Chain(const ClippedPaths& clipped, Index piece);
 
     double begin = 0.0, end = 0.0;
     /// The end goes on at the begin.
@@ -34,19 +34,19 @@ class Strand {
 
     struct Part {
         Index piece;
-        double shift;  ///< arc length of the strand less that of the piece
+        double shift;  ///< arc length of the chain less that of the piece
     };
     In<Part> parts() const { return {parts_, std::size_t(count_)}; }
 
-    /// What per-atlas-sample `values` say at a place of the strand (PieceSamples::value).
+    /// What per-atlas-sample `values` say at a place of the chain (PieceSamples::value).
     float value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const;
 
-    /// The visible parts of the strand, ascending, apart from each other. Of a cyclic strand, one that goes on across
+    /// The visible parts of the chain, ascending, apart from each other. Of a cyclic chain, one that goes on across
     /// the seam ends beyond `end`.
     void visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const;
 
     /// What spans leave on one piece, in its own arc length, ascending and apart. Spans may overlap, may reach beyond a
-    /// cyclic strand, and beyond ends of the line; where the frame cuts it they end.
+    /// cyclic chain, and beyond ends of the line; where the frame cuts it they end.
     void on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const;
 
    private:
@@ -59,8 +59,8 @@ class Strand {
 /// visible now.
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out);
 
-/// The runs after change(strand, spans) has had its way with the visible spans of each strand whose path is `wanted`;
-/// the runs of others stay as they are. Hidden runs give way to visible ones and stay otherwise. A strand of two pieces
+/// The runs after change(chain, spans) has had its way with the visible spans of each chain whose path is `wanted`;
+/// the runs of others stay as they are. Hidden runs give way to visible ones and stay otherwise. A chain of two pieces
 /// is changed once for each. Parallel; the result does not depend on the number of threads.
 template <typename Wanted, typename Change>
 Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted& wanted, const Change& change) {
@@ -72,10 +72,10 @@ Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted&
                 for (Index r = rows.begin(q); r < rows.end(q); ++r) out.push(runs, r);
                 continue;
             }
-            const Strand strand(clipped, q);
-            strand.visible(runs, rows, spans);
-            change(strand, spans);
-            strand.on_piece(q, spans, kept);
+            const Chain chain(clipped, q);
+            chain.visible(runs, rows, spans);
+            change(chain, spans);
+            chain.on_piece(q, spans, kept);
             replace_visible(runs, rows, q, kept, out);
         }
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/stroke/centre_line.h>
+#include <fovea/stroke/center_line.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +12,19 @@ namespace {
 constexpr double small_step = 1.5;      // px; longer steps are shape, not noise of a dense mesh
 constexpr double largest_shift = 0.15;  // px a point may move to even out small steps
 constexpr double tolerance = 0.1;       // px between a dropped point and the line that replaces it
-constexpr double shortest = 0.05;       // px between neighbours: below it a direction means nothing
+constexpr double shortest = 0.05;       // px between neighbors: below it a direction means nothing
 constexpr float strength_step = 0.05f;  // change of strength that keeps a point
 constexpr int taper_steps = 4;
 constexpr double most_overshoot = 1000.0;  // px
 constexpr double tip_width = 0.2;          // of a tapered end, in widths of the pen: corners of the drawing stay closed
 
-CentrePoint mix(const CentrePoint& a, const CentrePoint& b, double t) {
+CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);
     return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),
             glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s), glm::mix(a.shown, b.shown, s)};
 }
 
-CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
+CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
     float s = strength.empty() ? 1.0f : clipped.at_point(strength, i);
     s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
     return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
@@ -34,16 +34,16 @@ CentrePoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
 /// tolerance.
 class Cone {
    public:
-    explicit Cone(const CentrePoint& origin) : origin_(origin) {}
+    explicit Cone(const CenterPoint& origin) : origin_(origin) {}
 
-    bool admits(const CentrePoint& p) const {
+    bool admits(const CenterPoint& p) const {
         if (std::abs(p.opacity - origin_.opacity) > strength_step) return false;
         const dvec2 d = p.px - origin_.px;
         if (glm::length(d) < far_ - tolerance) return false;  // turns back
         return far_ <= tolerance || (cross(right_, d) >= 0.0 && cross(d, left_) >= 0.0);
     }
 
-    void narrow(const CentrePoint& p) {
+    void narrow(const CenterPoint& p) {
         const dvec2 d = p.px - origin_.px;
         const double distance = glm::length(d);
         if (distance > tolerance) {
@@ -56,13 +56,13 @@ class Cone {
     }
 
    private:
-    CentrePoint origin_;
+    CenterPoint origin_;
     double far_ = 0.0;
     dvec2 right_{0.0}, left_{0.0};
 };
 
 /// Binomial average where both steps are small: a zigzag of a dense mesh becomes straight.
-void even_out(CentreLine& line) {
+void even_out(CenterLine& line) {
     dvec2 before = line.front().px;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
         const dvec2 here = line[i].px, after = line[i + 1].px;
@@ -75,13 +75,13 @@ void even_out(CentreLine& line) {
 }
 
 /// Width of the pens where a line is as strong, and as far out of focus, as here; `opacity` is the strength still.
-float width_of(const PenPair& pens, const CentrePoint& p) {
+float width_of(const PenPair& pens, const CenterPoint& p) {
     const float width = glm::mix(pens.in_focus.width_px, pens.out_of_focus.width_px, p.mix.z);
     return width * glm::mix(1.0f, p.opacity, float(pens.in_focus.look.strength_width));
 }
 
 /// Points where strength thins the pen to one pixel: thinner ones are drawn in another way.
-void insert_where_thin(CentreLine& line, const PenPair& pens) {
+void insert_where_thin(CenterLine& line, const PenPair& pens) {
     std::vector<double> arcs;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const float a = width_of(pens, line[i - 1]) - 1.0f, b = width_of(pens, line[i]) - 1.0f;
@@ -93,7 +93,7 @@ void insert_where_thin(CentreLine& line, const PenPair& pens) {
 }  // namespace
 
 void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px,
-         CentreLine& out) {
+         CenterLine& out) {
     out.clear();
     const Index begin = clipped.pieces.begin(piece), end = clipped.pieces.end(piece);
     if (end - begin < 2 || !(start_px < end_px)) return;
@@ -103,24 +103,24 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
     const Index first = Index(std::upper_bound(arc + begin + 1, arc + end - 1, start_px) - arc);
     const Index last = Index(std::lower_bound(arc + first, arc + end - 1, end_px) - arc);
     const auto at = [&](Index i, double arc_px) {
-        const CentrePoint a = point_of(clipped, strength, i - 1), b = point_of(clipped, strength, i);
+        const CenterPoint a = point_of(clipped, strength, i - 1), b = point_of(clipped, strength, i);
         const double length = b.arc - a.arc;
         return mix(a, b, length > 0.0 ? std::clamp((arc_px - a.arc) / length, 0.0, 1.0) : 0.0);
     };
     out.push_back(at(first, start_px));
     for (Index i = first; i < last; ++i) out.push_back(point_of(clipped, strength, i));
     out.push_back(at(last, end_px));
-    std::erase_if(out, [](const CentrePoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
+    std::erase_if(out, [](const CenterPoint& p) { return !std::isfinite(p.px.x + p.px.y + p.arc); });
 }
 
-void lengthen(CentreLine& line, double before_px, double after_px) {
+void lengthen(CenterLine& line, double before_px, double after_px) {
     if (line.size() < 2) return;
     // Straight on is where the line leads over this length: at its very end a dense mesh leads anywhere.
     constexpr double look_back = 3.0;
     const auto beyond = [](const auto& from_end, double length, double sign) {
-        CentrePoint end = *from_end.begin();
+        CenterPoint end = *from_end.begin();
         const auto inner = std::ranges::find_if(
-            from_end, [&](const CentrePoint& p) { return glm::distance(p.px, end.px) > look_back; });
+            from_end, [&](const CenterPoint& p) { return glm::distance(p.px, end.px) > look_back; });
         const dvec2 other = inner != from_end.end() ? inner->px : std::ranges::prev(from_end.end())->px;
         if (other == end.px) return end;
         end.px += glm::normalize(end.px - other) * length;
@@ -129,17 +129,17 @@ void lengthen(CentreLine& line, double before_px, double after_px) {
     };
     before_px = std::min(before_px, most_overshoot);
     after_px = std::min(after_px, most_overshoot);
-    const CentrePoint first = beyond(line, before_px, -1.0);
-    const CentrePoint last = beyond(std::views::reverse(line), after_px, 1.0);
+    const CenterPoint first = beyond(line, before_px, -1.0);
+    const CenterPoint last = beyond(std::views::reverse(line), after_px, 1.0);
     if (after_px > 0.0) line.push_back(last);
     if (before_px > 0.0) line.insert(line.begin(), first);
 }
 
-void insert_points(CentreLine& line, In<double> arcs, double near_px) {
-    CentreLine out{line.front()};
+void insert_points(CenterLine& line, In<double> arcs, double near_px) {
+    CenterLine out{line.front()};
     std::size_t next = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const CentrePoint &a = line[i - 1], &b = line[i];
+        const CenterPoint &a = line[i - 1], &b = line[i];
         for (; next < arcs.size() && arcs[next] < b.arc; ++next)
             if (arcs[next] > out.back().arc + near_px && arcs[next] < b.arc - near_px)
                 out.push_back(mix(a, b, (arcs[next] - a.arc) / (b.arc - a.arc)));
@@ -148,7 +148,7 @@ void insert_points(CentreLine& line, In<double> arcs, double near_px) {
     line = std::move(out);
 }
 
-void simplify(CentreLine& line) {
+void simplify(CenterLine& line) {
     if (line.size() < 2) return line.clear();
     even_out(line);
     std::size_t kept = 1;
@@ -160,14 +160,14 @@ void simplify(CentreLine& line) {
         }
         cone.narrow(line[i]);
     }
-    const CentrePoint end = line.back();
+    const CenterPoint end = line.back();
     while (kept > 0 && glm::distance(line[kept - 1].px, end.px) <= shortest) --kept;
     // Too short for a direction: nothing. A last step that was too short ends at the true end.
     if (kept > 0) line[kept++] = end;
     line.resize(kept);
 }
 
-void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
+void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered) {
     if (line.size() < 2) return;
     const Pen& pen = pens.in_focus;
     const float opacity = float(pen.look.opacity), away = float(pens.out_of_focus.look.opacity);
@@ -190,7 +190,7 @@ void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
     const auto along = [&](bool tapers, double distance) {
         return tapers && taper > 0.0 ? std::clamp(distance / taper, 0.0, 1.0) : 1.0;
     };
-    for (CentrePoint& p : line) {
+    for (CenterPoint& p : line) {
         const double x = std::min(along(tapered.start, p.arc - start), along(tapered.end, end - p.arc));
         const float width = width_of(pens, p) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
         const float faded = glm::mix(p.opacity, 1.0f, float(pen.look.strength_width));
@@ -199,15 +199,15 @@ void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered) {
     }
 }
 
-void extend(CentreLine& line, Cap cap) {
+void extend(CenterLine& line, Cap cap) {
     if (line.size() < 2) return;
-    const auto beyond = [&](CentrePoint end, dvec2 inner, double sign) {
+    const auto beyond = [&](CenterPoint end, dvec2 inner, double sign) {
         const double reach = (cap == Cap::round ? end.half_width : 0.0) + 0.5;
         end.px += glm::normalize(end.px - inner) * reach;
         end.arc += sign * reach;
         return end;
     };
-    const CentrePoint first = beyond(line.front(), line[1].px, -1.0);
+    const CenterPoint first = beyond(line.front(), line[1].px, -1.0);
     line.push_back(beyond(line.back(), line[line.size() - 2].px, 1.0));
     line.insert(line.begin(), first);
 }

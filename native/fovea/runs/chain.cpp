@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/runs/strand.h>
+#include <fovea/runs/chain.h>
 
 #include <algorithm>
 #include <limits>
@@ -37,7 +37,7 @@ void unite(std::vector<Span>& spans) {
 
 }  // namespace
 
-Strand::Strand(const ClippedPaths& clipped, Index piece) {
+Chain::Chain(const ClippedPaths& clipped, Index piece) {
     const int ends = clipped.ends[piece];
     cyclic = clipped.closed[piece];
     const bool at_seam = !cyclic && (ends & (seam_start | seam_end));
@@ -59,13 +59,13 @@ Strand::Strand(const ClippedPaths& clipped, Index piece) {
     ends_at_end = clipped.ends[parts_[count_ - 1].piece] & path_end;
 }
 
-float Strand::value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const {
+float Chain::value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const {
     if (cyclic && at > end) at -= length();
     const Part& part = parts_[count_ > 1 && at > seam_ ? 1 : 0];
     return PieceSamples(clipped, part.piece).value(values, at - part.shift, otherwise);
 }
 
-void Strand::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const {
+void Chain::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const {
     out.clear();
     for (const auto& [piece, shift] : parts()) {
         for (Index r = rows.begin(piece); r < rows.end(piece); ++r) {
@@ -85,7 +85,7 @@ void Strand::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out)
     out.erase(out.begin());
 }
 
-void Strand::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const {
+void Chain::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const {
     constexpr double endless = std::numeric_limits<double>::infinity();
     const bool first = piece == parts_[0].piece, last = piece == parts_[count_ - 1].piece;
     const double shift = first ? 0.0 : parts_[1].shift;

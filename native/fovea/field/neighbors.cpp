@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/field/neighbours.h>
+#include <fovea/field/neighbors.h>
 
 #include <algorithm>
 #include <atomic>
@@ -36,7 +36,7 @@ Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
 }
 
 /// Which edges are hard: between two facets the angle tells, and whether the surface beside the edge is smooth. A fold
-/// that goes on turning beside the edge is a rounded one of few triangles, and neighbourhoods cut there would be torn.
+/// that goes on turning beside the edge is a rounded one of few triangles, and neighborhoods cut there would be torn.
 class HardEdges {
    public:
     HardEdges(const Surface& surface, const Lists<Index>& triangles, double hard_angle)
@@ -156,8 +156,8 @@ Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_end
     return kept;
 }
 
-Neighbours find_neighbours(const Surface& surface, double hard_angle) {
-    Neighbours result;
+Neighbors find_neighbors(const Surface& surface, double hard_angle) {
+    Neighbors result;
     const Index count = surface.vertex_count();
     Lists<Index> around = sorted_lists(count, surface.triangles.size(), [&](std::size_t t, const auto& give) {
         for (int i = 0; i < 3; ++i) give(surface.triangles[t][i], Index(t));
@@ -193,9 +193,9 @@ Neighbours find_neighbours(const Surface& surface, double hard_angle) {
 
 }  // namespace
 
-std::shared_ptr<const Neighbours> neighbours_of(const Surface& surface, double hard_angle) {
-    return surface.cache().get<Neighbours>(hash_numbers(std::bit_cast<std::uint64_t>(hard_angle)),
-                                           [&] { return find_neighbours(surface, hard_angle); });
+std::shared_ptr<const Neighbors> neighbors_of(const Surface& surface, double hard_angle) {
+    return surface.cache().get<Neighbors>(hash_numbers(std::bit_cast<std::uint64_t>(hard_angle)),
+                                          [&] { return find_neighbors(surface, hard_angle); });
 }
 
 }  // namespace fovea::field

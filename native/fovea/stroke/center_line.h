@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The centre line of a stroke: the visible part of a path, relieved of steps too small to see, with
+// The center line of a stroke: the visible part of a path, relieved of steps too small to see, with
 // width and ends.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace fovea::stroke {
 
-struct CentrePoint {
+struct CenterPoint {
     dvec2 px;
     /// Arc length over the whole path [px].
     double arc;
@@ -22,22 +22,22 @@ struct CentrePoint {
     float shown = 1.0f;
 };
 
-using CentreLine = std::vector<CentrePoint>;
+using CenterLine = std::vector<CenterPoint>;
 
 /// The part of a piece between two arc lengths; its ends are interpolated. `strength` per point of
 /// Paths, held to [0, 1], 0 where it is no number; empty: 1.
-void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px, CentreLine& out);
+void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px, CenterLine& out);
 
 /// Goes straight on beyond either end of a line, for so many pixels (0 or less: not at all).
-void lengthen(CentreLine& line, double before_px, double after_px);
+void lengthen(CenterLine& line, double before_px, double after_px);
 
 /// Evens out zigzag of steps below 1.5 px (points move at most .15 px), then drops points that lie
 /// within .1 px of the line between those kept, or on top of each other. Ends stay. Fewer than two
 /// points are left of a line without length.
-void simplify(CentreLine& line);
+void simplify(CenterLine& line);
 
 /// Adds points at the given arc lengths (ascending), except so near to others.
-void insert_points(CentreLine& line, In<double> arcs, double near_px = 0.5);
+void insert_points(CenterLine& line, In<double> arcs, double near_px = 0.5);
 
 /// Which ends of a line taper.
 struct TaperedEnds {
@@ -53,9 +53,9 @@ struct PenPair {
 /// times 1 + (strength - 1) (1 - strength_width) and what is shown. The width thins to a fifth over the pen's taper at
 /// ends that taper. A line too short for that thins in proportion less. Points are added where the width bends. Less
 /// than a pixel is drawn as a pixel of that much less opacity.
-void shape(CentreLine& line, const PenPair& pens, TaperedEnds tapered);
+void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered);
 
 /// Adds a point beyond either end, as far as the cap reaches.
-void extend(CentreLine& line, Cap cap);
+void extend(CenterLine& line, Cap cap);
 
 }  // namespace fovea::stroke
