@@ -21,7 +21,7 @@
 
 namespace fovea::base {
 
-/// Thrown when a long call has been asked to stop.
+/// Thrown when a long call is cancelled.
 struct Cancelled : std::runtime_error {
     Cancelled() : std::runtime_error("cancelled") {}
 };

@@ -36,7 +36,7 @@ struct ClusterBounds {
 /// adjacent numbers are adjacent in space, too.
 struct Clusters {
     Array<Index> triangles;  ///< cluster c has [begin(c), end(c)), ascending
-    /// Per entry of `triangles`: its vertices, as positions in the cluster's list of vertices
+    /// Per entry of `triangles`: its vertices, as positions in the cluster's list of vertices.
     Array<glm::u16vec3> corners;
     Lists<Index> vertices;  ///< per cluster, without repetition
     Index count() const { return vertices.count(); }

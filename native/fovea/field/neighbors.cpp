@@ -35,9 +35,9 @@ Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
     return lists;
 }
 
-/// Classifies edges as hard. Between two facets the angle decides, and whether the surface next to the edge is smooth:
-/// where it goes on turning there, the fold is a rounded one of few triangles, and cutting neighborhoods at it would
-/// tear them.
+/// Classifies edges as hard: by the angle between their two facets, compared with how much the surface bends next to
+/// them. Where it bends there as well, the fold is a rounded one of few triangles, at which neighborhoods must not be
+/// cut.
 class HardEdges {
    public:
     HardEdges(const Surface& surface, const Lists<Index>& triangles, double hard_angle)

@@ -11,7 +11,7 @@ namespace fovea::mesh {
 struct Refinement {
     static constexpr int most_levels = 7;
     int level = 2;  ///< every cage quad becomes 2^level x 2^level quads; 1 to most_levels
-    /// Round boundary corners that belong to one polygon only; else the border passes through them
+    /// Round boundary corners that belong to one polygon only; else the border passes through them.
     bool round_corners = false;
     In<float> edge_crease = {};    ///< per edge of the cage
     In<float> vertex_crease = {};  ///< per vertex of the cage

@@ -26,7 +26,7 @@ struct MeshOf {
     ArrayOf<int> corner_verts;       ///< per corner
     ArrayOf<int> corner_edges;       ///< per corner: the edge to the polygon's next corner
     ArrayOf<int> polygon_offsets;    ///< polygons + 1: corners of polygon f are [f] .. [f + 1]
-    /// Vertices; triangulation of polygons with more than 4 corners, ordered by polygon
+    /// Vertices; triangulation of polygons with more than 4 corners, ordered by polygon.
     ArrayOf<glm::ivec3> ngon_triangles;
     ArrayOf<int> ngon_polygon;                     ///< per ngon triangle: its polygon, ascending
     ArrayOf<int> material;                         ///< optional, per polygon

@@ -55,7 +55,7 @@ void each_surface(const std::vector<Met>& met, const Found& found) {
 
 }  // namespace
 
-/// Collects all hits along the ray: the filter rejects each, so that traversal goes on, until `most` surfaces are
+/// Collects all hits along the ray: the filter rejects each, so that traversal continues, until `most` surfaces are
 /// counted.
 struct Tracer::Count : RayContext {
     const Tracer& tracer;

@@ -10,7 +10,7 @@ namespace fovea::scene {
 inline constexpr double grid_limit = 549755813888.0;  // 2^39: a determinant then fits 128 bits
 
 struct Orientation {
-    /// Six times the signed volume of the tetrahedron, rounded to double; exactly 0 if the points are coplanar
+    /// Six times the signed volume of the tetrahedron, rounded to double; exactly 0 if the points are coplanar.
     double value;
     int sign;  ///< sign of `value`, or if that is 0, of the volume after symbolic perturbation
 };
