@@ -4,7 +4,6 @@
 // In   the shaded scene, smoothed
 // Out  valleys (and ridges) of the tone: minima (maxima) along the principal direction of greatest curvature; strength
 //      from that curvature
-//      strong as it bends
 #include <fovea/line/image_curves.h>
 
 namespace fovea::line {

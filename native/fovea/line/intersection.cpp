@@ -2,10 +2,9 @@
 // Intersection: where surfaces pass through each other, two objects or parts of one.
 // In   triangles of all placements that are drawn; independent of the view
 // Out  curves on two triangles at once. They belong to the placement with the lower id (the other one if its transform
-// is singular) and are in its object space;
-//      `other` is the triangle of the second placement. Surfaces that only touch have none (scene/crossings.h): a box
-//      on a floor is outlined by its own creases. A placement with a singular transform has none with another one that
-//      is singular, too; instances in a heap (see below) have none with each other.
+//      is singular) and are in its object space; `other` is the triangle of the second placement. Surfaces that only
+//      touch have none (scene/crossings.h): a box on a floor is outlined by its own creases. Two placements with
+//      singular transforms have none with each other, nor have instances in a heap (see below).
 // Results are cached with the first surface, keyed by the second's version and its placement relative to the first, in
 // single precision. So nothing is recomputed when the camera, or both objects together, move, and pairs of instances
 // with equal relative placement share one result.

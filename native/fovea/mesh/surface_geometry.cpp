@@ -90,7 +90,7 @@ void Surface::find_degenerate(Array<std::uint8_t>& skip) {
 }
 
 void Surface::find_duplicates(Array<std::uint8_t>& skip) {
-    // Duplicates share all edges, so only the polygons at the first edge of each are compared.
+    // Candidates for the duplicate of a polygon are the polygons at its first edge.
     Array<Index> corner_polygon(corner_verts_.size());
     parallel_for(polygon_count(), [&](std::size_t f) {
         std::fill(corner_polygon.begin() + polygons_.begin(f), corner_polygon.begin() + polygons_.end(f), Index(f));

@@ -26,8 +26,9 @@ void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index v
                      const Array<Triangle>& triangles, Index count);
 
 /// BVH over the occluding triangles of a surface. Borrows the surface's arrays and is stored in its lasting cache.
-/// Built with full quality for a surface that never moves. When vertices move with `refit`, it is refitted, or rebuilt
-/// if the triangles differ or have moved so much relative to each other that the refitted boxes would overlap badly.
+/// Built with Embree's default quality as long as the surface does not move, then in a mode that can be refitted. When
+/// vertices move with `refit`, it is refitted, or rebuilt if the triangles differ or have moved so much relative to
+/// each other that the refitted boxes would overlap too much.
 class SurfaceBvh {
    public:
     explicit SurfaceBvh(const Surface& surface);

@@ -17,7 +17,6 @@ namespace fovea::scene {
 ///     its surface along the ray within `reach`, twice the longest side of its triangle. So folds closer than that do
 ///     not hide their own contours, and large triangles next to a sliver still break one for a few pixels;
 ///     test_contour_visibility.cpp measures the error.
-///     measures the error.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
