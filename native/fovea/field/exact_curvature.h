@@ -15,9 +15,10 @@ struct ImplicitJet {
     dmat3 third[3] = {dmat3(0.0), dmat3(0.0), dmat3(0.0)};
 };
 
-/// Exact for the jet: h(x, y) = H(x, y) / |g|, and C(x, y, z) = (T(x, y, z) - h(x, z) H(n, y) - h(y, z) H(n, x) - h(x,
-/// y) H(n, z)) / |g| on tangents. All zero if the gradient is. Goldman, "Curvature formulas for implicit curves and
-/// surfaces", CAGD 2005.
+/// Exact for the jet with gradient g, Hessian H and third derivatives T; on tangents x, y, z
+///   h(x, y) = H(x, y) / |g|
+///   C(x, y, z) = (T(x, y, z) - h(x, z) H(n, y) - h(y, z) H(n, x) - h(x, y) H(n, z)) / |g|.
+/// All zero if the gradient is. Goldman, "Curvature formulas for implicit curves and surfaces", CAGD 2005.
 CurvatureD curvature_of(const ImplicitJet& jet);
 
 /// Curvature of a surface's image under a linear map, at the image of a point with curvature `c`. `inverse`: inverse of

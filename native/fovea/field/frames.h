@@ -24,8 +24,8 @@ inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double 
     c.e2 = -first;
 }
 
-/// Components along t and b of the tangent directions (p, q), rotated from the plane with normal `from` to that of (t,
-/// b) by the smallest rotation.
+/// Components along t and b of the tangent directions (p, q), rotated from the plane with normal `from` to that
+/// of (t, b) by the smallest rotation.
 struct Turn {
     double pt, pb, qt, qb;
     Turn(const dvec3& p, const dvec3& q, const dvec3& from, const dvec3& t, const dvec3& b) {

@@ -73,7 +73,7 @@ struct ViewCurvatureOf {
 template <typename Real>
 ViewCurvatureOf<Real> view_curvature(const CurvatureOf<Real>& c, const SeenOf<Real>& seen,
                                      Real least_facing = Real(1e-3)) {
-    // P^-1 = I + (1 / |n.v| - 1) w w^T; Q = S P^-1; take the eigenvector of Q^T Q with the greater eigenvalue.
+    // P^-1 = I + (1 / |n.v| - 1) w w^T, w unit; Q = S P^-1; the eigenvector of Q^T Q with the greater eigenvalue.
     const Real facing = std::max(std::abs(seen.facing), least_facing), s2 = seen.sine2();
     const Real stretch = s2 > Real(1e-12) ? (1 / facing - 1) / s2 : Real(0);
     const Real p11 = 1 + stretch * seen.u * seen.u, p12 = stretch * seen.u * seen.w,
