@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quantities on demand: what is derived from an object, computed when first asked for and kept with it.
+// Derived quantities, computed on first use and cached with the object that they are derived from.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace fovea::base {
 
-/// Store of derived quantities, told apart by their type and a key (a hash of what else they depend on). Keeps the
-/// most recently used few of each type. Thread-safe; a quantity is computed under the lock, once, and may ask for
-/// others.
+/// Cache of derived quantities, keyed by their type and a 64-bit key (a hash of everything else that they depend on).
+/// Holds the `kept_per_type` most recently used of each type. Thread-safe. A quantity is computed once, while the
+/// (recursive) lock is held, and its computation may itself query the cache.
 class Cache {
    public:
     template <typename T, typename Make>
@@ -34,14 +34,14 @@ class Cache {
                 break;
             }
         }
-        // Isolated: a thread that waits inside must not pick up work that asks this cache again.
+        // Isolated: while it waits inside make(), the thread must not steal a task that queries this cache again.
         std::shared_ptr<const T> value;
         tbb::this_task_arena::isolate([&] { value = std::make_shared<const T>(make()); });
         entries_.push_front({type, key, value});
         return value;
     }
 
-    /// What `get` has made and kept, or null; null, too, while something is being computed.
+    /// The cached quantity, or null if it is not cached or another thread holds the lock (while it computes something).
     template <typename T>
     std::shared_ptr<const T> find(std::uint64_t key) const {
         const std::unique_lock lock(mutex_, std::try_to_lock);

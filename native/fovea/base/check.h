@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors at the boundary: bad input becomes std::invalid_argument (ValueError in Python) with one clear sentence.
+// Input validation: bad input throws std::invalid_argument (ValueError in Python) with a one-sentence message.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structures of arrays: each names its columns once, and what is done to all of them follows from that list.
+// Structures of arrays: each lists its columns (member arrays) once, and generic code loops over that list.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace fovea::base {
 
-/// One array of a structure. A group of columns that have a length in common (of paths, say, or of points) is a
-/// std::tuple of them, a static member of the structure.
+/// One array of a structure. Columns of equal length (one entry per path, say, or per point) form a group: a std::tuple
+/// of Columns, a static member of the structure.
 template <typename Structure, typename Value>
 struct Column {
-    const char* name;  ///< as scripts know it
+    const char* name;  ///< its name in scripts
     Array<Value> Structure::* array;
     const char* doc;  ///< shape, type, meaning, unit
 };
@@ -22,7 +22,7 @@ struct Column {
 template <typename Structure, typename Value>
 Column(const char*, Array<Value> Structure::*, const char*) -> Column<Structure, Value>;
 
-/// visit(column) for each column of a group, in order.
+/// Calls visit(column) for each column of a group, in order.
 template <typename Columns, typename Visit>
 void for_each_column(const Columns& columns, const Visit& visit) {
     std::apply([&](const auto&... column) { (visit(column), ...); }, columns);
@@ -39,13 +39,13 @@ void resize_columns(Structure& structure, const Columns& columns, std::size_t co
     for_each_column(columns, [&](const auto& column) { (structure.*column.array).resize(count); });
 }
 
-/// One more entry, all of it zero.
+/// Appends one entry to each column, value-initialized (zero).
 template <typename Structure, typename Columns>
 void append_zeros(Structure& structure, const Columns& columns) {
     for_each_column(columns, [&](const auto& column) { (structure.*column.array).push_back({}); });
 }
 
-/// Writes the columns of `from` over those of `to` from entry `at` on; there must be room.
+/// Copies the columns of `from` over entries `at` and following of those of `to`, which must be long enough.
 template <typename Structure, typename Columns>
 void copy_columns(const Structure& from, const Columns& columns, Structure& to, std::size_t at) {
     for_each_column(columns, [&](const auto& column) {
@@ -53,9 +53,9 @@ void copy_columns(const Structure& from, const Columns& columns, Structure& to, 
     });
 }
 
-/// Strips of triangles one after the other; each part is freed once it is copied. A strip has vertex_columns, the first
-/// of which is px, and triangles of its vertices. Throws std::invalid_argument, naming them, for more than there are
-/// indices.
+/// Concatenates triangle strips in order and offsets their vertex indices; each part is freed once it is copied.
+/// `Strips` has `vertex_columns` (the first of which is px) and `triangles`, which index its vertices. Throws
+/// std::invalid_argument, naming `name`, if the vertices exceed 32-bit indices.
 template <typename Strips>
 Strips join_strips(std::vector<Strips>& parts, const char* name) {
     std::vector<std::size_t> vertices, triangles;

@@ -9,8 +9,8 @@
 
 namespace fovea::base {
 
-/// Disjoint sets of the numbers below a count. A set is named by its least member, so that the order of joins does not
-/// matter.
+/// Disjoint sets of the integers [0, count). A set's representative is its least member, so it does not depend on the
+/// order of joins. Path halving; no union by rank.
 class DisjointSets {
    public:
     explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index(0)); }

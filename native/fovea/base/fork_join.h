@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the thread sanitizer has to be told of a parallel loop, as it does not see into oneTBB: bodies begin after the
-// call and end before its return. It is told nothing of the order of bodies among each other, so races between them are
-// found. Without the sanitizer all of this is empty.
+// Annotations of parallel loops for the thread sanitizer, which does not see into oneTBB: each body starts after the
+// call and ends before the call returns. No order among bodies is annotated, so races between them are still found.
+// Without the sanitizer everything here compiles to nothing.
 #pragma once
 
 #if defined(__SANITIZE_THREAD__)  // GCC
@@ -13,10 +13,10 @@
 #endif
 
 #ifdef FOVEA_THREAD_SANITIZER
-// As sanitizer/tsan_interface.h has them, which Debian's Clang lacks.
+// Declared as in sanitizer/tsan_interface.h, which Debian's Clang lacks.
 extern "C" void __tsan_acquire(void* place);
 extern "C" void __tsan_release(void* place);
-/// Of a lambda that oneTBB copies from thread to thread: what it captures is oneTBB's to hand over.
+/// For lambdas that oneTBB copies between threads: oneTBB synchronizes what they capture.
 #define FOVEA_TBB_HANDS_OVER __attribute__((no_sanitize("thread")))
 #else
 #define FOVEA_TBB_HANDS_OVER
@@ -24,7 +24,7 @@ extern "C" void __tsan_release(void* place);
 
 namespace fovea::base {
 
-/// One parallel call, made before it and gone after it.
+/// Scope of one parallel call: constructed before it, destroyed after it.
 class ForkJoin {
    public:
     ForkJoin() { release(begun_); }
@@ -32,7 +32,7 @@ class ForkJoin {
     ForkJoin(const ForkJoin&) = delete;
     ForkJoin& operator=(const ForkJoin&) = delete;
 
-    /// One body of the call, from its begin to its end.
+    /// Scope of one body of the call.
     class Body {
        public:
         explicit Body(const ForkJoin& call) : call_(call) { acquire(call_.begun_); }
@@ -52,7 +52,7 @@ class ForkJoin {
     static void acquire(const char&) {}
     static void release(const char&) {}
 #endif
-    char begun_ = 0, ended_ = 0;  // only their addresses count
+    char begun_ = 0, ended_ = 0;  // only their addresses are used
 };
 
 }  // namespace fovea::base

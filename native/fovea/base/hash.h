@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Content hashes: caches go by what data holds, never by where it lies.
+// Content hashes: cache keys depend on what data contains, never on its address.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ std::uint64_t hash_of(std::span<const T> values, std::uint64_t seed = 0) {
     return hash_bytes(values.data(), values.size_bytes(), seed);
 }
 
-/// Mixes numbers into one hash, in order.
+/// Hash of the values, converted to 64 bits each; depends on their order.
 template <typename... T>
 std::uint64_t hash_numbers(T... values) {
     const std::uint64_t words[] = {static_cast<std::uint64_t>(values)...};

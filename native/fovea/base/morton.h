@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An order along a space-filling curve.
+// Morton (Z-order) codes.
 #pragma once
 
 #include <fovea/base/types.h>
 
 namespace fovea::base {
 
-/// Bits of the three coordinates, 20 each, take turns, so that what is near in order is near in space. Morton, "A
-/// Computer Oriented Geodetic Data Base", 1966.
+/// Interleaves the lower 20 bits of the three coordinates into a Morton code, so that points with close codes are
+/// mostly close in space. Morton, "A Computer Oriented Geodetic Data Base", 1966.
 inline std::uint64_t along_curve(const glm::uvec3& p) {
     const auto spread = [](std::uint64_t x) {
         x = (x | x << 32) & 0x1f00000000ffffull;

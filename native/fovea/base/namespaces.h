@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A namespace for each folder, in the order of the data: each sees the names of those before it; those of style are
-// called style::Pen, as strokes have a Pen of their own.
+// One namespace per folder, in the order of the data flow; each sees the names of those before it. Those of `style` are
+// written style::Pen, because `stroke` has a Pen of its own.
 #pragma once
 
 namespace fovea {

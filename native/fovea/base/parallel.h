@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parallel loops over index ranges, and sorting (oneTBB). Results never depend on the number of threads: bodies write
-// only to their own elements, what is summed or appended goes through fixed blocks, joined in order, and orders are
-// total.
+// only to their own elements, sums and appended output are collected per fixed block and joined in block order, and
+// sort orders are total.
 #pragma once
 
 #include <algorithm>
@@ -21,12 +21,12 @@
 
 namespace fovea::base {
 
-/// Raised when a long call is asked to stop.
+/// Thrown when a long call is cancelled.
 struct Cancelled : std::runtime_error {
     Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// A flag that long calls poll once per block; set from any thread.
+/// A flag that long calls poll once per block; may be set from any thread.
 struct Cancel {
     std::atomic<bool> requested{false};
     void poll() const {
@@ -34,7 +34,7 @@ struct Cancel {
     }
 };
 
-/// body(i) for every i in [0, count), in blocks of at least `grain`.
+/// Calls body(i) for every i in [0, count), in blocks of at least `grain`.
 template <typename Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096) {
     const auto all_of = [&](std::size_t begin, std::size_t end) {
@@ -47,8 +47,8 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096)
     });
 }
 
-/// body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The division
-/// does not depend on the number of threads, so per-block results joined in block order are deterministic.
+/// Calls body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The blocks
+/// do not depend on the number of threads, so per-block results joined in block order are deterministic.
 template <typename Body>
 void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     const std::size_t blocks = (count + size - 1) / size;
@@ -56,7 +56,7 @@ void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     parallel_for(blocks, one, 1);
 }
 
-/// What fill(part, begin, end) makes of each block of parallel_blocks, in the order of the blocks.
+/// Per block of parallel_blocks, the Part that fill(part, begin, end) fills, in block order.
 template <typename Part, typename Fill>
 std::vector<Part> parallel_parts(std::size_t count, std::size_t size, const Fill& fill) {
     std::vector<Part> parts((count + size - 1) / size);
@@ -65,7 +65,7 @@ std::vector<Part> parallel_parts(std::size_t count, std::size_t size, const Fill
     return parts;
 }
 
-/// What body(begin, end, out) appends to `out` for such blocks, in their order.
+/// Concatenates, in block order, what body(begin, end, out) appends to `out` for each block.
 template <typename T, typename Body>
 Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body) {
     Array<T> all;
@@ -75,7 +75,7 @@ Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body)
     return all;
 }
 
-/// first() and second(), perhaps at once.
+/// Calls first() and second(), possibly concurrently.
 template <typename First, typename Second>
 void parallel_invoke(const First& first, const Second& second) {
     const ForkJoin call;
@@ -86,17 +86,17 @@ void parallel_invoke(const First& first, const Second& second) {
     tbb::parallel_invoke([&]() FOVEA_TBB_HANDS_OVER { run(first); }, [&]() FOVEA_TBB_HANDS_OVER { run(second); });
 }
 
-/// Sorts by an order that is total, so that there is one result.
+/// Sorts by a total order, so that the result is unique.
 template <typename Iterator, typename Less = std::less<>>
 void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
 #ifdef FOVEA_THREAD_SANITIZER
-    std::sort(begin, end, less);  // what oneTBB does with the elements is its own
+    std::sort(begin, end, less);  // TSan does not see the synchronization inside oneTBB's sort
 #else
     tbb::parallel_sort(begin, end, less);
 #endif
 }
 
-/// Exclusive prefix sum in place: counts become offsets; the array grows by one, its last entry is the total.
+/// Exclusive prefix sum in place: counts become offsets; the array grows by one entry, the total.
 template <typename Counts>
 void counts_to_offsets(Counts& counts) {
     typename Counts::value_type sum = 0;
@@ -108,7 +108,7 @@ void counts_to_offsets(Counts& counts) {
     counts.push_back(sum);
 }
 
-/// Lists of counts[k] indices each: those from first(k) on.
+/// Lists of counts[k] indices each, copied from the iterator first(k).
 template <typename First>
 Lists<Index> lists_from(Array<Index> counts, const First& first) {
     Lists<Index> lists;
@@ -121,7 +121,8 @@ Lists<Index> lists_from(Array<Index> counts, const First& first) {
     return lists;
 }
 
-/// Lists of what each(give) gives with give(list, value), in the order in which it comes; `each` is asked twice.
+/// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order.
+/// `each` runs twice (once to count, once to fill) and must make the same calls both times.
 template <typename T, typename Each>
 Lists<T> lists_of(std::size_t count, const Each& each) {
     Lists<T> lists;

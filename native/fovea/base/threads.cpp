@@ -11,7 +11,7 @@ namespace fovea::base {
 void limit_threads(int most) {
     check(most >= 0, "threads: 0 or more expected");
     static std::unique_ptr<tbb::global_control> limit;
-    limit.reset();  // of several limits the lowest holds, so the old one goes first
+    limit.reset();  // oneTBB applies the lowest of all limits, so the old one must be released first
     if (most > 0)
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(most));
 }

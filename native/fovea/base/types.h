@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The alphabet: GLM vectors, indices, borrowed arrays.
+// Basic types: GLM vectors, indices, borrowed and owned arrays.
 #pragma once
 
 #include <cstdint>
@@ -23,18 +23,18 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// Twice the area that two vectors span; positive where b lies to the left of a.
+/// Twice the signed area of the triangle (0, a, b): positive where b is counterclockwise of a.
 inline double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Index of a vertex, edge, polygon, facet, path or sample. `none` where there is none.
+/// Index of a vertex, edge, polygon, facet, path or sample; `none` means no such element.
 using Index = std::uint32_t;
 inline constexpr Index none = 0xffffffffu;
 
-/// Borrowed, read-only array: valid for the length of a call.
+/// Borrowed, read-only array; valid for the duration of a call.
 template <typename T>
 using In = std::span<const T>;
 
-/// Allocator that leaves plain values uninitialized: arrays of millions are filled in parallel right after.
+/// Allocator that leaves trivial values uninitialized: arrays of millions are filled in parallel right afterwards.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     template <typename U>
@@ -55,7 +55,7 @@ struct UninitializedAllocator : std::allocator<T> {
 template <typename T>
 using Array = std::vector<T, UninitializedAllocator<T>>;
 
-/// Rows `offsets[i] .. offsets[i + 1]` of a flat array (compressed rows).
+/// Row offsets of a flat array (as in CSR): row i is [offsets[i], offsets[i + 1]).
 struct Rows {
     Array<Index> offsets{0};
     Index count() const { return static_cast<Index>(offsets.size()) - 1; }
@@ -64,7 +64,7 @@ struct Rows {
     Index size(Index i) const { return offsets[i + 1] - offsets[i]; }
 };
 
-/// Lists of values, one after the other.
+/// Rows together with their flat array of values.
 template <typename T>
 struct Lists : Rows {
     Array<T> values;

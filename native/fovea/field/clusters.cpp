@@ -10,17 +10,17 @@
 namespace fovea::field {
 namespace {
 
-/// More than float arithmetic loses over one cluster.
+/// Exceeds the relative rounding error of float arithmetic over one cluster.
 constexpr double rounding = 1e-5;
 
-/// Orders triangles so that every run of triangles_of_cluster of them lies together: halves at the median along the
-/// longest side of the box around their middles, again and again.
+/// Orders triangles so that each run of triangles_of_cluster of them is compact: recursive median splits along the
+/// longest side of the bounding box of their centroids.
 class Order {
    public:
     explicit Order(const Surface& surface) : middles_(surface.triangles.size()), triangles_(middles_.size()) {
         parallel_for(middles_.size(), [&](std::size_t t) {
             const Triangle& c = surface.triangles[t];
-            const auto third = [&](Index v) { return surface.positions[v] / 3.0f; };  // sums of thirds stay finite
+            const auto third = [&](Index v) { return surface.positions[v] / 3.0f; };  // dividing first avoids overflow
             middles_[t] = third(c.x) + third(c.y) + third(c.z);
             triangles_[t] = static_cast<Index>(t);
         });
@@ -40,7 +40,7 @@ class Order {
         const vec3 size = high - low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::size_t middle = begin + (clusters + 1) / 2 * triangles_of_cluster;
-        // By numbers where they are equal, so that the order is one.
+        // Ties are broken by index, so that the order is unique.
         std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle, triangles_.begin() + end,
                          [&](Index a, Index b) {
                              const float x = middles_[a][axis], y = middles_[b][axis];
@@ -56,7 +56,7 @@ class Order {
     Array<Index> triangles_;
 };
 
-/// Numbers the vertices of one cluster in the order in which its triangles name them.
+/// Numbers the vertices of one cluster in order of first appearance.
 struct Numbering {
     explicit Numbering(Index vertices) : stamp(vertices, none), number(vertices) {}
     Array<Index> stamp;
@@ -91,7 +91,8 @@ Clusters make_clusters(const Surface& surface) {
     return clusters;
 }
 
-/// What bounds are made of, at a vertex or as the middle of many. In double precision: squares must not vanish.
+/// The bounded quantities, at a vertex or as the mean of many; in double precision, so that squares do not underflow.
+/// `straight` and `mixed`: diagonal and off-diagonal entries of the form h.
 struct Sample {
     dvec3 place{0.0}, normal{0.0}, straight{0.0}, mixed{0.0}, laplacian{0.0};
 
@@ -107,7 +108,7 @@ struct Sample {
         : place(b.center), normal(b.normal), straight(b.form[0]), mixed(b.form[1]), laplacian(b.laplacian) {}
 };
 
-/// Bounds of what is added in two rounds: first for the middle, then for the spread around it.
+/// Accumulates bounds in two passes over the same samples: add() for the mean, then add_spread() for the spread.
 class Bounding {
    public:
     void add(const Sample& f, double curvature, double third) {
@@ -122,7 +123,7 @@ class Bounding {
         ++count_;
     }
 
-    /// The middle as it is kept, in single precision.
+    /// The mean, rounded to the single precision in which it is stored, so that spreads are measured from that.
     void end_of_first_round() {
         const double share = 1.0 / count_;
         bounds_.center = vec3(0.5 * (low_ + high_));
@@ -133,7 +134,7 @@ class Bounding {
         middle_ = Sample(bounds_);
     }
 
-    /// `own`: bounds of what stands around f itself.
+    /// `own`: bounds of the samples around f that f is the mean of.
     void add_spread(const Sample& f, const ClusterBounds& own = {}) {
         const auto reach = [](double& most, double spread, double squared) {
             most = std::max(most, spread + std::sqrt(squared));
@@ -159,7 +160,7 @@ class Bounding {
         const vec3 all = b.center + b.normal + b.form[0] + b.form[1] + b.laplacian;
         if (!std::isfinite(all.x + all.y + all.z + b.radius + b.form_spread + b.laplacian_spread))
             b.radius = b.normal_spread = b.form_spread = b.laplacian_spread = b.curvature = b.third = HUGE_VALF;
-        return b;  // without bounds where numbers end
+        return b;  // not finite: unbounded
     }
 
    private:
@@ -170,7 +171,7 @@ class Bounding {
     ClusterBounds bounds_{};
 };
 
-/// No less than C(x, x, x) of any unit tangent: its norm as a tensor.
+/// Upper bound of C(x, x, x) over unit tangents x: the Frobenius norm of the tensor.
 double norm_of_third(const Curvature& c) {
     const double c0 = c.C[0], c1 = c.C[1], c2 = c.C[2], c3 = c.C[3];
     return std::sqrt(c0 * c0 + 3.0 * (c1 * c1 + c2 * c2) + c3 * c3);

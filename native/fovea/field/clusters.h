@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clusters of triangles that lie together and face alike, with bounds on their fields: what no view can see in a
-// cluster need not be looked for in its triangles. Normal cones: Sander et al., "Silhouette Clipping", SIGGRAPH 2000.
+// Clusters of neighboring, similarly oriented triangles, with bounds on their fields, so that a cluster in which a view
+// cannot have a line is rejected without visiting its triangles. Bounding normal cones: Sander et al., "Silhouette
+// Clipping", SIGGRAPH 2000.
 #pragma once
 
 #include <algorithm>
@@ -13,42 +14,46 @@ namespace fovea::field {
 
 inline constexpr Index triangles_of_cluster = 64;
 
-/// Of all vertices of a cluster. A spread is the greatest distance from the middle. Object space, rounded up.
+/// Bounds over all vertices of a cluster: means, and spreads (the greatest distance from the mean). Object space;
+/// spreads are rounded up.
 struct ClusterBounds {
-    vec3 center;  ///< of a sphere that holds the vertices
+    vec3 center;  ///< of a sphere that contains the vertices
     float radius;
     vec3 normal;
     float normal_spread;
-    /// The form h on object space, k1 e1 e1^T + k2 e2 e2^T, as xx, yy, zz, xy, xz, yz; spread in the Frobenius norm.
+    /// Second fundamental form h on object space, k1 e1 e1^T + k2 e2 e2^T, as (xx, yy, zz), (xy, xz, yz); spread in the
+    /// Frobenius norm.
     vec3 form[2];
     float form_spread;
     /// Laplacian of the normal over the surface: (C0 + C2) e1 + (C1 + C3) e2 - (k1^2 + k2^2) n.
     vec3 laplacian;
     float laplacian_spread;
-    float curvature;  ///< greatest |k1|
-    float third;      ///< C(x, x, x) of no unit tangent x is greater
+    float curvature;  ///< maximum of |k1|
+    float third;      ///< upper bound of C(x, x, x) over unit tangents x
 };
 
-/// Every triangle is in one cluster; only the last is smaller than the others. Neighbors in number lie together, too.
+/// Partition of the triangles into clusters; all but the last have triangles_of_cluster triangles. Clusters with
+/// adjacent numbers are adjacent in space, too.
 struct Clusters {
-    Array<Index> triangles;       ///< cluster c has those from c * triangles_of_cluster on, ascending
-    Array<glm::u16vec3> corners;  ///< per entry of `triangles`: its vertices, as places in the cluster's row
-    Lists<Index> vertices;        ///< per cluster, each once
+    Array<Index> triangles;  ///< cluster c has [begin(c), end(c)), ascending
+    /// Per entry of `triangles`: its vertices, as positions in the cluster's list of vertices.
+    Array<glm::u16vec3> corners;
+    Lists<Index> vertices;  ///< per cluster, without repetition
     Index count() const { return vertices.count(); }
     Index begin(Index c) const { return c * triangles_of_cluster; }
     Index end(Index c) const { return std::min(begin(c + 1), static_cast<Index>(triangles.size())); }
 };
 
-/// Kept with the surface.
+/// Cached with the surface.
 std::shared_ptr<const Clusters> clusters_of(const Surface& surface);
 
-/// Two levels of bounds: of clusters, and of groups of so many that follow one another.
+/// Two levels of bounds: of clusters, and of groups of `group` consecutive clusters.
 struct Hierarchy {
     static constexpr Index group = 16;
     Array<ClusterBounds> clusters, groups;
 };
 
-/// Of the surface's own fields. Kept with the surface, by its options.
+/// Bounds of the fields that the surface's own options give. Cached with the surface, per options.
 std::shared_ptr<const Hierarchy> hierarchy_of(const Surface& surface);
 
 }  // namespace fovea::field

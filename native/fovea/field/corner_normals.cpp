@@ -10,14 +10,15 @@
 namespace fovea::field {
 namespace {
 
-/// Of the triangles around a vertex that go on smoothly from one of them.
+/// Mean normal, weighted by angle, of the triangles around a vertex whose normals are within default_hard_angle of
+/// `own`.
 vec3 smooth_side(const Surface& surface, const Neighbors& all, Index vertex, const vec3& own) {
     const double least_cosine = std::cos(glm::radians(default_hard_angle));
     dvec3 sum(0.0);
     for (const Index t : all.triangles[vertex]) {
         const vec3 normal(surface.facet_plane[surface.triangle_facet[t]]);
         const double cosine = glm::dot(dvec3(normal), dvec3(own));
-        // Neighbors may disagree about which side is out.
+        // Adjacent facets may have opposite orientation: compare lines, not directions.
         if (std::abs(cosine) < least_cosine) continue;
         sum += (cosine < 0.0 ? -1.0 : 1.0) * corner_angle(surface, t, vertex) * dvec3(normal);
     }

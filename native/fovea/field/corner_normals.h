@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals to shade with: those of the fitted surface, and beside hard edges those of each smooth side.
+// Shading normals: those of the fitted surface, split at hard edges.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,13 @@
 
 namespace fovea::field {
 
-/// Unit normals at the corners of triangles, on the side that the triangle's winding calls out. At a vertex without
-/// hard edges (field/neighbors.h) the fitted normal; at others the mean, by angle, of the triangles there that are
-/// within the hard angle of the corner's own. A corner of which nothing is known has the normal of its facet.
+/// Unit normals at the corners of triangles, on the side that the triangle's winding makes the outside. At a vertex
+/// without hard edges (field/neighbors.h): the fitted normal. At other vertices: the mean, weighted by angle, of the
+/// normals of the triangles there that are within the hard angle of the corner's own. Where neither is defined: the
+/// facet normal.
 struct CornerNormals {
     Array<vec3> vertex;
-    Array<Index> first;  ///< per triangle: where its three normals begin in `corner`; `none`: those of `vertex` serve
+    Array<Index> first;  ///< per triangle: index of its three normals in `corner`, or `none` to use those in `vertex`
     Array<vec3> corner;
 
     vec3 at(const Triangle& vertices, Index triangle, int k) const {
@@ -21,7 +22,7 @@ struct CornerNormals {
     }
 };
 
-/// Kept with the surface.
+/// Cached with the surface.
 std::shared_ptr<const CornerNormals> corner_normals(const Surface& surface);
 
 }  // namespace fovea::field

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curvature at a point of a surface: second and third order, in the principal frame.
+// Curvature at a point of a surface: second fundamental form and its derivative, in the principal frame.
 #pragma once
 
 #include <fovea/base/types.h>
 
 namespace fovea::field {
 
-/// Shape operator h(x, y) = (D_x n) . y for the outward unit normal n: convex is positive, a sphere of radius R has
-/// 1 / R. C is the covariant derivative of h, symmetric in all arguments. Units: k 1 / length, C 1 / length^2.
-/// Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004.
-/// Negating the frame (e1 -> -e1, e2 -> -e2) negates C and leaves k1 and k2. Where |k1| = |k2| the frame is arbitrary.
-/// Where there is no surface around a point, all members are zero, the normal too.
+/// Second fundamental form h(x, y) = (D_x n) . y for the outward unit normal n: positive where convex, 1 / R on a
+/// sphere of radius R. C is the covariant derivative of h, symmetric in all arguments. Units: k 1 / length, C 1 /
+/// length^2. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004. Negating the
+/// frame (e1 -> -e1, e2 -> -e2) negates C and leaves k1 and k2. Where |k1| = |k2| the frame is arbitrary. Where no
+/// surface surrounds the point all members are zero, including the normal.
 template <typename Real>
 struct CurvatureOf {
     using Vec3 = glm::vec<3, Real>;
@@ -20,7 +20,7 @@ struct CurvatureOf {
     Real C[4] = {0, 0, 0, 0};  ///< C(e1,e1,e1), C(e1,e1,e2), C(e1,e2,e2), C(e2,e2,e2)
 };
 
-using Curvature = CurvatureOf<float>;    ///< as kept per vertex
+using Curvature = CurvatureOf<float>;    ///< as stored per vertex
 using CurvatureD = CurvatureOf<double>;  ///< as computed
 
 inline Curvature rounded(const CurvatureD& c) {

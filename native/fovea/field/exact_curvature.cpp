@@ -31,8 +31,8 @@ CurvatureD curvature_of(const ImplicitJet& jet) {
 
 CurvatureD mapped(const Curvature& c, const dmat3& inverse) {
     if (c.normal == vec3(0.0f)) return {};
-    // F = z + h(x, x) / 2 + C(x, x, x) / 6 over the tangent plane, its derivatives along the columns of `to_frame`:
-    // what a step of each coordinate of the image is in the frame (e1, e2, n).
+    // F = z + h(x, x) / 2 + C(x, x, x) / 6 over the tangent plane. Column i of `to_frame`: a unit step along coordinate
+    // i of the image, in the frame (e1, e2, n).
     const dmat3 to_frame = glm::transpose(dmat3(c.e1, c.e2, c.normal)) * inverse, back = glm::transpose(to_frame);
     const auto form = [&](double xx, double xy, double yy) {
         return back * dmat3(xx, xy, 0, xy, yy, 0, 0, 0, 0) * to_frame;
@@ -60,7 +60,7 @@ Array<Curvature> curvature_of(const Array<HeightJet>& jets) {
     parallel_for(jets.size(), [&](std::size_t v) {
         const HeightJet& jet = jets[v];
         HeightJetD exact;
-        // Rounded to floats they are neither unit nor at right angles any more.
+        // Rounding to float has left them neither unit nor orthogonal.
         const dvec3 n(jet.normal), t(jet.tangent);
         if (n != dvec3(0.0)) {
             exact.normal = glm::normalize(n);

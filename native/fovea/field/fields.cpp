@@ -19,11 +19,12 @@
 namespace fovea::field {
 namespace {
 
-/// Residuals, in edge lengths, up to which positions count as clean, and as slightly noisy. Under the first a jet of
-/// degree 4 over 3 rings has the smaller error in C on a torus of 128 x 64 quads.
+/// RMS residuals of fits, in edge lengths, up to which positions count as clean and as slightly noisy. Up to the first,
+/// jets of degree 4 over 3 rings have the smaller error in C on a torus of 128 x 64 quads.
 constexpr double clean = 0.0007, slightly_noisy = 0.004;
 
-/// Deviation, in edge lengths, by which fields of noisy positions are smoothed: less, and lines on scans are jagged.
+/// Standard deviation, in edge lengths, that fields of noisy positions are smoothed with; with less, lines on scans are
+/// jagged.
 constexpr double smoothing_of_noise = 1.2;
 
 struct Choice {
@@ -32,10 +33,11 @@ struct Choice {
     std::string reason;
 };
 
-/// Rings over which a cubic has the least error in C. Noise leaves the same residuals over many rings as over few, and
-/// more points average it out; what a cubic cannot follow, on coarse meshes, leaves larger ones the more rings.
+/// Number of rings for which a cubic has the least error in C. Noise gives the same residuals for any number of rings
+/// and averages out over more points; the error of the cubic model, on coarse meshes, increases with the number of
+/// rings.
 int rings_for(double noise, const std::function<double(int)>& residual) {
-    constexpr double share = 0.3;  // of the residuals that is no noise: how much of it reaches C
+    constexpr double share = 0.3;  // share of the model's part of the residuals that reaches C
     int best = 0;
     double least = HUGE_VAL;
     for (const int rings : {2, 3, 4, 6}) {
@@ -60,7 +62,8 @@ Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Arr
         const auto residual = [&](int degree, int rings) {
             return jet_noise(surface, neighbors, normals, {.degree = degree, .rings = rings, .even = degree == 3});
         };
-        // Coarse meshes of clean surfaces leave residuals, too, but less of them over fewer rings; noise stays.
+        // On coarse but clean meshes, too, fits leave residuals, but smaller ones over fewer rings; those of noise do
+        // not shrink.
         const double noise = std::min(residual(4, 3), residual(4, 2));
         const char* kind = "clean";
         if (noise > clean) {
@@ -97,7 +100,7 @@ float feature_size_of(const Surface& surface, const Neighbors& neighbors, const 
         total += 2.0 * areas[v];
     }
     if (pool.empty()) return 0.0f;
-    // Quickselect by weight: the half that holds the quantile is halved again. Ties in k may stand in any order.
+    // Weighted quickselect: recurse into the half that contains the quantile. The order of equal k does not matter.
     auto low = pool.begin(), high = pool.end();
     double below = 0.0;
     const double wanted = 0.1 * total;
@@ -118,7 +121,7 @@ float feature_size_of(const Surface& surface, const Neighbors& neighbors, const 
     return static_cast<float>(0.01 < cap * k ? 0.01 / k : cap);
 }
 
-/// Those of a stretched surface.
+/// Fields of a stretched surface.
 Fields map_fields(const Surface& surface, const Fields& source, const FieldOptions& options) {
     Fields fields{Array<Curvature>(source.curvature.size()), 0.0f, source.reason};
     const dmat3 inverse = glm::inverse(surface.stretch());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tangent frames: the principal one of a symmetric form, and directions carried from one tangent plane to another.
+// Tangent frames: the principal frame of a symmetric form, and parallel transport between tangent planes.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace fovea::field {
 
-/// Sets k and e of `c` from the shape operator [pp pq; pq qq] in the orthonormal frame (p, q), p x q the normal.
+/// Sets k1, k2, e1, e2 of `c` from the shape operator [pp pq; pq qq] in the orthonormal frame (p, q), p x q = normal.
 inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double pp, double pq, double qq) {
     const double angle = 0.5 * std::atan2(2.0 * pq, pp - qq), cosine = std::cos(angle), sine = std::sin(angle);
     c.k1 = cosine * cosine * pp + 2 * cosine * sine * pq + sine * sine * qq;
@@ -24,7 +24,8 @@ inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double 
     c.e2 = -first;
 }
 
-/// Components of the directions (p, q), turned rigidly from normal `from` to the plane of (t, b), along t and b.
+/// Components along t and b of the tangent directions (p, q), rotated from the plane with normal `from` to that
+/// of (t, b) by the smallest rotation.
 struct Turn {
     double pt, pb, qt, qb;
     Turn(const dvec3& p, const dvec3& q, const dvec3& from, const dvec3& t, const dvec3& b) {
@@ -40,7 +41,7 @@ struct Turn {
     }
 };
 
-/// h(t, t), h(t, b) and h(b, b) of a point whose directions (e1, e2) were turned.
+/// h(t, t), h(t, b), h(b, b) of a point whose frame (e1, e2) was transported by `turn`.
 inline dvec3 turned_form(const Curvature& c, const Turn& turn) {
     return {c.k1 * turn.pt * turn.pt + c.k2 * turn.qt * turn.qt, c.k1 * turn.pt * turn.pb + c.k2 * turn.qt * turn.qb,
             c.k1 * turn.pb * turn.pb + c.k2 * turn.qb * turn.qb};

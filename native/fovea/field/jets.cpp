@@ -14,32 +14,32 @@ namespace {
 
 constexpr int terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
 constexpr int max_degree = 4;
-constexpr int spare_points = 4;  // beyond as many as there are coefficients
-constexpr int extra_rings = 4;   // at most, where there are too few points
-/// Pivot, as a share of its diagonal entry, below which points do not determine a coefficient.
+constexpr int spare_points = 4;  // points wanted beyond the number of coefficients
+constexpr int extra_rings = 4;   // rings added at most where there are too few points
+/// Pivot, as a share of its diagonal entry, at or below which a coefficient counts as undetermined.
 constexpr double least_pivot = 1e-10;
 
-/// Two points at a time: what every processor of 64 bits has, and the same sums on each.
+/// Two points per SIMD register: available on every 64-bit processor, so that sums are rounded alike on all.
 using Lanes = double __attribute__((vector_size(16)));
 constexpr std::size_t lanes = 2, unrolled = 2 * lanes;
 
-/// Points around a vertex in its own frame, divided by `scale`, their mean distance. By coordinates, filled up with
-/// points of no weight to a multiple of `unrolled`.
+/// Neighborhood of a vertex in its own frame, as arrays per coordinate, divided by `scale`, the mean distance; padded
+/// with points of weight zero to a multiple of `unrolled`.
 struct Surroundings {
     std::vector<double> x, y, z, weight;
     dvec3 t, b, n;
     double scale = 1.0, edge_length = 0.0;
-    std::size_t count = 0;  // the vertex itself first
+    std::size_t count = 0;  // including the vertex itself, which comes first
 };
 
-/// The surroundings that one thread looks at.
+/// Per-thread scratch space for one neighborhood.
 struct Look {
     explicit Look(Index vertices) : walk(vertices) {}
     Walk walk;
     Surroundings around;
 
-    /// `even`: all points weigh the same, which noisy surfaces need; else near points count more, which is what makes
-    /// fits exact on clean ones.
+    /// Fills `around`. `even`: equal weights, which noisy surfaces need; else near points weigh more, which makes fits
+    /// accurate on clean ones.
     void place(const Surface& surface, const Neighbors& neighbors, const std::vector<Index>& found, const dvec3& normal,
                bool even) {
         around.count = found.size();
@@ -70,7 +70,7 @@ struct Look {
     }
 };
 
-/// Monomials x^i y^j up to a degree, by degree, then by j, all times `first`.
+/// Monomials x^i y^j up to a degree, ordered by degree, then by j, all multiplied by `first`.
 template <int degree, typename Real>
 void monomials(Real x, Real y, Real first, Real* m) {
     m[0] = first;
@@ -82,7 +82,7 @@ void monomials(Real x, Real y, Real first, Real* m) {
     }
 }
 
-/// Weighted sums of all monomials up to twice the degree, and of heights times monomials up to the degree.
+/// Weighted sums of all monomials up to twice the degree (moments), and of z times monomials up to the degree.
 template <int degree>
 void add_up(const Surroundings& points, double* moments, double* heights) {
     constexpr int size = terms(degree), moment_count = terms(2 * degree);
@@ -100,16 +100,15 @@ void add_up(const Surroundings& points, double* moments, double* heights) {
     for (int k = 0; k < size; ++k) heights[k] = z_sums[k][0] + z_sums[k][1];
 }
 
-/// Solves for the coefficients of z = sum of a x^i y^j in the least squares sense; false, and `a` is not touched, when
-/// they are not determined.
-/// The normal matrix holds moments only, terms(2 degree) of them.
+/// Least-squares coefficients of z = sum of a x^i y^j; false, leaving `a` untouched, if they are not determined. The
+/// entries of the normal matrix are moments, of which only terms(2 degree) are distinct.
 template <int degree>
 bool fit(const Surroundings& points, double* a) {
     constexpr int size = terms(degree), moment_count = terms(2 * degree);
     if (points.count < std::size_t(size)) return false;
     double moments[moment_count], heights[size];
     add_up<degree>(points, moments, heights);
-    // L D L^T by rows; L below the diagonal, D on it.
+    // L D L^T factorization by rows; L below the diagonal, D on it.
     double l[size][size], inverse[size];
     int row = 0;
     for (int d = 0; d <= degree; ++d)
@@ -125,7 +124,7 @@ bool fit(const Surroundings& points, double* a) {
         for (int c = 0; c < r; ++c) {
             double sum = l[r][c];
             for (int k = 0; k < c; ++k) sum -= l[r][k] * l[c][k];
-            l[r][c] = sum;  // times D still
+            l[r][c] = sum;  // still multiplied by D
         }
         for (int c = 0; c < r; ++c) {
             const double scaled = l[r][c] * inverse[c];
@@ -147,7 +146,7 @@ bool fit(const Surroundings& points, double* a) {
     return true;
 }
 
-/// Coefficients of the highest degree up to options.degree that the points determine; returns it, 0 when none.
+/// Fits the highest degree, up to options.degree, that the points determine; returns it, or 0 if none.
 int fit_up_to(const JetOptions& options, const Surroundings& points, double* a) {
     std::fill_n(a, terms(max_degree), 0.0);
     if (options.degree >= 4 && fit<4>(points, a)) return 4;
@@ -155,7 +154,7 @@ int fit_up_to(const JetOptions& options, const Surroundings& points, double* a) 
     return fit<2>(points, a) ? 2 : 0;
 }
 
-/// Of F = z - f(x, y) at x = y = 0, lengths in units of `scale`.
+/// Jet of F = z - f(x, y) at x = y = 0, with lengths in units of `scale`.
 ImplicitJet jet_of(const double* a) {
     ImplicitJet jet;
     jet.gradient = {-a[1], -a[2], 1.0};
@@ -178,7 +177,7 @@ Curvature to_object(CurvatureD c, const Surroundings& around) {
     return rounded(c);
 }
 
-/// Surroundings of vertex v, placed; false where v has no normal.
+/// Gathers and fills the neighborhood of vertex v; false if v has no normal or no other point.
 bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, const vec3& normal,
                  Index v, Look& look) {
     if (normal == vec3(0.0f)) return false;

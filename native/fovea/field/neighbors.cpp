@@ -16,8 +16,8 @@ namespace {
 
 Index next_of(Index& count) { return std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed); }
 
-/// Like lists_of, in parallel; each list is sorted, so the order of filling does not show. visit(i, give) calls
-/// give(list, value) for element i.
+/// Like lists_of, in parallel; each list is sorted afterwards, so that the order of filling does not matter. visit(i,
+/// give) calls give(list, value) for the values of element i.
 template <typename Visit>
 Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
     Lists<Index> lists;
@@ -35,8 +35,9 @@ Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
     return lists;
 }
 
-/// Which edges are hard: between two facets the angle tells, and whether the surface beside the edge is smooth. A fold
-/// that goes on turning beside the edge is a rounded one of few triangles, and neighborhoods cut there would be torn.
+/// Classifies edges as hard: by the angle between their two facets, compared with how much the surface bends next to
+/// them. Where it bends there as well, the fold is a rounded one of few triangles, at which neighborhoods must not be
+/// cut.
 class HardEdges {
    public:
     HardEdges(const Surface& surface, const Lists<Index>& triangles, double hard_angle)
@@ -54,9 +55,9 @@ class HardEdges {
 
    private:
     static constexpr double always_hard = glm::radians(75.0), outlier = 6.0;
-    static constexpr int stray_length = 3;  // edges, from each end
+    static constexpr int stray_length = 3;  // passes, each of which removes the last edge of a chain
 
-    /// By the artist, or because many facets meet there.
+    /// Marked sharp, or with more than two facets.
     bool told(Index edge) const {
         return surface_.edge_rows.size(edge) > 2 || (surface_.edge_rows.size(edge) == 2 && edge < surface_.mesh_edges &&
                                                      (surface_.edge_marks[edge] & mark_sharp));
@@ -74,7 +75,8 @@ class HardEdges {
     }
 
     dvec3 normal(Index facet) const { return dvec3(surface_.facet_plane[facet]); }
-    /// Folds of noise go on nowhere. Those that end at a border go on there.
+    /// Drops folds that do not continue at both ends (noise), from the ends of chains inwards, `stray_length` times. A
+    /// border counts as a continuation.
     void drop_stray(Array<std::uint8_t>& hard) const {
         std::vector<Index> folds, borders;
         for (Index e = 0; e < hard.size(); ++e)
@@ -83,7 +85,7 @@ class HardEdges {
             else if (surface_.edge_rows.size(e) == 1)
                 borders.push_back(e);
         for (int pass = 0; pass < stray_length && !folds.empty(); ++pass) {
-            Array<std::uint8_t> more(surface_.vertex_count(), 0);  // 1: one of these edges ends there; 2: several
+            Array<std::uint8_t> more(surface_.vertex_count(), 0);  // edges that end at the vertex: 0, 1, or 2 for more
             const auto end_at = [&](Index v) { more[v] = more[v] ? 2 : 1; };
             for (const auto* ending : {&folds, &borders})
                 for (const Index e : *ending) end_at(surface_.edges[e].x), end_at(surface_.edges[e].y);
@@ -95,7 +97,7 @@ class HardEdges {
         }
     }
 
-    /// Angle by which the triangles around both ends turn away from the nearer of the edge's two facets.
+    /// Mean angle between the triangles around both ends and whichever of the edge's two facets is closer in direction.
     double mean_turn_beside(Edge edge, const dvec3& first, const dvec3& second) const {
         double sum = 0.0;
         Index count = 0;
@@ -113,7 +115,7 @@ class HardEdges {
     double least_cosine_;
 };
 
-/// Whether two triangles at vertex v share another vertex, which is not the other end of a hard edge.
+/// Whether two triangles at vertex v share a side at v that is not a hard edge (`hard_ends`: their other ends).
 bool joined(const Surface& surface, Index v, Index a, Index b, In<Index> hard_ends) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -124,8 +126,8 @@ bool joined(const Surface& surface, Index v, Index a, Index b, In<Index> hard_en
     return false;
 }
 
-/// Triangles around a vertex, joined over sides that are not hard: moves the sector of the largest angle to the front
-/// of `triangles` (order kept) and returns its size.
+/// Splits the triangles around a vertex into sectors at hard edges, moves the sector of the largest angle to the front
+/// of `triangles` (order preserved) and returns its size.
 Index keep_largest_sector(const Surface& surface, Index v, In<Index> hard_ends, std::span<Index> triangles) {
     const Index n = static_cast<Index>(triangles.size());
     DisjointSets sectors(n);
@@ -144,7 +146,7 @@ Index keep_largest_sector(const Surface& surface, Index v, In<Index> hard_ends, 
     return kept;
 }
 
-/// Per vertex with hard edges, given their other ends: keeps one sector of its triangles.
+/// Reduces the triangles of each vertex with hard edges (given by their other ends) to one sector; returns the counts.
 Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_ends, Lists<Index>& triangles) {
     Array<Index> kept(triangles.count());
     parallel_for(kept.size(), [&](std::size_t i) {
@@ -176,7 +178,7 @@ Neighbors find_neighbors(const Surface& surface, double hard_angle) {
     } else {
         result.triangles = std::move(around);
     }
-    // Vertices of these triangles: listed twice as often as needed, then without repetitions.
+    // Vertices of these triangles: listed twice per triangle, then sorted and made unique.
     Array<Index> listed(2 * result.triangles.values.size()), counts(count);
     const auto listed_at = [&](Index v) { return listed.begin() + 2 * std::size_t(result.triangles.begin(v)); };
     parallel_for(count, [&](std::size_t v) {

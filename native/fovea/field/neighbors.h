@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one-ring of each vertex, cut at hard edges.
+// One-rings of vertices, cut at hard edges.
 #pragma once
 
 #include <memory>
@@ -8,25 +8,25 @@
 
 namespace fovea::field {
 
-/// As an angle: no edge is hard, marks and edges of many facets included.
+/// Hard angle with which no edge is hard, not even marked ones and edges of more than two facets.
 inline constexpr double no_hard_edges = 1e9;
 
-/// Triangles and vertices around each vertex, ascending. Vertices are neighbors when a triangle has both (every mesh
-/// edge that bounds a surface is a side of a triangle); loose edges and skipped polygons make none.
+/// Triangles and vertices around each vertex, ascending. Two vertices are neighbors if a triangle has both (every mesh
+/// edge that bounds a surface is a side of a triangle); loose edges and skipped polygons contribute nothing.
 ///
 /// A vertex on a hard edge has only the triangles of one smooth sector, the one of the largest angle at the vertex (of
-/// equals the one with the lowest triangle), and their vertices. A walk from neighbor to neighbor must not go on from
-/// such a vertex (`hard`): what lies beyond may be on the other side.
+/// equal ones, that with the lowest triangle index), and their vertices. A traversal from neighbor to neighbor must not
+/// continue past such a vertex (`hard`), as it could reach the other side.
 struct Neighbors {
-    Lists<Index> triangles;    ///< per vertex: of the surface's `triangles`
+    Lists<Index> triangles;    ///< per vertex: indices into the surface's `triangles`
     Lists<Index> vertices;     ///< per vertex
     Array<std::uint8_t> hard;  ///< per vertex: on a hard edge
 };
 
-/// Kept with the surface. An edge is hard when it is marked sharp, has more than two facets, or its facets' normals
-/// differ by more than `hard_angle` degrees and by far more than the surface turns beside the edge (or by more than 75
-/// degrees). A bevel of few triangles is not hard, nor is a single sharp edge that no other continues at either vertex
-/// (noise), nor a border.
+/// Cached with the surface, per hard_angle. An edge is hard if it is marked sharp, has more than two facets, or is a
+/// fold: its facets' normals differ by more than `hard_angle` degrees and either by more than 75 degrees or by more
+/// than 6 times the mean turn of the surface next to the edge. So bevels of few triangles are not hard. Folds that do
+/// not continue at both vertices are treated as noise and dropped. Borders are not hard.
 std::shared_ptr<const Neighbors> neighbors_of(const Surface& surface, double hard_angle = default_hard_angle);
 
 }  // namespace fovea::field

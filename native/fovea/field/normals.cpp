@@ -43,7 +43,7 @@ dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {
 }
 
 Array<float> vertex_areas(const Surface& surface, const Neighbors& neighbors) {
-    // By triangle first: each has three corners that would ask for the same.
+    // Once per triangle, not once per corner.
     Array<vec3> corners(surface.triangles.size());
     parallel_for(corners.size(), [&](std::size_t t) {
         const Triangle& tri = surface.triangles[t];

@@ -11,11 +11,11 @@
 namespace fovea::field {
 namespace {
 
-/// A triangle's own tangent frame, its second fundamental form (L, M, N) there, and the areas of its corners.
+/// A triangle's tangent frame, its second fundamental form (L, M, N) in it, and the areas of its corners.
 struct Face {
     vec3 t{0.0f}, b{0.0f};
     vec3 form{0.0f};
-    vec3 corner{0.0f};  ///< all zero: the triangle counts for nothing
+    vec3 corner{0.0f};  ///< all zero: the triangle is ignored
 };
 using Third = vec4;  ///< C(t,t,t), C(t,t,b), C(t,b,b), C(b,b,b)
 
@@ -37,7 +37,7 @@ class OneRing {
     }
 
    private:
-    /// Whether triangle t lies in the smooth surroundings of its vertex v.
+    /// Whether triangle t is in the smooth sector of its vertex v.
     bool belongs(Index v, Index t) const {
         if (!neighbors_.hard[v]) return true;
         return std::ranges::binary_search(neighbors_.triangles[v], t);
@@ -51,7 +51,7 @@ class OneRing {
         const dvec3 e[3] = {p[2] - p[1], p[0] - p[2], p[1] - p[0]};
         const dvec3 across = glm::cross(e[0], e[1]);
         const double size = glm::length(across);
-        // Slivers: their directions are noise.
+        // Slivers: the directions of their sides are unreliable.
         if (!(size > 1e-9 * (glm::dot(e[0], e[0]) + glm::dot(e[1], e[1]))) || size == HUGE_VAL) return face;
         const dvec3 normal = across / size, t = glm::normalize(e[0]), b = glm::cross(normal, t);
         dvec3 n[3];
@@ -67,7 +67,7 @@ class OneRing {
             xx += x * x, xy += x * y, yy += y * y;
             r0 += dx * x, r1 += dx * y + dy * x, r2 += dy * y;
         }
-        // [xx xy 0; xy xx+yy xy; 0 xy yy] by Cramer's rule; its determinant is (xx + yy)(xx yy - xy^2).
+        // Normal equations [xx xy 0; xy xx+yy xy; 0 xy yy] by Cramer's rule; determinant (xx + yy)(xx yy - xy^2).
         const double sum = xx + yy, area = xx * yy - xy * xy, determinant = sum * area;
         if (!(determinant > 0.0)) return face;
         const double m = (xx * yy * r1 - xy * yy * r0 - xy * xx * r2) / determinant;
@@ -78,7 +78,7 @@ class OneRing {
         return face;
     }
 
-    /// visit(face, weight, triangle) for the triangles around v.
+    /// Calls visit(face, weight, triangle) for the triangles around v with positive weight (corner area).
     template <typename Visit>
     void around(Index v, const Visit& visit) const {
         for (const Index t : neighbors_.triangles[v]) {
@@ -130,7 +130,7 @@ class OneRing {
             xx += x * x, xy += x * y, yy += y * y;
             r[0] += x * d.x, r[1] += y * d.x + 2 * x * d.y, r[2] += 2 * y * d.y + x * d.z, r[3] += y * d.z;
         }
-        // [X Z 0 0; Z 2X+Y 2Z 0; 0 2Z X+2Y Z; 0 0 Z Y], tridiagonal and positive definite.
+        // Normal equations [X Z 0 0; Z 2X+Y 2Z 0; 0 2Z X+2Y Z; 0 0 Z Y]: tridiagonal and positive definite.
         const double diagonal[4] = {xx, 2 * xx + yy, xx + 2 * yy, yy}, beside[3] = {xy, 2 * xy, xy};
         double pivot[4] = {diagonal[0]};
         for (int i = 1; i < 4; ++i) {
@@ -153,7 +153,7 @@ class OneRing {
             if (!usable_[t]) return;
             const Turn turn(dvec3(c.e1), dvec3(c.e2), dvec3(c.normal), dvec3(face.t), dvec3(face.b));
             const Third& of = thirds_[t];
-            // Two vectors contracted at a time: C(x, y, .) as a covector, then with z.
+            // Contract two vectors at a time: C(x, y, .) as a covector, then with z.
             const auto third = [&](double xt, double xb, double yt, double yb, double zt, double zb) {
                 const double tt = xt * yt, tb = xt * yb + xb * yt, bb = xb * yb;
                 return (of.x * tt + of.y * tb + of.z * bb) * zt + (of.y * tt + of.z * tb + of.w * bb) * zb;

@@ -12,17 +12,17 @@
 namespace fovea::field {
 namespace {
 
-/// Deviations up to which a Gaussian is looked at.
+/// Cutoff of the Gaussian, in standard deviations.
 constexpr double reach = 2.5;
 
-/// The tensors of a point in the frame (t, b): h(t, t), h(t, b), h(b, b) and C(t, t, t) .. C(b, b, b).
+/// Tensors of a point in the frame (t, b): h(t, t), h(t, b), h(b, b) and C(t, t, t) .. C(b, b, b).
 struct Tensors {
     dvec3 h{0.0};
     double C[4] = {};
 
     void add(const Curvature& c, const Turn& turn, double weight) {
         h += weight * turned_form(c, turn);
-        // C is contracted with one direction after another; (1, 0) stands for e1.
+        // Contract C with one direction after another, given by its components along e1 and e2.
         const auto along = [&](double x, double y, double(&out)[3]) {
             for (int i = 0; i < 3; ++i) out[i] = c.C[i] * x + c.C[i + 1] * y;
         };
@@ -47,7 +47,7 @@ double mean_edge(const Surface& surface, const Neighbors& neighbors, Index v) {
     return count > 0 ? sum / count : 0.0;
 }
 
-/// Principal directions and curvatures of the mean tensors, and C in them.
+/// Principal directions and curvatures of the mean tensors (sums over `total`), and C in that frame.
 Curvature principal(const Tensors& sum, double total, const dvec3& n, const dvec3& t, const dvec3& b) {
     CurvatureD c;
     c.normal = n;
@@ -87,7 +87,7 @@ Array<Curvature> smooth(const Surface& surface, const Neighbors& neighbors, cons
                 sum.add(c, Turn(dvec3(c.e1), dvec3(c.e2), dvec3(c.normal), t, b), weight);
                 total += weight;
             }
-            // Beyond all numbers, on an enormous mesh: as it is.
+            // Sums that overflow, on an enormous mesh: the vertex keeps its value.
             const bool known = total > 0.0 && std::isfinite(sum.h[0] + sum.h[1] + sum.h[2]) &&
                                std::isfinite(sum.C[0] + sum.C[1] + sum.C[2] + sum.C[3]);
             if (known) result[v] = principal(sum, total, n, t, b);

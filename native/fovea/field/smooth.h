@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curvature averaged over its surroundings.
+// Smoothing of curvature over the surface.
 #pragma once
 
 #include <fovea/field/curvature.h>
@@ -7,10 +7,10 @@
 
 namespace fovea::field {
 
-/// Both tensors, h and C, averaged over the surroundings of each vertex as a Gaussian in distance weighs them, times
-/// area and n . n'; `deviation`: of the Gaussian, in mean edge lengths at the vertex. Tensors are carried from tangent
-/// plane to tangent plane, so that spheres and cylinders stay what they are. Does not cross hard edges: vertices on one
-/// count for nobody but themselves. Normals stay. As trimesh2 diffuses curvature (Rusinkiewicz).
+/// Averages both tensors, h and C, over the neighborhood of each vertex, with weights: Gaussian of distance, times
+/// vertex area, times n . n'. `deviation`: of the Gaussian, in mean edge lengths at the vertex. Tensors are
+/// parallel-transported between tangent planes, so that spheres and cylinders are unchanged. Stops at hard edges:
+/// vertices on one contribute only to themselves. Normals are unchanged. As trimesh2 diffuses curvature (Rusinkiewicz).
 Array<Curvature> smooth(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature,
                         double deviation);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a viewer sees of curvature at a point. Views of points are exact functions of the point's curvature.
+// View-dependent curvature quantities at a point, in closed form from its curvature.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace fovea::field {
 
-/// A point as it is seen: the direction towards the viewer in the frame (e1, e2, normal).
+/// The unit direction from a point to the viewer, in the frame (e1, e2, normal).
 template <typename Real>
 struct SeenOf {
     Real u, w;              ///< along e1 and e2
     Real facing;            ///< along the normal: n . v
-    Real inverse_distance;  ///< of the viewer; 0 for an orthographic view
-    /// Squared sine of the angle between normal and view.
+    Real inverse_distance;  ///< 1 / distance to the viewer; 0 for an orthographic view
+    /// Squared sine of the angle between normal and view direction.
     Real sine2() const { return u * u + w * w; }
 };
 
@@ -31,15 +31,16 @@ Real third_form(const CurvatureOf<Real>& c, Real x, Real y) {
     return ((c.C[0] * x + 3 * c.C[1] * y) * x + 3 * c.C[2] * y * y) * x + c.C[3] * y * y * y;
 }
 
-/// Curvature along the view direction projected onto the surface, W. DeCarlo et al., "Suggestive Contours for Conveying
-/// Shape", SIGGRAPH 2003; DeCarlo, Finkelstein & Rusinkiewicz, "Interactive Rendering of Suggestive Contours with
-/// Temporal Coherence", NPAR 2004. Seen head-on (sine 0), W is nowhere: torsion and derivative are 0.
+/// Radial curvature: curvature along w, the view direction projected onto the tangent plane. DeCarlo et al.,
+/// "Suggestive Contours for Conveying Shape", SIGGRAPH 2003; DeCarlo, Finkelstein & Rusinkiewicz, "Interactive
+/// Rendering of Suggestive Contours with Temporal Coherence", NPAR 2004. Seen head-on (sine 0) w is undefined:
+/// curvature, torsion and derivative are 0.
 template <typename Real>
 struct RadialOf {
-    Real scaled;      ///< radial curvature times the squared sine; its zeros are those of the radial curvature
-    Real curvature;   ///< k_r = h(W, W)
-    Real torsion;     ///< h(W, W turned by 90 degrees)
-    Real derivative;  ///< sine times the derivative of k_r along W; finite everywhere
+    Real scaled;      ///< radial curvature times sine^2: zero wherever the radial curvature is, and defined everywhere
+    Real curvature;   ///< k_r = h(w, w), w normalized
+    Real torsion;     ///< h(w, w rotated by 90 degrees)
+    Real derivative;  ///< sine times the derivative of k_r along w; bounded everywhere
 };
 
 template <typename Real>
@@ -58,20 +59,21 @@ RadialOf<Real> radial(const CurvatureOf<Real>& c, const SeenOf<Real>& seen) {
     return r;
 }
 
-/// Curvature as it appears in the image, and how it changes along the direction of its greatest value. Judd, Durand &
-/// Adelson, "Apparent Ridges for Line Drawing", SIGGRAPH 2007; the derivative in closed form instead of differences.
+/// View-dependent curvature, as it appears in the image, and its derivative along its principal direction. Judd, Durand
+/// & Adelson, "Apparent Ridges for Line Drawing", SIGGRAPH 2007; derivative in closed form instead of finite
+/// differences.
 template <typename Real>
 struct ViewCurvatureOf {
-    Real squared;  ///< square of the greatest view-dependent curvature
-    Real a1, a2;   ///< tangent (in e1, e2) whose image is the unit direction of that curvature; its sign is arbitrary
-    Real derivative;  ///< of `squared` along (a1, a2); turns around with them
+    Real squared;  ///< square of the maximum view-dependent curvature
+    Real a1, a2;   ///< tangent (in e1, e2) that projects to the unit principal direction in the image; sign arbitrary
+    Real derivative;  ///< of `squared` along (a1, a2), so its sign depends on theirs
 };
 
-/// n . v is kept from 0 by `least_facing`: the curvature of contours is infinite.
+/// |n . v| is clamped to at least `least_facing`, as the view-dependent curvature is infinite at contours.
 template <typename Real>
 ViewCurvatureOf<Real> view_curvature(const CurvatureOf<Real>& c, const SeenOf<Real>& seen,
                                      Real least_facing = Real(1e-3)) {
-    // Inverse projection I + (1 / |n.v| - 1) W W^T; Q = S P^-1; the eigenvector of Q^T Q with the greater eigenvalue.
+    // P^-1 = I + (1 / |n.v| - 1) w w^T, w unit; Q = S P^-1; the eigenvector of Q^T Q with the greater eigenvalue.
     const Real facing = std::max(std::abs(seen.facing), least_facing), s2 = seen.sine2();
     const Real stretch = s2 > Real(1e-12) ? (1 / facing - 1) / s2 : Real(0);
     const Real p11 = 1 + stretch * seen.u * seen.u, p12 = stretch * seen.u * seen.w,
@@ -86,7 +88,7 @@ ViewCurvatureOf<Real> view_curvature(const CurvatureOf<Real>& c, const SeenOf<Re
     if (length > 0) {
         t1 /= length;
         t2 /= length;
-    } else {  // the same in all directions
+    } else {  // isotropic
         t1 = 1;
         t2 = 0;
     }
@@ -100,27 +102,28 @@ ViewCurvatureOf<Real> view_curvature(const CurvatureOf<Real>& c, const SeenOf<Re
     return v;
 }
 
-/// Laplacian of n . v over the surface, v held: zero on Laplacian lines. Zhang et al., "Real-time Feature-based Line
-/// Drawing with Laplacian lines", TVCG 2009, through the curvature tensor's derivative instead of a mesh Laplacian.
+/// Laplacian of n . v over the surface with v held constant: zero on Laplacian lines. Zhang et al., "Real-time
+/// Feature-based Line Drawing with Laplacian lines", TVCG 2009; from the derivative of curvature instead of a mesh
+/// Laplacian.
 template <typename Real>
 Real laplacian(const CurvatureOf<Real>& c, const SeenOf<Real>& seen) {
     return seen.u * (c.C[0] + c.C[2]) + seen.w * (c.C[1] + c.C[3]) - (c.k1 * c.k1 + c.k2 * c.k2) * seen.facing;
 }
 
-/// Squared length of the gradient of n . v on the surface.
+/// Squared length of the gradient of n . v over the surface.
 template <typename Real>
 Real gradient2(const CurvatureOf<Real>& c, const SeenOf<Real>& seen) {
     const Real x = c.k1 * seen.u, y = c.k2 * seen.w;
     return x * x + y * y;
 }
 
-/// The direction in which curvature changes most. Kolomenkin, Shimshoni & Tal, "Demarcating Curves for Shape
-/// Illustration", SIGGRAPH Asia 2008.
+/// The tangent direction along which curvature changes fastest. Kolomenkin, Shimshoni & Tal, "Demarcating Curves for
+/// Shape Illustration", SIGGRAPH Asia 2008.
 template <typename Real>
 struct DemarcatingOf {
-    Real g1, g2;     ///< unit tangent (in e1, e2) with the greatest C(g, g, g)
+    Real g1, g2;     ///< unit tangent (in e1, e2) that maximizes C(g, g, g)
     Real curvature;  ///< h(g, g): zero on demarcating curves
-    Real strength;   ///< C(g, g, g), not negative
+    Real strength;   ///< C(g, g, g), >= 0
 };
 
 /// C(g, g, g) over the angle t of g = (cos t, sin t): A cos(t - alpha) + B cos(3 t - beta).
@@ -135,7 +138,7 @@ class ThirdFormByAngle {
     Real operator()(Real t) const {
         return a * std::cos(t) + b * std::sin(t) + p * std::cos(3 * t) + q * std::sin(3 * t);
     }
-    /// A maximum, by Newton's steps that climb, from t.
+    /// Angle of a local maximum, by Newton steps uphill from t, each limited to 0.2 radians.
     Real climb(Real t) const {
         for (int step = 0; step < 20; ++step) {
             const Real slope = -a * std::sin(t) + b * std::cos(t) - 3 * p * std::sin(3 * t) + 3 * q * std::cos(3 * t);
@@ -157,7 +160,7 @@ DemarcatingOf<Real> demarcating_at(const CurvatureOf<Real>& c, Real angle, Real 
     return d;
 }
 
-/// The same for a maximum of C(g, g, g) near a tangent (x, y), though another be greater.
+/// The same for the local maximum of C(g, g, g) near the tangent (x, y), which need not be the global one.
 template <typename Real>
 DemarcatingOf<Real> demarcating_near(const CurvatureOf<Real>& c, Real x, Real y) {
     const ThirdFormByAngle<Real> third(c);
@@ -167,7 +170,7 @@ DemarcatingOf<Real> demarcating_near(const CurvatureOf<Real>& c, Real x, Real y)
 
 template <typename Real>
 DemarcatingOf<Real> demarcating(const CurvatureOf<Real>& c) {
-    // The greatest value lies within 60 degrees of one of the three maxima of the second term.
+    // The global maximum is within 60 degrees of one of the three maxima of the second term.
     const ThirdFormByAngle<Real> value(c);
     constexpr Real third = Real(2.0943951023931953);
     const Real first = std::atan2(value.q, value.p) / 3, mean = std::atan2(value.b, value.a);

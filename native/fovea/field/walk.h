@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walks in rings around vertices.
+// Breadth-first traversal of the rings around a vertex.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,14 @@
 
 namespace fovea::field {
 
-/// One per thread: marks are stamps, so nothing has to be cleared between walks.
+/// One instance per thread: visited marks are stamps, so nothing has to be cleared between traversals.
 class Walk {
    public:
     explicit Walk(Index vertices) : seen_(vertices, 0) {}
 
-    /// The vertices within `rings` of v, v first, then ring by ring; further rings, up to `extra_rings`, while they are
-    /// fewer than `enough`. Does not go on from vertices on hard edges, but for v itself. Valid until the next call.
+    /// Vertices within `rings` of v: v first, then ring by ring. Adds up to `extra_rings` more rings while there are
+    /// fewer than `enough` vertices. Does not continue past vertices on hard edges, except v itself. Valid until the
+    /// next call.
     const std::vector<Index>& gather(const Neighbors& neighbors, Index v, int rings, std::size_t enough = 0,
                                      int extra_rings = 0) {
         if (++stamp_ == 0) {

@@ -9,7 +9,7 @@
 namespace fovea::image {
 namespace {
 
-/// From the middle outwards; the whole kernel, both sides, sums to 1.
+/// Weights from the center outwards; the whole symmetric kernel sums to 1.
 std::vector<float> half_kernel(double sigma) {
     std::vector<double> weights;
     double sum = 0.0;

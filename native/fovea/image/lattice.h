@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lattice of places in the image, fixed to the camera.
+// Lattice of sample points in the image, fixed to the camera.
 #pragma once
 
 #include <fovea/base/view.h>
 
 namespace fovea::image {
 
-/// Room around the frame, as a share of its half size, in which lines are traced: as much as paths keep.
+/// Margin around the frame, as a share of its half size, in which lines are traced: the same as that of paths.
 inline constexpr double lattice_margin = 0.1;
 
-/// Nodes at equal distances, row by row from the lower left. They are counted from where the view axis meets the
-/// image, in reference pixels, so that a render border, a crop or a preview of another size looks through the same
-/// nodes and shows the same lines.
+/// Square lattice, stored row by row from the lower left. Its nodes are placed relative to the image of the view axis,
+/// in reference pixels, so that a render border, a crop or a preview of another size uses the same nodes and shows the
+/// same lines.
 struct Lattice {
-    dvec2 first_px{0.0};  ///< node (0, 0), pixels of the view
+    dvec2 first_px{0.0};  ///< node (0, 0), in pixels of the view
     double step_px = 1.0;
     int width = 0, height = 0;
 
@@ -25,8 +25,8 @@ struct Lattice {
 /// One value per node.
 using Buffer = Array<float>;
 
-/// A lattice over the frame, its margin and `border` more steps on each side. The step grows where there would be more
-/// than 2^24 nodes.
+/// Lattice over the frame, its margin and `border` more steps on each side. The step is increased where there would be
+/// more than about 2^24 nodes.
 Lattice lattice_over(const View& view, double step_reference_px, int border);
 
 }  // namespace fovea::image

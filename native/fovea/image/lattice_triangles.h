@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lattice cut into triangles: where curves cross its sides.
+// Triangulation of a lattice, for tracing curves across it.
 #pragma once
 
 #include <cmath>
@@ -8,14 +8,14 @@
 
 namespace fovea::image {
 
-/// Each square of four nodes is two triangles. A side is numbered by its first node, the lower or left one.
+/// Each square of four nodes is split into two triangles. A side is numbered by its first node, the lower or left one.
 struct LatticeTriangle {
     Index number;
     Index node[3];
     Index side[3];  ///< from node i to node i + 1
     bool upper;     ///< above the diagonal, else below it
 
-    /// Slopes, per step, of the linear function with these values at the nodes.
+    /// Gradient, per step, of the linear interpolant of values at the nodes.
     vec2 slope(float a, float b, float c) const { return upper ? vec2(b - c, c - a) : vec2(b - a, c - b); }
 };
 
@@ -27,7 +27,7 @@ inline LatticeTriangle lattice_triangle(const Lattice& lattice, int x, int y, in
     return {2 * n, {n, n + 1, n + w + 1}, {3 * n, 3 * (n + 1) + 1, 3 * n + 2}, false};
 }
 
-/// Nodes of a side, the first one first, and those that lie before and after them on the same line.
+/// Nodes of a side, and the nodes before and after them on the same line.
 struct LatticeSide {
     Index before, a, b, after;
 };
@@ -37,24 +37,24 @@ inline LatticeSide lattice_side(const Lattice& lattice, Index side) {
     return {n - step, n, n + step, n + 2 * step};
 }
 
-/// Where between a (0) and b (1) the cubic through the values at the four nodes of a side is zero. The values at a and
-/// b are of unlike sign.
+/// Zero crossing, as a fraction from a (0) to b (1), of the cubic through the values at the four nodes of a side. The
+/// values at a and b must differ in sign.
 inline float zero_on_side(float before, float a, float b, float after) {
     float low = 0.0f, high = 1.0f, t = a / (a - b);
     for (int step = 0; step < 6; ++step) {
-        // Lagrange's form, at -1, 0, 1 and 2.
+        // Lagrange form with nodes at -1, 0, 1 and 2.
         const float p = t + 1.0f, q = t - 1.0f, r = t - 2.0f;
         const float value = (after * p * t * q - before * t * q * r) / 6.0f + (a * p * q * r - b * p * t * r) / 2.0f;
         if (!std::isfinite(value)) return a / (a - b);
         ((value >= 0.0f) == (a >= 0.0f) ? low : high) = t;
-        // Newton's step with the chord's slope, kept inside the bracket.
+        // Newton step with the chord's slope; bisection if it leaves the bracket.
         const float next = t - value / (b - a);
         t = next >= low && next <= high ? next : 0.5f * (low + high);
     }
     return t;
 }
 
-/// Place of a node in the lattice.
+/// Lattice coordinates of a node.
 inline vec2 lattice_place(const Lattice& lattice, Index node) {
     return vec2(float(node % lattice.width), float(node / lattice.width));
 }

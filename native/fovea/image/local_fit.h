@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Derivatives of a buffer at a node.
+// Derivatives of a buffer at a node, by finite differences.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace fovea::image {
 
-/// First and second derivatives, per step.
+/// First and second derivatives, per step and per squared step.
 struct LocalFit {
     vec2 gradient{0.0f};
     float xx = 0.0f, xy = 0.0f, yy = 0.0f;
 
-    /// Derivative along the gradient of the logarithm of its length: linear across a smoothed step. 0 where there is no
-    /// gradient.
+    /// Derivative, along the gradient direction, of the logarithm of the gradient's length; linear across a blurred
+    /// step edge. 0 where the gradient is zero.
     float growth_of_slope() const {
         const float slope = glm::length(gradient);
         const vec2 d = slope > 0.0f ? gradient / slope : vec2(0.0f);
@@ -22,17 +22,17 @@ struct LocalFit {
     }
 };
 
-/// A direction in which the values bend, and how much.
+/// Principal direction and curvature.
 struct Bend {
-    vec2 direction{0.0f};  ///< unit; zero where they bend nowhere. Its sign means nothing.
+    vec2 direction{0.0f};  ///< unit; zero if there is no curvature; sign arbitrary
     float curvature = 0.0f;
 };
 
-/// Nodes beyond a node that its fit looks at.
+/// Radius of the stencil of fit_at, in nodes.
 inline constexpr int fit_reach = 2;
 
-/// The quadratic polynomial around a node that is no nearer to the border, by differences of fourth order: they add no
-/// smoothing of their own, and are the same in all directions. All zero where the values around do not differ.
+/// Derivatives at a node at least fit_reach from the border, by central differences of fourth order: no smoothing of
+/// their own, and no directional bias. All zero if the four neighbors equal the node.
 inline LocalFit fit_at(const Buffer& values, const Lattice& lattice, int x, int y) {
     constexpr float first[5] = {1.0f / 12.0f, -8.0f / 12.0f, 0.0f, 8.0f / 12.0f, -1.0f / 12.0f};
     constexpr float second[5] = {-1.0f / 12.0f, 16.0f / 12.0f, -30.0f / 12.0f, 16.0f / 12.0f, -1.0f / 12.0f};
@@ -51,12 +51,12 @@ inline LocalFit fit_at(const Buffer& values, const Lattice& lattice, int x, int 
     return fit;
 }
 
-/// The direction of the greatest principal curvature (valleys), or with sign -1 of the least (ridges) turned around:
-/// there `curvature` is positive, too.
+/// Direction and value of the greatest principal curvature (valleys) for sign 1; for sign -1, of the least one, with
+/// its sign flipped (ridges), so that `curvature` is positive there, too.
 inline Bend greatest_bend(const LocalFit& fit, float sign) {
     const float mean = 0.5f * sign * (fit.xx + fit.yy), half = 0.5f * sign * (fit.xx - fit.yy), xy = sign * fit.xy;
     const float radius = std::sqrt(half * half + xy * xy);
-    // Of the two ways to write an eigenvector the one that does not cancel.
+    // Of the two expressions for the eigenvector, the one without cancellation.
     const vec2 direction = half >= 0.0f ? vec2(half + radius, xy) : vec2(xy, radius - half);
     const float length = glm::length(direction);
     return {length > 0.0f ? direction / length : vec2(0.0f), mean + radius};

@@ -10,11 +10,11 @@ namespace fovea::image {
 namespace {
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
-/// Neighbors whose tones differ by more are sampled again.
+/// Difference in tone between neighbors above which a node is resampled.
 constexpr float fine_tone = 1.0f / 32.0f;
 constexpr int fine_rays = 32;
 
-/// What one ray meets.
+/// Result of one ray.
 struct Sample {
     float tone = 0.0f, distance = nowhere;
     Index placement = none;
@@ -72,7 +72,7 @@ class Shader {
             view.orthographic ? vec3(0, 0, 1) : vec3(glm::normalize(-from_pixels(view, clip_to_view_, px, 1.0)));
         const float side = glm::dot(facet, to_eye) < 0.0f ? -1.0f : 1.0f;
         const float value = side * glm::dot(normal, to_lamp_ * to_eye) / glm::length(normal);
-        return value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // also what is not a number
+        return value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // NaN gives 0
     }
 
     const Tracer& tracer_;
@@ -81,7 +81,7 @@ class Shader {
     std::vector<Placed> placed_;
 };
 
-/// body(node, x, y) for all nodes.
+/// Calls body(node, x, y) for all nodes.
 template <typename Body>
 void each_node(const Lattice& lattice, const Cancel& cancel, const Body& body) {
     parallel_blocks(lattice.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
@@ -94,14 +94,15 @@ bool differ(const Sample& a, const Sample& b) {
     return a.placement != b.placement || std::abs(a.tone - b.tone) > fine_tone;
 }
 
-/// Places in a node's square: a (0, 5, 2)-net in base 2 (Hammersley), as even for slanted edges as for upright ones.
+/// Sample positions in a node's square: Hammersley set in base 2, a (0, 5, 2)-net; low-discrepancy, so equally accurate
+/// for edges of any slope.
 dvec2 place_in_square(int i) {
     int reversed = 0;
     for (int bit = 0; bit < 5; ++bit) reversed |= (i >> bit & 1) << (4 - bit);
     return dvec2(i + 0.5, reversed + 0.5) / double(fine_rays) - 0.5;
 }
 
-/// The node's square by many rays.
+/// Resamples a node's square with `fine_rays` rays.
 void sample_finely(const Shader& shader, std::size_t node, int x, int y, ShadedBuffer& buffer) {
     float tone = 0.0f, nearest = nowhere;
     int covered = 0;

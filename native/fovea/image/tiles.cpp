@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t blocks = 16;
 
-/// body(tile) for every tile that the triangle may touch.
+/// Calls body(tile) for every tile that the triangle may touch.
 template <typename Body>
 void for_tiles(const FixedTriangle& triangle, const PixelBox& picture, int across, const Body& body) {
     if (triangle.empty()) return;
@@ -17,7 +17,7 @@ void for_tiles(const FixedTriangle& triangle, const PixelBox& picture, int acros
     if (box.empty()) return;
     constexpr int size = Tiles::size;
     const int i0 = box.x0 / size, i1 = (box.x1 - 1) / size, j0 = box.y0 / size, j1 = (box.y1 - 1) / size;
-    const bool test = i0 != i1 && j0 != j1;  // long diagonals miss most tiles of their box
+    const bool test = i0 != i1 && j0 != j1;  // a diagonal triangle misses most tiles of its box
     for (int j = j0; j <= j1; ++j)
         for (int i = i0; i <= i1; ++i)
             if (!test || triangle.may_touch({i * size, j * size, (i + 1) * size, (j + 1) * size}))
@@ -42,8 +42,7 @@ Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int heig
             }
         });
     };
-    // One list per tile and block of triangles; within a tile the blocks follow each other, so
-    // order is kept.
+    // One list per tile and block of triangles; within a tile, blocks are consecutive, so the order is kept.
     std::vector<std::size_t> next(count * blocks, 0);
     each([&](std::size_t list, Index) { ++next[list]; });
     counts_to_offsets(next);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles touch which tile of the picture.
+// Binning of triangles into image tiles.
 #pragma once
 
 #include <fovea/image/triangle.h>
 
 namespace fovea::image {
 
-/// Triangles per tile, in the order in which they were given.
+/// Triangles per tile, in input order.
 struct Tiles {
     static constexpr int size = 64;  // px
     int across = 0, up = 0;
@@ -15,7 +15,7 @@ struct Tiles {
     Array<Index> triangle;
 };
 
-/// Corners in px; triangles that cover no pixel of the picture are left out.
+/// Corners in px; triangles that cover no pixel center of the image are dropped.
 Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int height);
 
 }  // namespace fovea::image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A triangle in fixed point: which pixel centers it covers, exactly. Of two triangles on either
-// side of a common edge, one and only one covers a center that lies on it.
+// Fixed-point triangle rasterization with exact coverage of pixel centers: a center on a common edge of two triangles
+// on either side of it is covered by exactly one of them.
 #pragma once
 
 #include <algorithm>
@@ -22,10 +22,10 @@ inline PixelBox intersect(const PixelBox& a, const PixelBox& b) {
 
 class FixedTriangle {
    public:
-    static constexpr std::int64_t one = 256;    // steps per pixel
-    static constexpr float far_away = 1 << 20;  // px; fixed point overflows beyond it: corners are clamped
+    static constexpr std::int64_t one = 256;    // fixed-point units per pixel
+    static constexpr float far_away = 1 << 20;  // px; from here on fixed point overflows, and the triangle is empty
 
-    /// Corners in px, either way round.
+    /// Corners in px, in either winding.
     FixedTriangle(vec2 a, vec2 b, vec2 c) {
         const vec2 px[3] = {a, b, c};
         for (int k = 0; k < 3; ++k) {
@@ -44,17 +44,17 @@ class FixedTriangle {
         }
     }
 
-    /// Without area, or with a corner that is not finite or far away: covers nothing.
+    /// True for zero area, or a corner that is non-finite or too far away; covers nothing.
     bool empty() const { return area_ == 0; }
 
-    /// Pixels whose centers lie in the bounding box.
+    /// Pixels whose centers are in the bounding box.
     PixelBox box() const {
         const auto [left, right] = std::minmax({x_[0], x_[1], x_[2]});
         const auto [low, high] = std::minmax({y_[0], y_[1], y_[2]});
         return {first_center(left), first_center(low), first_center(right + 1), first_center(high + 1)};
     }
 
-    /// False where the box certainly lies outside.
+    /// False only if no pixel of the box is covered.
     bool may_touch(const PixelBox& box) const {
         for (int k = 0; k < 3; ++k) {
             const std::int64_t x = step_x_[k] > 0 ? box.x1 - 1 : box.x0, y = step_y_[k] > 0 ? box.y1 - 1 : box.y0;
@@ -77,7 +77,7 @@ class FixedTriangle {
         }
     }
 
-    /// Corner as drawn [px].
+    /// Corner after rounding to fixed point, in px.
     dvec2 corner(int k) const { return dvec2(double(x_[k]), double(y_[k])) / double(one); }
 
    private:
@@ -90,7 +90,7 @@ class FixedTriangle {
     std::int64_t at_origin_[3]{}, step_x_[3]{}, step_y_[3]{};
 };
 
-/// What three corners say, over their triangle: affine, exact at the corners as drawn.
+/// Linear interpolation of values at three corners over their triangle; exact at the rounded corners.
 template <int N>
 class OverTriangle {
     using Value = glm::vec<N, double>;
@@ -104,7 +104,7 @@ class OverTriangle {
         slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
     }
 
-    /// At the center of pixel (x, y).
+    /// Value at the center of pixel (x, y).
     glm::vec<N, float> at(int x, int y) const {
         return glm::vec<N, float>(at_origin_ + slope_y_ * (y + 0.5 - origin_.y) + slope_x_ * (x + 0.5 - origin_.x));
     }

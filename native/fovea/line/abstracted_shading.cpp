@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Abstracted shading: thin dark areas of the shaded scene as dark lines, thin light ones as light lines.
-// Lee, Markosian, Lee & Hughes, "Line Drawings via Abstracted Shading", SIGGRAPH 2007.
-// In   the scene lit by a lamp, smoothed
-// Out  valleys (and ridges) of the tone: where it is least (greatest) along the direction in which it bends most; as
-//      strong as it bends
+// Abstracted shading: thin dark areas of the shaded scene as dark lines, thin light ones as light lines. Lee,
+// Markosian, Lee & Hughes, "Line Drawings via Abstracted Shading", SIGGRAPH 2007.
+// In   the shaded scene, smoothed
+// Out  valleys (and ridges) of the tone: minima (maxima) along the principal direction of greatest curvature; strength
+//      from that curvature
 #include <fovea/line/image_curves.h>
 
 namespace fovea::line {
@@ -18,16 +18,16 @@ const auto parameters =
         .with({{&AbstractedShading::valleys, "valleys", "Valleys", true, "Lines along thin dark areas"},
                {&AbstractedShading::ridges, "ridges", "Ridges", false, "Lines along thin light areas"}});
 
-constexpr double white = 1.0;  // of the background: on it, the outline of a round shape is a thin dark area
+constexpr double white = 1.0;  // tone of the background, before which the outline of a round shape is a thin dark area
 
 struct Node {
-    vec2 direction;  // in which the tone bends most
-    float slope;     // along it
-    float depth;     // curvature times sigma squared: at sigma from a valley the tone is half of this above it
+    vec2 direction;  // principal direction of the tone
+    float slope;     // derivative along it
+    float depth;     // curvature times sigma squared: at a distance of sigma the tone is half of this above a valley
 };
 
 Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, float sign) {
-    // A curvature tensor turns by no more than this from node to node where it means anything.
+    // Triangles in which the principal direction turns by more than about 45 degrees have no line.
     constexpr float least_cosine = 0.7f;
     const Array<Node> nodes = per_node<Node>(tone.lattice(), [&](int x, int y) {
         const LocalFit fit = fit_at(tone.value, tone.lattice(), x, y);
@@ -42,7 +42,7 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
                std::abs(cosine(n[2], n[0])) > least_cosine;
     };
     const auto depth = [&](Index i) { return nodes[i].depth; };
-    // Directions have no sign: those of the others are turned to the first one's.
+    // Directions have no sign: flip the others to agree with that of the first node.
     const auto slope = [&](Index first, Index i) { return cosine(first, i) < 0.0f ? -nodes[i].slope : nodes[i].slope; };
     return trace_in_image(frame, tone, values, depth, agree, slope);
 }

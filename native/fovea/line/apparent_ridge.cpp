@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Apparent ridge: a ridge of curvature as it appears in the image.
-// Judd, Durand & Adelson, "Apparent Ridges for Line Drawing", SIGGRAPH 2007.
+// Apparent ridge: a crest of curvature as it appears in the image. Judd, Durand & Adelson, "Apparent Ridges for Line
+// Drawing", SIGGRAPH 2007.
 // In   curvature and its derivative, the view
-// Out  on the side that faces the viewer, maxima of the greatest view-dependent curvature along its own direction. Near
-//      contours, where it grows beyond all bounds, nothing: a contour is drawn there.
+// Out  on front-facing parts, maxima of the maximum view-dependent curvature along its principal direction. None near
+//      contours (n . v < 0.1), where that curvature is unbounded and a contour is drawn anyway.
 #include <fovea/line/cluster_trace.h>
 #include <fovea/line/threshold.h>
 
 namespace fovea::line {
 namespace {
 
-/// n . v below which a contour is near.
+/// n . v below which there are no apparent ridges.
 constexpr float contour_near = 0.1f;
-/// What view_curvature keeps n . v from.
+/// Lower clamp of n . v in view_curvature.
 constexpr float least_facing = 1e-3f;
 
 struct ApparentRidge : ThresholdValues {
@@ -31,7 +31,7 @@ Curves find(const SurfaceView& seen, const ApparentRidge& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
-    // Nothing appears more curved than it is by more than 1 / n . v.
+    // View-dependent curvature is at most |k1| / (n . v).
     struct VertexEval {
         SeenOf<float> seen;
         bool may_be_above;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Border: where an open surface ends.
-// Out  mesh edges with one facet
+// Out  mesh edges with exactly one facet
 #include <fovea/line/edges.h>
 
 namespace fovea::line {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zero sets as in zero_set.h, cluster by cluster: the work follows the lines, not the surface.
+// Zero sets as in zero_set.h, but cluster by cluster with culling, so that the cost follows the lines, not the surface.
+// A definition provides:
 //
-//   none_in(SeenCluster)    true only where it is certain that a cluster has no line: it is passed over
-//   eval(vertex)            what decides which triangles matter, once per vertex of the clusters that are left
-//   wanted(a, b, c)         of eval at the corners of a triangle: false passes it over
-//   detail(vertex, eval)    the rest of what is to be known, at the corners of triangles that matter
+//   none_in(SeenCluster)    true only if a cluster certainly has no line: it is skipped
+//   eval(vertex)            quantities that decide which triangles can have a line; once per vertex and cluster left
+//   wanted(a, b, c)         of the evals at a triangle's corners: false skips the triangle
+//   detail(vertex, eval)    further quantities, evaluated only at corners of triangles that are left
 #pragma once
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 
 namespace fovea::line {
 
-/// Pieces in the order of their triangles; those of one triangle keep theirs.
+/// Concatenates pieces in ascending order of their triangles; pieces of the same triangle keep their order.
 Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, std::size_t triangles);
 
-/// Numbers of the clusters for which none_in is false, ascending.
+/// Indices of the clusters for which none_in is false, ascending.
 template <typename NoneIn>
 Array<Index> clusters_with_lines(const SurfaceView& seen, const Hierarchy& hierarchy, const NoneIn& none_in) {
     Array<Index> kept;
@@ -33,7 +34,7 @@ Array<Index> clusters_with_lines(const SurfaceView& seen, const Hierarchy& hiera
     return kept;
 }
 
-/// Fetches what the evaluation of a vertex reads, ahead of time: vertices of a cluster are spread over memory.
+/// Prefetches what the evaluation of these vertices reads; a cluster's vertices are scattered in memory.
 inline void fetch_vertices(const Surface& surface, const Fields& fields, In<Index> vertices) {
     for (Index v : vertices) {
         const auto* curvature = reinterpret_cast<const char*>(&fields.curvature[v]);
@@ -43,16 +44,17 @@ inline void fetch_vertices(const Surface& surface, const Fields& fields, In<Inde
     }
 }
 
-/// What is known of one cluster.
+/// Scratch space for one cluster.
 template <typename VertexEval, typename Detail>
 struct Looks {
     VertexEval evals[3 * triangles_of_cluster];
     Detail details[3 * triangles_of_cluster];
-    bool matters[3 * triangles_of_cluster];  // per vertex: has details
-    Index entries[triangles_of_cluster];     // triangles that matter, as entries of Clusters::triangles
+    bool matters[3 * triangles_of_cluster];  // per vertex: is a corner of a triangle that is left
+    Index entries[triangles_of_cluster];     // triangles that are left, as indices into Clusters::triangles
 };
 
-/// Runs emit(triangle, eval_at, detail_at, out), with functions of the triangle's vertices, where lines may be.
+/// Calls emit(triangle, eval_at, detail_at, out) for the triangles that are left; eval_at and detail_at take a vertex
+/// of the triangle.
 template <typename NoneIn, typename EvalAt, typename Wanted, typename DetailAt, typename Emit>
 Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const EvalAt& eval, const Wanted& wanted,
                       const DetailAt& detail, const Emit& emit) {
@@ -95,7 +97,7 @@ Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const Eval
     return in_order_of_triangles(parts, surface.triangles.size());
 }
 
-/// trace_zero_set; an eval has `value`, and a detail is the margin.
+/// As trace_zero_set of zero_set.h, with culling. An eval has a member `value`; a detail is the margin.
 template <typename NoneIn, typename EvalAt, typename Wanted, typename Margin, typename Strength>
 Curves trace_zero_set(const SurfaceView& seen, const NoneIn& none_in, const EvalAt& eval, const Wanted& wanted,
                       const Margin& margin, const Strength& strength) {
@@ -112,8 +114,8 @@ Curves trace_zero_set(const SurfaceView& seen, const NoneIn& none_in, const Eval
                           });
 }
 
-/// trace_zero_set of value(curvature, seen vertex) on the side that faces the viewer, where margin(curvature, seen
-/// vertex) is positive.
+/// Zero set of value(curvature, SeenOf), restricted to front-facing parts (n . v > 0) where margin(curvature, SeenOf)
+/// is positive.
 template <typename NoneIn, typename Value, typename Margin, typename Strength>
 Curves trace_zero_set_in_front(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Margin& margin,
                                const Strength& strength) {
@@ -135,7 +137,7 @@ Curves trace_zero_set_in_front(const SurfaceView& seen, const NoneIn& none_in, c
     return trace_zero_set(seen, none_in, eval, front, margins_at, strength);
 }
 
-/// Curves where value(vertex) is one of the levels: pieces of its own for each.
+/// Level sets of value(vertex): separate pieces for each of `levels`.
 template <typename NoneIn, typename Value>
 Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Levels& levels) {
     struct VertexEval {

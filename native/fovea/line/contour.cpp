@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contour as mesh edges: where the surface turns away from the viewer.
-// Hertzmann, "Introduction to 3D Silhouette Detection and Smoothing", SIGGRAPH 1999 course; Benard & Hertzmann, "Line
-// Drawings from 3D Models: a Tutorial", 2019.
+// Contour as mesh edges: where the surface turns away from the viewer. Hertzmann, "Introduction to 3D Silhouette
+// Detection and Smoothing", SIGGRAPH 1999 course; Benard & Hertzmann, "Line Drawings from 3D Models: a Tutorial", 2019.
 // In   facing per facet
-// Out  edges whose facets all lie on one side of them in the image. For a consistently oriented pair that means one
-//      faces the viewer and the other does not; for pairs that disagree about which side is out, and for more than two
-//      facets, it is the same condition without trusting the orientation. An edge of one facet is a border instead.
+// Out  edges whose facets are all on one side of them in the image. For a consistently oriented pair: one is
+//      front-facing and the other back-facing. For inconsistent pairs and for more than two facets the same condition
+//      does not depend on orientation. Edges with one facet are borders instead.
 #include <algorithm>
 
 #include <fovea/line/edges.h>
@@ -18,7 +17,7 @@ void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds
     mark_edges(surface.edges.size(), bit, kinds, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         if (sides.size() < 2) return false;
-        // A facet that winds along the edge lies to its left when it faces the viewer.
+        // A front-facing facet that winds along the edge is to its left in the image.
         const auto left = [&](const EdgeSide& side) { return bool(seen.facing[side.facet()]) == side.forward(); };
         return std::ranges::all_of(sides, [&](EdgeSide side) { return left(side) == left(sides[0]); });
     });

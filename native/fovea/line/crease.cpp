@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Crease: where two faces meet at an angle, and edges marked sharp.
 // In   facet normals, sharp marks
-// Out  mesh edges whose two facets' normals differ by at least `angle`; all edges of more than two facets; with
-//      `sharp_marks` also those marked sharp. Diagonals of polygons never.
+// Out  mesh edges whose two facet normals differ by at least `angle`; all edges with more than two facets; with
+//      `sharp_marks`, also those marked sharp. Never diagonals of polygons.
 #include <cmath>
 
 #include <fovea/line/edges.h>
@@ -29,7 +29,7 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
         if (sides.size() > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
         const EdgeSide a = sides[0], b = sides[1];
         const vec3 na(surface.facet_plane[a.facet()]), nb(surface.facet_plane[b.facet()]);
-        // Neighbors that disagree about which side is out: turn one of them around.
+        // If the two facets have opposite orientation, negate one normal.
         const float cosine = a.forward() == b.forward() ? -glm::dot(na, nb) : glm::dot(na, nb);
         return cosine <= limit;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ridges and valleys share.
+// Shared by ridges and valleys.
 #pragma once
 
 #include <fovea/line/threshold.h>
@@ -18,8 +18,8 @@ inline Parameters<CrestValues> crest_parameters() {
                 "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"}});
 }
 
-/// Maxima of sign k1, where it is positive. Where curvature hardly changes across a line, on tubes, spheres and tori,
-/// there is no crest but noise: the sharpness.
+/// Crest lines: maxima of sign * k1 along e1 where it is positive. On tubes, spheres and tori curvature hardly changes
+/// across such lines, which are noise: the sharpness threshold removes them.
 inline Curves find_crests(const SurfaceView& seen, const CrestValues& values, float sign) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line definition: a named, stateless rule that finds lines on a surface, in a scene or in its image.
-// To add one: a file in this folder that ends with a LineDefinition constant, one line in registry.cpp, and one page in
-// addon/docs/lines. All that others must know of it are members of the constant.
+// A line definition: a named, stateless rule that finds lines on a surface, in a scene or in its image. To add one: a
+// file in this folder that ends with a LineDefinition constant, one line in registry.cpp, and one page in
+// addon/docs/lines. Everything that other code needs to know is a member of the constant.
 #pragma once
 
 #include <functional>
@@ -18,112 +18,117 @@
 
 namespace fovea::line {
 
-/// A surface as one placement of it is seen. Its space is that of the object where the placement keeps angles, else the
-/// stretched one of mesh/stretch.h, so that definitions never see a scale that is uneven.
+/// A surface seen in one placement. Its space is the object's if the placement preserves angles, else the pre-stretched
+/// space of mesh/stretch.h, so that definitions never deal with non-uniform scale.
 struct SurfaceView {
     const Surface& surface;
-    /// Eye in the surface's space; for an orthographic camera the direction towards it.
+    /// Eye position in the surface's space; for an orthographic camera the direction towards the viewer.
     dvec3 eye_obj{0.0};
     bool orthographic = false;
-    /// Per facet: 1 where it faces the viewer (zero counts as facing). Empty when no definition asked for it.
+    /// Per facet: 1 if it is front-facing (edge-on counts as front-facing). Empty if no definition needs it.
     Array<std::uint8_t> facing{};
-    /// For definitions of the scene: the placement and rays through the view; null for definitions of a surface.
+    /// The placement, and the ray caster of the view; null for definitions that depend on the surface alone.
     Index placement = 0;
     dmat4 object_to_view{1.0};  ///< from the surface's space
     const Tracer* tracer = nullptr;
-    /// Clusters that cannot hold a line are passed over; the result is the same without.
+    /// Skip clusters that cannot contain a line; does not change the result.
     bool pass_over = true;
 
-    /// From a point or vertex towards the viewer, in the surface's space; not normalized.
+    /// Vector from a point or vertex to the viewer, in the surface's space; not normalized.
     vec3 to_viewer(const vec3& point) const { return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(point)); }
     vec3 to_viewer(Index vertex) const { return to_viewer(surface.positions[vertex]); }
-    /// Whether the placement does not go on behind a point in view space.
+    /// Whether the nearest surface behind a view-space point is of another placement, or there is none.
     bool ends_at(const vec3& point, const Ignore& ignore) const {
         const auto behind = tracer->behind(point, ignore);
         return !behind || behind->placement != placement;
     }
 };
 
-/// A frame, for definitions that look at a picture of the scene.
+/// Input of definitions in image space.
 struct FrameView {
     const Tracer& tracer;
     const Cancel& cancel;
-    Cache& shared;  ///< of the frame: pictures that several definitions look at
+    Cache& shared;  ///< per frame: shaded images shared by definitions
 };
 
-/// What an edge is: bit b is set where the definition with bit b in the registry finds it.
+/// Set of definitions that an edge belongs to, as bits; bit b stands for the definition with index b in the registry.
 using Kinds = std::uint32_t;
 
-/// Which quantities a definition depends on.
+/// What the result of a definition depends on.
 enum class Scope {
-    surface,     ///< the surface alone: found once and kept
-    placements,  ///< all surfaces and where they are, not the view: found once for the scene, and kept
-    view,        ///< the surface and the eye
-    scene,       ///< also what lies around and behind it
+    surface,     ///< the surface: computed once and cached with it
+    placements,  ///< all surfaces and their transforms, not the view: computed once per scene and cached
+    view,        ///< the surface and the eye position
+    scene,       ///< the view and the other surfaces of the scene
 };
 
 struct LineDefinition;
 
-/// Lines along edges: sets `bit` in kinds[e] for every edge e of the surface (mesh edges and diagonals) that is one.
+/// Lines along edges: sets `bit` in kinds[e] for every edge e (mesh edges and diagonals) that belongs to the
+/// definition.
 struct EdgeRule {
     std::function<void(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds)> mark;
 };
 
-/// What curves across triangles are, which decides what becomes of them once they are chained (path/find_curves.h).
+/// Types of curves across triangles, which decide how they are processed once chained (path/find_curves.h).
 enum class CurveType {
-    level_set,  ///< of a quantity: all of them are lines
-    feature,    ///< of the surface's shape: not where they double a contour, nor the spurs at their ends
-    contour,    ///< on the smooth surface that the mesh stands for, not on its flat triangles, which hide them in part
+    level_set,  ///< level set of a quantity: all of it is drawn
+    feature,    ///< feature of shape: duplicates of contours and spurs at its ends are removed
+    contour,    ///< contour of the fitted smooth surface; the flat triangles of the mesh partly hide it
 };
 
-/// Lines across triangles. A rule that depends on the view says which clusters of triangles cannot hold a line
-/// (line/seen_cluster.h) and what it needs to know of a vertex of the others; line/cluster_trace.h does the rest.
+/// Lines across triangles. A view-dependent rule supplies a test for clusters of triangles that cannot contain a line
+/// (line/seen_cluster.h) and the quantities it needs per vertex of the others; line/cluster_trace.h does the rest.
 struct CurveRule {
     CurveType type;
     std::function<Curves(const SurfaceView& seen, const Values& values)> find;
-    /// Which stretches of chained pieces are lines.
+    /// Thresholds that select intervals of chained segments.
     std::function<Selection(const Surface& surface, const Values& values)> select = [](const Surface&, const Values&) {
         return Selection{};
     };
-    /// The definition of which this one finds some of the pieces: whichever line set comes first has them.
+    /// A definition whose curves include those of this one; where both are drawn, the first line set keeps them.
     const LineDefinition* part_of = nullptr;
 };
 
-/// Lines across triangles of the whole scene: those of the placements that are drawn.
+/// Lines across triangles that depend on the whole scene. `drawn`: indices of the placements whose lines are drawn.
 struct SceneRule {
     std::function<std::vector<SceneCurves>(const Scene& scene, In<Index> drawn, const Values& values,
                                            const Cancel& cancel)>
         find;
 };
 
-/// Lines in the image, once per frame. Points in view space; triangles and sides are those of a lattice.
+/// Lines in image space, found once per frame. Points are in view space; triangles and sides are those of a lattice.
 struct ImageRule {
     std::function<Curves(const FrameView& frame, const Values& values)> find;
 };
 
-/// What drafts draw where a definition is left out of them: another one, with some of its parameters by name.
+/// Substitute in drafts: another definition, with values for some of its parameters by name.
 struct StandIn {
     const LineDefinition* definition;
     std::vector<std::pair<const char*, double>> values = {};
 };
 
 struct LineDefinition {
-    const char* name;  ///< the id used everywhere
+    const char* name;  ///< id, the same everywhere
     const char* label;
-    const char* source;  ///< paper or common knowledge, with its section
+    const char* source;  ///< paper (with section), or common knowledge
     const char* description;
     Scope scope;
-    double importance;  ///< in (0, 1]: of lines that crowd each other the more important one stays (elision/priority.h)
+    /// In (0, 1]: among lines that crowd each other, the more important is kept (elision/priority.h).
+    double importance;
     std::vector<Parameter> parameters = {};
     std::variant<EdgeRule, CurveRule, SceneRule, ImageRule> rule;
-    /// The same line of the smooth surface, which goes before this one of the mesh where both are drawn.
+    /// For a definition on mesh edges: the same line on the smooth surface, which replaces this one where both are
+    /// drawn.
     const LineDefinition* smooth_twin = nullptr;
-    bool slow = false;                    ///< takes long to find for each view: drafts leave it out
-    std::vector<StandIn> stand_ins = {};  ///< in drafts, where they are the outer boundary of their object
-    bool reads_edge_marks = false;        ///< of Freestyle, which are read from Blender only where they are asked for
+    bool slow = false;  ///< expensive for each view: drafts omit it
+    /// Substitutes in drafts, drawn where they are the outer silhouette of their object.
+    std::vector<StandIn> stand_ins = {};
+    /// Needs Freestyle edge marks, which are only read from Blender if some definition needs them.
+    bool reads_edge_marks = false;
 };
 
-/// Of all its parameters.
+/// Default values of a definition's parameters.
 inline Values default_values(const LineDefinition& definition) {
     Values values;
     for (const Parameter& parameter : definition.parameters) values.push_back(parameter.value);

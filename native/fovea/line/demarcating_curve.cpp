@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Demarcating curve: where a valley turns into a ridge.
-// Kolomenkin, Shimshoni & Tal, "Demarcating Curves for Shape Illustration", SIGGRAPH Asia 2008.
+// Demarcating curve: where a valley turns into a ridge. Kolomenkin, Shimshoni & Tal, "Demarcating Curves for Shape
+// Illustration", SIGGRAPH Asia 2008.
 // In   curvature and its derivative
-// Out  where the curvature along g, the direction in which curvature changes most, is zero. Triangles whose corners
-//      disagree about g by more than 45 degrees have no line: there another maximum takes over. But where two
-//      directions are about as good, as everywhere on a surface of revolution, all corners follow that of the
-//      strongest.
+// Out  zeros of the curvature along g, the direction in which curvature changes fastest. Triangles whose corners
+//      disagree about g by more than 45 degrees have no line, as different maxima dominate there. But where two maxima
+//      are almost equal, as everywhere on a surface of revolution, all corners use the one closest to that of the
+//      strongest corner.
 #include <fovea/line/seen_vertices.h>
 #include <fovea/line/threshold.h>
 #include <fovea/line/zero_set.h>
@@ -17,7 +17,7 @@ const auto parameters = threshold_parameters<ThresholdValues>(
     0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
 
 constexpr float least_cosine = 0.70710678f;
-/// Share of the strongest change of curvature from which a direction is about as good.
+/// Share of the global maximum from which a local maximum counts as almost equal.
 constexpr float tied = 0.9f;
 
 struct Corner {
@@ -29,7 +29,8 @@ Corner corner(const Curvature& c, const DemarcatingOf<float>& d) {
     return {d.g1 * c.e1 + d.g2 * c.e2, d.curvature, d.strength};
 }
 
-/// Turns the corners of a triangle to where the strongest of them points; false where one has nothing there.
+/// Makes the corners of a triangle use consistent local maxima, close to that of the strongest corner; false if one has
+/// none there that is almost as strong as its own.
 bool agree(const Fields& fields, const Triangle& t, Corner (&corners)[3]) {
     int most = 0;
     for (int i = 1; i < 3; ++i)

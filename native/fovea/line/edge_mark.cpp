@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edge mark: edges the artist marked by hand.
-// Out  mesh edges with a Freestyle mark, and with `seams` those marked as seams
+// Edge mark: edges marked by hand.
+// Out  mesh edges with a Freestyle mark; with `seams`, also those marked as seams
 #include <fovea/line/edges.h>
 
 namespace fovea::line {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loop every definition over mesh edges shares.
+// Loop over edges, shared by definitions on mesh edges.
 #pragma once
 
 #include <fovea/base/parallel.h>

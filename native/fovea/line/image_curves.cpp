@@ -13,7 +13,7 @@
 namespace fovea::line {
 namespace {
 
-/// Steps that filters look beyond a node.
+/// Border of the lattice beyond the frame's margin, in steps: room for filters. Also the search radius below.
 constexpr int reach = 8;
 constexpr double least_length = 5.0 * steps_per_sigma;
 
@@ -25,7 +25,7 @@ SmoothTone make_tone(const FrameView& frame, bool outline, double background,
     Buffer lit = buffer.tone;
     const auto beyond = static_cast<float>(outline ? background : 0.0);
     parallel_for(lit.size(), [&](std::size_t i) { lit[i] += beyond * (1.0f - buffer.coverage[i]); });
-    // Less the variance of the square that a node stands for.
+    // Minus the variance of the unit square that a node is averaged over.
     const double sigma = std::sqrt(steps_per_sigma * steps_per_sigma - 1.0 / 12.0);
     tone.value = gaussian(lit, lattice.width, lattice.height, sigma);
     frame.cancel.poll();
@@ -38,7 +38,8 @@ SmoothTone make_tone(const FrameView& frame, bool outline, double background,
     return tone;
 }
 
-/// Node of the nearest surface around a place, looked for farther away where nothing is seen; `none` without any.
+/// Node with the nearest surface around lattice position `place`, searched in growing squares; `none` if nothing is
+/// within `reach`.
 Index nearest_surface(const ShadedBuffer& shaded, const vec2& place) {
     const Lattice& lattice = shaded.lattice;
     const int x = int(place.x), y = int(place.y);

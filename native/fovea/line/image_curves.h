@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What definitions that look at a picture of the scene share: the picture, and the way from its lattice to the scene.
+// Shared by image-space definitions: the shaded image, and the projection of lattice curves back into the scene.
 #pragma once
 
 #include <fovea/image/lattice_triangles.h>
@@ -10,13 +10,13 @@
 
 namespace fovea::line {
 
-/// Lattice steps in a sigma: accuracy is the same at every scale, and so are the filters.
+/// Lattice steps per sigma; constant, so that accuracy and filters are the same at every scale.
 inline constexpr double steps_per_sigma = 2.0;
 
-/// The parameters that come first in all of them.
+/// Parameters common to all image-space definitions; they come first.
 struct ImageValues {
     double threshold;
-    double low;    ///< share of the threshold
+    double low;    ///< share of `threshold`
     double sigma;  ///< reference pixels
     bool outline;
     double light_right, light_up;  ///< degrees
@@ -25,7 +25,7 @@ struct ImageValues {
     Lamp lamp() const { return {light_right, light_up}; }
 };
 
-/// The parameters of P, an ImageValues. `meaning` is that of the threshold.
+/// Parameters of P, which derives from ImageValues. `meaning`: description of the threshold.
 template <typename P>
 Parameters<P> image_parameters(double threshold, const char* meaning, double sigma) {
     return {{&P::threshold, "threshold", "Threshold", threshold, 0.0, 1.0, Unit::none, meaning},
@@ -40,9 +40,9 @@ Parameters<P> image_parameters(double threshold, const char* meaning, double sig
              "Direction of the light, upwards from the viewer"}};
 }
 
-/// The shaded scene under a Gaussian. With `outline` it stands on a background of the given tone; else what lies beyond
-/// its outline takes no part (normalized convolution: Knutsson & Westin, CVPR 1993), and where nothing lies within
-/// reach it is NaN.
+/// The shaded scene after Gaussian smoothing. With `outline`, uncovered parts have the background's tone; else they
+/// have weight zero (normalized convolution: Knutsson & Westin, CVPR 1993), and the value is NaN where the weighted
+/// coverage is 1 % or less.
 struct SmoothTone {
     std::shared_ptr<const ShadedBuffer> shaded;
     Buffer value;
@@ -50,10 +50,10 @@ struct SmoothTone {
 };
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values, double background);
 
-/// Nodes near the border of the lattice, where nothing is known.
+/// Width, in nodes, of the lattice's border in which derivatives are not defined.
 inline constexpr int lattice_border = fit_reach;
 
-/// make(x, y) for all other nodes.
+/// Evaluates make(x, y) at all nodes but those of the border, which get a default Node.
 template <typename Node, typename Make>
 Array<Node> per_node(const Lattice& lattice, const Make& make) {
     Array<Node> nodes(lattice.size());
@@ -67,7 +67,7 @@ Array<Node> per_node(const Lattice& lattice, const Make& make) {
     return nodes;
 }
 
-/// emit(triangle, out) for all triangles of the lattice whose sides go on inside its border.
+/// Calls emit(triangle, out) for the lattice triangles whose sides' neighbors (lattice_side) are inside the border.
 template <typename Emit>
 Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     return collect_pieces(2 * lattice.size(), [&](Index number, std::vector<CurvePiece>& out) {
@@ -78,17 +78,18 @@ Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
     });
 }
 
-/// The pieces of curves (pieces that share sides) that reach full strength somewhere and are at least so long. Lengths
-/// are those of the pieces' points. Canny, "A Computational Approach to Edge Detection", PAMI 1986, section VI.
+/// Keeps connected curves (pieces that share sides) whose strength reaches 1 somewhere and whose length is at least
+/// `least`, in the units of their points. Canny, "A Computational Approach to Edge Detection", PAMI 1986, section VI.
 Curves keep_strong(const Curves& pieces, double least);
 
-/// From pieces on the lattice to lines of the scene: those of curves that pass hysteresis and are no shorter than five
-/// sigma, in view space, at the depth of the nearest surface that is seen beside them.
+/// Projects lattice curves to view space. Keeps those that pass hysteresis and are at least five sigma long; each point
+/// gets the depth of the nearest surface that is sampled around it, and pieces where that surface is not drawn are
+/// dropped.
 Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pieces);
 
-/// Lines where `value` is zero and `measure` (per node) exceeds the low threshold: strength 0 there, 1 at the high one.
-/// value(first, node): on a side from node `first` on. Only triangles where one of the nodes does, and
-/// wanted(triangle).
+/// Traces lines where `value` is zero and `measure` (per node) exceeds the low threshold; strength is 0 at the low
+/// threshold and 1 at the high one. value(first, node): value at `node`, for a side whose first node is `first` (which
+/// may fix a sign). Only triangles with a node above the low threshold and with wanted(triangle) are visited.
 template <typename Measure, typename Wanted, typename Value>
 Curves trace_in_image(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, const Measure& measure,
                       const Wanted& wanted, const Value& value) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Image edge: where the tone of the shaded scene changes fastest.
-// Canny, "A Computational Approach to Edge Detection", PAMI 1986; Cole 2009, section 3.2.2.
-// In   the scene lit by a lamp, smoothed
-// Out  zeros of the second derivative along the gradient where the slope is greatest, with hysteresis, to sub-pixels
+// Image edge: where the tone of the shaded scene changes fastest. Canny, "A Computational Approach to Edge Detection",
+// PAMI 1986; Cole 2009, section 3.2.2.
+// In   the shaded scene, smoothed
+// Out  zeros of the second derivative along the gradient at maxima of the slope, with hysteresis, to sub-pixel accuracy
 #include <numbers>
 
 #include <fovea/line/image_curves.h>
@@ -12,13 +12,13 @@ namespace {
 
 const auto parameters = image_parameters<ImageValues>(0.3, "Contrast of a sharp edge from which lines are drawn", 2.0);
 
-/// Of the background: the outline has all contrast that a threshold may ask for, also where the surface is white.
+/// Tone of the background: brighter than white, so that the outline of white surfaces has full contrast, too.
 constexpr double beyond_white = 2.0;
 
 struct Node {
     vec2 gradient;
-    float growth;    // of the slope, along the gradient
-    float contrast;  // of the step edge that has this slope
+    float growth;    // growth_of_slope: relative change of the gradient's length along the gradient
+    float contrast;  // height of the step edge that has this slope after smoothing
 };
 
 Curves find(const FrameView& frame, const ImageValues& values) {
@@ -28,7 +28,7 @@ Curves find(const FrameView& frame, const ImageValues& values) {
         const LocalFit fit = fit_at(tone->value, tone->lattice(), x, y);
         return Node{fit.gradient, fit.growth_of_slope(), per_slope * glm::length(fit.gradient)};
     });
-    // Up to the greatest slope the tone bends upwards, then downwards.
+    // At a maximum of the slope its growth changes from positive to negative.
     const auto greatest = [&](const LatticeTriangle& triangle) {
         const Node &a = nodes[triangle.node[0]], &b = nodes[triangle.node[1]], &c = nodes[triangle.node[2]];
         return glm::dot(triangle.slope(a.growth, b.growth, c.growth), a.gradient + b.gradient + c.gradient) < 0.0f;

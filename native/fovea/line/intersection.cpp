@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Intersection: where surfaces pass through each other, two objects or parts of one.
-// In   triangles of all placements that are drawn; the view has no part in it
-// Out  curves in two triangles at once; they belong to the placement of the lower id (object space), and `other` is the
-//      triangle of the second. Surfaces that only touch have none (scene/crossings.h): a box on a floor is outlined by
-//      its own creases. Placements that flatten a surface to nothing have none with others that do, and instances in
-//      a heap none with each other.
-// Crossings are kept with the first surface, by the second's version and its placement relative to the first, to single
-// precision: nothing is found again when the camera, or two objects together, move, and pairs of instances share.
+// In   triangles of all placements that are drawn; independent of the view
+// Out  curves on two triangles at once. They belong to the placement with the lower id (the other one if its transform
+//      is singular) and are in its object space; `other` is the triangle of the second placement. Surfaces that only
+//      touch have none (scene/crossings.h): a box on a floor is outlined by its own creases. Two placements with
+//      singular transforms have none with each other, nor have instances in a heap (see below).
+// Results are cached with the first surface, keyed by the second's version and its placement relative to the first, in
+// single precision. So nothing is recomputed when the camera, or both objects together, move, and pairs of instances
+// with equal relative placement share one result.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -29,21 +30,21 @@ const Parameters<Intersection> parameters{
     {&Intersection::between, "between", "Between Objects", true, "Where two objects pass through each other"},
     {&Intersection::within, "within", "Within Objects", true, "Where an object passes through itself"}};
 
-/// Frames for which crossings that nobody asks for are kept.
+/// Frames after which results that are not requested are evicted.
 constexpr std::uint64_t kept_frames = 16;
 
-/// Instances of one surface that each meet as many others of them are leaves, grass or gravel: there are as many lines
-/// where they pass through each other as there is nothing to see in them.
+/// Number of overlapping instances of the same surface from which a placement counts as part of a heap (leaves, grass,
+/// gravel): there would be very many intersection lines, none of them useful.
 constexpr Index heap = 24;
 
 /// Products of larger coordinates overflow.
 constexpr double farthest = 1e18;
 
-/// Crossings of a surface with others, and with itself.
+/// Cache of the intersections of one surface with others, and with itself.
 struct KeptPairs {
     struct Entry {
         std::shared_ptr<const KeptCurves> curves;
-        std::uint64_t frame = 0;  ///< when it was last asked for
+        std::uint64_t frame = 0;  ///< last request
     };
     std::mutex mutex;
     std::map<std::uint64_t, Entry> entries;
@@ -59,27 +60,28 @@ struct KeptPairs {
         const std::lock_guard lock(mutex);
         entries[key] = {std::move(curves), frame};
     }
-    /// Lets go of what has not been asked for.
+    /// Evicts entries that have not been requested for kept_frames.
     void forget(std::uint64_t frame) {
         const std::lock_guard lock(mutex);
         std::erase_if(entries, [&](const auto& entry) { return entry.second.frame + kept_frames < frame; });
     }
 };
 
-/// Two placements, or one twice.
+/// Two placements, or the same one twice.
 struct Pair {
     Index first, second;
     Affine second_to_first{1.0};
     std::uint64_t key = 0;
 };
 
-/// To multiples of 2^-24 of the size; without a sign on zero.
+/// Rounds to multiples of 2^-24 of the magnitude of `size`; never returns -0.
 double rounded(double value, double size) {
     const double step = std::ldexp(1.0, std::ilogb(size) - 24);
     return std::nearbyint(value / step) * step + 0.0;
 }
 
-/// To single precision: the same for objects that move together. False where there is no such map.
+/// Computes pair.second_to_first, rounded to single precision so that it is equal for objects that move together, and
+/// the cache key. False if there is no finite map.
 bool relate(const Scene& scene, Pair& pair) {
     const Placement &first = scene.placements[pair.first], &second = scene.placements[pair.second];
     Affine& map = pair.second_to_first;
@@ -98,8 +100,8 @@ bool relate(const Scene& scene, Pair& pair) {
     return true;
 }
 
-/// Pairs (i, j), i < j, of positions in `placements` (indices into the scene) whose boxes along the world's axes meet,
-/// ascending. Placements without triangles are in none.
+/// Pairs (i, j), i < j, of positions in `placements` (indices into the scene) whose world-space bounding boxes overlap,
+/// ascending. Placements without triangles are omitted.
 std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Index> placements) {
     struct Entry {
         Box box;
@@ -111,12 +113,12 @@ std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, 
         const auto tree = triangle_tree(*placement.surface);
         if (tree->empty()) continue;
         const Box box = tree->bounds().mapped(Affine(placement.object_to_world));
-        if (box.meets(box)) entries.push_back({box, i});  // not where a placement is no number
+        if (box.meets(box)) entries.push_back({box, i});  // false for NaN
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.position < b.position;
     });
-    // Sweep along x: what begins before a box ends may meet it.
+    // Sweep along x: only boxes that begin before this one ends can overlap it.
     std::vector<std::pair<Index, Index>> pairs;
     for (std::size_t i = 0; i < entries.size(); ++i)
         for (std::size_t j = i + 1; j < entries.size() && entries[j].box.low.x <= entries[i].box.high.x; ++j)
@@ -126,7 +128,7 @@ std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, 
     return pairs;
 }
 
-/// Per position in `drawn`: 1 where a placement lies in a heap of its surface's.
+/// Per position in `drawn`: 1 if the placement overlaps at least `heap` others of the same surface.
 Array<std::uint8_t> heaped_placements(const Scene& scene, In<Index> drawn,
                                       const std::vector<std::pair<Index, Index>>& overlaps) {
     Array<Index> alike(drawn.size(), 0);
@@ -183,7 +185,8 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
     const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
     std::vector<std::shared_ptr<KeptPairs>> stores(pairs.size());
     std::vector<SceneCurves> found(pairs.size());
-    std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;  // the first pair that lacks each
+    // For each missing result, the first pair that needs it.
+    std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Surface& surface = *scene.placements[pairs[i].first].surface;
         stores[i] = *surface.cache().get<std::shared_ptr<KeptPairs>>(0, [] { return std::make_shared<KeptPairs>(); });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Isophote: lines of equal shading by a lamp at the eye.
+// Isophote: lines of equal shading by a headlight.
 // Cole 2009, section 2.2.
 // In   normals, the view
-// Out  where n . v is one of so many evenly spaced values between 0 and 1
+// Out  level sets of n . v at `count` evenly spaced values in (0, 1]
 #include <fovea/line/cluster_trace.h>
 
 namespace fovea::line {

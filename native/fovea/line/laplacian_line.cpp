@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laplacian line: zero crossings of the Laplacian of shading by a lamp at the eye.
-// Zhang et al., "Laplacian Lines for Real-Time Shape Illustration", I3D 2009.
+// Laplacian line: zero crossings of the Laplacian of shading by a headlight. Zhang et al., "Laplacian Lines for
+// Real-Time Shape Illustration", I3D 2009.
 // In   curvature and its derivative, the view
-// Out  on the side that faces the viewer, where the Laplacian of n . v is zero and its gradient above the threshold
+// Out  on front-facing parts, zeros of the Laplacian of n . v where its gradient is above the threshold
 #include <fovea/line/cluster_trace.h>
 #include <fovea/line/threshold.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parabolic line: between elliptic and hyperbolic parts of a surface.
-// Koenderink, "What does the occluding contour tell us about solid shape?", Perception 1984.
+// Parabolic line: between elliptic and hyperbolic parts of a surface. Koenderink, "What does the occluding contour tell
+// us about solid shape?", Perception 1984.
 // In   curvature
-// Out  where k1 k2 is zero and the greater of the two above the threshold
+// Out  zeros of the Gaussian curvature k1 k2 where |k1| is above the threshold
 #include <fovea/line/zero_curvature.h>
 
 namespace fovea::line {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of a line definition. Outside of its file they are numbers with names, which panels, style files and the
-// command line read from the registry; its functions take them as a struct. Both are declared in one place.
+// Parameters of a line definition. Outside its file they are named numbers, which panels, style files and the command
+// line read from the registry; inside they are a struct. Both are declared in one place.
 #pragma once
 
 #include <initializer_list>
@@ -15,10 +15,10 @@ namespace fovea::line {
 
 enum class Unit { none, degrees, pixels, boolean };
 
-/// Who may give a parameter a value of its own: a line set, or each object, too.
+/// Where a parameter can be set: per line set only, or with per-object overrides.
 enum class Per { line_set, object };
 
-/// A number the artist may set.
+/// Declaration of a numeric parameter.
 struct Parameter {
     const char* name;
     const char* label;
@@ -29,10 +29,10 @@ struct Parameter {
     Per per = Per::line_set;
 };
 
-/// Values of a definition's parameters, in the order they are declared.
+/// Values of a definition's parameters, in order of declaration.
 using Values = std::vector<double>;
 
-/// A parameter, and the member of a definition's struct P that holds it: a number, a whole number or a switch.
+/// A parameter and the member of the definition's struct P (double, int or bool) that stores it.
 template <typename P>
 struct ParameterOf {
     std::variant<double P::*, int P::*, bool P::*> member;
@@ -47,20 +47,20 @@ struct ParameterOf {
         : member(to), declared{name, label, value ? 1.0 : 0.0, 0.0, 1.0, Unit::boolean, meaning} {}
 };
 
-/// All parameters of a definition.
+/// All parameters of a definition, in order.
 template <typename P>
 class Parameters {
    public:
     Parameters(std::initializer_list<ParameterOf<P>> all) : all_(all) {}
 
-    /// With others after them.
+    /// A copy with more parameters appended.
     Parameters with(std::initializer_list<ParameterOf<P>> more) const {
         Parameters result = *this;
         result.all_.insert(result.all_.end(), more.begin(), more.end());
         return result;
     }
 
-    /// As the registry lists them.
+    /// The declarations, as in the registry.
     operator std::vector<Parameter>() const {
         std::vector<Parameter> declared;
         for (const ParameterOf<P>& parameter : all_) declared.push_back(parameter.declared);
@@ -74,7 +74,7 @@ class Parameters {
         for (std::size_t i = 0; i < all_.size(); ++i) {
             const auto write = [&](auto member) {
                 using Number = std::remove_reference_t<decltype(result.*member)>;
-                // A struct has no member larger than itself; of those that it cannot have, gcc warns.
+                // No member is larger than the struct; for instantiations with larger types gcc would warn.
                 if constexpr (sizeof(Number) <= sizeof(P)) result.*member = converted<Number>(values[i]);
             };
             std::visit(write, all_[i].member);
@@ -82,7 +82,7 @@ class Parameters {
         return result;
     }
 
-    /// A function of a P, among others, as the registry calls it: with Values in its place.
+    /// Adapts a function that takes a P (among other arguments) to the registry's signature, with Values in its place.
     template <typename Function>
     auto of(Function function) const {
         return [function, parameters = *this](auto&&... given) { return function(parameters.passed(given)...); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What principal highlights on ridges and in valleys share.
+// Shared by principal highlights of ridges and valleys.
 #pragma once
 
 #include <limits>
@@ -17,12 +17,12 @@ inline Parameters<ThresholdValues> principal_highlight_parameters() {
         "units of 1 / feature size squared");
 }
 
-/// Zeros of v . e1 where sign k1 is positive and (k1^2 - k2^2) n . v above the threshold, which is so on the side that
-/// faces the viewer alone. e1 has no sign: in each triangle the corners follow the one of greatest |k1|. Triangles
-/// whose corners disagree about its line by more than 45 degrees have no line, nor have those with a corner that is
-/// nearly as curved along e2 (an umbilic, or where e1 and e2 change places): there e1 is noise.
+/// Zeros of v . e1 where sign * k1 > 0 and (k1^2 - k2^2) n . v is above the threshold (and so n . v > 0). e1 has no
+/// sign: within a triangle, the corners' directions are flipped to agree with that of the corner with the greatest
+/// |k1|. Skipped are triangles in which a corner's e1 differs from it by more than 45 degrees as a line, and those with
+/// a corner where |k2| is almost |k1| (an umbilic, or a swap of e1 and e2), as e1 is unreliable there.
 inline Curves find_principal_highlights(const SurfaceView& seen, const ThresholdValues& values, float sign) {
-    constexpr float least_cosine = 0.70710678f, greatest_ratio = 0.98f;  // of |k2| and |k1|
+    constexpr float least_cosine = 0.70710678f, greatest_ratio = 0.98f;  // of |k2| / |k1|
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
@@ -31,7 +31,8 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Threshold
         const Curvature& c = fields->curvature[v];
         const SeenOf<float> s = see_vertex(seen, c, static_cast<Index>(v));
         const bool known = sign * c.k1 > 0.0f && std::abs(c.k2) < greatest_ratio * std::abs(c.k1);
-        // NaN crosses nothing. A zero lies on the side that its own e1 points to, however that is turned later.
+        // NaN yields no crossing. Zeros are made slightly positive in the direction of the vertex's own e1, so that
+        // later sign flips treat them consistently.
         along[v] = !known ? std::nanf("") : s.u == 0.0f ? std::numeric_limits<float>::min() : s.u;
         above[v] = (c.k1 * c.k1 - c.k2 * c.k2) * s.facing - thresholds.low;
     });

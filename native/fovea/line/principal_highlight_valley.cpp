@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Principal highlight of a valley: the bright line along it.
-// DeCarlo & Rusinkiewicz, "Highlight Lines for Conveying Shape", NPAR 2007.
+// Principal highlight of a valley: the bright line along it. DeCarlo & Rusinkiewicz, "Highlight Lines for Conveying
+// Shape", NPAR 2007.
 // In   curvature, the view
-// Out  on the side that faces the viewer, where k1 < 0 and the view is at a right angle to the direction of k1, so that
-//      n . v is greatest across the line
+// Out  on front-facing parts with k1 < 0, zeros of v . e1, where n . v is greatest across the line
 #include <fovea/line/principal_highlight.h>
 
 namespace fovea::line {

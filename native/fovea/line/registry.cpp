@@ -5,7 +5,7 @@
 
 #include <fovea/base/check.h>
 
-// In the order of their bits in Kinds; each is a constant in the file of its name.
+// In the order of their bits in Kinds; each constant is in the file of the same name.
 // clang-format off
 #define FOVEA_LINE_DEFINITIONS(define) \
     define(contour)                    \
@@ -47,7 +47,7 @@ const std::vector<const LineDefinition*>& line_definitions() {
 
 namespace {
 
-/// Bits of the definitions for which is_one(LineDefinition) holds.
+/// Bits of the definitions that satisfy is_one(LineDefinition).
 template <typename IsOne>
 Kinds kinds_that(const IsOne& is_one) {
     Kinds bits = 0;
@@ -61,7 +61,7 @@ bool is_smooth_contour(const LineDefinition& definition) {
     return curves && curves->type == CurveType::contour;
 }
 
-/// Whether a definition finds all contours, not some of another's.
+/// Whether a definition finds all contours of the smooth surface, not only some of those of another definition.
 bool is_whole_contour(const LineDefinition& definition) {
     return is_smooth_contour(definition) && !std::get<CurveRule>(definition.rule).part_of;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of line definitions.
+// The registry of line definitions.
 #pragma once
 
 #include <span>
@@ -12,25 +12,25 @@
 
 namespace fovea::line {
 
-/// All definitions; a definition's index is its bit in Kinds. Not for constants of other files, which may be made
-/// before.
+/// All definitions; a definition's index is its bit in Kinds. Do not call during static initialization: the constants
+/// in other files may not be initialized yet.
 const std::vector<const LineDefinition*>& line_definitions();
 
-/// Index of a definition; throws std::invalid_argument, listing the known names, for an unknown one.
+/// Index of the definition with a name; throws std::invalid_argument, listing the known names, for an unknown one.
 Index definition_index(std::string_view name);
 const LineDefinition& definition_called(std::string_view name);
 
-/// Parameters of a definition by their names, in its order and with defaults filled in. Throws std::invalid_argument
-/// for an unknown name.
+/// Parameter values of a definition, in its order, from (name, value) pairs; others have their defaults. Throws
+/// std::invalid_argument for an unknown name.
 Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, double>> given);
 
 /// The bit of a definition.
 Kinds kind_of(const LineDefinition& definition);
 
-/// Bits of the definitions of contours of the smooth surface.
+/// Bits of the definitions that find contours of the smooth surface, whole or in part.
 Kinds smooth_contours();
 
-/// Bits of those, and of what finds all contours of the mesh.
+/// Bits of those, and of the mesh-edge definition that finds all contours of the mesh.
 Kinds contours();
 
 }  // namespace fovea::line

@@ -10,8 +10,8 @@
 
 namespace fovea::line {
 
-/// A cluster as one placement of it is seen. Every range holds what vertices of the cluster get from see_vertex and
-/// field/view_curvature.h, rounding included.
+/// A cluster seen in one placement. Each range contains the values that see_vertex and field/view_curvature.h give at
+/// the cluster's vertices, including rounding errors.
 class SeenCluster {
    public:
     SeenCluster(const SurfaceView& seen, const ClusterBounds& bounds) : bounds_(bounds) {
@@ -19,27 +19,27 @@ class SeenCluster {
         const double distance = glm::length(towards);
         towards_ = distance > 0.0 ? towards / distance : dvec3(0.0);
         if (!seen.orthographic) {
-            // The chord of the angle under which the sphere is seen from the eye.
+            // Chord of the angle that the bounding sphere's radius subtends at the eye.
             const double sine = bounds.radius / distance;
             turn_ = sine < 0.99 ? std::sqrt(2.0 - 2.0 * std::sqrt(1.0 - sine * sine)) : 2.0;
         }
         turn_ += rounding;
     }
 
-    /// n . v.
+    /// Range of n . v.
     Range facing() const {
         const dvec3 normal(bounds_.normal);
         return around(glm::dot(normal, towards_), bounds_.normal_spread + turn_ * glm::length(normal), 1.0);
     }
 
-    /// RadialOf::scaled, the form h of the view direction.
+    /// Range of RadialOf::scaled, the form h applied to the view direction.
     Range radial() const {
         const dvec3 along = times_form(towards_);
         const double spread = bounds_.form_spread + turn_ * (2.0 * glm::length(along) + turn_ * bounds_.curvature);
         return around(glm::dot(along, towards_), spread, bounds_.curvature);
     }
 
-    /// laplacian().
+    /// Range of laplacian() of view_curvature.h.
     Range laplacian() const {
         const dvec3 form(bounds_.laplacian);
         const double length = glm::length(form);
@@ -63,7 +63,7 @@ class SeenCluster {
 
     const ClusterBounds& bounds_;
     dvec3 towards_;
-    double turn_ = 0.0;  // the view direction of no vertex is farther from that of the center
+    double turn_ = 0.0;  // upper bound of |v - v_center| over the vertices' unit view directions v
 };
 
 }  // namespace fovea::line

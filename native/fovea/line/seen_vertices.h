@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices of a surface as a view sees them.
+// View direction at a vertex, in its principal frame.
 #pragma once
 
 #include <fovea/field/fields.h>

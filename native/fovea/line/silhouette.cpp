@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Silhouette: the outer boundary of an object, against the background or another object.
-// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
-// In   contour and border edges, and what is seen behind the middle of each, or right beside it
-// Out  those where the same placement does not go on. Where coarse meshes turn away, facets seen edge-on lie a hair
-// behind
-//      one another: what shows less of itself than a pen covers is no reason to go on.
+// Silhouette: the outer boundary of an object, against the background or another object. Isenberg et al., "A
+// Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
+// In   contour and border edges; rays through the middle of each, and through a point next to it
+// Out  those behind which the same placement does not continue. On coarse meshes, facets seen almost edge-on lie
+//      slightly behind one another along a contour: a continuation narrower than a pen is ignored.
 #include <algorithm>
 
 #include <fovea/line/edges.h>
@@ -15,10 +14,10 @@ extern const LineDefinition contour, border, smooth_silhouette;
 
 namespace {
 
-constexpr double beside_px = 1.5;  // reference pixels
-constexpr double steepest = 8.0;   // slope towards the viewer of a surface that may go on there
+constexpr double beside_px = 1.5;  // distance of the second ray from the edge, in reference pixels
+constexpr double steepest = 8.0;   // greatest slope towards the viewer of a surface that may continue there
 
-/// Asks what lies behind the edges of one placement.
+/// Tests what is behind the edges of one placement.
 class Beyond {
    public:
     explicit Beyond(const SurfaceView& seen)
@@ -27,7 +26,7 @@ class Beyond {
           clip_to_view_(glm::inverse(view_.view_to_clip)),
           mirrored_(glm::determinant(dmat3(seen.object_to_view)) < 0.0) {}
 
-    /// Whether the placement ends at an edge.
+    /// Whether the placement ends at an edge, in the image.
     bool is_outer(Index e) const {
         const Edge edge = seen_.surface.edges[e];
         const dvec4 a = in_view(edge.x), b = in_view(edge.y), middle = 0.5 * (a + b);
@@ -53,8 +52,8 @@ class Beyond {
         return seen_.object_to_view * dvec4(dvec3(seen_.surface.positions[vertex]), 1.0);
     }
 
-    /// Whether the surface lies to the left of a contour or border edge in the image, from its first to its second
-    /// vertex: a facet that winds along the edge does when it faces the viewer.
+    /// Whether the surface is to the left, in the image, of a contour or border edge directed from its first to its
+    /// second vertex. A front-facing facet that winds along the edge is.
     bool lies_left(Index e) const {
         const EdgeSide side = seen_.surface.edge_sides[seen_.surface.edge_rows.begin(e)];
         return (bool(seen_.facing[side.facet()]) == side.forward()) != mirrored_;

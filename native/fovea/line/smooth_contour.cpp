@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth contour: the contour of the surface that the mesh stands for, across its triangles.
-// Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000, section 4.
-// In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles), its curvature
-//      where hidden parts are left out, the view
-// Out  where the interpolated n . v is zero; without the parts behind cusps, where the radial curvature is negative:
-//      there the surface hides its own contour (Koenderink, "What does the occluding contour tell us about solid
-//      shape?", Perception 1984)
+// Smooth contour: the contour of the smooth surface that the mesh approximates, across its triangles. Hertzmann &
+// Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000, section 4.
+// In   normals of the fitted surface (those of the mesh alone are too rough on irregular triangles); its curvature, if
+//      hidden parts are removed; the view
+// Out  zeros of the interpolated n . v, without the parts behind cusps, where the radial curvature is negative and the
+//      surface occludes its own contour (Koenderink, "What does the occluding contour tell us about solid shape?",
+//      Perception 1984)
 #include <fovea/line/smooth_contour.h>
 
 namespace fovea::line {
@@ -18,12 +18,13 @@ struct SmoothContour {
 const Parameters<SmoothContour> parameters{{&SmoothContour::end_at_cusps, "end_at_cusps", "End at Cusps", true,
                                             "Leave out what a closed surface hides of its own contour behind a cusp"}};
 
-/// Strength where the radial curvature is zero, and how fast it grows with it, in units of 1 / feature size. Between 0
-/// and 1 it says how sure the sign is, so that noise does not break a contour.
+/// Strength where the radial curvature is zero, its increase per radial curvature times feature size, and the distance
+/// from at_cusp at which the sign counts as certain. Strength is clamped to (0, 1], so that noise in the sign does not
+/// break a contour.
 constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
 
-/// Sheets are seen from both sides, so that they hide none of their contours; nor can those of a surface be told that
-/// is inside out.
+/// Whether a surface is closed and has positive volume. Open shells are seen from both sides, so they do not occlude
+/// their own contours; on inside-out surfaces the test is invalid.
 struct Solid {
     bool yes;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What smooth contours and smooth silhouettes share.
+// Shared by smooth contours and smooth silhouettes.
 #pragma once
 
 #include <fovea/line/cluster_trace.h>
 
 namespace fovea::line {
 
-/// Zeros of the interpolated n . v, n the normals of the fitted surface; strength(v) at the vertices is interpolated.
+/// Zeros of the interpolated n . v, with the normals n of the fitted surface. strength(v) is interpolated along them.
 template <typename Strength>
 Curves find_smooth_contour(const SurfaceView& seen, const Strength& strength) {
     const auto fields = fields_of(seen.surface);

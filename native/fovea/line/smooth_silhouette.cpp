@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth silhouette: the outer boundary of an object, where the smooth surface turns away.
-// Isenberg et al., "A Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003; contours as in
-// Hertzmann & Zorin, "Illustrating Smooth Surfaces", SIGGRAPH 2000.
-// In   the smooth contour, and the surface seen right beside the middle of each of its pieces
-// Out  the pieces beside which the same placement does not go on behind
+// Smooth silhouette: the outer boundary of an object, on the contour of the smooth surface. Isenberg et al., "A
+// Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003; contours as in Hertzmann & Zorin,
+// "Illustrating Smooth Surfaces", SIGGRAPH 2000.
+// In   the smooth contour; a ray next to the middle of each of its pieces
+// Out  the pieces behind which the same placement does not continue
 #include <fovea/line/smooth_contour.h>
 
 namespace fovea::line {
@@ -29,7 +29,8 @@ Curves find(const SurfaceView& seen, const Values&) {
     return pieces;
 }
 
-/// Smoothed along the contour, the answer of a single ray that slipped is outvoted.
+/// Cuts at whole segments where strength, smoothed along the contour (path/smooth.h), is below 0.5: single wrong rays
+/// are outvoted.
 Selection select(const Surface&, const Values&) {
     return {.level = 0.5f, .reach = 0.5f, .whole = true, .uniform = true};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What suggestive contours and highlights share.
+// Shared by suggestive contours and suggestive highlights.
 #pragma once
 
 #include <fovea/line/cluster_trace.h>
@@ -13,9 +13,9 @@ inline Parameters<ThresholdValues> suggestive_parameters(double threshold) {
                                                  "in units of 1 / feature size squared");
 }
 
-/// Zeros of the radial curvature where it rises along the view (sign 1) or falls (sign -1) by more than the threshold:
-/// tan(theta) D_W k_r, on the side that faces the viewer; near contours, where it grows beyond all bounds, it is kept
-/// finite.
+/// Zeros of the radial curvature on front-facing parts where sign * tan(theta) D_w k_r exceeds the threshold: the
+/// radial curvature increases (sign 1) or decreases (sign -1) towards the viewer. n . v is clamped from below in
+/// tan(theta), which is unbounded at contours.
 inline Curves find_suggestive(const SurfaceView& seen, const ThresholdValues& values, float sign) {
     constexpr float least_facing = 0.05f;  // n . v
     const Thresholds thresholds(seen.surface, values, 2);

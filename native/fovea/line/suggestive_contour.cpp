@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Suggestive contour: contours of nearby views.
-// DeCarlo et al., "Suggestive Contours for Conveying Shape", SIGGRAPH 2003.
+// Suggestive contour: contours of nearby views. DeCarlo et al., "Suggestive Contours for Conveying Shape", SIGGRAPH
+// 2003.
 // In   curvature and its derivative, the view
-// Out  on the side that faces the viewer, where the radial curvature is zero and rises along the view
+// Out  on front-facing parts, zeros of the radial curvature where it increases towards the viewer
 #include <fovea/line/suggestive.h>
 
 namespace fovea::line {

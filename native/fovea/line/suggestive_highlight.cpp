@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Suggestive highlight: the bright partner of suggestive contours.
-// DeCarlo & Rusinkiewicz, "Highlight Lines for Conveying Shape", NPAR 2007.
+// Suggestive highlight: the bright counterpart of suggestive contours. DeCarlo & Rusinkiewicz, "Highlight Lines for
+// Conveying Shape", NPAR 2007.
 // In   curvature and its derivative, the view
-// Out  on the side that faces the viewer, where the radial curvature is zero and falls along the view
+// Out  on front-facing parts, zeros of the radial curvature where it decreases towards the viewer
 #include <fovea/line/suggestive.h>
 
 namespace fovea::line {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What definitions with a threshold share: lines that reach it somewhere go on below it, fading.
+// Shared by definitions with a threshold and a low threshold: lines that reach the first continue, fading, to the
+// second.
 #pragma once
 
 #include <fovea/field/fields.h>
@@ -9,11 +10,11 @@ namespace fovea::line {
 
 struct ThresholdValues {
     double threshold;
-    double low;     ///< share of the threshold
+    double low;     ///< share of `threshold`
     double length;  ///< in units of the feature size
 };
 
-/// The parameters of P, a ThresholdValues. `meaning` says what is measured, and its unit.
+/// Parameters of P, which derives from ThresholdValues. `meaning`: what is measured, and its unit.
 template <typename P>
 Parameters<P> threshold_parameters(double threshold, double low, double length, const char* meaning) {
     return {{&P::threshold, "threshold", "Threshold", threshold, 0.0, 100.0, Unit::none, meaning},
@@ -24,11 +25,11 @@ Parameters<P> threshold_parameters(double threshold, double low, double length, 
              "a stronger one may be shorter"}};
 }
 
-/// Threshold, low threshold, and how far above the low one a line has half its strength; all in the measure's own unit.
+/// Threshold, low threshold, and the excess over the low one at which strength is 0.5; all in the measure's unit.
 struct Thresholds {
     float high, low, fade;
 
-    /// Of a measure in units of 1 / feature size or (`power` 2) its square.
+    /// `power`: the measure is in units of 1 / feature size (1), or of its square (2).
     Thresholds(const Surface& surface, const ThresholdValues& values, int power) {
         const double size = fields_of(surface)->feature_size, unit = 1.0 / (power == 2 ? size * size : size);
         high = static_cast<float>(values.threshold * unit);
@@ -36,12 +37,13 @@ struct Thresholds {
         fade = 0.5f * high;
     }
 
-    /// Strength of a line so far above the low threshold, as trace_zero_set and trace_maxima ask for it.
+    /// Strength in [0, 1) for an excess `above` over the low threshold; the `strength` of trace_zero_set and
+    /// trace_maxima.
     float operator()(float above) const { return above > 0.0f ? above / (above + fade) : 0.0f; }
 };
 
-/// The rule of such a definition, whose lines are features that find(surface view, values, more...) finds. `power`: of
-/// the measure, as Thresholds has it.
+/// Rule of a feature definition with a threshold; find(surface view, values, more...) finds its pieces. `power`: as in
+/// Thresholds.
 template <typename P, typename Find, typename... More>
 CurveRule feature_rule(const Parameters<P>& parameters, int power, Find find, More... more) {
     const auto found = [=](const SurfaceView& seen, const P& values) { return find(seen, values, more...); };

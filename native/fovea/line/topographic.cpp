@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Topographic line: lines of equal distance along the view, like those of a map.
+// Topographic line: lines of equal view depth, like those of a map.
 // Cole 2009, section 2.2.
 // In   the view
-// Out  where the distance along the view is one of so many evenly spaced values over the depth of the surface
+// Out  level sets of the distance along -z in view space, at `count` evenly spaced values over the surface's depth
 #include <fovea/line/cluster_trace.h>
 
 namespace fovea::line {
@@ -19,7 +19,7 @@ Curves find(const SurfaceView& seen, const Topographic& values) {
     const dmat4& m = seen.object_to_view;
     const auto depth_of = [&](const vec3& p) { return -(m * dvec4(dvec3(p), 1.0)).z; };
     const auto sample = [&](Index v) { return static_cast<float>(depth_of(seen.surface.positions[v])); };
-    // Of the sphere around the surface, so that lines do not move with single vertices.
+    // The depth range is that of the bounding sphere, so that lines do not move with single vertices.
     const dvec3 row(m[0][2], m[1][2], m[2][2]);
     const double middle = -(glm::dot(row, dvec3(seen.surface.center)) + m[3][2]);
     const double reach = glm::length(row) * seen.surface.radius;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Valley: a crest line of concave parts.
-// Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", SIGGRAPH 2004.
+// Valley: a crest line of concave parts. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface
+// Fitting", SIGGRAPH 2004.
 // In   curvature and its derivative
-// Out  maxima of -k1 > 0 along its own direction
+// Out  maxima of -k1 along e1 where k1 < 0
 #include <fovea/line/crest.h>
 
 namespace fovea::line {

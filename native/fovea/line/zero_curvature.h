@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lines of zero curvature share.
+// Shared by parabolic lines and lines of zero mean curvature.
 #pragma once
 
 #include <fovea/line/threshold.h>
@@ -12,8 +12,8 @@ inline Parameters<ThresholdValues> zero_curvature_parameters() {
         0.02, 0.5, 2.0, "Curvature that a line reaches somewhere, in units of 1 / feature size");
 }
 
-/// Where curvature(Curvature) is zero and |k1| above the threshold. Asked of the difference of k1 and k2: |k1| has a
-/// crease where they are opposite. `share`: what |k1| is of it on the line.
+/// Zeros of curvature(Curvature) where |k1| is above the threshold. There, |k1| = share * |k1 - k2|; the difference is
+/// used because |k1| itself is not smooth where k1 = -k2.
 inline constexpr auto find_zero_curvature = [](const SurfaceView& seen, const ThresholdValues& values, float share,
                                                const auto& curvature) {
     const auto fields = fields_of(seen.surface);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zero mean curvature: where a surface bends as much one way as the other.
+// Zero mean curvature: where a surface is a saddle with opposite principal curvatures.
 // Cole 2009, section 2.2.
 // In   curvature
-// Out  where k1 + k2 is zero and |k1| above the threshold
+// Out  zeros of k1 + k2 where |k1| is above the threshold
 #include <fovea/line/zero_curvature.h>
 
 namespace fovea::line {

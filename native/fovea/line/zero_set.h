@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zero sets of fields over the vertices of a surface, as pieces of curves in triangles.
+// Zero sets and crests of fields over the vertices of a surface, as segments in triangles.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace fovea::line {
 
-/// A zero crossing on a side of a triangle, from vertex a to vertex b of the side as it is numbered.
+/// Zero crossing on a side of a triangle, between the side's vertices a and b (in the order of TriangleSides).
 struct ZeroCrossing {
     Index side;
     Index a, b;
@@ -22,14 +22,15 @@ struct ZeroCrossing {
     }
 };
 
-/// Between a and b, from values there of unlike sign (zero counts as positive). The same from either side of an edge.
+/// Crossing by linear interpolation of values of unlike sign (zero counts as positive) at the side's ends; independent
+/// of the triangle from which the side is visited.
 inline ZeroCrossing crossing(const TriangleSides& sides, Index side, float at_a, float at_b) {
     const Edge e = sides.vertices[side];
     const float t = at_a / (at_a - at_b);
     return {side, e.x, e.y, t >= 0.0f && t <= 1.0f ? t : 0.5f};
 }
 
-/// Runs emit(triangle, out) over all triangles in parallel; pieces stand in the order of the triangles.
+/// Calls emit(triangle, out) for all triangles in parallel; the pieces are in the order of the triangles.
 template <typename Emit>
 Curves collect_pieces(std::size_t triangles, const Emit& emit) {
     return parallel_collect<CurvePiece>(triangles, 16384, [&](std::size_t begin, std::size_t end, auto& out) {
@@ -37,25 +38,25 @@ Curves collect_pieces(std::size_t triangles, const Emit& emit) {
     });
 }
 
-/// How far what has to be positive is above zero: one number, or two that cut each for itself, of which the first gives
-/// the strength.
+/// Margins: quantities that must be positive on a line. Either one, or two, each of which clips the line on its own and
+/// of which the first determines strength.
 inline vec2 margins(float one) { return {one, 1.0f}; }
 inline vec2 margins(const vec2& two) { return two; }
 
-/// Appends the part of a piece between two crossings where the margins, linear between their values at the two, are
-/// positive. strength(margin) is asked at both ends of what is left.
+/// Clips the segment between two crossings to where its margins, interpolated linearly between the crossings, are
+/// positive, and appends it. strength(margin) is evaluated at the ends of the clipped segment.
 template <typename Position, typename Margin, typename Strength>
 void append_trimmed(const Position& position, Index triangle, const ZeroCrossing (&ends)[2], const Margin& margin,
                     const Strength& strength, std::vector<CurvePiece>& out) {
     const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
-    float from = 0.0f, to = 1.0f;  // of the way from end 0 to end 1
+    float from = 0.0f, to = 1.0f;  // fractions from end 0 to end 1
     for (int c = 0; c < 2; ++c) {
         const float a = above[0][c], b = above[1][c];
         if (!(a > 0.0f) && !(b > 0.0f)) return;
         if (!(a > 0.0f)) from = std::max(a / (a - b), from);
         if (!(b > 0.0f)) to = std::min(a / (a - b), to);
     }
-    if (!(from < to)) return;  // NaN, too
+    if (!(from < to)) return;  // also if NaN
     CurvePiece piece{triangle, {ends[0].side, ends[1].side}, {}, {}, 0};
     const vec3 first = ends[0].mix(position), last = ends[1].mix(position);
     const auto put = [&](int k, float t, bool cut) {
@@ -65,7 +66,7 @@ void append_trimmed(const Position& position, Index triangle, const ZeroCrossing
     };
     put(0, from, from > 0.0f);
     put(1, to, to < 1.0f);
-    // On a broken or enormous mesh a field may be beyond all numbers.
+    // Fields may overflow on a broken or enormous mesh.
     const vec3 sum = piece.point[0] + piece.point[1];
     if (std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(piece.strength[0] + piece.strength[1]))
         out.push_back(piece);
@@ -75,7 +76,7 @@ inline auto positions_of(const Surface& surface) {
     return [&surface](Index v) { return surface.positions[v]; };
 }
 
-/// Appends the piece of the zero set of `value` in one triangle, where there is one.
+/// Appends the segment of the zero set of `value` in one triangle, if there is one.
 template <typename Value, typename Margin, typename Strength>
 void append_zero(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
                  const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
@@ -94,8 +95,9 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
     append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
 }
 
-/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) positive. Zero counts as positive,
-/// so that each side is crossed by both of its triangles or by neither (simulation of simplicity). NaN crosses nothing.
+/// Curves where `value` (per vertex) is zero and `margin` (per vertex; see margins) is positive. Zero counts as
+/// positive, so that each side is crossed in both of its triangles or in neither (simulation of simplicity). Triangles
+/// with a NaN have no crossing.
 template <typename Value, typename Margin, typename Strength>
 Curves trace_zero_set(const Surface& surface, const Value& value, const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
@@ -108,33 +110,33 @@ Curves trace_zero_set(const Surface& surface, const Value& value, const Margin& 
 /// contain".
 struct Range {
     float low, high;
-    /// False only where it is certain.
+    /// False only if x is certainly outside.
     bool may_hold(float x) const { return !(x < low) && !(x > high); }
 };
 
-/// Values first + step, first + 2 step, ..., first + count step.
+/// Evenly spaced levels: first + step, first + 2 step, ..., first + count step.
 struct Levels {
     float first, step;
     int count;
     float operator[](int i) const { return first + float(i) * step; }
-    /// How many levels are not above a value; 0 for NaN.
+    /// Number of levels <= value; 0 for NaN.
     int below(float value) const {
         const float share = (value - first) / step;
         int i = share > 0.0f ? static_cast<int>(std::min(share, float(count))) : 0;
-        while (i < count && operator[](i + 1) <= value) ++i;  // arithmetic may be off by one
+        while (i < count && operator[](i + 1) <= value) ++i;  // rounding may be off by one
         while (i > 0 && !(operator[](i) <= value)) --i;
         return i;
     }
-    /// True only where it is certain that no level lies in the range.
+    /// True only if certainly no level is in the range.
     bool none_in(const Range& range) const {
         const float from = (range.low - first) / step, to = (range.high - first) / step;
-        // Arithmetic may move a number by less than the share of a step that is left out here.
+        // Covers the rounding errors of the two divisions.
         const float margin = 1e-5f * (std::abs(from) + std::abs(to)) + 1e-3f;
         return to + margin < 1.0f || from - margin > float(count) || std::floor(to + margin) < std::ceil(from - margin);
     }
 };
 
-/// Appends a piece for each level of `value` in one triangle.
+/// Appends a segment for each level of `value` that crosses a triangle.
 template <typename Value>
 void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
                    const Levels& levels, std::vector<CurvePiece>& out) {
@@ -149,9 +151,9 @@ void append_levels(const Surface& surface, const TriangleSides& sides, Index tri
     }
 }
 
-/// How fast the lengths of vectors fall along their own direction in a triangle, where that of corner `alone` points
-/// against the two others: the second derivative, turned around, of the quantity that they are derivatives of. Positive
-/// where it has a maximum between them.
+/// Negated second derivative, across a crest, of a quantity with gradients `uphill` at a triangle's corners `p`, where
+/// the gradient at corner `alone` opposes the other two: minus the derivative of signed gradient length along the mean
+/// gradient direction. Positive if the quantity has a maximum between the corners.
 inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alone) {
     const dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     dvec3 gradient(0.0), direction(0.0);
@@ -163,7 +165,7 @@ inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alo
     return -glm::dot(gradient, direction) / (glm::dot(normal, normal) * glm::length(direction));
 }
 
-/// Appends the piece in one triangle of a curve along which a quantity is greatest across it; see trace_maxima.
+/// Appends the segment of a crest in one triangle; see trace_maxima.
 template <typename Uphill, typename Margin, typename Strength>
 void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
                     float least_bend, const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
@@ -176,7 +178,7 @@ void append_maximum(const Surface& surface, const TriangleSides& sides, Index tr
             alone = (i + 2) % 3;
             continue;
         }
-        // Three crossings: the directions do not agree in this triangle, near an umbilic or in noise.
+        // Three crossings: the directions are inconsistent in this triangle (an umbilic, or noise).
         if (count == 2) return;
         const Index side = sides.of_triangle[triangle][i];
         const Edge e = sides.vertices[side];
@@ -191,12 +193,12 @@ void append_maximum(const Surface& surface, const TriangleSides& sides, Index tr
     append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);
 }
 
-/// Curves along which a quantity is greatest across them. `uphill(v)`: a vector at each vertex along which the quantity
-/// grows, of the length of its derivative; its line matters, not the way it was turned (the derivative turns around
-/// with the direction). A side is crossed where its two vectors point against each other. Only where the quantity has a
-/// maximum, and its second derivative across the curve is at least `least_bend`, in triangles that are `wanted`.
+/// Crests: curves along which a quantity has a maximum across them. `uphill(v)`: vector at each vertex along which the
+/// quantity increases, with the length of its derivative; unaffected by the sign of the direction, as the derivative
+/// changes sign with it. A side is crossed if the vectors at its ends oppose each other. Only crossings at a maximum,
+/// whose (negated) second derivative across the curve is at least `least_bend`, in triangles that are `wanted`.
 /// `margin` and `strength` as above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface
-/// Fitting", SIGGRAPH 2004, 4.
+/// Fitting", SIGGRAPH 2004, section 4.
 template <typename Wanted, typename Uphill, typename Margin, typename Strength>
 Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
                     const Margin& margin, const Strength& strength) {

@@ -15,9 +15,9 @@ struct PatchCorner {
 struct Bicubic {
     dvec3 c[4][4];
 
-    /// The one with the given corners: (0,0), (1,0), (0,1), (1,1).
+    /// The patch that interpolates the given corners, in the order (0,0), (1,0), (0,1), (1,1).
     static Bicubic through(const PatchCorner (&corner)[4]) {
-        // Cubics by values and slopes at 0 and 1, first along v for each row of u, then along u.
+        // Cubic Hermite interpolation of values and slopes at 0 and 1, first along v on each side of u, then along u.
         const auto cubic = [](const dvec3& p0, const dvec3& p1, const dvec3& d0, const dvec3& d1, dvec3(&out)[4]) {
             out[0] = p0;
             out[1] = d0;
@@ -39,9 +39,9 @@ struct Bicubic {
         return result;
     }
 
-    /// The point at (u, v), and all derivatives up to the third there.
+    /// Returns S(u, v) and writes all derivatives up to third order to `jet`.
     dvec3 at(double u, double v, ParametricJet& jet) const {
-        dvec3 along_v[4][4];  // per derivative by v: the coefficients of u
+        dvec3 along_v[4][4];  // per derivative by v: coefficients of the powers of u
         for (int i = 0; i < 4; ++i) {
             const dvec3(&a)[4] = c[i];
             along_v[0][i] = a[0] + v * (a[1] + v * (a[2] + v * a[3]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corners of a mesh, by where they are on its surface.
+// Corners of polygons and triangles at a vertex.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace fovea::mesh {
 
-/// From a vertex of a triangle to the next one, and to the one after that.
+/// Vectors from a vertex of a triangle to the next vertex and to the one after that.
 inline std::pair<dvec3, dvec3> sides_from(const Surface& surface, Index triangle, Index vertex) {
     const Triangle& t = surface.triangles[triangle];
     const int i = corner_of(t, vertex);
@@ -19,20 +19,20 @@ inline std::pair<dvec3, dvec3> sides_from(const Surface& surface, Index triangle
     return {dvec3(surface.positions[t[(i + 1) % 3]]) - p, dvec3(surface.positions[t[(i + 2) % 3]]) - p};
 }
 
-/// Between the two.
+/// Angle between those two vectors, in radians.
 inline double corner_angle(const Surface& surface, Index triangle, Index vertex) {
     const auto [a, b] = sides_from(surface, triangle, vertex);
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// The mesh's corner at a vertex of a polygon (the first, where it comes to it twice).
+/// Mesh corner index of a polygon's vertex; the first one if the vertex occurs more than once.
 inline Index corner_at(const Surface& surface, Index polygon, Index vertex) {
     const In<Index> vertices = surface.polygon_vertices(polygon);
     const auto at = std::find(vertices.begin(), vertices.end(), vertex) - vertices.begin();
     return surface.first_corner(polygon) + static_cast<Index>(at);
 }
 
-/// Those at the vertices of a triangle.
+/// Mesh corner indices at the three vertices of a triangle.
 inline std::array<Index, 3> triangle_corners(const Surface& surface, Index triangle) {
     const Index polygon = surface.facet_polygon[surface.triangle_facet[triangle]];
     const Triangle& t = surface.triangles[triangle];

@@ -7,7 +7,7 @@
 namespace fovea::mesh {
 namespace {
 
-/// Seen along Newell's normal, counter-clockwise.
+/// Projection along the dominant axis of Newell's normal; counterclockwise.
 std::vector<dvec2> flattened(In<vec3> corners) {
     dvec3 normal(0.0);
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -20,12 +20,12 @@ std::vector<dvec2> flattened(In<vec3> corners) {
     return flat;
 }
 
-/// Twice the signed area of a triangle; positive where it turns left.
+/// Twice the signed area of a triangle; positive if it is counterclockwise.
 double turn(const dvec2& a, const dvec2& b, const dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The corners that are left, as a ring.
+/// Doubly linked ring of the corners that are left, with the list of reflex (or flat) ones.
 class Ring {
    public:
     explicit Ring(std::vector<dvec2> points) : points_(std::move(points)) {
@@ -41,7 +41,7 @@ class Ring {
     Index after(Index corner) const { return after_[corner]; }
     Triangle triangle(Index corner) const { return {before_[corner], corner, after_[corner]}; }
 
-    /// Whether the triangle at a corner holds no other corner.
+    /// Whether the corner is convex and its triangle contains no other corner; only reflex corners need testing.
     bool is_ear(Index corner) const {
         if (is_hollow(corner)) return false;
         const auto [a, b, c] = std::array{points_[before_[corner]], points_[corner], points_[after_[corner]]};
@@ -78,7 +78,7 @@ std::vector<Triangle> cut_ears(In<vec3> corners) {
     Index corner = 0;
     for (std::size_t left = corners.size(), looked_at = 0; left > 3;) {
         const Index next = ring.after(corner);
-        if (ring.is_ear(corner) || looked_at >= left) {  // none is an ear where the polygon crosses itself
+        if (ring.is_ear(corner) || looked_at >= left) {  // no ear in a full round: self-intersecting
             triangles.push_back(ring.triangle(corner));
             ring.cut(corner);
             --left;

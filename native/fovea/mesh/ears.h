@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles of polygons that come without any (files read outside Blender).
+// Ear clipping, for polygons that come without a triangulation (files read outside Blender).
 #pragma once
 
 #include <fovea/mesh/surface.h>
 
 namespace fovea::mesh {
 
-/// Corners, as numbers from 0, of the triangles of a polygon: n - 2 for n corners, turned as it is, inside its outline
-/// as seen along its average normal; badly shaped ones where it crosses itself. Ears are cut one after the other, in
-/// time n times the number of hollow corners for common polygons.
+/// Triangulates a polygon: n - 2 triangles for n >= 3 corners (else none), as indices into `corners`, with the
+/// polygon's winding, inside its outline as projected along its Newell normal. Self-intersecting polygons give badly
+/// shaped triangles. Time n times the number of reflex corners on common polygons.
 /// Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975.
 std::vector<Triangle> cut_ears(In<vec3> corners);
 

@@ -4,10 +4,10 @@
 namespace fovea::mesh {
 namespace {
 
-/// Sine of the angle between u and v below which they span no plane.
+/// Sine of the angle between u and v at or below which they count as parallel.
 constexpr double least_sine = 1e-9;
 
-/// Symmetric forms of two and three vectors of the plane, by their coefficients.
+/// Symmetric bilinear and trilinear forms on 2D vectors, given by their coefficients.
 double form(const double (&a)[3], const dvec2& p, const dvec2& q) {
     return a[0] * p.x * q.x + a[1] * (p.x * q.y + p.y * q.x) + a[2] * p.y * q.y;
 }
@@ -17,7 +17,7 @@ double form(const double (&a)[4], const dvec2& p, const dvec2& q, const dvec2& r
            p.y * (a[1] * q.x * r.x + a[2] * (q.x * r.y + q.y * r.x) + a[3] * q.y * r.y);
 }
 
-/// The forms for the basis (p, q) instead of the axes.
+/// Coefficients of the forms in the basis (p, q) instead of the axes.
 void change_basis(const double (&second)[3], const double (&third)[4], const dvec2& p, const dvec2& q,
                   HeightJetD& out) {
     out.second[0] = form(second, p, p);
@@ -41,8 +41,8 @@ HeightJetD height_jet(const ParametricJet& s) {
     const auto in_plane = [&](const dvec3& d) { return dvec2(glm::dot(d, t), glm::dot(d, b)); };
     const auto height = [&](const dvec3& d) { return glm::dot(d, n); };
 
-    // z(u, v) = f(x(u, v), y(u, v)). With f_x = f_y = 0 its second derivatives are those of f along the curves of the
-    // parameters, and (p, q) are the steps in u and v that move by one along x and along y.
+    // z(u, v) = f(x(u, v), y(u, v)). As f_x = f_y = 0, its second derivatives are f'' applied to (x_u, y_u) and (x_v,
+    // y_v). p and q are the steps (du, dv) that move by one along x and along y.
     const dvec2 u = in_plane(s.u), v = in_plane(s.v);
     const double determinant = u.x * v.y - u.y * v.x;
     const dvec2 p = dvec2(v.y, -u.y) / determinant, q = dvec2(-v.x, u.x) / determinant;
@@ -63,13 +63,15 @@ HeightJetD turned(const HeightJetD& jet, const dvec3& normal, const dvec3& tange
     HeightJetD result;
     result.normal = normal;
     result.tangent = tangent;
-    // Where the new axes come from, in the jet's own plane. Opposite normals have no shortest way: then straight down.
+    // The new axes, expressed in the jet's own frame. For opposite normals the smallest rotation is not unique; they
+    // are then projected onto the old tangent plane.
     const dvec3 sum = jet.normal + normal;
     const double length2 = glm::dot(sum, sum);
     const dvec3 across = glm::cross(jet.normal, jet.tangent);
     const auto back = [&](const dvec3& d) {
         const dvec3 turned_back = length2 > 1e-12 ? d - (2.0 * glm::dot(d, sum) / length2) * sum : d;
-        // A reflection along the sum takes one normal to minus the other, and turns within the plane as wanted.
+        // Reflecting across the plane orthogonal to `sum` maps the new normal to minus the old one; within the tangent
+        // plane it equals the inverse of the smallest rotation.
         return dvec2(glm::dot(turned_back, jet.tangent), glm::dot(turned_back, across));
     };
     change_basis(jet.second, jet.third, back(tangent), back(glm::cross(normal, tangent)), result);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A smooth surface near a point, as heights over its tangent plane.
+// Local shape of a smooth surface: derivatives of its height over the tangent plane at a point.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace fovea::mesh {
 
 /// z = f(x, y) over the tangent plane at the point, x along `tangent`, y along normal x tangent, z along the outward
-/// unit normal: f and its first derivatives are zero there. Units: second 1 / length, third 1 / length^2. All zero
-/// where nothing is known of the surface.
+/// unit normal; f and its first derivatives are zero at the point. Units: second derivatives 1 / length, third 1 /
+/// length^2. All zero where the surface is unknown.
 template <typename Real>
 struct HeightJetOf {
     using Vec3 = glm::vec<3, Real>;
@@ -19,7 +19,7 @@ struct HeightJetOf {
     Real third[4] = {0, 0, 0, 0};  ///< f_xxx, f_xxy, f_xyy, f_yyy
 };
 
-using HeightJet = HeightJetOf<float>;    ///< as kept per vertex
+using HeightJet = HeightJetOf<float>;    ///< as stored per vertex
 using HeightJetD = HeightJetOf<double>;  ///< as computed
 
 /// Derivatives of a parametric surface S(u, v) at a point.
@@ -29,14 +29,15 @@ struct ParametricJet {
     dvec3 uuu{0.0}, uuv{0.0}, uvv{0.0}, vvv{0.0};
 };
 
-/// Exact for the jet, whatever the parameters are; outward is u x v. All zero where u and v do not span a plane.
+/// Exact conversion for any parameterization; the outward normal is along u x v. All zero if u and v are parallel (sine
+/// of their angle <= 1e-9) or zero.
 HeightJetD height_jet(const ParametricJet& jet);
 
-/// The jet in another frame, `normal` and `tangent` unit and at right angles: its own normal is turned onto `normal` by
-/// the shortest way.
+/// The jet in another frame. `normal` and `tangent`: orthogonal unit vectors. The jet is carried along by the smallest
+/// rotation from its own normal to `normal`.
 HeightJetD turned(const HeightJetD& jet, const dvec3& normal, const dvec3& tangent);
 
-/// Some unit tangent at a point with the unit normal n.
+/// An arbitrary unit tangent for the unit normal n.
 inline dvec3 any_tangent(const dvec3& n) {
     const dvec3 axis = std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : std::abs(n.y) < 0.6 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
     return glm::normalize(glm::cross(axis, n));

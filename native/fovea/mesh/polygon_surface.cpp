@@ -11,7 +11,7 @@
 namespace fovea::mesh {
 namespace {
 
-/// Larger polygons are left to be cut as a fan: cutting ears takes time with the square of their corners.
+/// Polygons with more corners are not ear-clipped, which may take quadratic time; Surface triangulates them as a fan.
 constexpr int most_corners = 1 << 14;
 
 struct NgonTriangles {

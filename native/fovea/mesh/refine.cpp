@@ -9,7 +9,7 @@ namespace fovea::mesh {
 
 struct RefinedSurface::Limit {
     std::unique_ptr<LimitPatches> patches;
-    OwnedMesh mesh;  // until there is a Surface of it
+    OwnedMesh mesh;  // moved out of here once the Surface is built
     std::vector<Cell> cells;
 
     MeshArrays arrays() const {
@@ -66,7 +66,7 @@ Array<float> RefinedSurface::mix_corners(In<float> values, int columns, In<int> 
     const std::size_t cage_polygons = polygon_offsets.empty() ? 0 : polygon_offsets.size() - 1;
     check(columns > 0 && cage_polygons > 0 && values.size() == std::size_t(polygon_offsets.back()) * columns,
           name() + ": one value per corner of the cage expected");
-    // A polygon that is no quad is divided into one face per corner.
+    // Catmull-Clark splits a non-quad into one face per corner.
     Array<int> first_face(cage_polygons);
     int faces = 0;
     for (std::size_t f = 0; f < cage_polygons; ++f) {

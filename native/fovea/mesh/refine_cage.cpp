@@ -13,7 +13,7 @@ namespace {
 using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
 constexpr double most_quads = 1 << 28;
 
-/// Blender's crease weight as sharpness.
+/// Blender's crease weight converted to OpenSubdiv's sharpness; infinite above the isolation depth.
 float sharpness_of(float weight, int level) {
     const float sharpness = 10.0f * weight * weight;
     return sharpness > float(level + crease_isolation) ? Sdc::Crease::SHARPNESS_INFINITE : sharpness;
@@ -26,7 +26,7 @@ void check_levels(const std::string& name, const MeshArrays& mesh, int level) {
           name + ": refined by " + std::to_string(level) + " levels it has too many faces; choose fewer levels");
 }
 
-/// What only OpenSubdiv finds out.
+/// Non-manifold elements, which only OpenSubdiv's topology reveals.
 void check_manifold(const std::string& name, const Far::TopologyLevel& base) {
     int edges = 0, vertices = 0;
     for (int e = 0; e < base.GetNumEdges(); ++e) edges += base.IsEdgeNonManifold(e);
@@ -41,7 +41,7 @@ void check_manifold(const std::string& name, const Far::TopologyLevel& base) {
                              "limit surface (Select > All by Trait > Non Manifold shows them)");
 }
 
-/// The cage as OpenSubdiv's descriptor borrows it.
+/// The cage's arrays, which OpenSubdiv's descriptor borrows.
 struct Description {
     std::vector<int> sizes, corners, crease_pairs, sharp_vertices;
     std::vector<float> creases, vertex_sharpness;
@@ -62,7 +62,7 @@ struct Description {
     }
 };
 
-/// Numbers the vertices of polygons by first appearance; how many there are.
+/// Numbers the vertices of polygons by first appearance; returns how many there are.
 Index take_polygons(const std::string& name, const MeshArrays& mesh, Array<Index>& number, Description& out) {
     number.assign(mesh.positions.size(), none);
     Index used = 0;

@@ -13,8 +13,8 @@
 namespace fovea::mesh {
 namespace {
 
-/// The quads around a vertex that lie on one side of the sharp edges there: as many as there are, in the order around
-/// the vertex. Edge i of a vertex comes before face i.
+/// Consecutive quads around a vertex, in their order around it, that are not separated by sharp edges. Edge i of a
+/// vertex precedes face i.
 struct Sector {
     int begin = 0, length = 0;
 };
@@ -69,7 +69,8 @@ void LimitPatches::build_patches(int level) {
     patch_number_.assign(table_->GetNumPatchesTotal(), none);
 }
 
-/// The patch that holds points from `at` on a little towards `towards`, and where in it `at` is.
+/// The patch that contains the points slightly inside from `at` in the direction of `towards`, and the parameters of
+/// `at` in it; patch `none` if there is none.
 LimitPatches::Place LimitPatches::find(const Far::PatchMap& map, int face, const dvec2& at, const dvec2& towards) {
     const dvec2 inside = at + (towards - at) * 0.03125;
     const Far::PatchTable::PatchHandle* handle = map.FindPatch(face, inside.x, inside.y);
@@ -97,7 +98,8 @@ void LimitPatches::add_places(const Far::PatchMap& map, const Far::TopologyLevel
         Place place = find(map, cell.face, cell.corner(corners[at]), middle);
         if (i == 0) anchors_[v] = place;
         if (place.patch == none) continue;
-        // In the middle four patches may meet, of which those towards the other two corners are bicubic.
+        // The vertex is at a non-bicubic patch: sample the middle of the quad instead. Four patches may meet there;
+        // those towards the other corners are bicubic.
         if (!is_bicubic(place.patch)) place = find(map, cell.face, middle, cell.corner((corners[at] + 1) % 4));
         const auto known =
             std::find_if(shapes_.begin() + first, shapes_.end(), [&](const Place& other) { return other.same(place); });
@@ -142,7 +144,8 @@ void LimitPatches::evaluate_patches() {
         handles_.size(),
         [&](std::size_t i) {
             if (!is_bicubic(Index(i))) return;
-            // Derivatives come per level of subdivision, also where the first one made quads.
+            // OpenSubdiv's derivatives are with respect to the face's parameters; `size` rescales them to the patch's.
+            // The depth also counts the first split of non-quads.
             const double size = 1.0 / (1 << table_->GetPatchParam(handles_[i]).GetDepth());
             PatchCorner corner[4];
             for (int k = 0; k < 4; ++k) {
@@ -155,7 +158,7 @@ void LimitPatches::evaluate_patches() {
         64);
 }
 
-/// Up to second order, by OpenSubdiv.
+/// Position, and derivatives up to second order, from OpenSubdiv's basis.
 dvec3 LimitPatches::by_basis(const Place& place, ParametricJet& jet) const {
     const Far::PatchTable::PatchHandle& handle = handles_[place.patch];
     const auto points = table_->GetPatchVertices(handle);
@@ -176,7 +179,7 @@ dvec3 LimitPatches::by_basis(const Place& place, ParametricJet& jet) const {
     return result;
 }
 
-/// Exact up to third order in bicubic patches; elsewhere third derivatives are left out.
+/// Derivatives are exact up to third order in bicubic patches; elsewhere third derivatives are zero.
 dvec3 LimitPatches::point(const Place& place, ParametricJet& jet) const {
     return is_bicubic(place.patch) ? bicubic_[place.patch].at(place.u, place.v, jet) : by_basis(place, jet);
 }
@@ -195,7 +198,8 @@ void LimitPatches::evaluate_vertex(Index v) {
         const HeightJetD shape = height_jet(parametric);
         if (shape.normal == dvec3(0.0)) continue;
         if (weight == 0.0) {
-            // Where the surface has a point or its parameters are singular, the surroundings give a normal.
+            // Where the normal at the vertex itself is undefined (a spike, singular parameters), that of the first
+            // sample is used.
             const bool known = jet.normal != dvec3(0.0);
             sum.normal = known ? jet.normal : shape.normal;
             sum.tangent = known ? jet.tangent : shape.tangent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The limit surface of a cage at the vertices of its refined mesh.
+// Evaluates the limit surface of a cage at the vertices of its refined mesh.
 #pragma once
 
 #include <opensubdiv/far/patchMap.h>
@@ -10,26 +10,29 @@
 
 namespace fovea::mesh {
 
-/// Patches of the limit surface, with the places of vertices in them; the places stay when the cage moves.
+/// Patches of the limit surface, and the patch parameters of the refined vertices, which do not change when the cage
+/// moves.
 class LimitPatches {
    public:
-    /// Takes the cage, whose topology `uniform` shares, and refines it near features.
+    /// Takes ownership of the cage, whose topology `uniform` shares, and refines it adaptively near features.
     LimitPatches(Cage cage, const Far::TopologyRefiner& uniform, const std::vector<Cell>& cells);
 
-    /// Throws std::invalid_argument for another number of vertices than the cage's.
+    /// Evaluates positions and jets. Throws std::invalid_argument if the number of positions is not that of the cage's
+    /// vertices.
     void evaluate(const std::string& name, In<vec3> cage_positions);
 
     std::vector<vec3> positions;  ///< per vertex of the refined mesh
-    Array<HeightJet> jets;        ///< the same; taken away by whoever wants them
+    Array<HeightJet> jets;        ///< per vertex of the refined mesh; may be moved out by the caller
 
    private:
-    /// What OpenSubdiv interpolates.
+    /// The type that OpenSubdiv interpolates.
     struct Point {
         dvec3 p;
         void Clear() { p = dvec3(0.0); }
         void AddWithWeight(const Point& other, double weight) { p += weight * other.p; }
     };
-    /// Where a vertex, or what stands for it, lies: in a patch, over [0,1]^2. `weight` counts quads around the vertex.
+    /// Parameters of a sample: a patch and (u, v) in [0,1]^2. `weight`: how many quads around the vertex share this
+    /// sample.
     struct Place {
         Index patch = none;
         float u = 0, v = 0, weight = 1;
@@ -45,15 +48,15 @@ class LimitPatches {
     dvec3 point(const Place& place, ParametricJet& jet) const;
     void evaluate_vertex(Index v);
 
-    Cage cage_;  // refined near features
+    Cage cage_;  // refined adaptively near features
     std::unique_ptr<Far::PatchTable> table_;
-    std::vector<Far::PatchTable::PatchHandle> handles_;  // of the patches in use
-    Array<Index> patch_number_;                          // of a patch of the table among them
-    std::vector<Point> points_;                          // of all levels, then of the patches
-    std::vector<Bicubic> bicubic_;                       // per patch in use; void where it is not bicubic
-    Array<Place> anchors_;                               // per vertex: position and normal
+    std::vector<Far::PatchTable::PatchHandle> handles_;  // patches in use
+    Array<Index> patch_number_;                          // per patch of the table: its index in handles_, or `none`
+    std::vector<Point> points_;                          // of all refinement levels, then local points of patches
+    std::vector<Bicubic> bicubic_;                       // per patch in use; unset where it is not bicubic
+    Array<Place> anchors_;                               // per vertex: where position and normal are evaluated
     Rows shape_rows_;
-    Array<Place> shapes_;  // per vertex: second and third derivatives
+    Array<Place> shapes_;  // per vertex (rows shape_rows_): where second and third derivatives are
 };
 
 }  // namespace fovea::mesh

@@ -8,7 +8,7 @@
 namespace fovea::mesh {
 namespace {
 
-/// Edges of the finest level with those of the cage that they descend from.
+/// Pairs of an edge (finally of the finest level) and the cage edge that it descends from.
 using Descent = std::vector<std::pair<int, int>>;
 
 Descent descendants(const Far::TopologyRefiner& uniform, Descent edges) {

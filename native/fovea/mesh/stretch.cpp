@@ -8,9 +8,10 @@
 namespace fovea::mesh {
 namespace {
 
-/// Deviation from the identity up to which a stretch is none, and the steps others are rounded to.
+/// Deviation (Frobenius norm) from the identity below which the stretch is taken as the identity; and the rounding
+/// step.
 constexpr double same_angles = 1e-4, step = 1.0 / (1 << 18);
-/// Determinant of a stretch below which everything is flat.
+/// Determinant (after normalization) at or below which a map counts as singular.
 constexpr double flat = 1e-3;
 
 double squares(const dmat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
@@ -20,7 +21,7 @@ double squares(const dmat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[
 dmat3 stretch_of(const dmat3& linear) {
     const dmat3 identity(1.0), even = linear * std::sqrt(3.0 / squares(linear));
     if (!(std::abs(glm::determinant(even)) > flat)) return identity;
-    // The nearest rigid motion or mirroring, by Newton's iteration.
+    // Nearest orthogonal matrix (rotation or reflection), by Newton's iteration.
     dmat3 motion = even;
     for (int i = 0; i < 40; ++i) {
         const dmat3 next = 0.5 * (motion + glm::transpose(glm::inverse(motion)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces under a non-uniform scale or shear: the object multiplied by the symmetric part of its transform, so that
-// angles in that space are those in the world.
+// Surfaces under non-uniform scale or shear: vertices pre-multiplied by the symmetric factor of the object's transform,
+// so that angles in that space are those in world space.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace fovea::mesh {
 
-/// The symmetric positive factor of a linear map's polar decomposition, which is all of it that changes angles;
-/// rotation, reflection and uniform scale do not. The sum of its squared entries is 3. The identity for maps that keep
-/// angles (to 1e-4), and for those that flatten everything: what they leave has no curvature. Rounded, so that it does
-/// not change while an object turns or grows. Higham, "Computing the Polar Decomposition", SISSC 1986.
+/// The symmetric positive definite factor of a linear map's polar decomposition: the part that changes angles, as
+/// rotation, reflection and uniform scale do not. Scaled so that its squared entries sum to 3. Identity for maps that
+/// preserve angles (to 1e-4) and for singular ones, whose image has no curvature. Rounded to 2^-18, so that it stays
+/// constant while an object rotates or scales uniformly. Higham, "Computing the Polar Decomposition", SISSC 1986.
 dmat3 stretch_of(const dmat3& linear);
 
-/// The surface with its vertices stretched: all elements keep their numbers, and what was outside stays outside. In
-/// this space normals, curvature and angles are those of the placement, but for its size. Kept with the surface, with
-/// which it ends; the surface itself where it is not stretched.
+/// The surface with its vertices stretched by the placement's transform; element indices and orientation are unchanged.
+/// Normals, curvature and angles in this space are those in world space up to rotation, reflection and uniform scale.
+/// Cached with the surface, which it must not outlive; the surface itself if the stretch is the identity.
 std::shared_ptr<const Surface> as_placed(const std::shared_ptr<const Surface>& surface, const dmat4& object_to_world);
 
 }  // namespace fovea::mesh

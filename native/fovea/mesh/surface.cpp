@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Topology of a surface: checks, the edge table, marks. Geometry is in surface_geometry.cpp.
+// Topology of a surface: validation, edge table, marks. Geometry is in surface_geometry.cpp.
 #include <fovea/mesh/surface.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void check_size(In<T> values, std::size_t size, const std::string& name, const c
           name + ": " + what + " has " + std::to_string(values.size()) + " entries, expected " + std::to_string(size));
 }
 
-/// Every value lies in [0, limit).
+/// Checks that every value is in [0, limit).
 void check_range(In<int> values, std::size_t limit, const std::string& name, const char* what) {
     std::atomic<bool> fits{true};
     parallel_blocks(values.size(), 1 << 16, [&](std::size_t, std::size_t begin, std::size_t end) {

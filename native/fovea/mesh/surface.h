@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface: Blender's polygons with their own edge table, triangles for rays, and facets for facing.
+// A surface: Blender's polygons with their edge table, triangles for ray casting, and facets for facing tests.
 #pragma once
 
 #include <memory>
@@ -15,31 +15,32 @@ namespace fovea::mesh {
 using Triangle = glm::uvec3;
 using Edge = glm::uvec2;
 
-/// Which corner of a triangle a vertex is.
+/// Index, 0 to 2, of a triangle's corner at a vertex of it.
 inline int corner_of(const Triangle& t, Index vertex) { return t.x == vertex ? 0 : t.y == vertex ? 1 : 2; }
 
-/// A mesh as Blender holds it. Optional arrays may be empty.
+/// Mesh arrays as Blender stores them. Optional arrays may be empty.
 template <template <typename> typename ArrayOf>
 struct MeshOf {
-    ArrayOf<vec3> positions;             ///< per vertex, object space
-    ArrayOf<glm::ivec2> edge_verts;      ///< per edge
-    ArrayOf<int> corner_verts;           ///< per corner
-    ArrayOf<int> corner_edges;           ///< per corner: the edge to the polygon's next corner
-    ArrayOf<int> polygon_offsets;        ///< polygons + 1: corners of polygon f
-    ArrayOf<glm::ivec3> ngon_triangles;  ///< vertices; triangulation of polygons with more than 4 corners, by polygon
-    ArrayOf<int> ngon_polygon;           ///< per ngon triangle: its polygon, ascending
-    ArrayOf<int> material;               ///< optional, per polygon
-    ArrayOf<std::uint8_t> occluding;     ///< optional, per polygon: 0 where the material lets lines behind it show
+    ArrayOf<vec3> positions;         ///< per vertex, object space
+    ArrayOf<glm::ivec2> edge_verts;  ///< per edge
+    ArrayOf<int> corner_verts;       ///< per corner
+    ArrayOf<int> corner_edges;       ///< per corner: the edge to the polygon's next corner
+    ArrayOf<int> polygon_offsets;    ///< polygons + 1: corners of polygon f are [f] .. [f + 1]
+    /// Vertices; triangulation of polygons with more than 4 corners, ordered by polygon.
+    ArrayOf<glm::ivec3> ngon_triangles;
+    ArrayOf<int> ngon_polygon;                     ///< per ngon triangle: its polygon, ascending
+    ArrayOf<int> material;                         ///< optional, per polygon
+    ArrayOf<std::uint8_t> occluding;               ///< optional, per polygon: 0 where the material does not occlude
     ArrayOf<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
 };
 
-/// Borrowed.
+/// Mesh whose arrays are borrowed.
 using MeshArrays = MeshOf<In>;
 
 template <typename T>
 using Owned = std::vector<T>;
 
-/// One that owns its arrays.
+/// Mesh that owns its arrays.
 struct OwnedMesh : MeshOf<Owned> {
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
@@ -50,21 +51,21 @@ struct OwnedMesh : MeshOf<Owned> {
 /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
 void check_mesh(const std::string& name, const MeshArrays& mesh);
 
-/// Marks of an edge.
+/// Bits of edge marks.
 enum Mark : std::uint8_t { mark_sharp = 1, mark_seam = 2, mark_edge = 4 };
 
-/// What was skipped or looked wrong when a surface was built; counts of elements.
+/// Elements that were skipped or look wrong; counts.
 struct SurfaceReport {
     Index non_finite_vertices = 0;  ///< NaN or infinite positions
     Index degenerate_polygons = 0;  ///< fewer than 3 distinct corners, no area, or a broken vertex
     Index duplicate_polygons = 0;   ///< the same vertices as an earlier polygon
-    Index loose_edges = 0;          ///< edges without a polygon: they bound no surface and draw no line
-    Index non_manifold_edges = 0;   ///< more than two polygons; kept, all of them
-    Index inconsistent_edges = 0;   ///< neighbors that disagree about which side is out; kept
+    Index loose_edges = 0;          ///< edges without a polygon: not part of the surface, never drawn
+    Index non_manifold_edges = 0;   ///< more than two polygons; all are kept
+    Index inconsistent_edges = 0;   ///< two adjacent polygons of opposite orientation; kept
 };
 
-/// One incident facet of an edge, and whether the facet's boundary runs along the edge from its first to its second
-/// vertex (`forward`). Of a consistently oriented pair one is forward and the other is not.
+/// An incident facet of an edge. `forward`: the facet's boundary runs from the edge's first vertex to its second. Of a
+/// consistently oriented pair, one is forward and the other is not.
 struct EdgeSide {
     Index packed;
     EdgeSide() = default;
@@ -73,69 +74,70 @@ struct EdgeSide {
     bool forward() const { return packed & 1; }
 };
 
-/// What a surface consists of.
+/// Arrays of a surface.
 struct SurfaceArrays {
-    // Topology, as given. Polygons that were skipped keep their number and have no facets.
-    Array<Edge> edges;               ///< mesh edges, then the diagonals of bent polygons
-    Index mesh_edges = 0;            ///< how many of `edges` are the mesh's own
+    // Topology, as given. Skipped polygons keep their index but have no facets.
+    Array<Edge> edges;               ///< mesh edges, then the diagonals of non-planar polygons
+    Index mesh_edges = 0;            ///< number of `edges` that are mesh edges
     Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
     Array<int> polygon_material;     ///< per polygon
 
     // Geometry.
     Array<vec3> positions;      ///< object space; one spare entry at the end (Embree reads 16 bytes)
-    Array<Triangle> triangles;  ///< vertices; occluding ones first
+    Array<Triangle> triangles;  ///< vertices; occluding triangles first
     Array<Index> triangle_facet;
-    Index occluding_triangles = 0;  ///< how many of `triangles` hide what lies behind
-    Array<vec4> facet_plane;        ///< unit normal n and offset d: n.x = d; outward by winding
+    Index occluding_triangles = 0;  ///< number of `triangles` that occlude
+    Array<vec4> facet_plane;        ///< unit normal n and offset d with n.x = d; outward by winding
     Array<Index> facet_polygon;
-    Rows edge_rows;  ///< per entry of `edges`: its sides
+    Rows edge_rows;  ///< per entry of `edges`: its range of edge_sides
     Array<EdgeSide> edge_sides;
     vec3 center{0.0f};    ///< of the bounding box
-    float radius = 0.0f;  ///< of the sphere around it that holds all vertices
+    float radius = 0.0f;  ///< of a sphere at `center` that contains all vertices
 };
 
-/// A facet is the largest piece known to be flat: a whole polygon when it is planar (to 0.1 degrees), else each of its
-/// triangles. Facing, contours and creases are asked of facets, so a diagonal of a flat polygon is never a candidate,
-/// and a diagonal of a bent one can be a contour.
+/// A facet is the largest piece that is planar: a whole polygon if it is (to 0.1 degrees), else each of its triangles.
+/// Facing, contours and creases are evaluated on facets, so the diagonal of a planar polygon is never a candidate,
+/// while a diagonal of a non-planar one can be a contour.
 class Surface : public SurfaceArrays {
    public:
     /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
     Surface(std::string name, const MeshArrays& mesh);
 
-    /// `source` with its vertices moved by a linear map (see mesh/stretch.h), for reading alone: its topology cannot be
-    /// told from the source's, and it must not outlive it.
+    /// `source` with its vertices moved by a linear map (see mesh/stretch.h). For reading only: the corner tables
+    /// (polygon_vertices, corner_count) are not copied, so set_positions must not be called. Must not outlive the
+    /// source.
     Surface(const Surface& source, const dmat3& stretch);
 
-    /// Moves the vertices; topology stays. Everything derived from positions is dropped; with `refit`, what is in
-    /// `lasting_cache` stays and follows. That is faster, but what it tells differs in the last bits from what a new
-    /// surface there would tell, so it depends on where the vertices were before.
+    /// Moves the vertices; topology is unchanged. Clears everything derived from positions. With `refit`, lasting_cache
+    /// is kept and its entries are updated instead of rebuilt: faster, but results may differ in the last bits from
+    /// those of a newly built surface, so they depend on earlier positions.
     void set_positions(In<vec3> positions, bool refit = false);
 
-    /// How fields are to be estimated; other options, other fields. Throws std::invalid_argument, naming the object,
+    /// Sets how fields are estimated; fields are cached per options. Throws std::invalid_argument, naming the object,
     /// for options out of range.
     void set_field_options(const FieldOptions& options);
     const FieldOptions& field_options() const { return source_ ? source_->field_options() : field_options_; }
 
     const std::string& name() const { return name_; }
-    /// What this was stretched from, and how; null and the identity for a mesh as it is.
+    /// The surface that this one was stretched from, and the map; null and the identity for an ordinary mesh.
     const Surface* source() const { return source_; }
     const dmat3& stretch() const { return stretch_; }
     const SurfaceReport& report() const { return report_; }
 
-    /// Per vertex, of the smooth surface that the vertices lie on; empty where nothing but the vertices is known.
+    /// Per vertex: jet of the smooth (limit) surface that the vertices lie on; empty where there is none.
     Array<HeightJet> jets;
 
     Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
     In<EdgeSide> sides(Index edge) const { return {edge_sides.data() + edge_rows.begin(edge), edge_rows.size(edge)}; }
     int material(Index facet) const { return polygon_material[facet_polygon[facet]]; }
 
-    /// Where a line can lie: on an edge, by its number, or in a triangle, numbered after the edges.
+    /// Element that supports a line segment: an edge, by its index, or a triangle, numbered after the edges.
     Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }
     bool is_edge(Index place) const { return place < edges.size(); }
     Index triangle_at(Index place) const { return place - static_cast<Index>(edges.size()); }
     Index place_count() const { return static_cast<Index>(edges.size() + triangles.size()); }
 
-    /// Vertices at a polygon's corners in the mesh's order, and which of the mesh's corners is the first of them.
+    /// Vertices at a polygon's corners, in mesh order; and the mesh corner index of the first of them.
     In<Index> polygon_vertices(Index polygon) const {
         return {corner_verts_.data() + polygons_.begin(polygon), polygons_.size(polygon)};
     }
@@ -145,11 +147,12 @@ class Surface : public SurfaceArrays {
     Index polygon_count() const { return polygons_.count(); }
     Index facet_count() const { return static_cast<Index>(facet_plane.size()); }
 
-    /// What later stages derive from this surface (BVH, static lines, chains).
+    /// Quantities that later stages derive from this surface (BVH, view-independent lines, chains); cleared when it
+    /// moves.
     Cache& cache() const { return *cache_; }
-    /// What is brought up to date when the vertices move with `refit`, instead of being derived anew.
+    /// Entries that are updated in place when the vertices move with `refit`.
     Cache& lasting_cache() const { return *lasting_cache_; }
-    /// Changes whenever the positions do.
+    /// Changes whenever the positions do; a stretched surface has that of its source.
     std::uint64_t version() const { return version_; }
 
    private:
@@ -164,12 +167,12 @@ class Surface : public SurfaceArrays {
     void sort_occluding();
     void bound();
 
-    /// A diagonal of a bent polygon with the triangles on both sides.
+    /// A diagonal of a non-planar polygon, with the triangles on its two sides.
     struct Diagonal {
         Edge edge;
         EdgeSide first, second;
     };
-    /// A side of a triangle (facet set) or of the polygon itself (corner set), by ascending vertices.
+    /// A side of a triangle (`facet` set) or of the polygon itself (`corner` set), vertices ascending.
     struct TriangleSide {
         Index low, high;
         bool ascending;
@@ -180,11 +183,11 @@ class Surface : public SurfaceArrays {
     std::string name_;
     Rows polygons_;  // corners of polygons
     Array<Index> corner_verts_, corner_edges_;
-    Lists<Index> edge_corners_;  // corners that run along each mesh edge
+    Lists<Index> edge_corners_;  // corners whose side runs along each mesh edge
     Array<Triangle> ngon_triangles_;
-    Rows ngon_rows_;  // per polygon: its rows of ngon_triangles_
+    Rows ngon_rows_;  // per polygon: its range of ngon_triangles_
     Array<std::uint8_t> polygon_occludes_;
-    Array<Index> corner_facet_;  // facet that the side starting at each corner bounds
+    Array<Index> corner_facet_;  // per corner: the facet bounded by the side that starts there
 
     Rows polygon_triangles_;
     SurfaceReport report_;

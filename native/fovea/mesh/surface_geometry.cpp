@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Geometry of a surface: triangles, facets and their planes, the sides of edges.
+// Geometry of a surface: triangles, facets and their planes, sides of edges.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,14 +12,14 @@
 namespace fovea::mesh {
 namespace {
 
-/// Deviation from its plane, as a share of its size, up to which a polygon counts as flat: 0.1 degrees.
+/// Deviation from its plane, as a share of its size, up to which a polygon counts as planar: 0.1 degrees.
 constexpr double flat_tolerance = 0.0017;
 /// Area, as a share of the squared perimeter, below which a polygon has no usable normal.
 constexpr double least_area = 1e-11;
 
 bool finite(const vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// Newell's normal (twice the area vector) and perimeter of a polygon; exact for planar ones, a mean for bent ones.
+/// Newell's normal (twice the area vector) and the perimeter of a polygon; exact for planar polygons, a mean otherwise.
 struct Outline {
     dvec3 area{0.0};
     double perimeter = 0.0;
@@ -90,7 +90,7 @@ void Surface::find_degenerate(Array<std::uint8_t>& skip) {
 }
 
 void Surface::find_duplicates(Array<std::uint8_t>& skip) {
-    // Duplicates share their first edge, so only the polygons around it are compared.
+    // Candidates for the duplicate of a polygon are the polygons at its first edge.
     Array<Index> corner_polygon(corner_verts_.size());
     parallel_for(polygon_count(), [&](std::size_t f) {
         std::fill(corner_polygon.begin() + polygons_.begin(f), corner_polygon.begin() + polygons_.end(f), Index(f));
@@ -136,7 +136,8 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
         if (corners > 4 && has_ngons && ngon_rows_.size(f)) {
             std::copy_n(ngon_triangles_.data() + ngon_rows_.begin(f), count, out);
         } else if (corners == 4) {
-            // The diagonal 0-2 unless it lies outside (a concave quad): then both halves would face differently.
+            // Split along diagonal 0-2, unless it lies outside (a concave quad): then the two halves would face
+            // opposite ways.
             const dvec3 origin(positions[v[0]]), diagonal = dvec3(positions[v[2]]) - origin;
             const dvec3 left = glm::cross(dvec3(positions[v[1]]) - origin, diagonal);
             const dvec3 right = glm::cross(diagonal, dvec3(positions[v[3]]) - origin);
@@ -150,7 +151,7 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
 }
 
 void Surface::build_facets(const Array<std::uint8_t>& skip) {
-    // Per polygon: one facet when flat, else one per triangle.
+    // Facets per polygon: one if it is planar, else one per triangle.
     Array<Outline> outlines(polygon_count());
     Array<Index> first(polygon_count());
     parallel_for(polygon_count(), [&](std::size_t f) {
@@ -163,8 +164,8 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
         const dvec3 first_corner(positions[corners[0]]);
         for (const Index v : corners)
             deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v]) - first_corner)));
-        // The side of a square of as much area or outline, whichever is less: strips that twist and jagged polygons
-        // have long outlines.
+        // Side of a square of the same area or the same perimeter, whichever is less: twisted strips and jagged
+        // polygons have long perimeters.
         const double size = std::min(0.25 * outlines[f].perimeter, std::sqrt(0.5 * glm::length(outlines[f].area)));
         const bool is_flat = corners.size() == 3 || deviation <= flat_tolerance * size;
         first[f] = is_flat ? 1 : polygon_triangles_.size(f);
@@ -192,8 +193,8 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
 }
 
 void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std::vector<Diagonal>& diagonals) {
-    // Sides of the triangles and of the polygon, sorted by their vertices: what meets a corner is a side of the
-    // polygon, what meets another triangle is a diagonal.
+    // Sort the sides of the triangles and of the polygon by their vertices, so that equal ones are adjacent: a triangle
+    // side that equals a polygon side lies on the outline; one that equals another triangle's is a diagonal.
     sides.clear();
     const Index c0 = polygons_.begin(f), corners = polygons_.size(f);
     const auto add = [&](Index from, Index to, Index facet, Index corner) {
@@ -216,7 +217,7 @@ void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std:
 }
 
 void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
-    // Each polygon side bounds one facet: the polygon when flat, else the triangle that holds the side.
+    // Each polygon side bounds one facet: the polygon if it is planar, else the triangle with that side.
     corner_facet_.assign(corner_verts_.size(), none);
     const auto diagonals = parallel_collect<Diagonal>(polygon_count(), 4096, [&](auto begin, auto end, auto& found) {
         std::vector<TriangleSide> scratch;
@@ -264,7 +265,7 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
 }
 
 void Surface::sort_occluding() {
-    // Triangles that hide what lies behind come first, so that a BVH takes a prefix.
+    // Occluding triangles go first, so that the BVH uses a prefix of the array.
     occluding_triangles = static_cast<Index>(triangles.size());
     if (!polygon_occludes_.empty()) {
         Array<Index> order(triangles.size());

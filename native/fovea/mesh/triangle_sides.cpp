@@ -8,7 +8,7 @@
 namespace fovea::mesh {
 namespace {
 
-/// Numbers by lower vertex: sides are grouped by it, and the few of one group are told apart by their other vertex.
+/// Numbers sides by lower vertex, then by higher vertex.
 TriangleSides number_sides(const Surface& surface) {
     const std::size_t count = surface.triangles.size();
     const auto ends = [&](std::size_t corner) {
@@ -26,7 +26,8 @@ TriangleSides number_sides(const Surface& surface) {
         }
     });
     Array<Corner>& corners = sides_at.values;
-    Array<Index> first(surface.vertex_count());  // how many sides each vertex has, then the number of its first
+    // number of sides of each vertex, then (prefix sum) the number of its first side
+    Array<Index> first(surface.vertex_count());
     parallel_for(first.size(), [&](std::size_t v) {
         const auto begin = corners.begin() + sides_at.begin(Index(v)), end = begin + sides_at.size(Index(v));
         std::sort(begin, end, [](const Corner& a, const Corner& b) {

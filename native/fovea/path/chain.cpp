@@ -14,15 +14,15 @@ namespace {
 
 constexpr Index most_lines_at_a_vertex = 32;
 
-/// End `side` of the k-th edge is numbered 2k + side; its other end is the number with the last bit flipped.
+/// Edge end: end `side` of the k-th edge is 2k + side; flipping the last bit gives the edge's other end.
 using End = Index;
 
-/// Which end of another edge each end continues with.
+/// Per edge end: the end of another edge that it is linked to, or `none`.
 class Links {
    public:
     Links(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::uint8_t> labels, In<double> corner_angle_rad)
         : seen_(seen), in_image_(in_image), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
-        // Cosines of unit vectors may come out a little below -1, so that half a turn needs room.
+        // -2 for angles of pi or more: rounding may give cosines slightly below -1.
         for (double angle : corner_angle_rad)
             least_cosine_.push_back(angle < std::numbers::pi ? static_cast<float>(std::cos(angle)) : -2.0f);
         at_vertex_ = lists_of<End>(seen_.surface.vertex_count(), [&](const auto& give) {
@@ -35,7 +35,7 @@ class Links {
     Index vertex(End end) const { return seen_.surface.edges[edges_[end / 2]][end % 2]; }
 
    private:
-    /// Unit vector along the edge, away from this end; zero for an edge without length.
+    /// Unit vector along the edge, away from this end; zero for an edge of zero length.
     vec3 direction(End end) const {
         const dvec3 here(seen_.surface.positions[vertex(end)]), there(seen_.surface.positions[vertex(end ^ 1)]);
         const dvec3 d = in_image_ ? image_direction(here, there) : there - here;
@@ -43,7 +43,7 @@ class Links {
         return length > 0.0 ? vec3(d / length) : vec3(0.0f);
     }
 
-    /// The way from one point to another as the eye sees it; in view space where one lies behind the eye.
+    /// Direction in the image from one point to another (not normalized); in view space if one is behind the eye.
     dvec3 image_direction(const dvec3& here, const dvec3& there) const {
         const dvec3 a(seen_.object_to_view * dvec4(here, 1.0)), b(seen_.object_to_view * dvec4(there, 1.0));
         if (seen_.orthographic) return {b.x - a.x, b.y - a.y, 0.0};
@@ -56,7 +56,7 @@ class Links {
         const Index count = at_vertex_.size(v);
         if (count < 2 || count > most_lines_at_a_vertex) return;
         struct Pair {
-            float cosine;  // of the turn: 1 goes straight on
+            float cosine;  // of the turn: 1 is straight on
             End a, b;
         };
         Pair pairs[most_lines_at_a_vertex * (most_lines_at_a_vertex - 1) / 2];

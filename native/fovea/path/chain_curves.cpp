@@ -10,10 +10,10 @@
 namespace fovea::path {
 namespace {
 
-/// One end of a piece: 2 piece + end.
+/// End of a segment: 2 * piece + 0 or 1.
 using End = Index;
 
-/// Ends by the side and level that they lie on: a table of sides, each where its hash says or in the next free place.
+/// Open-addressing hash table of the segment ends on each (side, level).
 class EndsBySide {
    public:
     explicit EndsBySide(const Curves& pieces)
@@ -55,7 +55,7 @@ class EndsBySide {
     std::vector<Side> places_;
 };
 
-/// Per end: the end of another piece that goes on from it, or `none`.
+/// Per end: the end of another segment that it continues with, or `none`.
 Array<End> link(const Curves& pieces) {
     EndsBySide ends(pieces);
     for (End e = 0; e < 2 * pieces.size(); ++e)
@@ -69,7 +69,7 @@ Array<End> link(const Curves& pieces) {
     return next;
 }
 
-/// No two pieces have the same.
+/// Key that is unique per piece.
 std::uint64_t key_of(const CurvePiece& piece) {
     return piece.other == none ? std::uint64_t(piece.level) << 32 | piece.triangle
                                : std::uint64_t(piece.triangle) << 32 | piece.other;

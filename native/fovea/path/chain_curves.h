@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of curves chained into polylines.
+// Chaining of curve segments into polylines.
 #pragma once
 
 #include <fovea/base/columns.h>
@@ -7,7 +7,7 @@
 
 namespace fovea::path {
 
-/// Polylines across triangles; points of curve c are rows.begin(c) .. rows.end(c).
+/// Polylines across triangles; curve c has the points rows.begin(c) .. rows.end(c) - 1.
 struct CurveChains {
     Rows rows;
     Array<std::uint8_t> closed;
@@ -29,8 +29,8 @@ struct CurveChains {
         Column{"other", &CurveChains::other, "the triangle of the second surface, or `none`"}};
 };
 
-/// Links pieces that end on the same side of two triangles: by its number, no distances are compared. A side where
-/// three or more pieces end (a non-manifold edge) ends them all. The result depends on the order of the pieces alone.
+/// Links segments whose ends have the same side number (and level); no positions are compared. A side with three or
+/// more ends (a non-manifold edge) ends all of them. The result depends only on the order of the pieces.
 CurveChains chain_curves(const Curves& pieces);
 
 }  // namespace fovea::path

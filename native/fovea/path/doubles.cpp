@@ -18,7 +18,7 @@ std::shared_ptr<const Neighbors> neighbors_in(const Surface& surface) {
     return neighbors_of(surface, surface.field_options().hard_angle);
 }
 
-/// An edge that the smooth surface does not go around.
+/// Whether the fitted surface has an edge there, so that no smooth contour runs around it.
 bool is_hard(const Surface& surface, const Neighbors& neighbors, Index edge) {
     static const double hard = std::cos(glm::radians(default_hard_angle));
     const In<EdgeSide> sides = surface.sides(edge);
@@ -28,7 +28,7 @@ bool is_hard(const Surface& surface, const Neighbors& neighbors, Index edge) {
     return glm::dot(normal(sides[0]), normal(sides[1])) <= hard;
 }
 
-/// Marks the triangles where the chain runs for long with at least so many corners near.
+/// Marks the triangles of long stretches of a chain with at least `corners` corners near a line.
 void mark_long_stretches(const CurveChains& chains, Index chain, const Surface& surface, const TriangleSides& sides,
                          In<std::uint8_t> near, int corners, Array<std::uint8_t>& removed) {
     constexpr double longest = 4.0;
@@ -108,7 +108,7 @@ Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> 
 
 CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners) {
     const auto sides = triangle_sides(surface);
-    // Chains of one level share no triangle, and curves that run along contours have but one.
+    // Safe in parallel: chains of one level share no triangle, and curves that run along contours have only one level.
     Array<std::uint8_t> removed(surface.triangles.size(), 0);
     parallel_for(
         chains.rows.count(),

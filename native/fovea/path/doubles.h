@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line where several definitions would draw nearly the same.
+// Removal of duplicates: lines that several definitions would draw almost at the same place.
 #pragma once
 
 #include <map>
@@ -9,30 +9,32 @@
 
 namespace fovea::path {
 
-/// Which triangles' curves a line set has already: where two definitions trace the same curve, the first keeps it.
+/// Ownership of triangles: where two definitions trace the same curve, the first line set keeps it.
 class Claims {
    public:
     explicit Claims(const Surface& surface) : surface_(surface) {}
-    /// The parts of `chains` on triangles that are not claimed yet; claims them for the rule's definition.
+    /// The parts of `chains` on triangles that are not owned yet; then marks their triangles as owned for the rule's
+    /// definition (the one that it is part of, if any).
     CurveChains claim(const CurveRule& rule, CurveChains chains);
 
    private:
     const Surface& surface_;
-    std::map<const CurveRule*, Array<std::uint8_t>> taken_;  // per triangle, by what the definitions are part of
+    std::map<const CurveRule*, Array<std::uint8_t>> taken_;  // per triangle, per rule (of the whole definition)
 };
 
-/// Per vertex: 1 within two triangles of where the smooth surface turns away from the viewer. `without`: 1 on triangles
-/// where no contour is drawn; or empty.
+/// Per vertex: 1 if it is within two triangles of the contour of the smooth surface. `without`: 1 for triangles on
+/// which contours are not drawn; or empty.
 Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without = {});
 
-/// Clears an edge's `bits` near a smooth contour, which is drawn instead, but where the mesh has a hard edge.
+/// Clears bits[e] of kinds[e] for edges close to a smooth contour, which replaces them, except where the mesh has a
+/// hard edge. `near`: from near_smooth_contour. `bits`: per edge.
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds);
 
-/// Per vertex: 1 at the ends of hard edges of the mesh that have one of `bits`.
+/// Per vertex: 1 at the ends of hard edges that have one of `bits` in `kinds`.
 Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds);
 
-/// Chains without the stretches longer than four side lengths whose triangles have at least `corners` vertices `near`
-/// a line: that line is drawn there. What crosses it, or continues it, stays.
+/// Removes stretches longer than four mean side lengths on whose triangles at least `corners` vertices are `near` a
+/// line, which is drawn instead. Lines that cross or continue that line remain.
 CurveChains without_doubles(const CurveChains& chains, const Surface& surface, In<std::uint8_t> near, int corners = 3);
 
 }  // namespace fovea::path

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements linked end to end, one after the other.
+// Traversal of chains of linked elements.
 #pragma once
 
 #include <fovea/base/types.h>
 
 namespace fovea::path {
 
-/// Goes along chains of elements, of which element k has the ends 2 k and 2 k + 1. next[end]: the end of another
-/// element that goes on from it and back to it, or `none`. Calls point(end) where each element begins and where the
-/// last one ends, then finish(closed). Open chains come first, from the lower of their ends; what is left over are
-/// loops.
+/// Traverses chains of elements; element k has the ends 2 k and 2 k + 1. next[end]: the end of another element that it
+/// is linked to (symmetric), or `none`. Per chain, calls point(end) at the start of each element and at the end of the
+/// last one, then finish(closed). Open chains come first, each from its lower free end; the rest are loops.
 template <typename Point, typename Finish>
 void walk_ends(In<Index> next, const Point& point, const Finish& finish) {
     std::vector<std::uint8_t> taken(next.size() / 2, 0);

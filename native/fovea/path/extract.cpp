@@ -15,10 +15,10 @@
 namespace fovea::path {
 namespace {
 
-/// Room around the frame, as a share of its half size: strokes must not end where one can see it.
+/// Margin around the frame, as a share of its half size: strokes must not end visibly at the border.
 constexpr double frame_margin = 0.1;
 
-/// What one placement contributes.
+/// Lines of one placement.
 struct PlacementPaths {
     std::shared_ptr<const EdgePaths> edges;
     std::shared_ptr<const std::vector<FoundCurves>> kept_curves;  // those that depend on the surface alone
@@ -36,27 +36,27 @@ std::uint64_t hash_sets(const std::vector<PlacedSet>& sets) {
     return hash;
 }
 
-/// Whether a set (LineSet or PlacedSet) asks for a definition for which holds(definition).
+/// Whether a set (LineSet or PlacedSet) requests a definition for which holds(definition) is true.
 template <typename Sets, typename Holds>
 bool any_asked(const Sets& sets, const Holds& holds) {
     const auto by_kind = [&](const LineKind& kind) { return holds(*line_definitions()[kind.definition]); };
     return std::ranges::any_of(sets, [&](const auto& set) { return std::ranges::any_of(set.kinds, by_kind); });
 }
 
-/// Of definitions that mark edges, and hold for all views or depend on the view.
+/// Whether a set requests a definition on mesh edges that is view-independent (`of_surface`) or view-dependent.
 bool any_marks_edges(const std::vector<PlacedSet>& sets, bool of_surface) {
     return any_asked(sets, [&](const LineDefinition& definition) {
         return std::holds_alternative<EdgeRule>(definition.rule) && (definition.scope == Scope::surface) == of_surface;
     });
 }
 
-/// In object space; for an orthographic view the direction towards it.
+/// Eye position in object space; for an orthographic view the direction towards the viewer.
 dvec3 eye_of(const View& view, const Placement& placed) {
     const dmat4 view_to_object = glm::inverse(view.world_to_view * placed.object_to_world);
     return dvec3(view_to_object * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1)));
 }
 
-/// `surface`: the placement's as it is placed.
+/// The view of a placement. `surface`: the placement's, pre-stretched (as_placed).
 SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view,
                     const Tracer& tracer) {
     const Placement& placed = scene.placements[placement];
@@ -69,7 +69,7 @@ SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement,
     return seen;
 }
 
-/// Lines of the view that a contour would double.
+/// Whether a set requests view-dependent features, which a contour may duplicate.
 bool any_beside_contours(const std::vector<PlacedSet>& sets) {
     return any_asked(sets, [](const LineDefinition& definition) {
         const auto* rule = std::get_if<CurveRule>(&definition.rule);
@@ -77,7 +77,7 @@ bool any_beside_contours(const std::vector<PlacedSet>& sets) {
     });
 }
 
-/// Per triangle: 1 where no set has some of `kinds`; empty where that is nowhere.
+/// Per triangle: 1 if no set requests any of `kinds` on its material; empty if there is no such triangle.
 Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<PlacedSet>& sets, Kinds kinds) {
     if (!any_by_material(sets)) return {};
     std::vector<const PlacedSet*> asking;
@@ -111,15 +111,15 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
     return paths;
 }
 
-/// Where the chains of one placement (`none`: of the frame) go in the result, and whether they are those of this view
-/// alone.
+/// Where the chains of one placement (`none`: of the frame) are written in the result, and whether they are
+/// view-dependent.
 struct Slot {
     Index placement, path, point;
     bool of_view;
 };
 
-/// What each path of a slot holds: chains of edges and of curves alike. Functions of the chain's number, and of the
-/// number of a point among all of them.
+/// Writes the columns that chains of edges and of curves have in common. line_set, free and id take a chain's index;
+/// point takes a point's index over all chains.
 template <typename Chains, typename LineSet, typename Free, typename Id, typename Point>
 void write_paths(const Chains& chains, Slot slot, const LineSet& line_set, const Free& free, const Id& id,
                  const Point& point, Paths& paths) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a scene and a view to the paths that the line sets ask for.
+// Extraction of the paths that line sets request from a scene and a view.
 #pragma once
 
 #include <fovea/base/parallel.h>
@@ -8,9 +8,9 @@
 
 namespace fovea::path {
 
-/// Every edge that a line set finds, once (the first set that finds it has it), chained into paths. What depends on
-/// the surface alone is found and chained once and kept with it. Placements outside the frame are left out.
-/// Throws std::invalid_argument where line sets or `own` are not of the scene's placements.
+/// Paths of all line sets. An edge found by several sets belongs to the first. View-independent lines are found and
+/// chained once and cached with the surface. Placements outside the frame are skipped. `own`: per-placement overrides.
+/// Throws std::invalid_argument if line sets or `own` do not match the number of placements.
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
                     const Cancel& cancel, const OwnLines& own = {});
 

@@ -17,18 +17,18 @@ void to_object(const dmat3& stretch, Array<vec3>& points) {
     parallel_for(points.size(), [&](std::size_t i) { points[i] = vec3(inverse * dvec3(points[i])); });
 }
 
-/// A definition across triangles with its values: found once, whoever has its lines.
+/// A definition with its parameter values: traced once, even if several line sets request it.
 struct Job {
     const CurveRule* rule;
     Values values;
 };
 
-/// Which of a job's lines a line set has; in the order of the sets. Of smooth contours, a silhouette of mesh edges has
-/// those that its smooth twin would have, which is found for nobody then.
+/// The part of a job's lines that a line set gets; in the order of the sets. Of smooth contours, a set that requests
+/// the mesh-edge silhouette owns those that the silhouette's smooth twin would find; they are not drawn then.
 struct Share {
     std::size_t job;
-    Index line_set, number;  // of the definition; none: for nobody
-    bool everywhere;         // whatever the materials
+    Index line_set, number;  // of the definition; none: claimed, but not drawn
+    bool everywhere;         // on all materials
 };
 
 struct Plan {
@@ -44,14 +44,14 @@ struct Plan {
     }
 };
 
-/// Whether a set before number `s` has the lines of a definition, on faces of a material or on all.
+/// Whether a set before set `s` requests the definition and satisfies has(set).
 template <typename Has>
 bool is_taken(const std::vector<PlacedSet>& sets, std::size_t s, Index definition, const Has& has) {
     return std::any_of(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(s),
                        [&](const PlacedSet& set) { return set.has(definition) && has(set); });
 }
 
-/// The rule of a definition's smooth twin where that finds some of the curves of another one; else null.
+/// The rule of a definition's smooth twin if that finds part of the curves of another definition; else null.
 const CurveRule* smooth_part(const LineDefinition& definition) {
     if (!definition.smooth_twin) return nullptr;
     const auto* rule = std::get_if<CurveRule>(&definition.smooth_twin->rule);
@@ -66,7 +66,7 @@ Plan plan_of(const std::vector<PlacedSet>& sets, bool of_surface) {
             const LineDefinition& definition = *line_definitions()[kind.definition];
             const bool all = sets[s].materials.empty();
             const CurveRule* twin = smooth_part(definition);
-            // Where the twin is asked for itself, edges give way to it.
+            // If the twin itself is requested, edges are replaced by it instead.
             if (!of_surface && twin && (asked & smooth_contours()) && !(asked & kind_of(*definition.smooth_twin)))
                 plan.shares.push_back({plan.job(twin, default_values(*definition.smooth_twin)), s, none, all});
             const auto* rule = std::get_if<CurveRule>(&definition.rule);
@@ -79,7 +79,7 @@ Plan plan_of(const std::vector<PlacedSet>& sets, bool of_surface) {
     return plan;
 }
 
-/// What a share has of the lines that were found.
+/// The part of a job's chains that a share gets.
 CurveChains part_of(const CurveChains& chains, const Share& share, const std::vector<PlacedSet>& sets,
                     const Surface& surface) {
     if (share.everywhere) return chains;
@@ -118,7 +118,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
         if (rule.type == CurveType::contour && !hard.empty())
             chains[i] = without_doubles(chains[i], seen.surface, hard, 1);
     };
-    // What is kept with the surface is found under the lock of its cache, which all definitions ask: one by one then.
+    // Tracing view-independent curves holds the lock of the surface's cache, which all definitions use: run serially.
     if (of_surface)
         for (std::size_t i = 0; i < chains.size(); ++i) find(i);
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines across triangles that line sets ask for.
+// Lines across triangles that line sets request.
 #pragma once
 
 #include <fovea/path/chain_curves.h>
@@ -7,33 +7,34 @@
 
 namespace fovea::path {
 
-/// Traces, chains and smooths the curves of one definition. Contours are then projected to the smooth surface; features
-/// lose the spurs at their ends and the stretches that duplicate a contour (`near` of doubles.h; empty: none). Of both,
-/// the stretches that the rule selects by hysteresis.
+/// Traces, chains and smooths the curves of one definition. Contours are then projected onto the smooth surface; from
+/// features, spurs at the ends and stretches that duplicate a contour are removed (`near`: from near_smooth_contour;
+/// empty: none are). Of both, the intervals that the rule selects by hysteresis are returned.
 CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near = {});
 
-/// Curves across triangles that one definition finds for one line set.
+/// Curves of one definition for one line set.
 struct FoundCurves {
     Index line_set, definition;
     std::shared_ptr<const CurveChains> chains;
-    Index other = none;  // the second placement on which they lie
+    Index other = none;  // second placement that they lie on
 };
 
-/// Of one placement's surface: of definitions that hold for all views, or those that do not. `near`, `hard`: of
-/// doubles.h, or empty. On every triangle a definition goes to the first line set that has it there.
+/// Curves on one placement's surface: of view-independent definitions (`of_surface`) or of the others. `near`, `hard`:
+/// per vertex, from doubles.h, or empty. On each triangle, curves of a definition belong to the first line set that
+/// requests it there.
 std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<PlacedSet>& sets, bool of_surface,
                                      In<std::uint8_t> near = {}, In<std::uint8_t> hard = {});
 
-/// Of the whole scene, each with the placement that it is reported of. Such a line lies on faces of two placements: it
-/// is for a set that one of them is for, and both must show its definition. `placed`: per placement; empty if not
-/// drawn.
+/// Curves of scene-wide definitions, each with the placement that it belongs to. Such a curve lies on faces of two
+/// placements: a set has it if one of them is in the set, and the overrides of both must show its definition. `placed`:
+/// line sets per placement; empty for those not drawn.
 std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& scene, In<Index> drawn,
                                                                 const std::vector<LineSet>& sets, const OwnLines& own,
                                                                 const std::vector<std::vector<PlacedSet>>& placed,
                                                                 const Cancel& cancel);
 
-/// Calls visit(set's number, kind, rule) for all kinds whose rule is a Rule, but for those that an earlier set has
-/// which is for all lines.
+/// Calls visit(index of set, kind, rule) for all requested definitions whose rule is a Rule, except those already
+/// requested by an earlier set without filters.
 template <typename Rule, typename Visit>
 void each_with_rule(const std::vector<LineSet>& sets, const Visit& visit) {
     Kinds done = 0;
@@ -46,8 +47,8 @@ void each_with_rule(const std::vector<LineSet>& sets, const Visit& visit) {
         }
 }
 
-/// Of the frame, in view space. They belong to no placement: line sets filtered by collection, object or material have
-/// none of them.
+/// Curves in image space, in view-space coordinates. They belong to no placement: line sets filtered by collection,
+/// object or material have none of them.
 std::vector<FoundCurves> find_curves_in_image(const std::vector<LineSet>& sets, const Tracer& tracer,
                                               const Cancel& cancel);
 

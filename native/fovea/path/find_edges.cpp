@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint8_t unlabelled = 255;
 
-/// Static kinds of a surface for one style: per line set and edge, and the edges that have any.
+/// View-independent lines of a surface for one style: kinds per line set and edge, and the edges that have any.
 struct StaticLines {
     std::vector<Array<Kinds>> kinds;
     Array<Index> edges;
@@ -34,7 +34,7 @@ void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface,
     });
 }
 
-/// Per edge: contours of mesh edges for which a smooth one stands on a face beside it.
+/// Per edge: mesh-edge contours whose smooth twin is requested on an adjacent face.
 Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSet>& sets) {
     Array<Kinds> doubled(surface.edges.size(), doubled_edges(asked_of(sets)));
     if (!any_by_material(sets)) return doubled;
@@ -62,7 +62,7 @@ StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& se
     return lines;
 }
 
-/// Asked of the surface as it is, like everywhere else: a stretch changes nothing of it but the last digits.
+/// Evaluated on the original surface, as everywhere else: pre-stretching changes only the last digits.
 void find_facing(SurfaceView& seen) {
     const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
     const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
@@ -73,11 +73,11 @@ void find_facing(SurfaceView& seen) {
     });
 }
 
-/// Per edge: the first line set that finds it. Edges of `kept` come first, in their order; the others follow.
+/// Edges labeled with the first line set that has them: the edges of StaticLines, in their order, and the others.
 struct Labelled {
     Array<std::uint8_t> kept_labels, seen_labels;
     Array<Index> seen_edges;
-    Array<Kinds> kinds;  // per edge, as found by the set that has it
+    Array<Kinds> kinds;  // per edge, of the set that has it
 };
 
 Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& kinds) {
@@ -112,7 +112,7 @@ Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
     return kinds;
 }
 
-/// How many lines meet at each vertex, up to 2.
+/// Number of lines at each vertex, capped at 2.
 Array<std::uint8_t> lines_at_vertices(const Surface& surface, In<Index> kept, In<Index> seen) {
     Array<std::uint8_t> count(surface.vertex_count(), 0);
     for (const In<Index> edges : {kept, seen})
@@ -142,8 +142,8 @@ Kinds doubled_edges(Kinds asked) {
 std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
                                                      std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near) {
     const Surface& surface = seen.surface;
-    // Contours of a mesh fold back on themselves where they end on a smooth surface: one path through all folds, so
-    // that what is seen of them can be told from a line.
+    // Near cusps, contours of a mesh fold back on themselves. They are chained into one path through all folds (no
+    // corner angle), so that later stages can tell visible fragments of folds from lines.
     std::vector<double> corner_angles, never(sets.size(), glm::pi<double>());
     for (const PlacedSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
     const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
@@ -162,7 +162,7 @@ std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std
         if (doubled) hard = at_hard_edges(surface, doubled, all);
     }
     const Labelled labelled = label_edges(*lines, kinds);
-    // With one line set the labels never change, so its static chains are made once.
+    // With a single line set the labels never change, so the view-independent chains are built once.
     const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
     const auto kept_chains = surface.cache().get<Chains>(
         chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });

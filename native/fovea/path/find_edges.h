@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines along edges that line sets ask for.
+// Lines along edges that line sets request.
 #pragma once
 
 #include <fovea/path/chain.h>
@@ -13,16 +13,17 @@ struct EdgeChains {
     Array<std::uint8_t> free;  // per chain: FreeEnds
 };
 
-/// Kept with the surface, and of this view.
+/// `kept`: view-independent chains, cached with the surface. `seen`: those of this view.
 struct EdgePaths {
     EdgeChains kept, seen;
 };
 
-/// Definitions of mesh edges whose smooth twin is asked for.
+/// Definitions on mesh edges whose smooth twin is in `asked`.
 Kinds doubled_edges(Kinds asked);
 
-/// With those of this view, or only those that hold for all. Also, per vertex, `hard` of doubles.h. `near`: of
-/// doubles.h, or empty. `sets_hash`: what the kept ones depend on.
+/// Finds and chains the edges of all line sets; with `of_view`, view-dependent ones, too. `near`: per vertex, from
+/// near_smooth_contour, or empty. `sets_hash`: key of the cached part. Also returns at_hard_edges for the mesh-edge
+/// contours that have a requested smooth twin (empty if there are none).
 std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
                                                      std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of the whole scene: each lies on faces of two placements.
+// Scene-wide lines, each of which lies on faces of two placements.
 #include <algorithm>
 
 #include <fovea/base/hash.h>
@@ -8,13 +8,13 @@
 namespace fovea::path {
 namespace {
 
-/// Two placements' line sets, and what lies on both.
+/// A set of curves on two placements, and the line sets of both.
 struct Shared {
     const SceneCurves& part;
     const Surface &first, &second;
     const std::vector<PlacedSet>&first_sets, &second_sets;
 
-    /// Whether a set has a definition's lines, wherever they are.
+    /// Whether set `s` has the definition's lines on all materials.
     bool all(std::size_t s, Index definition) const {
         const PlacedSet &a = first_sets[s], &b = second_sets[s];
         return (a.has(definition) && a.materials.empty()) || (b.has(definition) && b.materials.empty());
@@ -39,7 +39,7 @@ std::shared_ptr<const CurveChains> chain_kept(const KeptCurves& curves, In<std::
     });
 }
 
-/// What set number `s` has and none before it; null: nothing.
+/// The curves that set `s` has and no earlier set does; null if there are none.
 std::shared_ptr<const CurveChains> of_set(const Shared& shared, std::size_t s, Index definition) {
     const Curves& pieces = shared.part.curves->pieces;
     bool shares = !shared.all(s, definition);

@@ -9,13 +9,13 @@
 namespace fovea::path {
 namespace {
 
-/// A place on a chain: between point `i` and the next, `t` of the way.
+/// Position on a chain: at fraction `t` from point `i` to the next.
 struct Place {
     Index i;
     float t;
 };
 
-/// Part of a chain, whose points are counted on beyond its end when it is closed.
+/// Interval of a chain. In a closed chain, point indices may continue past its end.
 struct Stretch {
     Index chain;
     Place begin, end;
@@ -23,7 +23,7 @@ struct Stretch {
     Index points() const { return end.i - begin.i + (end.t > 0.0f ? 2 : 1); }
 };
 
-/// One chain, its points counted on from its end to its beginning when it is closed.
+/// One chain; in a closed one, point indices wrap around.
 class Walk {
    public:
     Walk(const CurveChains& chains, Index chain)
@@ -37,7 +37,7 @@ class Walk {
     Index points() const { return points_; }
     Index segments() const { return points_ - 1; }
     bool closed() const { return closed_; }
-    /// The last point of a closed chain is its first, from which another piece goes on.
+    /// The last point of a closed chain repeats the first, whose segment data is the valid one.
     Index at(Index i) const { return first_ + (closed_ ? i % segments() : i); }
     float strength(Index i) const { return chains_.strength[at(i)]; }
     vec3 point(const Place& p) const {
@@ -53,8 +53,8 @@ class Walk {
     bool closed_;
 };
 
-/// The first point for which is_one(point) where a chain is closed: its number of segments for none. 0 where it is
-/// open.
+/// In a closed chain, the first point that satisfies is_one(point), or the number of segments if there is none. In an
+/// open chain 0.
 template <typename IsOne>
 Index first_of(const Walk& walk, const IsOne& is_one) {
     Index first = 0;
@@ -64,8 +64,7 @@ Index first_of(const Walk& walk, const IsOne& is_one) {
 
 Stretch all_of(const Walk& walk) { return {walk.chain(), {0, 0.0f}, {walk.segments(), 0.0f}, walk.closed()}; }
 
-/// Appends the runs of segments between cuts. `low(i)`: point i is below the level. `crossing(i)`: where segment i
-/// crosses it.
+/// Appends the intervals above the level. `low(i)`: point i is below it. `crossing(i)`: where segment i crosses it.
 template <typename Low, typename Crossing>
 void cut(const Walk& walk, const Low& low, const Crossing& crossing, std::vector<Stretch>& out) {
     const Index segments = walk.segments(), start = first_of(walk, low);
@@ -82,7 +81,7 @@ void cut(const Walk& walk, const Low& low, const Crossing& crossing, std::vector
     if (open) out.push_back({walk.chain(), begin, {start + segments, 0.0f}, false});
 }
 
-/// Appends the runs of segments for which `kept` holds.
+/// Appends the runs of whole segments that satisfy kept(segment).
 template <typename Kept>
 void cut_whole(const Walk& walk, const Kept& kept, std::vector<Stretch>& out) {
     const Index segments = walk.segments(), start = first_of(walk, [&](Index i) { return !kept(i); });
@@ -95,7 +94,7 @@ void cut_whole(const Walk& walk, const Kept& kept, std::vector<Stretch>& out) {
     }
 }
 
-/// Per point: whether it lies in a gap below the level that is deep enough.
+/// Per point: whether it is in a gap below selection.level that is deeper than selection.depth.
 std::vector<std::uint8_t> gaps(const Walk& walk, const Selection& selection) {
     const Index count = walk.points(), cyclic = walk.closed() ? walk.segments() : count;
     std::vector<std::uint8_t> low(count, 0);
@@ -128,8 +127,8 @@ bool is_strong(const Walk& walk, const Stretch& stretch, const Selection& select
     return most >= selection.reach && sum >= selection.least * selection.reach;
 }
 
-/// How many points a spur has at an end of an open chain: at its first point (way 1) or its last (way -1). `side`:
-/// the length of sides there.
+/// Number of points of the spur at one end of an open chain: at its start (way 1) or its end (way -1). `side`: mean
+/// side length there.
 Index spur(const Walk& walk, int way, float side) {
     constexpr float least_cosine = 0.5f, longest = 2.0f, before = 1.5f;
     const Index count = walk.points();
@@ -148,7 +147,7 @@ Index spur(const Walk& walk, int way, float side) {
     return found;
 }
 
-/// Chains of stretches, which are of `chains` and in their order.
+/// Builds chains from intervals of `chains`. `uniform`: with strength 1.
 CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool uniform) {
     CurveChains out;
     Index points = 0;
@@ -167,7 +166,7 @@ CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool unifor
                 const Index here = walk.at(place.i);
                 out.point[o] = walk.point(place);
                 out.strength[o] = uniform ? 1.0f : walk.strength(place);
-                // The piece from the last point is not of this stretch.
+                // The segment that starts at the last point is not part of the interval.
                 out.triangle[o] = last && n > 0 ? out.triangle[o - 1] : chains.triangle[here];
                 out.other[o] = last && n > 0 ? out.other[o - 1] : chains.other[here];
                 out.side[o] = place.t > 0.0f ? none : chains.side[here];
@@ -180,7 +179,7 @@ CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool unifor
     return out;
 }
 
-/// find(walk, out) for all chains, in parallel, joined in order.
+/// Calls find(walk, out) for all chains, in parallel, and joins the results in order.
 template <typename Find>
 Array<Stretch> find_stretches(const CurveChains& chains, const Find& find) {
     return parallel_collect<Stretch>(chains.rows.count(), 64, [&](std::size_t begin, std::size_t end, auto& out) {

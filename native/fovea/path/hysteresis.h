@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hysteresis along chains: which stretches of them are lines.
+// Selection of intervals of chains by hysteresis.
 #pragma once
 
 #include <fovea/path/chain_curves.h>
 
 namespace fovea::path {
 
-/// The stretches of chains that a selection keeps, in their order. Cut chains are open; a closed one that is cut
-/// nowhere stays closed.
+/// The intervals of chains that a selection keeps, in order. Chains that are cut become open; closed chains without a
+/// cut stay closed.
 CurveChains select_stretches(const CurveChains& chains, const Selection& selection);
 
-/// Open chains without the spurs at their ends: noise where a line fades. A spur turns by more than 60 degrees within
-/// two side lengths of the end.
+/// Removes spurs, which are noise where a line fades, from the ends of open chains. A spur turns by more than 60
+/// degrees within two side lengths of the end.
 CurveChains without_spurs(const CurveChains& chains, const Surface& surface);
 
-/// What is left of chains where `removed` (per triangle of the surface) is not set.
+/// The parts of chains outside triangles with `removed` set (per triangle of the surface).
 CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed);
 
 }  // namespace fovea::path

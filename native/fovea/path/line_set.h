@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a style asks for.
+// Line sets: what a style requests.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,40 @@
 
 namespace fovea::path {
 
-/// A definition with its parameters.
+/// A definition with its parameter values.
 struct LineKind {
     Index definition;  ///< index into line_definitions()
     Values values;
 };
 
-/// Of each placement, which materials have lines, by their number in Surface::polygon_material.
+/// Per placement: the materials whose faces have lines, as indices of Surface::polygon_material.
 struct MaterialFilter {
-    std::vector<Index> row = {};                        ///< per placement: its mask; empty: all materials have lines
-    std::vector<std::vector<std::uint8_t>> masks = {};  ///< per number, 0: it has no lines; all others have
+    /// Per placement: index of its mask; empty: all materials have lines.
+    std::vector<Index> row = {};
+    /// Per material index, 0: no lines; indices beyond the mask have lines.
+    std::vector<std::vector<std::uint8_t>> masks = {};
 };
 
-/// One of a style's line sets: which definitions with which parameters, of what, and where paths split.
+/// A line set of a style: definitions with parameters, filters, and the corner angle at which paths are split.
 struct LineSet {
     std::vector<LineKind> kinds;
     double corner_angle_rad = 1.0;
-    std::vector<std::uint8_t> placements = {};  ///< of the scene, 1: its lines are for this set; empty: all are
-    MaterialFilter materials = {};              ///< lines on faces of these are for this set
+    std::vector<std::uint8_t> placements = {};  ///< per placement, 1: included; empty: all are
+    MaterialFilter materials = {};              ///< faces of these are included
 
     bool is_for_all() const { return placements.empty() && materials.row.empty(); }
 };
 
-/// What placements have of their own, whatever the line sets say.
+/// Per-placement overrides, which apply to all line sets.
 struct OwnLines {
-    /// Of a definition that looks at one surface.
+    /// Override of one parameter of a definition that depends on single surfaces.
     struct Parameter {
         Index definition, parameter;
-        std::vector<double> values;  ///< per placement; NaN: as the line set says
+        std::vector<double> values;  ///< per placement; NaN: no override
     };
-    std::vector<Kinds> kinds = {};  ///< per placement: definitions that it shows, bits as in Kinds; empty: all
+    std::vector<Kinds> kinds = {};  ///< per placement: definitions to draw, bits as in Kinds; empty: all
     std::vector<Parameter> parameters = {};
-    MaterialFilter materials = {};  ///< those that have lines at all
+    MaterialFilter materials = {};  ///< materials that have lines at all
 
     bool shows(Index placement, Index definition) const {
         return kinds.empty() || (kinds[placement] >> definition & 1);

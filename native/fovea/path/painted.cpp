@@ -10,7 +10,7 @@
 namespace fovea::path {
 namespace {
 
-/// Of the polygons beside an edge, the mean at one of its vertices.
+/// Mean, over the polygons at an edge, of their painted values at one of its vertices.
 float at_end(const Surface& surface, In<float> values, Index edge, Index vertex) {
     float sum = 0.0f;
     const In<EdgeSide> sides = surface.sides(edge);
@@ -19,7 +19,7 @@ float at_end(const Surface& surface, In<float> values, Index edge, Index vertex)
     return sides.empty() ? unpainted : sum / static_cast<float>(sides.size());
 }
 
-/// Shares of a triangle's corners at the place nearest to a point in its plane; a third each where it has no area.
+/// Barycentric coordinates of a point in a triangle's plane, clamped to the triangle; 1/3 each if it has no area.
 vec3 shares(const Surface& surface, const Triangle& t, const vec3& point) {
     const dvec3 a(surface.positions[t[0]]);
     const dvec3 ab = dvec3(surface.positions[t[1]]) - a, ac = dvec3(surface.positions[t[2]]) - a, ap = dvec3(point) - a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the artist has painted on meshes, along the lines.
+// Painted mesh attributes, sampled along paths.
 #pragma once
 
 #include <fovea/path/paths.h>
@@ -7,23 +7,23 @@
 
 namespace fovea::path {
 
-/// What counts where nothing is painted.
+/// Value where nothing is painted.
 inline constexpr float unpainted = 0.5f;
 
-/// By placement: a value per corner of its mesh, in [0,1] (others are clamped; what is not a number is unpainted).
-/// Empty: nothing is painted on it.
+/// Per placement: a value per corner of its mesh, clamped to [0, 1]; NaN counts as unpainted. Empty: nothing is
+/// painted.
 using Painted = std::vector<In<float>>;
 
-/// A painted value as it counts.
+/// Clamps a painted value to [0, 1]; NaN gives `unpainted`.
 float painted_value(float value);
 
-/// Throws std::invalid_argument where there is not one array per placement, or one does not fit its mesh.
+/// Throws std::invalid_argument if there is not one array per placement, or an array does not match its mesh.
 void check_painted(const Painted& painted, const Scene& scene);
 
-/// The painted value at each point of paths. On an edge it is linear between the edge's vertices, each with the mean of
-/// the polygons beside the edge; in a triangle linear between its corners (at its nearest place, for points a hair
-/// outside). Unpainted: paths found in the image, and edges without polygons. A line on two surfaces asks the first.
-/// Throws as check_painted.
+/// Painted value at each point of paths. On an edge: linear between its vertices, each with the mean of the polygons at
+/// the edge. In a triangle: linear between its corners (at the nearest position inside, as points may be slightly
+/// outside). Unpainted: image-space paths and edges without polygons. For a line on two surfaces the first one is
+/// sampled. Throws as check_painted does.
 Array<float> values_on_paths(const Paths& paths, const Scene& scene, const Painted& painted);
 
 }  // namespace fovea::path

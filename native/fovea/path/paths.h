@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments chained into paths.
+// Paths: chained segments.
 #pragma once
 
 #include <fovea/base/columns.h>
@@ -7,14 +7,14 @@
 
 namespace fovea::path {
 
-/// Ends of a path that touch no other line.
+/// Bits: ends of a path that touch no other line.
 enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2 };
 
 inline constexpr std::uint8_t ends_at_cusps = 2;
 
-/// Polylines in object space, all placements together; points of path p are rows.begin(p) .. rows.end(p). Segment i
-/// runs from point i to point i + 1 of its path. A closed path repeats its first point at the end. Paths found in the
-/// image belong to no placement: theirs is `none`, they lie in view space, in no place, and nothing hides them.
+/// Polylines of all placements, in object space; path p has the points rows.begin(p) .. rows.end(p) - 1. Segment i runs
+/// from point i to point i + 1 of its path. A closed path repeats its first point at the end. Paths found in image
+/// space have placement and place `none`, are in view space, and are never occluded.
 struct Paths {
     Rows rows;
     Array<std::uint8_t> closed;

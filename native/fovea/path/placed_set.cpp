@@ -15,7 +15,7 @@ void check_materials(const MaterialFilter& filter, std::size_t placements) {
         check(row < filter.masks.size(), "a filter of materials names a mask that is not there");
 }
 
-/// What both filters let through of a placement's materials; empty where that is all.
+/// Materials that pass both filters for a placement, as a mask; empty if all do.
 std::vector<std::uint8_t> both(const MaterialFilter& a, const MaterialFilter& b, Index placement) {
     std::vector<std::uint8_t> mask;
     for (const MaterialFilter* filter : {&a, &b}) {

@@ -8,12 +8,12 @@
 
 namespace fovea::path {
 
-/// A line set without what a placement does not show. A line lies on the faces beside it: it is there where one of them
-/// has a material of the set.
+/// A line set without the definitions that a placement does not show. A line at several faces is included if one of
+/// them has a material of the set.
 struct PlacedSet {
     std::vector<LineKind> kinds;
     double corner_angle_rad;
-    std::vector<std::uint8_t> materials = {};  ///< per number, 0: without these lines; all others: with
+    std::vector<std::uint8_t> materials = {};  ///< per material index, 0: no lines; indices beyond it have lines
 
     bool has(Index definition) const {
         return std::ranges::find(kinds, definition, &LineKind::definition) != kinds.end();
@@ -23,30 +23,31 @@ struct PlacedSet {
     }
 };
 
-/// Throws std::invalid_argument where line sets or own lines are not as many as the placements.
+/// Throws std::invalid_argument if arrays per placement in line sets or overrides do not have `placements` entries, or
+/// if a material filter refers to a missing mask.
 void check_filters(std::size_t placements, const std::vector<LineSet>& sets, const OwnLines& own);
 
 std::vector<PlacedSet> sets_of(Index placement, const std::vector<LineSet>& sets, const OwnLines& own);
 
-/// Every definition that a line set, or some of them, asks for.
+/// Bits of all definitions that a line set, or any of several, requests.
 Kinds asked_of(const PlacedSet& set);
 Kinds asked_of(const std::vector<PlacedSet>& sets);
 
-/// Whether some set has lines on faces of some materials alone.
+/// Whether some set is restricted to faces of certain materials.
 bool any_by_material(const std::vector<PlacedSet>& sets);
 
 inline int material_of_triangle(const Surface& surface, Index triangle) {
     return surface.material(surface.triangle_facet[triangle]);
 }
 
-/// Whether holds(material) for one of the faces beside an edge.
+/// Whether holds(material) is true for one of the faces at an edge.
 template <typename Holds>
 bool any_beside(const Surface& surface, Index edge, const Holds& holds) {
     const auto on_side = [&](EdgeSide side) { return holds(surface.material(side.facet())); };
     return std::ranges::any_of(surface.sides(edge), on_side);
 }
 
-/// Per triangle: 1 unless holds(material).
+/// Per triangle: 1 unless holds(material) is true.
 template <typename Holds>
 Array<std::uint8_t> triangles_without(const Surface& surface, const Holds& holds) {
     Array<std::uint8_t> without(surface.triangles.size());

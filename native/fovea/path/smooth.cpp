@@ -10,9 +10,9 @@
 namespace fovea::path {
 namespace {
 
-/// Sums for a weighted fit by a parabola in s, whose value and slope at s = 0 are asked for.
+/// Weighted least-squares fit of a parabola in s; solve() gives its value and slope at s = 0.
 struct Fit {
-    double moment[5] = {0, 0, 0, 0, 0};  // of s
+    double moment[5] = {0, 0, 0, 0, 0};  // weighted sums of s^k
     dvec3 sum[3] = {dvec3(0), dvec3(0), dvec3(0)};
     int count = 0;
 
@@ -23,7 +23,7 @@ struct Fit {
             if (k < 3) sum[k] += weight * x;
         }
     }
-    /// False where there is too little to fit.
+    /// False if there are fewer than 5 points or the fit is ill-conditioned.
     bool solve(dvec3& value, dvec3& slope) const {
         const dmat3 m(moment[0], moment[1], moment[2], moment[1], moment[2], moment[3], moment[2], moment[3],
                       moment[4]);
@@ -35,7 +35,7 @@ struct Fit {
     }
 };
 
-/// One chain while it is smoothed.
+/// Smooths one chain.
 class Smoother {
    public:
     Smoother(CurveChains& chains, Index chain, const Surface& surface, const TriangleSides& sides,
@@ -57,7 +57,7 @@ class Smoother {
         }
     }
 
-    /// Along the sides.
+    /// Moves points along their sides, then averages strength.
     void run() {
         if (count_ < 5) return;
         for (int round = 0; round < options_.rounds; ++round) move_all([&](int i) { return fitted_on_side(i); });
@@ -66,7 +66,7 @@ class Smoother {
         if (closed_) chains_.strength[first_ + count_] = chains_.strength[first_];
     }
 
-    /// Off the surface.
+    /// Moves points freely, close to where they are now.
     void run_free() {
         if (count_ < 5) return;
         std::vector<dvec3> start(count_);
@@ -90,11 +90,12 @@ class Smoother {
         if (closed_) chains_.point[first_ + count_] = chains_.point[first_];
     }
 
-    /// Of a closed chain, less than a turn away.
+    /// Wraps an index that is less than one period out of range.
     int wrapped(int i) const { return i < 0 ? i + count_ : i < count_ ? i : i - count_; }
     dvec3 point(int i) const { return dvec3(chains_.point[first_ + i]); }
 
-    /// Lengths of segments, and mean lengths of the sides nearby: lines bend more closely where the mesh is finer.
+    /// Measures segments, and the mean length of sides near each point, which scales windows: lines bend more sharply
+    /// where the mesh is finer.
     void measure() {
         constexpr int near = 4;
         length_.resize(count_);
@@ -121,7 +122,8 @@ class Smoother {
         }
     }
 
-    /// visit(point, signed distance, share of the chain it stands for) for point i and those around it.
+    /// Calls visit(point, signed arc length from i, weight: half the length of its two segments) for point i and those
+    /// less than `window` away.
     template <typename Visit>
     void around(int i, double window, const Visit& visit) const {
         const auto share = [&](int j) { return 0.5 * (length_[j] + length_[closed_ || j > 0 ? wrapped(j - 1) : j]); };
@@ -141,13 +143,13 @@ class Smoother {
         }
     }
 
-    /// `s` in windows.
+    /// Biweight kernel; `s` in units of the window.
     static double kernel(double s) {
         const double u = 1.0 - s * s;
         return u > 0.0 ? u * u : 0.0;
     }
 
-    /// The parabola around point i, there.
+    /// Value and slope, at point i, of the parabola fitted around it.
     bool fit_around(int i, dvec3& value, dvec3& slope) const {
         constexpr double least_share = 0.01;
         const double window = options_.window * unit_[i];
@@ -169,7 +171,8 @@ class Smoother {
         return length > most ? start + most / length * way : value;
     }
 
-    /// Where point i goes: on its side, as near as may be to the curve that fits; how far along that matters little.
+    /// New position of point i: on its side, as close as possible to the fitted curve; the position along the curve has
+    /// little weight.
     dvec3 fitted_on_side(int i) {
         constexpr double slide = 0.1, from_vertex = 1e-3;
         dvec3 value, slope;
@@ -185,7 +188,8 @@ class Smoother {
         return on.from + on.t * on.along;
     }
 
-    /// Towards open ends over ever less, so that lines fade out to what they have there.
+    /// Averages strength. Windows shrink towards open ends, so that the ends keep their strength and lines fade out to
+    /// it.
     void average_strength() {
         std::vector<float> mean(count_);
         double before = 0.0;
@@ -211,7 +215,7 @@ class Smoother {
     const Smoothing options_;
     int count_ = 0;
     std::vector<On> on_;
-    std::vector<double> length_, unit_;  // of the segment from each point; of the sides there
+    std::vector<double> length_, unit_;  // per point: length of the segment from it; mean length of sides near it
     double total_ = 0.0;
 };
 

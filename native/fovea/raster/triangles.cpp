@@ -12,13 +12,14 @@ namespace {
 constexpr std::size_t block_triangles = 2048;
 constexpr std::size_t group_blocks = 128;
 
-/// What is left out of a mesh, by the sign of a triangle's area on the screen; 0: nothing.
+/// Sign of the screen-space area of triangles to cull (back-facing ones); 0: cull nothing. A mirroring transform flips
+/// it.
 double away_sign(const RasterMesh& mesh) {
     if (!mesh.one_sided) return 0.0;
     return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0;
 }
 
-/// Twice the signed area of (a, b, p). Computed the same way for (b, a), with the other sign.
+/// Twice the signed area of (a, b, p). Antisymmetric in a and b without rounding differences.
 double edge_function(dvec2 a, dvec2 b, dvec2 p) {
     const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
     if (swapped) std::swap(a, b);
@@ -26,13 +27,14 @@ double edge_function(dvec2 a, dvec2 b, dvec2 p) {
     return swapped ? -area : area;
 }
 
-/// First texel whose center is not below `edge`, clamped to [0, size].
+/// First texel whose center is at or above `edge`, clamped to [0, size].
 int first_texel(double edge, int size) {
     return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
 }
 
-/// Depth over texels as a plane: the screen image of the triangle's own plane, found without dividing by w, so that
-/// corners behind the eye do no harm. `corner`: (x w, y w, depth w, w) in texels. False for a triangle seen edge on.
+/// Depth as a linear function of texel coordinates, solved in homogeneous coordinates without dividing by w, so that
+/// corners behind the eye are allowed. `corner`: (x w, y w, depth w, w) in texels. False if the triangle is seen
+/// edge-on.
 bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
     const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
         c(corner[2].x, corner[2].y, corner[2].w);
@@ -41,14 +43,14 @@ bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
     return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
 }
 
-/// A triangle of a mesh before it is on the screen.
+/// A triangle in homogeneous texel coordinates, before clipping.
 struct Source {
     std::array<dvec4, 3> corner;  ///< (x w, y w, depth w, w) in texels
     Index mesh, triangle;
 };
 
-/// Appends the triangle unless it covers no texel center. `clip`: homogeneous corners of what is left of it in front
-/// of the near plane.
+/// Appends the triangle unless it covers no texel center. `clip`: its homogeneous corners (x w, y w, w) after
+/// near-plane clipping.
 void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, const RasterTarget& target, double away,
                       const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {
     RasterTriangle t;
@@ -73,7 +75,7 @@ void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, co
     out.push_back(t);
 }
 
-/// Cuts the triangle at the near plane (depth <= 1) and appends what is left, as one triangle or two.
+/// Clips the triangle at the near plane (depth <= 1) and appends the result, at most two triangles.
 void append_clipped(const Source& source, const RasterTarget& target, double away, std::vector<RasterTriangle>& out) {
     const auto& corner = source.corner;
     std::array<double, 3> inside;
@@ -87,7 +89,7 @@ void append_clipped(const Source& source, const RasterTarget& target, double awa
         return;
     }
     std::array<dvec3, 4> polygon;
-    std::array<bool, 4> of_mesh;  // the edge from each corner to the next
+    std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
     int count = 0;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
@@ -106,7 +108,7 @@ void append_clipped(const Source& source, const RasterTarget& target, double awa
                          {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
 }
 
-/// A share of the work: triangles begin .. end of a mesh.
+/// Unit of work: triangles [begin, end) of one mesh.
 struct Block {
     Index mesh;
     std::size_t begin, end;
@@ -125,7 +127,7 @@ std::vector<Block> divide(In<RasterMesh> meshes) {
 void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTarget& target,
                       std::vector<RasterTriangle>& out) {
     const RasterMesh& mesh = meshes[block.mesh];
-    // Pixels of homogeneous points: (x / w * .5 + .5) * size, kept homogeneous.
+    // Maps to texels, still homogeneous: (x / w * .5 + .5) * size.
     dmat4 to_texels(1.0);
     to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
     to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
@@ -138,7 +140,7 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
     }
 }
 
-/// What is to be drawn of a block: its triangles, and those of each band of rows in the order of the mesh.
+/// Screen triangles of a block, and per band of rows the indices of those in it, in mesh order.
 struct Binned {
     std::vector<RasterTriangle> triangles;
     Lists<Index> bands;
@@ -184,19 +186,19 @@ TriangleRows::TriangleRows(const RasterTriangle& t) : triangle_(t), plane_(t.pla
         if (a.y == b.y) continue;
         const double step = (b.x - a.x) / (b.y - a.y);
         const Side side{a.x - 0.5 + step * (0.5 - a.y), step};
-        if (!std::isfinite(side.at)) {  // the edge has next to no height
+        if (!std::isfinite(side.at)) {  // an almost horizontal edge: the slope overflows
             unsure_ = HUGE_VAL;
             continue;
         }
         reach = std::max(reach, std::abs(side.at));
         (a.y > b.y ? left_[lefts++] : right_[rights++]) = side;
     }
-    unsure_ = std::max(unsure_, 1e-9 * reach);  // far more than what rounding moves a crossing by
+    unsure_ = std::max(unsure_, 1e-9 * reach);  // far above the rounding error of a crossing
 }
 
 TriangleRows::Texels TriangleRows::covered(int y) const {
     const auto in_box = [&](double x) { return std::clamp(x, double(triangle_.x0), double(triangle_.x1)); };
-    const auto from = [&](double x) {  // x rounded up
+    const auto from = [&](double x) {  // ceil of x, clamped to the box
         const double edge = in_box(x);
         const int whole = static_cast<int>(edge);
         return whole + (whole < edge);
@@ -217,7 +219,7 @@ void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Can
     for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
     const std::vector<Block> blocks = divide(meshes);
     const int bands = (target.height + raster_band_rows - 1) / raster_band_rows;
-    // Groups bound the memory; their order, and the order inside, is that of the input.
+    // Groups bound the memory. Groups, and the triangles in them, are processed in input order.
     for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {
         if (cancel) cancel->poll();
         std::vector<Binned> binned(std::min(group_blocks, blocks.size() - start));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The software rasterizer: triangles projected, cut at the near plane, and drawn row by row.
+// Software rasterizer: projects triangles, clips them at the near plane, and scan-converts them row by row.
 #pragma once
 
 #include <array>
@@ -10,58 +10,59 @@
 
 namespace fovea::raster {
 
-/// Triangles of one placement, borrowed.
+/// Triangles of one placement; arrays are borrowed.
 struct RasterMesh {
-    In<vec3> positions;        ///< object space
-    In<glm::uvec3> triangles;  ///< vertices
+    In<vec3> positions;        ///< vertex indices
+    In<glm::uvec3> triangles;  ///< per triangle, facet index within the mesh
     In<Index> triangle_facet;  ///< per triangle, numbered over the mesh
     dmat4 object_to_view{1.0};
-    Index facet_base = 0;  ///< added to triangle_facet: numbers over the whole scene
-    /// Triangles that turn away from the viewer are left out: on solid bodies others lie before them.
+    Index facet_base = 0;  ///< added to triangle_facet: facet index over the scene
+    /// Cull back-facing triangles: on solid bodies, front-facing ones cover them.
     bool one_sided = false;
 };
 
-/// A triangle on the screen, in texels. Corners are in a fixed order per edge when tested, so that two
-/// triangles that share an edge leave no texel between them.
+/// A triangle in screen space, in texels. Edge functions are evaluated with the two ends in a fixed order, so triangles
+/// that share an edge leave no texel between them uncovered.
 struct RasterTriangle {
     std::array<dvec2, 3> corner;
     dvec3 plane;           ///< depth (base/view.h) = plane . (x, y, 1)
-    Index mesh, triangle;  ///< which of the meshes, and which triangle of it
-    /// Which edges, from each corner to the next, are the mesh's; the near plane's cut is none, as on the GPU.
+    Index mesh, triangle;  ///< index of the mesh, and of the triangle in it
+    /// Per edge, from corner i to corner i + 1: whether it is an edge of the source triangle. Edges made by near-plane
+    /// clipping and by cutting the clipped quadrilateral in two are not, as on the GPU.
     std::array<bool, 3> of_mesh;
-    int x0, x1, y0, y1;  ///< texels whose centers the bounding box holds, x1 and y1 excluded
+    int x0, x1, y0, y1;  ///< texels whose centers are within the bounding box, x1 and y1 exclusive
 
     bool covers(dvec2 p) const;
 };
 
-/// Which texels a triangle covers, row by row. The triangle is borrowed.
+/// Texels covered by a triangle, row by row. The triangle is borrowed and must outlive this.
 class TriangleRows {
    public:
     explicit TriangleRows(const RasterTriangle& triangle);
 
-    /// Texels of a row, from left to right; `end` is excluded.
+    /// Texels [begin, end) of a row.
     struct Texels {
         int begin, end;
     };
-    /// Those whose centers are covered: of a convex shape they lie side by side.
+    /// Texels of row y whose centers are covered; contiguous, as the triangle is convex.
     Texels covered(int y) const;
 
     double depth(int x, double depth_y) const { return plane_.x * (x + 0.5) + depth_y; }
-    /// The part of `depth` that a whole row shares.
+    /// The term of `depth` that is constant along row y.
     double depth_y(int y) const { return plane_.y * (y + 0.5) + plane_.z; }
 
    private:
-    /// Where the line of an edge crosses the middle of the rows: at + step * y [texels' centers].
+    /// Line of an edge, as x over rows, at texel centers: x = at + step * y.
     struct Side {
         double at, step;
     };
     const RasterTriangle& triangle_;
     dvec3 plane_;
-    std::array<Side, 2> left_, right_;  // without an edge: one that cuts nothing off
-    double unsure_ = 0.0;               // centers that lie nearer to an edge are asked for with `covers`
+    std::array<Side, 2> left_, right_;  // without a second edge on that side: a line that clips nothing
+    double unsure_ = 0.0;               // centers closer than this to an edge are decided by `covers`
 };
 
-/// put(x, depth) for each texel (x, y) that the triangle covers and where in_front(x, depth).
+/// Calls put(x, depth) for each covered texel x of row y for which in_front(x, depth) is true.
 template <typename InFront, typename Put>
 void each_texel(const TriangleRows& rows, int y, const InFront& in_front, const Put& put) {
     const double depth_y = rows.depth_y(y);
@@ -72,19 +73,19 @@ void each_texel(const TriangleRows& rows, int y, const InFront& in_front, const 
     }
 }
 
-/// What triangles are drawn into.
+/// Viewport and projection of a rasterization.
 struct RasterTarget {
     int width, height;   ///< texels
-    dmat4 view_to_clip;  ///< to (x w, y w, depth w, w), x and y in [-1, 1] over the texels
+    dmat4 view_to_clip;  ///< to (x w, y w, depth w, w), with x and y in [-1, 1] over the viewport
 };
 
-/// Rows of a band; the first band begins at row 0.
+/// Rows per band; bands run in parallel, and the first starts at row 0.
 inline constexpr int raster_band_rows = 16;
 
-/// draw(triangle, y0, y1) for every triangle that may cover a texel's center in the rows y0 to y1 (excluded):
-/// side by side for bands of rows, within each in the order of the meshes. What lies nearer than the near plane
-/// is cut off; the far plane cuts nothing off. Triangles without area on the screen or with a coordinate that is not
-/// finite are left out. Throws std::invalid_argument on indices out of range.
+/// Calls draw(triangle, y0, y1) for every triangle that may cover a texel center in rows [y0, y1). Bands of rows run in
+/// parallel; within a band, triangles come in the order of the meshes. Triangles are clipped at the near plane but not
+/// at the far plane. Triangles with zero screen area or non-finite coordinates are dropped. Throws
+/// std::invalid_argument for indices out of range.
 void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Cancel* cancel,
                     const std::function<void(const RasterTriangle&, int, int)>& draw);
 

@@ -9,10 +9,10 @@
 namespace fovea::repair {
 namespace {
 
-/// Angle between triangles from which their edge is a feature.
+/// Angle between face normals above which an edge is a feature.
 const double feature_angle = glm::radians(40.0);
 
-/// Arrays of flags per edge, and the bits they become.
+/// Arrays of edge flags, and the Mark bit of each.
 constexpr std::pair<std::vector<std::uint8_t> MeshOf<Owned>::*, Mark> mark_arrays[] = {
     {&OwnedMesh::sharp, mark_sharp}, {&OwnedMesh::seam, mark_seam}, {&OwnedMesh::edge_mark, mark_edge}};
 
@@ -23,14 +23,14 @@ std::uint8_t marks_of(const RepairedMesh& mesh, int edge) {
     return bits;
 }
 
-/// OpenMesh tells of what it refuses on standard error; here it is counted instead.
+/// OpenMesh reports each refused face on standard error; here they are counted instead.
 struct Quiet {
     Quiet() { omerr().disable(); }
     ~Quiet() { omerr().enable(); }
 };
 
-/// Triangles of a polygon: its own, or a quad's by the shorter diagonal. `ngon_triangle`: the first of this polygon or
-/// of a later one, and then the first behind it.
+/// Triangles of a polygon: those given, or a quad split along its shorter diagonal. `ngon_triangle`: in, the first of
+/// this polygon or of a later one; out, the first of a later one.
 std::vector<glm::ivec3> triangles_of(const RepairedMesh& mesh, int polygon, std::size_t& ngon_triangle) {
     std::vector<glm::ivec3> found;
     for (; ngon_triangle < mesh.ngon_polygon.size() && mesh.ngon_polygon[ngon_triangle] == polygon; ++ngon_triangle)
@@ -44,7 +44,7 @@ std::vector<glm::ivec3> triangles_of(const RepairedMesh& mesh, int polygon, std:
     return {{v[1], v[2], v[3]}, {v[1], v[3], v[0]}};
 }
 
-/// Adds all triangles of a polygon; false, and none is added, where one cannot be.
+/// Adds all triangles of a polygon; returns false and adds none if one is refused or there are none.
 bool add(HalfEdges& mesh, const std::vector<glm::ivec3>& triangles, int polygon) {
     std::vector<OpenMesh::FaceHandle> added;
     for (const glm::ivec3& t : triangles) {
@@ -66,7 +66,7 @@ bool add(HalfEdges& mesh, const std::vector<glm::ivec3>& triangles, int polygon)
     return !added.empty();
 }
 
-/// visit(edge of the polygon as `mesh` has it, the same of `source`), where `mesh` has it.
+/// Calls visit(edge of `mesh`, edge of `source`) for the edges of a polygon that `mesh` has.
 template <typename Visit>
 void each_edge(HalfEdges& mesh, const RepairedMesh& source, int polygon, const Visit& visit) {
     const int begin = source.polygon_offsets[polygon], end = source.polygon_offsets[polygon + 1];
@@ -123,7 +123,7 @@ RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
         out.positions.push_back(to_glm(mesh.point(v)));
         if (mesh.data(v).number != none) number[mesh.data(v).number] = v.idx();
     }
-    std::vector<std::uint8_t> corner_marks;  // of the edges that begin at corners
+    std::vector<std::uint8_t> corner_marks;  // marks of the edges that start at corners
     const auto finish = [&](int polygon) {
         out.polygon_offsets.push_back(static_cast<int>(out.corner_verts.size()));
         if (!source.material.empty()) out.material.push_back(source.material[polygon]);

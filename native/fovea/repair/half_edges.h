@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh as OpenMesh edits it: triangles with half-edges.
+// Half-edge meshes of triangles, in which OpenMesh edits.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -12,24 +12,24 @@ struct HalfEdgeTraits : OpenMesh::DefaultTraitsDouble {
     VertexAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal);
     EdgeAttributes(OpenMesh::Attributes::Status);
     FaceAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal);
-    VertexTraits { Index number = none; };  ///< in the mesh that it comes from; none: made since
+    VertexTraits { Index number = none; };  ///< vertex number in the source mesh; none: created since
     EdgeTraits {
         std::uint8_t marks = 0;  ///< Mark bits
-        bool held = false;       ///< a polygon that was refused runs along it: it must stay whole
+        bool held = false;       ///< a refused polygon has this edge: it must not be split
     };
-    FaceTraits { int polygon = 0; };  ///< of the mesh that it comes from
+    FaceTraits { int polygon = 0; };  ///< in the source mesh
 };
 using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
 
-/// The triangles of a mesh's polygons, but for polygons that OpenMesh refuses (of a fan with others, the later ones).
-/// Edges that are to stay where they are have the status `feature` (resample.h says which), and their vertices and
-/// those of refused polygons the status `locked`.
+/// Triangles of a mesh's polygons, except polygons that OpenMesh refuses (non-manifold ones: the later ones of a fan).
+/// Edges that must stay in place (see resample.h) have the status `feature`; their vertices and those of refused
+/// polygons have the status `locked`.
 struct Triangulated {
     HalfEdges mesh;
-    std::vector<int> refused;  ///< polygons
+    std::vector<int> refused;  ///< polygon indices
 
     explicit Triangulated(const RepairedMesh& source);
-    /// The triangles, then the refused polygons of the same `source`; its report is handed on.
+    /// The triangles, followed by the refused polygons of `source`, the mesh it was built from; copies its report.
     RepairedMesh arrays(const RepairedMesh& source) const;
 };
 

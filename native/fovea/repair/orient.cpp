@@ -8,7 +8,7 @@
 namespace fovea::repair {
 namespace {
 
-/// The polygons that run along an edge: how many, and the first and the last of them with their direction.
+/// Polygons along an edge: their number, and the first and last with their direction.
 struct Sides {
     Index count = 0;
     EdgeSide first, last;
@@ -26,7 +26,7 @@ std::vector<Sides> sides_of(const RepairedMesh& mesh) {
     return sides;
 }
 
-/// Six times the volume that a polygon spans with the origin.
+/// Six times the signed volume between a polygon and `origin`.
 double volume(const RepairedMesh& mesh, Index polygon, const dvec3& origin) {
     double sum = 0.0;
     const int begin = mesh.polygon_offsets[polygon], end = mesh.polygon_offsets[polygon + 1];
@@ -35,7 +35,7 @@ double volume(const RepairedMesh& mesh, Index polygon, const dvec3& origin) {
     return sum;
 }
 
-/// Turns a polygon around; its first corner stays the first.
+/// Reverses a polygon's winding; its first corner stays first.
 void turn(RepairedMesh& mesh, Index polygon) {
     const int begin = mesh.polygon_offsets[polygon], end = mesh.polygon_offsets[polygon + 1];
     if (begin == end) return;
@@ -43,7 +43,8 @@ void turn(RepairedMesh& mesh, Index polygon) {
     std::reverse(mesh.corner_edges.begin() + begin, mesh.corner_edges.begin() + end);
 }
 
-/// Polygon f as it is, and turned around (count + f): what must go together is one set.
+/// Union-find over 2 * count nodes: polygon f as it is (f), and flipped (count + f). Nodes that imply each other are
+/// joined.
 DisjointSets together(const std::vector<Sides>& sides, Index count) {
     DisjointSets sets(2 * std::size_t(count));
     for (const Sides& edge : sides) {
@@ -51,14 +52,14 @@ DisjointSets together(const std::vector<Sides>& sides, Index count) {
         const Index f = edge.first.facet(), g = edge.last.facet();
         const bool agree = edge.first.forward() != edge.last.forward();
         const Index with = agree ? g : g + count, against = agree ? g + count : g;
-        if (sets.name(f) == sets.name(against)) continue;  // one-sided: it cannot agree all around
+        if (sets.name(f) == sets.name(against)) continue;  // not orientable: the cycle cannot agree
         sets.join(f, with);
         sets.join(f + count, against);
     }
     return sets;
 }
 
-/// What is known of a part.
+/// A connected component.
 struct Part {
     bool closed = true;
     double volume = 0.0;
@@ -71,12 +72,12 @@ Index orient(RepairedMesh& mesh) {
     const auto count = static_cast<Index>(mesh.polygon_offsets.size() - 1);
     const std::vector<Sides> sides = sides_of(mesh);
     DisjointSets sets = together(sides, count);
-    // A part is named by its least polygon; it is turned where it is not with that polygon as that one is.
+    // A component is named by its lowest polygon; is_turned: whether a polygon must be flipped relative to that one.
     const auto part_of = [&](Index f) { return std::min(sets.name(f), sets.name(f + count)); };
     const auto is_turned = [&](Index f) { return sets.name(f) != part_of(f); };
     std::vector<Part> parts(count);
     for (Index f = 0; f < count; ++f) {
-        if (mesh.polygon_offsets[f] == mesh.polygon_offsets[f + 1]) continue;  // without corners there is no side
+        if (mesh.polygon_offsets[f] == mesh.polygon_offsets[f + 1]) continue;  // no corners: no orientation
         const Index name = part_of(f);
         const dvec3 origin(mesh.positions[mesh.corner_verts[mesh.polygon_offsets[name]]]);
         Part& part = parts[name];
@@ -88,7 +89,7 @@ Index orient(RepairedMesh& mesh) {
     }
     Array<std::uint8_t> turned(count, 0);
     for (Index f = 0; f < count; ++f) {
-        // Outwards where there is an outside; else as most of them are already.
+        // Closed: outwards. Open: as the majority is already.
         const Part& part = parts[part_of(f)];
         const bool all_over = part.closed ? part.volume < 0.0 : 2 * part.turned > part.polygons;
         turned[f] = is_turned(f) != all_over;

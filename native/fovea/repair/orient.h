@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which side of polygons is out.
+// Consistent orientation of polygons.
 #pragma once
 
 #include <fovea/repair/repair.h>
 
 namespace fovea::repair {
 
-/// Turns polygons so that those on both sides of an edge agree, as far as the surface has two sides: closed parts face
-/// outwards, open ones as most of their polygons did. Edges of more than two polygons part what they join. Returns how
-/// many were turned.
+/// Flips polygons so that the two at each edge agree, as far as the surface is orientable. Closed components then face
+/// outwards, open ones as the majority of their polygons did. Edges of more than two polygons separate components.
+/// Returns the number of flipped polygons.
 Index orient(RepairedMesh& mesh);
 
 }  // namespace fovea::repair

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes put in order before anything is derived from them: what no modifier of Blender's does.
+// Mesh repair that no Blender modifier does, applied before anything is derived from the mesh.
 #pragma once
 
 #include <fovea/mesh/surface.h>
 
 namespace fovea::repair {
 
-/// What is done, in this order; everything is off at first.
+/// Repair steps, in this order; all are off by default.
 struct Repair {
-    bool orient = false;       ///< neighbors agree about which side is out, closed parts face outwards: orient.h
-    int resample = 0;          ///< steps towards triangles of equal sides: resample.h
-    double edge_length = 0.0;  ///< of these, in object units; 0: the mesh's mean
+    bool orient = false;       ///< make neighbors agree, closed parts face outwards: see orient.h
+    int resample = 0;          ///< number of remeshing iterations (see resample.h), 0 to 100
+    double edge_length = 0.0;  ///< target edge length of remeshing, in object units; 0: the mesh's mean
 };
 
-/// How much was done; counts of elements.
+/// What was done; counts of elements.
 struct RepairReport {
     Index turned_polygons = 0;
     Index refused_polygons = 0;  ///< non-manifold: not resampled, kept as they were
 };
 
-/// Its offsets of polygons are there for none, too.
+/// polygon_offsets is {0}, not empty, for a mesh without polygons.
 struct RepairedMesh : OwnedMesh {
     RepairReport report;
 };
 
-/// Polygons keep their material, edges their marks. Throws std::invalid_argument for a mesh as Surface does and for
-/// options out of range.
+/// Polygons keep their material, and edges their marks. Throws std::invalid_argument, naming the object, for an invalid
+/// mesh (as Surface does) and for options out of range.
 RepairedMesh repaired(const std::string& name, const MeshArrays& mesh, const Repair& repair);
 
 }  // namespace fovea::repair

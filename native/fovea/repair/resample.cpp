@@ -13,10 +13,10 @@
 namespace fovea::repair {
 namespace {
 
-/// No triangle may come to face more than this away from how it did: 0.2 is the cosine.
+/// Limit of the change of a triangle's normal in a collapse; 0.2 is its cosine.
 constexpr double most_turned = 78.46;  // degrees
 
-/// The shortest edge first; none whose collapse makes an edge which the next step would split.
+/// Collapses the shortest edge first, and none whose collapse would create an edge that the next iteration splits.
 struct ShortestFirst : OpenMesh::Decimater::ModBaseT<HalfEdges> {
     using Handle = OpenMesh::Decimater::ModHandleT<ShortestFirst>;
     DECIMATER_MODNAME(ShortestFirst)
@@ -30,7 +30,7 @@ struct ShortestFirst : OpenMesh::Decimater::ModBaseT<HalfEdges> {
 };
 
 void split_long(HalfEdges& mesh, double longest) {
-    // Those that are there now; their halves wait for the next step.
+    // Only edges that exist now; halves that are still too long are split in the next iteration.
     const int edges = static_cast<int>(mesh.n_edges());
     for (int i = 0; i < edges; ++i) {
         const auto e = OpenMesh::make_smart(HalfEdges::EdgeHandle(i), mesh);
@@ -40,7 +40,7 @@ void split_long(HalfEdges& mesh, double longest) {
         mesh.status(middle).set_locked(e.feature());
         for (const auto h : middle.outgoing_halfedges()) {
             if (h.to() == a || h.to() == b) continue;
-            mesh.status(h.edge()).set_feature(false);  // split_copy makes it like the edge that was split
+            mesh.status(h.edge()).set_feature(false);  // split_copy copies the flags of the split edge
             mesh.data(h.edge()).marks = 0;
         }
     }
@@ -59,15 +59,15 @@ void collapse_short(HalfEdges& mesh, double shortest, double longest) {
     decimater.module(flipping).set_max_normal_deviation(most_turned);
     decimater.module(order).longest = longest;
     decimater.initialize();
-    // The others need not be asked.
+    // Only vertices at short edges are candidates.
     const auto is_short = [&](const auto& e) { return mesh.calc_edge_length(e) <= shortest; };
     for (const auto v : mesh.vertices()) mesh.status(v).set_selected(v.edges().any_of(is_short));
     decimater.decimate(0, true);
     mesh.garbage_collection();
-    for (const auto v : mesh.vertices()) mesh.status(v).set_selected(false);  // which the smoother heeds, too
+    for (const auto v : mesh.vertices()) mesh.status(v).set_selected(false);  // the smoother reads this flag, too
 }
 
-/// Whether valences of the four vertices around an edge come nearer to 6, on borders 4, when it is flipped.
+/// Whether flipping an edge brings the valences of the four vertices around it closer to 6 (on borders 4).
 bool evens_out(const OpenMesh::SmartEdgeHandle& e) {
     const auto off = [&](const OpenMesh::SmartVertexHandle& v, int change) {
         const int d = static_cast<int>(v.valence()) + change - (v.is_boundary() ? 4 : 6);
@@ -77,7 +77,7 @@ bool evens_out(const OpenMesh::SmartEdgeHandle& e) {
     return off(a, -1) + off(b, -1) + off(c, 1) + off(d, 1) < off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0);
 }
 
-/// Whether both triangles face as the two before them when an edge is flipped.
+/// Whether both triangles, after flipping an edge, face roughly as the two before (cosine above 0.2).
 bool faces_well(const HalfEdges& mesh, const OpenMesh::SmartEdgeHandle& e) {
     const auto at = [&](const OpenMesh::SmartVertexHandle& v) { return to_glm(mesh.point(v)); };
     const dvec3 a = at(e.h0().from()), b = at(e.h0().to()), c = at(e.h0().next().to()), d = at(e.h1().next().to());

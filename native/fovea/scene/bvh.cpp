@@ -71,7 +71,7 @@ bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
 
 RTCRay embree_ray(const Ray& ray) {
     const vec3 &from = ray.origin, &along = ray.direction;
-    // Origin, near end; direction, time; far end, mask; number, flags.
+    // Origin, near end; direction, time; far end, mask; id, flags.
     return {from.x, from.y, from.z, ray.near_t, along.x, along.y, along.z, 0.0f, ray.far_t, ~0u, 0, 0};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two levels of Embree: one BVH per surface, instanced under one per view. For scene/bvh*.cpp and the tracer alone.
+// Two-level BVH of Embree: one per surface, instanced in one per view. Only for scene/bvh*.cpp and the tracer.
 #pragma once
 
 #include <embree4/rtcore.h>
@@ -9,7 +9,7 @@
 
 namespace fovea::scene {
 
-/// Robust: no ray slips between two triangles that share a side.
+/// Robust mode: no ray passes between two triangles that share a side.
 inline const RTCSceneFlags bvh_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
 
 struct ReleaseScene {
@@ -17,22 +17,23 @@ struct ReleaseScene {
 };
 using OwnedScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
-/// The one Embree device.
+/// The process-wide Embree device.
 RTCDevice bvh_device();
-/// Throws std::runtime_error, naming `what`, where Embree has failed since.
+/// Throws std::runtime_error, naming `what`, if Embree has reported an error since the last call.
 void check_bvh_device(const std::string& what);
-/// Lets a geometry borrow the first of these vertices and triangles.
+/// Makes a geometry use the first `vertices` and `count` entries of these arrays, which are borrowed.
 void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
                      const Array<Triangle>& triangles, Index count);
 
-/// BVH over the occluding triangles of a surface; borrows the surface's arrays, in whose lasting cache it lives. A
-/// surface that never moves has the best for rays. Where vertices moved with `refit` it is refitted, and built anew
-/// only if the triangles are others, or lie so differently that its boxes no longer keep them apart.
+/// BVH over the occluding triangles of a surface. Borrows the surface's arrays and is stored in its lasting cache.
+/// Built with Embree's default quality as long as the surface does not move, then in a mode that can be refitted. When
+/// vertices move with `refit`, it is refitted, or rebuilt if the triangles differ or have moved so much relative to
+/// each other that the refitted boxes would overlap too much.
 class SurfaceBvh {
    public:
     explicit SurfaceBvh(const Surface& surface);
 
-    /// Follows the surface to where it is now. Tracers made before see it move.
+    /// Updates the BVH to the surface's current positions. Affects existing tracers, too.
     void follow(const Surface& surface) const;
     RTCScene scene() const { return scene_.get(); }
 
@@ -40,12 +41,13 @@ class SurfaceBvh {
     void take_triangles(const Surface& surface) const;
 
     OwnedScene scene_;
-    RTCGeometry geometry_;  // the scene's
+    RTCGeometry geometry_;  // owned by scene_
     mutable std::mutex mutex_;
-    mutable bool moves_ = false;                         // it has followed once
-    mutable std::uint64_t version_ = 0, triangles_ = 0;  // of the surface; hash of contents and place
-    mutable Array<Index> neighbors_;                     // some triangles, in an order in which they lay side by side
-    mutable double spread_ = 0.0;                        // of the neighbors, when built
+    mutable bool moves_ = false;  // follow() has found moved vertices before
+    // surface version; hash of the triangles and of the arrays' addresses
+    mutable std::uint64_t version_ = 0, triangles_ = 0;
+    mutable Array<Index> neighbors_;  // sampled triangles, in Morton order when built
+    mutable double spread_ = 0.0;     // spread() of these when built
 };
 
 struct Tracer::Bvh {
@@ -61,22 +63,22 @@ struct Tracer::Bvh {
     std::optional<Hit> trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const;
 };
 
-/// What a filter needs to know of the ray it filters for.
+/// Context that Embree passes to filter functions.
 struct RayContext : RTCRayQueryContext {
     const Scene& scene;
     const Array<Index>& placement_of_instance;
     const Ignore& ignore;
-    float reach_t;  // the ignore's reach as a share of the ray
+    float reach_t;  // ignore.reach as a share of the ray's length
 
     RayContext(const Scene& scene, const Array<Index>& placements, const Ray& ray, const Ignore& ignore);
-    /// The placement that was hit, and whether the hit is to be ignored.
+    /// Placement that was hit; and whether the hit is ignored.
     Index placement(const RTCFilterFunctionNArguments& at) const {
         return placement_of_instance[RTCHitN_instID(at.hit, 1, 0, 0)];
     }
     bool ignored(const RTCFilterFunctionNArguments& at) const;
 };
 
-/// The ray as Embree takes it.
+/// Converts to Embree's ray.
 RTCRay embree_ray(const Ray& ray);
 
 }  // namespace fovea::scene

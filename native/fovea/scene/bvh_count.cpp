@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many surfaces a ray passes, with Embree's filters.
+// Number of surfaces along a ray, counted in Embree's filter functions.
 #include <algorithm>
 #include <tuple>
 
@@ -8,19 +8,19 @@
 namespace fovea::scene {
 namespace {
 
-/// A hit, and on what. Of a sheet both sides are alike.
+/// A hit, with the component that it is on. For open shells the two directions are not distinguished.
 struct Met {
     Hit hit;
     Index body;
-    bool leaves;  ///< a solid body
+    bool leaves;  ///< the ray leaves a solid here
 };
 
 bool before(const Met& a, const Met& b) {
     return std::tie(a.hit.placement, a.body, a.leaves, a.hit.t) < std::tie(b.hit.placement, b.body, b.leaves, b.hit.t);
 }
 
-/// Calls found(hit) for the most hits, one after the other, that lie farther apart than the margin of rays. More hits
-/// never give fewer.
+/// Calls found(hit) for a maximal subset of the sorted hits whose distances differ by more than ray_margin. Adding hits
+/// never makes the subset smaller.
 template <typename Iterator, typename Found>
 void apart(Iterator begin, Iterator end, const Found& found) {
     float last = -1.0f;
@@ -31,9 +31,9 @@ void apart(Iterator begin, Iterator end, const Found& found) {
     }
 }
 
-/// Calls found(hit) once for each surface that sorted hits belong to: a solid body counts for each time that the ray
-/// enters it, or leaves it, if that is more (the near plane may cut it open, or the eye lie in it); a sheet for each
-/// time that the ray passes it.
+/// Calls found(hit) once per surface among the sorted hits: for a solid, as often as the ray enters it or leaves it,
+/// whichever is more (the near plane may cut it open, or the eye may be inside); for an open shell, as often as the ray
+/// crosses it.
 template <typename Found>
 void each_surface(const std::vector<Met>& met, const Found& found) {
     for (auto begin = met.begin(); begin != met.end();) {
@@ -55,7 +55,8 @@ void each_surface(const std::vector<Met>& met, const Found& found) {
 
 }  // namespace
 
-/// Takes every hit on the way and lets none stop the ray, until they are enough.
+/// Collects all hits along the ray: the filter rejects each, so that traversal continues, until `most` surfaces are
+/// counted.
 struct Tracer::Count : RayContext {
     const Tracer& tracer;
     const SceneBodies& bodies;
@@ -74,7 +75,7 @@ struct Tracer::Count : RayContext {
         if (!tracer.surely_before(hit, ray)) return;
         const Bodies& of = *bodies[hit.placement];
         const Index body = of.of_facet[scene.placements[hit.placement].surface->triangle_facet[hit.triangle]];
-        // Both in object space, where winding tells in from out.
+        // Both in object space, where winding distinguishes inside from outside.
         const float along = RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
                             RTCHitN_Ng_y(at.hit, 1, 0) * RTCRayN_dir_y(at.ray, 1, 0) +
                             RTCHitN_Ng_z(at.hit, 1, 0) * RTCRayN_dir_z(at.ray, 1, 0);

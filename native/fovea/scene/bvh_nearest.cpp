@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nearest point, by Embree's point queries.
+// Nearest-point queries, by Embree's point queries.
 #include <algorithm>
 #include <cmath>
 
@@ -9,10 +9,10 @@
 namespace fovea::scene {
 namespace {
 
-/// A hair more than the radius asked for: bounds of boxes are rounded.
+/// Widens query radii, as the bounds of boxes are rounded.
 constexpr float wider = 1.0f + 1e-5f;
 
-/// The point of triangle abc nearest to p. Ericson, "Real-Time Collision Detection", 2005, 5.1.5.
+/// Point of triangle abc nearest to p. Ericson, "Real-Time Collision Detection", 2005, 5.1.5.
 dvec3 nearest_in_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
     const dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
     const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
@@ -37,7 +37,7 @@ dvec3 nearest_in_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const 
 }  // namespace
 
 struct NearestPoint::Bvh {
-    Array<vec3> positions;  // one spare at the end (Embree reads 16 bytes)
+    Array<vec3> positions;  // one spare entry at the end (Embree reads 16 bytes)
     Array<Triangle> triangles;
     OwnedScene scene = nullptr;
 
@@ -54,7 +54,7 @@ struct NearestPoint::Bvh {
         check_bvh_device("nearest point");
     }
 
-    /// A question, and the answer so far.
+    /// State of one query.
     struct Asked {
         const Bvh& bvh;
         dvec3 point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One BVH per surface, and how it follows the surface's vertices.
+// One BVH per surface, refitted or rebuilt when its vertices move.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -12,7 +12,7 @@
 namespace fovea::scene {
 namespace {
 
-/// Triangles whose neighbors tell how good a refitted BVH still is, and how many times farther apart they may come.
+/// Number of triangles sampled to judge a refitted BVH, and the factor by which their spread may grow before a rebuild.
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
 
@@ -36,7 +36,7 @@ Array<Index> neighbors(const Surface& surface) {
     return chosen;
 }
 
-/// How far those side by side lie apart, as a share of the surface's size.
+/// Sum of the distances between consecutive triangles of `order`, in units of the surface's radius.
 double spread(const Surface& surface, const Array<Index>& order) {
     double sum = 0.0;
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -44,7 +44,7 @@ double spread(const Surface& surface, const Array<Index>& order) {
     return surface.radius > 0.0f ? sum / surface.radius : 0.0;
 }
 
-/// Of what they are, and of where the borrowed arrays lie.
+/// Hash of the occluding triangles and of the addresses of the borrowed arrays.
 std::uint64_t hash_of_triangles(const Surface& surface) {
     const std::uint64_t contents = hash_bytes(surface.triangles.data(), surface.occluding_triangles * sizeof(Triangle));
     return hash_numbers(contents, reinterpret_cast<std::uintptr_t>(surface.triangles.data()),
@@ -54,9 +54,10 @@ std::uint64_t hash_of_triangles(const Surface& surface) {
 }  // namespace
 
 RTCDevice bvh_device() {
-    // Lives as long as the process: Embree's threads may still run when statics are torn down.
+    // Never released: Embree's threads may still run when statics are destroyed.
     static const RTCDevice shared = [] {
-        // The same instructions wherever there are wider ones, too: frames of one film are rendered on many machines.
+        // Limited to AVX2 so that results do not depend on wider instruction sets: frames of one film are rendered on
+        // many machines.
         const RTCDevice made = rtcNewDevice("max_isa=avx2");
         if (!made) throw std::runtime_error("Embree could not be started on this machine");
         return made;
@@ -100,11 +101,11 @@ void SurfaceBvh::follow(const Surface& surface) const {
         rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_DYNAMIC);
         rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
-        take_triangles(surface);  // other triangles: Embree builds it anew
+        take_triangles(surface);  // for other triangles Embree rebuilds the BVH
         moves_ = true;
     }
     rtcCommitGeometry(geometry_);
-    // Isolated: a thread that waits inside must not pick up work that waits for this lock.
+    // Isolated: while it waits inside, the thread must not steal a task that waits for this lock.
     tbb::this_task_arena::isolate([&] { rtcCommitScene(scene_.get()); });
     version_ = surface.version();
     check_bvh_device(surface.name());

@@ -7,10 +7,10 @@
 namespace fovea::scene {
 namespace {
 
-/// Tolerances that a curve must be long; what is left of one that touches is shorter.
+/// Length, in tolerances, that a curve must exceed; remainders of removed contact curves are shorter.
 constexpr double shortest_curve = 16.0;
 
-/// Triangles at each side of a triangle.
+/// Per side of triangles: the triangles at it.
 struct SideTriangles {
     Lists<Index> triangles;
 };
@@ -23,7 +23,7 @@ SideTriangles triangles_at_sides(const Surface& surface) {
     })};
 }
 
-/// A triangle's plane; the normal of a triangle without area is 0, and everything lies in its plane.
+/// Plane of a triangle. For a triangle without area the normal is 0, and every point has height 0.
 struct Plane {
     dvec3 normal{0.0};
     dvec3 point{0.0};
@@ -40,7 +40,7 @@ class ContactTest {
     ContactTest(const Mapped& first, const Mapped& second, double tolerance)
         : mapped_{first, second}, tolerance_(tolerance) {}
 
-    /// True where the piece runs along a side of one of its triangles, and the surface there does not go on to the
+    /// Whether the crossing runs along a side of one of its triangles at which that surface does not continue to the
     /// other side of the other triangle.
     bool touches(const Crossing& crossing) const {
         for (int own = 0; own < 2; ++own)
@@ -51,7 +51,7 @@ class ContactTest {
 
    private:
     bool runs_along(const Crossing& crossing, int own, int side) const {
-        // A shorter piece has no direction.
+        // Too short to have a reliable direction.
         if (glm::distance(dvec3(crossing.point[0]), dvec3(crossing.point[1])) <= 4.0 * tolerance_) return false;
         const Index t = crossing.triangle[own];
         const dvec3 from = mapped_[own].corner(t, side), along = mapped_[own].corner(t, (side + 1) % 3) - from;
@@ -83,7 +83,7 @@ class ContactTest {
     const double tolerance_;
 };
 
-/// Per crossing: the total length of its curve, all that hang together by their ends.
+/// Per crossing: total length of its curve, that is of all crossings connected to it by common ends.
 Array<double> curve_lengths(const Crossings& crossings) {
     Index ends = 0;
     for (const Crossing& c : crossings) ends = std::max({ends, c.end[0] + 1, c.end[1] + 1});

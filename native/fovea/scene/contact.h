@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that touch and do not pass through each other.
+// Removal of contact: places where surfaces touch without crossing.
 #pragma once
 
 #include <fovea/scene/crossings.h>
 
 namespace fovea::scene {
 
-/// A surface mapped into the space of crossings.
+/// A surface with a map into the space of its crossings.
 struct Mapped {
     const Surface& surface;
     Affine map;
@@ -16,8 +16,8 @@ struct Mapped {
     }
 };
 
-/// Crossings without those along sides where one surface touches the other, and without curves shorter than a few
-/// tolerances (a length, in the space of crossings).
+/// Removes crossings along sides at which one surface merely touches the other, and curves that are not longer than 16
+/// tolerances. `tolerance`: a length in the space of the crossings.
 Crossings without_contact(const Crossings& crossings, const Mapped& first, const Mapped& second, double tolerance);
 
 }  // namespace fovea::scene

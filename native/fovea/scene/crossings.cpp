@@ -14,12 +14,13 @@
 namespace fovea::scene {
 namespace {
 
-/// Sine of the angle up to which two triangles, each within the tolerance of the other's plane, lie in one.
+/// Sine of the angle up to which two triangles, one of them within the tolerance of the other's plane, count as
+/// coplanar.
 constexpr double flat_sine = 0.01;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Corners of a triangle on the grid, and which surface they are of (as bits of `second` of an orientation).
+/// Corners of a triangle, rounded to the grid, and the surface it belongs to (0 first, 1 second).
 struct Corners {
     dvec3 p[3];
     unsigned second;
@@ -32,13 +33,14 @@ struct End {
     dvec3 point;
 };
 
-/// A piece before its ends are numbered.
+/// A segment before its ends are numbered.
 struct Piece {
     Index triangle[2];
     End end[2];
 };
 
-/// The grid on which both surfaces lie: a power of two in the object space of the first.
+/// Grid that the vertices of both surfaces are rounded to: its step is a power of two, in the object space of the
+/// first.
 class Grid {
    public:
     Grid(const TriangleTree& first, const Box& second) {
@@ -53,11 +55,11 @@ class Grid {
         size_ = size;
     }
     bool usable() const { return usable_; }
-    /// Of contact and of the grid, in object space.
+    /// Contact tolerance, and grid step; both in object space.
     double tolerance() const { return contact_tolerance * size_; }
     double step() const { return 1.0 / scale_; }
 
-    /// Without a sign on zero: positions are compared and hashed by their bits.
+    /// Rounds to the grid. Adding 0.0 turns -0 into +0, as positions are compared and hashed by their bits.
     dvec3 point(const dvec3& p) const {
         return {std::nearbyint(p.x * scale_) + 0.0, std::nearbyint(p.y * scale_) + 0.0,
                 std::nearbyint(p.z * scale_) + 0.0};
@@ -69,14 +71,15 @@ class Grid {
     double scale_ = 1.0, size_ = 0.0;
 };
 
-/// The same number for the same side and triangle, by where they are.
+/// Id of the intersection of a side with a triangle, hashed from their positions: equal for coincident ones.
 std::uint64_t id_of(const dvec3& from, const dvec3& to, const Corners& t, bool within) {
     dvec3 at[5] = {from, to, t.p[0], t.p[1], t.p[2]};
     std::sort(at + 2, at + 5, before);
     return hash_bytes(at, sizeof(at), within ? 2 : t.second);
 }
 
-/// Where the side from corner k to k + 1 of `s` meets triangle `t`; `heights` of the corners of s over t.
+/// Computes where the side from corner k to k + 1 of `s` meets triangle `t`; false if it does not. `heights`:
+/// orientation of the corners of s relative to t.
 bool meet_side(const Corners& s, int k, const Orientation (&heights)[3], const Corners& t, bool within, End& end) {
     int i = k, j = (k + 1) % 3;
     if (heights[i].sign * heights[j].sign >= 0) return false;
@@ -89,23 +92,24 @@ bool meet_side(const Corners& s, int k, const Orientation (&heights)[3], const C
         sign = turn;
     }
     const double fall = heights[i].value - heights[j].value;
-    const double share = fall != 0.0 ? heights[i].value / fall : 0.5;  // a side in the triangle's plane: anywhere
+    // a side in the triangle's plane: any point of it
+    const double share = fall != 0.0 ? heights[i].value / fall : 0.5;
     end = {id_of(s.p[i], s.p[j], t, within), glm::mix(s.p[i], s.p[j], share)};
     return true;
 }
 
-/// A triangle in the object space of the first surface, not on the grid.
+/// A triangle in the object space of the first surface, not rounded to the grid.
 struct Plain {
     dvec3 p[3];
 };
 
-/// Six times the signed volumes of tetrahedra over a triangle.
+/// Six times the signed volumes of the tetrahedra over a triangle, one per corner of another triangle.
 struct Heights {
-    dvec3 normal;  ///< of the triangle, not normalized
-    double size;   ///< square of no less than half the distance of any two of the points
+    dvec3 normal;  ///< of the triangle; length is twice its area
+    double size;   ///< upper bound: square of at least half the distance between any two of the points
     double lowest = infinity, highest = -infinity;
 
-    /// Of the corners of `c`, but for those of the bits `shared`.
+    /// Heights of the corners of `c`, except those whose bits are set in `shared`, over the triangle `over`.
     Heights(const Plain& c, const Plain& over, unsigned shared) {
         const dvec3 first = over.p[1] - over.p[0], second = over.p[2] - over.p[0];
         normal = glm::cross(first, second);
@@ -120,8 +124,9 @@ struct Heights {
         }
     }
     double farthest() const { return std::max(std::abs(lowest), std::abs(highest)); }
-    /// Also of the points rounded to a grid of this step. A volume changes with the place of a point by the area of the
-    /// other three, at most twice `size` in each of four points; a step counts for more than rounding does.
+    /// Whether all corners stay on one side even after all points are rounded to a grid with this step. Moving one
+    /// point changes the volume by at most its displacement times the area of the other three, which is at most twice
+    /// `size`, for each of four points; the bound is wide enough to cover rounding errors of the volumes, too.
     bool on_one_side(double step) const {
         const double room = 16.0 * size * step;
         return lowest > room || highest < -room;
@@ -130,14 +135,15 @@ struct Heights {
     static double squared(const dvec3& v) { return glm::dot(v, v); }
 };
 
-/// Finds the pieces of two surfaces, or of one with itself.
+/// Intersects pairs of triangles of two surfaces, or of one with itself (`within`).
 class Finder {
    public:
     Finder(const Mapped& first, const Mapped& second, const Grid& grid, bool within)
         : mapped_{first, second}, grid_(grid), within_(within) {}
 
     void meet(Index first, Index second, std::vector<Piece>& out) const {
-        unsigned shared = 0;  // corners of the second triangle that the first has, too, and of the first from bit 3 on
+        // bits 0 to 2: corners of the second triangle that the first has, too; bits 3 to 5: of the first
+        unsigned shared = 0;
         const auto& all = mapped_[0].surface.triangles;
         const auto mark = [&](int i, int j) { shared |= 8u << i | 1u << j; };
         if (within_ && count_shared(all[first], all[second], mark) > 1) return;
@@ -148,7 +154,7 @@ class Finder {
         int shared_a = -1, shared_b = -1;
         const auto take = [&](int i, int j) { std::tie(shared_a, shared_b) = std::pair(i, j); };
         if (within_ && count_shared(a.p, b.p, take) > 1) return;
-        Orientation of_a[3], of_b[3];  // heights of corners over the other triangle
+        Orientation of_a[3], of_b[3];  // orientation of each corner relative to the other triangle
         if (!heights(b, shared_b, a, of_b) || !heights(a, shared_a, b, of_a)) return;
         End ends[6];
         int count = 0;
@@ -161,7 +167,7 @@ class Finder {
     }
 
    private:
-    /// The first surface stays as it is.
+    /// The map is applied to the second surface only.
     Plain plain(int of, Index triangle) const {
         if (of == 1 && !within_)
             return {{mapped_[1].corner(triangle, 0), mapped_[1].corner(triangle, 1), mapped_[1].corner(triangle, 2)}};
@@ -174,7 +180,7 @@ class Finder {
         return {{grid_.point(plain.p[0]), grid_.point(plain.p[1]), grid_.point(plain.p[2])}, second};
     }
 
-    /// How many corners of the first are some of the second; calls found(i, j) for each.
+    /// Counts the corners of `a` that are corners of `b`, and calls found(i, j) for each.
     template <typename Triple, typename Found>
     static int count_shared(const Triple& a, const Triple& b, const Found& found) {
         int shared = 0;
@@ -187,8 +193,8 @@ class Finder {
         return shared;
     }
 
-    /// True where the corners of one, but for shared ones, surely lie on one side of the other, whatever the grid does
-    /// to them; and where both lie in one plane.
+    /// Conservative rejection: true if the unshared corners of one triangle are on one side of the other even after
+    /// rounding to the grid, or if both triangles are coplanar.
     bool apart(const Plain& a, const Plain& b, unsigned shared) const {
         const Heights of_b(b, a, shared & 7u);
         if (of_b.on_one_side(grid_.step())) return true;
@@ -199,7 +205,7 @@ class Finder {
                glm::length(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * length_a * length_b;
     }
 
-    /// False when all corners but a shared one lie on the same side of `over`.
+    /// Orientation of the corners of `c` relative to `over`; false if all but the shared one are on one side.
     bool heights(const Corners& c, int shared, const Corners& over, Orientation (&of)[3]) const {
         const unsigned second = within_ ? 0u : (c.second ? 8u : 7u);
         bool above = false, below = false;
@@ -216,7 +222,7 @@ class Finder {
     const bool within_;
 };
 
-/// Pieces with numbered ends; where triangles lie on top of each other, one of each.
+/// Numbers the ends of segments; removes duplicates, which arise where triangles coincide.
 Crossings numbered(In<Piece> pieces, const Grid& grid) {
     Crossings crossings;
     std::vector<std::uint64_t> ids;
@@ -254,7 +260,7 @@ Crossings find(const Mapped& first, const Mapped& second, bool within, const Can
     const auto visit = [&](Index i, Index j, std::vector<Piece>& out) {
         finder.meet(tree_a->order[i], tree_b->order[j], out);
     };
-    // The margin is more than rounding to the grid moves a box.
+    // The margin exceeds what rounding to the grid moves a box by.
     const TreeMeeting meeting(*tree_a, *tree_b, second.map, static_cast<float>(grid.tolerance()), within, visit);
     const auto pieces = parallel_collect<Piece>(meeting.block_count(), 1, [&](std::size_t b, std::size_t, auto& out) {
         cancel.poll();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far places are from surfaces.
+// Distance from points to surfaces.
 #pragma once
 
 #include <fovea/scene/nearest.h>
@@ -7,15 +7,15 @@
 
 namespace fovea::scene {
 
-/// Distance from some of a scene's placements. Keeps a copy of their triangles, those that hide nothing, too, in one
-/// piece and in view space: distances do not survive placements that stretch. May be asked from many threads.
+/// Unsigned distance to some of a scene's placements. Copies all their triangles, occluding or not, to view space,
+/// because distances in object space are not preserved under scale and shear. Const calls are thread-safe.
 class SurfaceDistance {
    public:
-    /// Throws std::invalid_argument for a placement that does not exist, std::runtime_error where Embree fails.
+    /// Throws std::invalid_argument for an invalid placement index, std::runtime_error if Embree fails.
     SurfaceDistance(const Scene& scene, const View& view, In<Index> placements);
 
-    /// From a place in view space to the nearest of the triangles, inside bodies, too; infinite where all are farther
-    /// than `far`, which is what makes it cheap, where there are none, and for what is no place.
+    /// Distance from a view-space point to the nearest triangle, also from inside solids. Infinite if it exceeds `far`
+    /// (a small `far` makes queries fast), if there are no triangles, and for a non-finite point.
     float operator()(const vec3& position_view, float far) const;
 
    private:

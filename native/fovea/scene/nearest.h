@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nearest point of a set of triangles.
+// Nearest point on a set of triangles.
 #pragma once
 
 #include <limits>
@@ -9,17 +9,17 @@
 
 namespace fovea::scene {
 
-/// A BVH over triangles of its own, in whatever space their vertices are; may be asked from many threads.
+/// BVH over its own copy of the triangles, in any space. Const calls are thread-safe.
 class NearestPoint {
    public:
-    /// Throws std::runtime_error where Embree fails.
+    /// Throws std::runtime_error if Embree fails.
     NearestPoint(Array<vec3> positions, Array<Triangle> triangles);
     ~NearestPoint();
     NearestPoint(const NearestPoint&) = delete;
     NearestPoint& operator=(const NearestPoint&) = delete;
 
-    /// Of several that are equally near, that of the triangle with the least number. None where all are farther than
-    /// `far`, which is what makes it cheap, where there are no triangles, and for a position that is not finite.
+    /// Nearest point; among equally near triangles, that of the lowest index. No value if it is farther than `far` (a
+    /// small `far` makes queries fast), if there are no triangles, and for a non-finite p.
     std::optional<dvec3> operator()(const vec3& p, float far = std::numeric_limits<float>::infinity()) const;
 
    private:

@@ -10,7 +10,7 @@ namespace {
 
 using Wide = __int128;
 
-/// A row of the determinant: a point has weight 1, a direction in which one moves has weight 0.
+/// Row of the determinant in homogeneous coordinates: weight w is 1 for a point, 0 for a direction of displacement.
 struct Row {
     std::int64_t x, y, z, w;
 };
@@ -28,7 +28,7 @@ Wide minor(const Row& a, const Row& b, const Row& c) {
     return a.x * twice(b.y, b.z, c.y, c.z) - a.y * twice(b.x, b.z, c.x, c.z) + a.z * twice(b.x, b.y, c.x, c.y);
 }
 
-/// Determinant of the rows (x, y, z, w); for points that of a - d, b - d, c - d.
+/// Determinant of the rows (x, y, z, w); for four points a, b, c, d it equals that of (a - d, b - d, c - d).
 Wide determinant(const Row (&r)[4]) {
     return -r[0].w * minor(r[1], r[2], r[3]) + r[1].w * minor(r[0], r[2], r[3]) - r[2].w * minor(r[0], r[1], r[3]) +
            r[3].w * minor(r[0], r[1], r[2]);
@@ -36,7 +36,7 @@ Wide determinant(const Row (&r)[4]) {
 
 int sign_of(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// The second surface shifted as a whole: its volume changes by that of its points, one at a time.
+/// Sign after translating the second surface: the derivative of the volume along each axis, summed over its points.
 int shifted_sign(const Row (&rows)[4], unsigned second) {
     for (int axis = 0; axis < 3; ++axis) {
         Wide change = 0;
@@ -51,8 +51,9 @@ int shifted_sign(const Row (&rows)[4], unsigned second) {
     return 0;
 }
 
-/// Coordinate j of the point of rank i moves by e^(2^(3 i + j)). The terms of the determinant, a polynomial in e, are
-/// then the sets of (point, coordinate) in the order of their bits as a number; the first that is not 0 decides.
+/// Coordinate j of the point of rank i is perturbed by e^(2^(3 i + j)). The determinant is then a polynomial in e,
+/// whose terms are sets of (point, coordinate), ascending in the number that their bits form; the first nonzero term
+/// decides.
 int simulated_sign(const dvec3 (&p)[4], const Row (&rows)[4]) {
     int rank[4] = {0, 1, 2, 3};
     std::sort(rank, rank + 4, [&](int a, int b) { return before(p[a], p[b]); });
@@ -61,7 +62,7 @@ int simulated_sign(const dvec3 (&p)[4], const Row (&rows)[4]) {
     for (unsigned set = 1; set < 1u << 12; ++set) {
         Row moved[4] = {rows[0], rows[1], rows[2], rows[3]};
         unsigned axes = 0;
-        bool once = true;  // one coordinate of a point, one point for a coordinate
+        bool once = true;  // at most one coordinate per point, and one point per coordinate
         for (int i = 0; i < 4 && once; ++i) {
             const unsigned of_point = set >> (3 * i) & 7u;
             if (of_point == 0) continue;
@@ -78,7 +79,7 @@ int simulated_sign(const dvec3 (&p)[4], const Row (&rows)[4]) {
 }  // namespace
 
 Orientation orientation(const dvec3 (&p)[4], unsigned second) {
-    const dvec3 a = p[0] - p[3], b = p[1] - p[3], c = p[2] - p[3];  // exact
+    const dvec3 a = p[0] - p[3], b = p[1] - p[3], c = p[2] - p[3];  // exact: differences of at most 2^40
     const double yz = b.y * c.z, zy = b.z * c.y, zx = b.z * c.x, xz = b.x * c.z, xy = b.x * c.y, yx = b.y * c.x;
     const double value = a.x * (yz - zy) + a.y * (zx - xz) + a.z * (xy - yx);
     const double size = std::abs(a.x) * (std::abs(yz) + std::abs(zy)) + std::abs(a.y) * (std::abs(zx) + std::abs(xz)) +

@@ -6,7 +6,7 @@ namespace fovea::scene {
 Sphere bounding_sphere(const Placement& placement, const View& view) {
     const Surface& surface = *placement.surface;
     const dmat4 object_to_view = view.world_to_view * placement.object_to_world;
-    // The longest a unit vector can become: no more than the norm of the three columns together.
+    // Upper bound of the scale factor: the Frobenius norm of the linear part.
     const double scale =
         std::sqrt(glm::dot(object_to_view[0], object_to_view[0]) + glm::dot(object_to_view[1], object_to_view[1]) +
                   glm::dot(object_to_view[2], object_to_view[2]));
@@ -16,7 +16,7 @@ Sphere bounding_sphere(const Placement& placement, const View& view) {
 bool in_frame(const Placement& placement, const View& view, double margin) {
     const Sphere sphere = bounding_sphere(placement, view);
     const dvec4 center(sphere.center, 1.0);
-    // Planes of the frame in view space: rows of the projection, w + x >= 0 and so on, widened.
+    // Frustum planes in view space: rows of the projection, w + x >= 0 and so on, widened; and the near plane.
     const dmat4 rows = glm::transpose(view.view_to_clip);
     const dvec4 planes[] = {rows[3] * (1.0 + margin) + rows[0], rows[3] * (1.0 + margin) - rows[0],
                             rows[3] * (1.0 + margin) + rows[1], rows[3] * (1.0 + margin) - rows[1],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placements of surfaces: what one frame sees.
+// Scenes: placements of surfaces.
 #pragma once
 
 #include <memory>
@@ -10,25 +10,26 @@
 
 namespace fovea::scene {
 
-/// What a placement does in the drawing.
+/// Bits: roles of a placement in the drawing.
 enum Usage : std::uint8_t {
     usage_draw = 1,     ///< its lines are drawn
-    usage_occlude = 2,  ///< it hides what lies behind
-    usage_holdout = 4,  ///< it cuts a hole (alpha 0) where it is seen
+    usage_occlude = 2,  ///< it occludes
+    usage_holdout = 4,  ///< it cuts a hole (alpha 0) where it is visible
 };
 
-/// A surface put into the world.
+/// A surface with its transform.
 struct Placement {
     std::shared_ptr<const Surface> surface;
     dmat4 object_to_world{1.0};
-    /// The object's persistent id; line ids are made from it.
+    /// Persistent id of the object, from which line ids are hashed.
     std::uint64_t id = 0;
     std::uint8_t usage = usage_draw | usage_occlude;
 };
 
 struct Scene {
     std::vector<Placement> placements;
-    /// Facets are numbered over the whole scene: facet f of placement i is facet_base[i] + f. Ids wrap at 2^32.
+    /// First facet of each placement in the scene-wide numbering: facet f of placement i is facet_base[i] + f, modulo
+    /// 2^32.
     Array<Index> facet_base;
 
     Scene() = default;
@@ -41,14 +42,15 @@ struct Scene {
     }
 };
 
-/// A sphere in view space that holds the placement.
+/// Bounding sphere of a placement, in view space.
 struct Sphere {
     dvec3 center;
     double radius;
 };
 Sphere bounding_sphere(const Placement& placement, const View& view);
 
-/// True unless the placement's bounding sphere lies outside the frame (widened by `margin` of its half size).
+/// False if the placement's bounding sphere is outside the frame, widened by `margin` times its half size, or entirely
+/// before the near plane.
 bool in_frame(const Placement& placement, const View& view, double margin);
 
 }  // namespace fovea::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the camera sees at each pixel of the holes that holdouts cut.
+// Alpha mask of holdouts.
 #pragma once
 
 #include <fovea/base/parallel.h>
@@ -7,8 +7,8 @@
 
 namespace fovea::scene {
 
-/// Share of each pixel (of 4 samples) in which a holdout is the first thing seen; width * height, bottom row first.
-/// Empty when the scene has no holdout.
+/// Share of each pixel (of 4 samples) where the nearest surface is a holdout; width * height values, bottom row first.
+/// Empty if the scene has no holdout.
 Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel);
 
 }  // namespace fovea::scene

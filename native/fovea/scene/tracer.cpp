@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rays through the scene tell; how they meet triangles is in bvh.cpp.
+// Queries of the tracer; the intersection of rays and triangles is in bvh.cpp.
 #include <fovea/scene/tracer.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 namespace fovea::scene {
 namespace {
 
-/// Flat to the margin of rays, so that it hides no more than its two triangles do.
+/// Whether the quadrilateral is convex, and planar within a tenth of ray_margin, so that it hides no more than its two
+/// triangles do.
 bool is_flat_and_convex(const Outline& quad) {
     const dvec3* c = quad.corners;
     const dvec3 normal = glm::cross(c[1] - c[0], c[3] - c[0]);
@@ -50,8 +51,8 @@ Ray Tracer::ray_to(const vec3& point) const {
 }
 
 bool Tracer::surely_before(const Hit& hit, const Ray& ray) const {
-    // Single precision may put a large surface that the point lies on, a floor, before the point: hits so near to the
-    // end are measured again.
+    // In single precision a large surface that contains the point, such as a floor, may be hit before the point: hits
+    // close to the end are recomputed.
     constexpr float sure = 0.98f;
     return hit.t < sure || plane_share(hit, ray) < ray.far_t;
 }
@@ -89,7 +90,7 @@ std::optional<Hit> Tracer::seen(const dvec2& px) const {
     const auto near_distance = static_cast<float>(view_.near_clip);
     if (view_.orthographic)
         return bvh_->trace(scene_, {vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}, {});
-    // Scaled so that the parameter is the distance along -z.
+    // Direction scaled so that t is the distance along -z.
     return bvh_->trace(scene_, {vec3(0.0f), vec3(point / -point.z), near_distance, infinity}, {});
 }
 
@@ -125,7 +126,7 @@ Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool c
     const double size = glm::length(normal);
     const bool mirrored = glm::determinant(dmat3(bvh_->object_to_view[placement])) < 0.0;
     const bool away = glm::dot(normal, view_.orthographic ? dvec3(0, 0, 1) : -c[0]) < 0.0;
-    // Of a sheet either side may be seen; a contour has but one outside.
+    // An open shell may be seen from either side; a contour is offset to the outside of its surface.
     const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
     const double height = size > 0.0 ? size / longest : 0.0;
     if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
@@ -146,7 +147,8 @@ Outline Tracer::outline(const Hit& hit) const {
     triangle.triangle = hit.triangle;
     const Surface& surface = *scene_.placements[hit.placement].surface;
     const Triangle& here = surface.triangles[hit.triangle];
-    for (const Index next : {hit.triangle + 1, hit.triangle - 1}) {  // before the first: beyond the last
+    // hit.triangle - 1 wraps around for the first one, and is then out of range
+    for (const Index next : {hit.triangle + 1, hit.triangle - 1}) {
         if (next >= surface.occluding_triangles || surface.triangle_facet[next] != surface.triangle_facet[hit.triangle])
             continue;
         const Triangle& there = surface.triangles[next];

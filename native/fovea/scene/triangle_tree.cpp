@@ -38,7 +38,7 @@ Array<Index> morton_order(const Surface& surface) {
     return order;
 }
 
-/// Boxes over `each` boxes in a row.
+/// Bounding boxes of each `each` consecutive boxes.
 Array<Box> boxes_over(const Array<Box>& below, Index each) {
     Array<Box> boxes((below.size() + each - 1) / each);
     parallel_for(boxes.size(), [&](std::size_t i) {
@@ -66,7 +66,7 @@ Box Box::mapped(const Affine& map) const {
     const dvec3 middle = 0.5 * (dvec3(low) + dvec3(high)), half = 0.5 * (dvec3(high) - dvec3(low));
     const dvec3 at = map * dvec4(middle, 1.0);
     dvec3 reach = glm::abs(map[0]) * half.x + glm::abs(map[1]) * half.y + glm::abs(map[2]) * half.z;
-    // More than rounding to single precision and of the map takes away.
+    // Exceeds the rounding errors of the map and of the conversion to single precision.
     reach += 4.0 * std::numeric_limits<float>::epsilon() * (glm::abs(at) + reach);
     return {vec3(at - reach), vec3(at + reach)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes around triangles, in a tree: which triangles of two surfaces may meet.
+// Tree of bounding boxes over triangles, to find the pairs of triangles of two surfaces that may intersect.
 #pragma once
 
 #include <glm/mat4x3.hpp>
@@ -15,30 +15,30 @@ using Affine = glm::dmat4x3;
 struct Box {
     vec3 low, high;
 
-    /// Boxes that touch meet. Without branches: which of the comparisons fails cannot be foreseen.
+    /// Whether the boxes overlap or touch. Branchless, as the outcome of each comparison is unpredictable.
     bool meets(const Box& other) const {
         return bool(unsigned(low.x <= other.high.x) & unsigned(other.low.x <= high.x) &
                     unsigned(low.y <= other.high.y) & unsigned(other.low.y <= high.y) &
                     unsigned(low.z <= other.high.z) & unsigned(other.low.z <= high.z));
     }
     Box grown(float by) const { return {low - by, high + by}; }
-    /// A box around this one's image.
+    /// A box that contains the image of this one.
     Box mapped(const Affine& map) const;
 };
 
-/// All triangles of a surface along a Morton curve (Lauterbach et al., "Fast BVH Construction on GPUs", CGF 2009), with
-/// boxes over runs of 1, 2, 4, ... leaves. Object space.
+/// Triangles of a surface in Morton order (Lauterbach et al., "Fast BVH Construction on GPUs", CGF 2009), with boxes
+/// over runs of 1, 2, 4, ... leaves. Object space.
 struct TriangleTree {
     static constexpr Index leaf_size = 4;
 
-    Array<Index> order;  ///< triangles along the curve; leaf i holds leaf_size of them from leaf_size * i
-    Array<Box> boxes;    ///< of triangles, in `order`
+    Array<Index> order;  ///< triangles in Morton order; leaf i is the run of leaf_size that starts at leaf_size * i
+    Array<Box> boxes;    ///< per entry of `order`
     std::vector<Array<Box>>
-        levels;  ///< node j of level k is around nodes 2 j and 2 j + 1 of level k - 1; the last has one
+        levels;  ///< node j of level k bounds nodes 2 j and 2 j + 1 of level k - 1; the last has one
 
     bool empty() const { return levels.empty(); }
     const Box& bounds() const { return levels.back()[0]; }
-    /// The highest level, counted from the leaves, of at least `nodes` nodes.
+    /// The highest level with at least `nodes` nodes, else the leaves.
     Index level_of(std::size_t nodes) const {
         Index level = static_cast<Index>(levels.size()) - 1;
         while (level > 0 && levels[level].size() < nodes) --level;
@@ -46,13 +46,13 @@ struct TriangleTree {
     }
 };
 
-/// Kept with the surface.
+/// Cached with the surface.
 std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface);
 
-/// Walks down two trees at once and calls visit(i, j, out) for the positions in `order` of all triangles i of `a` and j
-/// of `b` whose boxes come as near as `margin`; `b_to_a` maps the objects onto each other. With `within`, a and b being
-/// the same tree, every pair comes once, with i < j. The work comes in blocks, whose number and pairs do not depend on
-/// the threads.
+/// Simultaneous traversal of two trees: calls visit(i, j, out) for the positions in `order` of all triangles i of `a`
+/// and j of `b` whose boxes overlap when those of `b` are grown by `margin`. `b_to_a` maps object space of b to that of
+/// a. With `within` (a and b are the same tree, and the map is not used) every pair comes once, with i < j. The work is
+/// divided into blocks that do not depend on the number of threads.
 template <typename Visit>
 class TreeMeeting {
    public:
@@ -71,10 +71,10 @@ class TreeMeeting {
    private:
     Box of_b(const Box& box) const { return (within_ ? box : box.mapped(b_to_a_)).grown(margin_); }
 
-    /// `box_b`: that of node b, as of_b gives it.
+    /// `box_b`: box of node b, mapped and grown by of_b.
     template <typename Out>
     void nodes(Index level_a, Index a, Index level_b, Index b, const Box& box_b, Out& out) const {
-        // All of b comes before a.
+        // All of b precedes a: these pairs come in the other order.
         if (within_ && (std::uint64_t(b) + 1) << level_b <= std::uint64_t(a) << level_a) return;
         if (!a_.levels[level_a][a].meets(box_b)) return;
         if (level_a == 0 && level_b == 0) {
