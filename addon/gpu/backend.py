@@ -36,7 +36,8 @@ class Backend(native.load().Backend):
     def visibility(self, frame):
         """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer, or by the item buffer; the
         core's, by methods that it alone knows. One depth tile after the other: no two of them are there at once."""
-        look = {"atlas": self._look, "item_buffer": self._look_for_items}.get(frame.options.visibility)
+        looks = {"atlas": self._look, "spine": self._look, "item_buffer": self._look_for_items}
+        look = looks.get(frame.options.visibility)
         if look is None:
             return native.load().CpuBackend(self.most_side).visibility(frame)
         self.clock.start()

@@ -11,7 +11,8 @@ struct Method {
     const char* words;  ///< its name in reports
     /// What is visible of a frame's lines, once they are found. May fill Frame::samples.
     Runs (*visible)(Frame& frame);
-    /// How visible each atlas sample is, in [0, 1], by one tile of the depth buffer; null: it takes no samples.
+    /// How visible each atlas sample is, in [0, 1], by one tile of the depth buffer; null: it takes no
+    /// samples. The spine test does so only to be compared with the atlas.
     Array<float> (*look)(const Frame& frame, const DepthBuffer& depth) = nullptr;
     int Options::* quality = nullptr;  ///< null: none can be chosen
     const char* counted = "";          ///< what `quality` is a number of
