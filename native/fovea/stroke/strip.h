@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A center line with width becomes a strip of triangles with mitred or round joins.
+// Tessellates a center line with width into a triangle strip with mitred or round joins.
 #pragma once
 
 #include <fovea/stroke/center_line.h>
@@ -7,7 +7,7 @@
 
 namespace fovea::stroke {
 
-/// What is the same all over a stroke.
+/// Values constant over a stroke.
 struct StripEnds {
     /// u of the run's start and end; caps lie beyond them.
     float start, end;

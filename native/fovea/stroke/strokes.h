@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Visible runs shaped into triangles: what every backend draws.
+// Triangles of strokes, which every backend draws.
 #pragma once
 
 #include <fovea/base/columns.h>
