@@ -54,7 +54,7 @@ class HeaderReader {
    private:
     [[noreturn]] void fail(const std::string& what) const { refuse(file_, "line", header_.lines, what); }
 
-    /// A word of the file, safe to print.
+    /// A word of the file, sanitized for messages.
     static std::string shown(std::string_view word) {
         std::string text(word.substr(0, 40));
         for (char& c : text)
