@@ -4,7 +4,7 @@ struct Own {
   vec4 place;       // pixel position, unit direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
   vec4 at_ends[8];  // 4 pixels around the run's start, 4 around its end: (rank, weight) of both layers
-  float shortness;  // weight of runs shorter than their band is wide
+  float shortness;  // elision_shortness of the run
 };
 
 bool in_buffer(ivec2 texel)

@@ -9,9 +9,8 @@
 
 namespace fovea::tool {
 
-/// Iterates over the lines of a text, without their ends: \
-/// , \\r\
-///  or \\r. A backslash at the end continues a line.
+/// Iterates over the lines of a text, without their ends: \n, \r\n or \r. A backslash at the end of a line continues
+/// it.
 class Lines {
    public:
     explicit Lines(std::string_view text) : text_(text) {}

@@ -3,8 +3,8 @@
 // as C++, as members of a struct.
 //   place   pixel position and direction of a sample of the line
 //   band    half width [px], rank, pixels back to its run's start and ahead to its end
-//   across  unit vector to the left of another line's way, times how much of it is there: 1 within the run, less near
-//           its ends
+//   across  vector across another line, from its center towards the pixel; its length is 1, falling to .5 towards
+//           the ends of that line's band
 
 // Weight in [0, 1] of short runs: 1 up to half the band's width, falling to 0 at three times that length.
 float elision_shortness(vec4 band)
@@ -51,8 +51,8 @@ float elision_own(vec4 band, float v)
 }
 
 // Weight in [0, 1] with which the line takes over from another one that ends: 1 over the last two thirds of the reach
-// before that end, if the line continues as far beyond it. `size`: length of `across`; right: the pixel lies to the
-// right of the other line.
+// before that end, if the line continues as far beyond it. `size`: length of `across`; `right`: the other
+// line's nearer end lies to the right of `across`.
 float elision_takes_over(vec4 place, vec4 band, float u, vec2 across, float size, bool right, float reach_px)
 {
   float near_end = 2.0f * (1.0f - size);
