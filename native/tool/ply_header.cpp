@@ -62,7 +62,7 @@ class HeaderReader {
         return text;
     }
 
-    /// The header's next line; what follows its last one may be binary, so that a line ends at \n alone.
+    /// The header's next line. Only \n ends a line, because binary data may follow the last one.
     std::string_view line() {
         ++header_.lines;
         const std::size_t end = bytes_.find('\n', at_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines, words and numbers of text, whatever the locale.
+// Lines, words and numbers of text, independent of the locale.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ struct Look {
   float gap;    // depth by which its surface lies in front of the line
   float bulge;  // a gap up to this may come from the line's own surface
   bool own;     // it shows a facet of the line
-  bool holds;   // its surface lies in front, and its triangle contains the probe
+  bool holds;   // its surface lies in front, and its triangle extends to the probe
 };
 
 // `at`: the probe in texels; `depth`: depth of the line at the probe.

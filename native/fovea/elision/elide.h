@@ -21,9 +21,9 @@ inline constexpr float end_reach = 8.0f;
 /// exactly 0 for a line alone, and one half where half of its band is covered by another.
 ///
 /// A pixel is lost, in proportion to its owner's coverage, if the owner has a higher rank and runs alongside: wholly at
-/// angles up to 30 degrees, not at all from 60 on, so that crossing lines stay. Lines that meet diverge: to the line in
-/// whose band the run ends, it loses wholly up to 10 degrees and nothing from 25 on, so that corners stay closed. Runs
-/// shorter than half their band's width lose at any angle; from three times that length on they are treated like
+/// angles up to 30 degrees, not at all from 60 on, so that crossing lines stay. Lines that meet diverge: against the
+/// line in whose band the run ends, all is lost up to 10 degrees and nothing from 25 on, so that corners stay closed.
+/// Runs shorter than half their band's width lose at any angle; from three times that length on they are treated like
 /// others. A line that continues beyond the end of another takes over from it there, so that not both are elided in
 /// between.
 ///

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t paths_per_block = 512;
 constexpr const char* too_many_samples = "the drawing has more than four billion samples; raise the sample step";
-/// Coordinates beyond it overflow in Embree, which drops them.
+/// Coordinates beyond this overflow in Embree; such paths are dropped.
 constexpr double farthest = 1e18;
 /// Lower bound that limits memory.
 constexpr double least_sample_step_px = 1e-3;

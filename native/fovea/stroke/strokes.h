@@ -36,8 +36,7 @@ struct Strokes {
                "(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty "
                "otherwise"}};
 
-    /// Corners of each triangle, either way round, in drawing order: stroke after stroke, along
-    /// each stroke.
+    /// Vertices of each triangle, in either winding, in drawing order: stroke by stroke, along each stroke.
     Array<glm::uvec3> triangles;
     /// Strokes that have triangles.
     Index count = 0;

@@ -27,7 +27,8 @@ void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
 ///
 /// A texel hides a probe when the plane of its surface, extended to the probe, lies in front of the line; background
 /// and the two facets at the line's own edge never do. Which of the four texels around the probe decide:
-/// - Any whose triangle (triangle_edges.h) contains the probe: its surface covers the probe, even where the probe's own
+/// - Any whose triangle (triangle_edges.h) extends to the probe: its surface covers the probe, even where the probe's
+///   own
 ///   texel shows what lies beyond that surface's edge.
 /// - Else the texel the probe lies in, if it hides the line clearly: by more than the depth difference over the
 ///   distance between the texel's center and the probe, at the slope of its surface or of the line's own facets.
@@ -36,7 +37,7 @@ void check_sampled(const DepthBuffer& buffer, const SampledOptions& options);
 /// - An inner line (own_sides.h) is visible where its texel does not hide it and one of the four shows an own facet.
 ///
 /// Surfaces that are thinner in the image than a texel, and show in none of the four, are missed: lines hidden by them
-/// alone may come out visible, and so may lines less than a texel beside their ends.
+/// alone, less than a texel beside their ends, may come out visible.
 Array<float> sampled_visibility(const ClippedPaths& clipped, const OwnSides& sides, const DepthBuffer& buffer,
                                 const SampledOptions& options, const Cancel* cancel = nullptr);
 
