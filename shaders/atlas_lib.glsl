@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The segment atlas (native/fovea/visibility/layout.h): one row of samples, wrapped over rows of the target. Every
-// OWNER_STRIDE samples `owners` says which segment they are in.
+// The segment atlas (native/fovea/visibility/layout.h): one row of samples, wrapped over rows of the target. `owners`
+// holds the segment of every OWNER_STRIDE-th sample.
 
-// Place of this fragment in the row.
+// Index of this fragment's sample in the row.
 int atlas_index()
 {
   return int(gl_FragCoord.y) * ROW_WIDTH + int(gl_FragCoord.x);
 }
 
-// Segment that owns a sample: the last one that begins no later.
+// Segment that owns a sample: the last one that begins at or before it (binary search).
 int atlas_owner(int index)
 {
   int low = int(fetch_row(owners, index / OWNER_STRIDE).x);
@@ -27,19 +27,19 @@ int atlas_owner(int index)
 
 // The sample at this fragment.
 struct AtlasSample {
-  vec4 first;  // of its segment: x, y, depth, number of its first sample
-  vec4 last;   // x, y, depth, how many samples
+  vec4 first;  // start of its segment: x, y, depth, number of its first sample
+  vec4 last;   // end of its segment: x, y, depth, number of its samples
   int owner;   // the segment
-  float j;     // number of the sample on it
+  float j;     // number of the sample within the segment
 };
 
-// Whether the depth tile (left, lower, right, upper edge in px) decides what lies there.
+// Whether a position lies in the core of the depth tile (left, lower, right, upper bound in px).
 bool atlas_in_tile(vec2 px)
 {
   return all(greaterThanEqual(px, tile.xy)) && all(lessThan(px, tile.zw));
 }
 
-// Of a sample below sample_total; those that the tile does not decide stay as they are.
+// Reads the sample of an index below sample_total; discards samples outside of the tile's core, whose values are kept.
 AtlasSample atlas_sample(int index)
 {
   int owner = atlas_owner(index);

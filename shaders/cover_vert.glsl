@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One triangle that covers the target.
+// A single triangle that covers the target.
 void main()
 {
   gl_Position = vec4(corner, 0.0, 1.0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plane of the surface over the image, and the edges of its triangle in two numbers (shared/edges.glsl).
+// Depth pass: the plane of the surface over the image, and its triangle's packed edges (shared/edges.glsl).
 void main()
 {
-  // gl_FragCoord.w is 1 / w, linear on the screen: so is depth, and it keeps its precision far away.
+  // gl_FragCoord.w is 1 / w, linear on the screen; so is depth, which thereby keeps its precision far away.
   float depth = depth_w * gl_FragCoord.w;
   texel = vec4(depth, dFdx(depth) * buffer_scale, dFdy(depth) * buffer_scale, facet_number);
-  // Shares of the corners, made linear on the screen, too: each is 0 on the edge opposite to its corner.
+  // Barycentric coordinates times 1 / w, linear on the screen, too: each is 0 on the edge opposite to its corner.
   vec3 inside = corner_share * gl_FragCoord.w;
   vec3 right = dFdx(inside), up = dFdy(inside);
   int a = edge_code_of(inside.x, vec2(right.x, up.x));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The depth buffer and its lines as shared/depth.glsl asks for them; facets are numbers that floats hold exactly.
+// Access to the depth buffer and to lines, as required by shared/depth.glsl. Facet numbers are exact in floats.
 
 struct Line {
   vec2 facets;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The elision test for the sample at this fragment, by the formulas of shared/elision.glsl.
 struct Own {
-  vec4 place;       // pixel position, direction
+  vec4 place;       // pixel position, unit direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
-  vec4 at_ends[8];  // around the run's start, then its end: rank and how much that line meets it there, of both layers
-  float shortness;  // how much it is a mere tick
+  vec4 at_ends[8];  // 4 pixels around the run's start, 4 around its end: (rank, weight) of both layers
+  float shortness;  // elision_shortness of the run
 };
 
 bool in_buffer(ivec2 texel)
@@ -12,7 +12,7 @@ bool in_buffer(ivec2 texel)
   return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, textureSize(layer0, 0)));
 }
 
-// How much one of the run's ends lies in the band of a line.
+// How far one of the run's ends (first pixel `end` of at_ends) lies in the band of the line of this rank, in [0, 1].
 float meets(Own line, float rank, int end)
 {
   float share = 0.0;
@@ -24,7 +24,7 @@ float meets(Own line, float rank, int end)
   return share;
 }
 
-// The part of a pixel that another line takes away.
+// The part of a pixel that is lost to another line.
 float lost(vec4 other, Own line, float own, float u, vec2 away)
 {
   if (other.x <= line.band.y) {
@@ -34,7 +34,7 @@ float lost(vec4 other, Own line, float own, float u, vec2 away)
   return elision_lost(line.place, line.band, own, u, away, other.zw, other.y < 0.0, abs(other.y), met, line.shortness, reach);
 }
 
-// (lost, own) share of the pixel that a place of the window is in.
+// (lost, own) share of the pixel that contains a sample position of the window.
 vec2 window_pixel(vec2 at, Own line)
 {
   ivec2 pixel = ivec2(floor(at)), texel = pixel - ivec2(buffer_origin);
@@ -64,7 +64,7 @@ vec4 bands_at(vec2 pixel)
   return vec4(owner_of(texelFetch(layer0, texel, 0).xy), owner_of(texelFetch(layer1, texel, 0).xy));
 }
 
-// One of the four pixels around an end of the run.
+// (rank, weight) of both layers at one of the four pixels around an end of the run.
 vec4 at_end(vec2 end, int k, float near)
 {
   if (near == 0.0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One layer of the item buffer (native/fovea/visibility/item_buffer.h): what no surface hides and no layer in front of it holds.
+// One layer of the item buffer (native/fovea/visibility/item_buffer.h): lines that pass the depth test and are not in a
+// layer in front.
 void main()
 {
   ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Visibility of the atlas sample at this fragment by the item buffer: item_visibility of native/fovea/visibility/item_buffer.cpp.
+// Visibility of the atlas sample at this fragment from the item buffer (native/fovea/visibility/item_buffer.cpp,
+// item_visibility).
 bool layers_hold(ivec2 texel, float item)
 {
   if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(layer0, 0)))) {

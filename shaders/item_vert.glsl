@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of the item buffer: quads one texel wide along the longer axis of their segment, four corners each, so that
-// every column (or row) has one texel of them. Clip space is depth (native/fovea/base/view.h); what nothing hides is nearest.
+// Lines of the item buffer: per segment a quad of four vertices, one texel wide across its major axis, so that it
+// covers one texel per column (or row). Clip-space z is depth (native/fovea/base/view.h); unoccluded lines are nearest.
 void main()
 {
   int segment = int(corner) / 4;

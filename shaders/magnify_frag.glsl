@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture magnified to a region: between its texels it is linear.
+// Magnifies a picture to a region, with bilinear interpolation.
 
 void main()
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One layer of the priority buffer (native/fovea/elision/priority_buffer.h); the second leaves out what goes along the line
-// that has the first.
+// One layer of the priority buffer (native/fovea/elision/priority_buffer.h); the second skips bands within 45 degrees
+// of the one in the first.
 void main()
 {
   float coverage = min(1.0, place.y + 0.5 - abs(place.x));

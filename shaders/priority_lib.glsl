@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texels of the priority buffer: PriorityTexel of native/fovea/elision/priority_buffer.h, as precise, laid out otherwise.
-// Unpacked: rank (0: nobody's), share of the pixel that the band covers (negative where the band's nearer end lies to
-// the right of what follows), and the vector across the line, away from its middle towards the pixel.
+// Texels of the priority buffer: PriorityTexel of native/fovea/elision/priority_buffer.h, of the same precision in
+// another layout. Unpacked: rank (0: none), coverage of the pixel by the band (negative if the band's nearer end lies
+// to the right of the following vector), and the vector across the line, from its center towards the pixel.
 uvec2 packed_texel(vec4 texel)
 {
   uint covered = uint(abs(texel.y) * 255.0 + 0.5) | (texel.y < 0.0 ? 256u : 0u);
@@ -9,7 +9,7 @@ uvec2 packed_texel(vec4 texel)
   return uvec2(uint(texel.x) << 9 | covered, uint(away.x << 16 | away.y & 0xFFFF));
 }
 
-// Rank and share of the pixel.
+// Rank, and coverage of the pixel.
 vec2 owner_of(uvec2 texel)
 {
   return vec2(texel.x >> 9, float(texel.x & 255u) / 255.0);

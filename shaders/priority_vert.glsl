@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bands of lines (native/fovea/elision/bands.h); what ranks higher is nearer.
+// Bands of lines (native/fovea/elision/bands.h); higher ranks are nearer.
 void main()
 {
   float depth = owner.z / (most_rank + 1.0);

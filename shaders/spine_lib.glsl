@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The spine test (native/fovea/visibility/spine.h): share of the probes around arc length u of this stroke's piece that see it.
+// The spine test (native/fovea/visibility/spine.h): visibility of this stroke's piece around arc length u [px].
 float spine_visibility(float u)
 {
   int low = int(spine.x);

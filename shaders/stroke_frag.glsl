@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ink of a pen at this place.
+// Ink of a pen at this fragment.
 float ink_of(int pen_index)
 {
   vec4 style = fetch_row(pens, 3 * pen_index + 1);

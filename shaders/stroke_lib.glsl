@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ink of all pens as shared/stroke.glsl asks for it: each texture row after row, then the mean of each row.
+// Ink of all pens, as required by shared/stroke.glsl: each texture row by row, then the mean of each row.
 float ink_texel(int index)
 {
   return fetch_row(ink, index).x;

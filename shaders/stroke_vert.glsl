@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strips of strokes (native/fovea/stroke/strokes.h).
+// Triangle strips of strokes (native/fovea/stroke/strokes.h).
 void main()
 {
   gl_Position = vec4((px - image_origin) / image_size * 2.0 - 1.0, 0.0, 1.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Visibility of the atlas sample at this fragment: the share of its probes that see it. Other tiles' samples stay.
+// Visibility of the atlas sample at this fragment: share of its probes that are not hidden. Samples outside of the
+// tile's core keep their values.
 void main()
 {
   int index = atlas_index();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only way between numpy and native arrays: views without copies, checked shapes; and how long calls let other
-// threads of Python run.
+// Conversion between numpy and native arrays: views without copies, checked shapes; and release of the GIL.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 #include <fovea/base/columns.h>
 #include <fovea/base/types.h>
 
-/// GLM's vectors: any sequence of so many numbers, a tuple for Python.
+/// GLM vectors: from any sequence of N numbers, to a tuple.
 template <int N, typename T, glm::qualifier Q>
 struct pybind11::detail::type_caster<glm::vec<N, T, Q>> {
     using Vector = glm::vec<N, T, Q>;
@@ -41,7 +40,7 @@ using namespace draw;
 
 namespace py = pybind11;
 
-/// Scalar type and number of columns of an element: float for vec3, 3 columns; a plain number has none.
+/// Scalar type and number of columns of an element: float and 3 for vec3; a plain number has 0 columns.
 template <typename T>
 struct Element {
     using Scalar = T;
@@ -59,7 +58,7 @@ std::vector<py::ssize_t> shape_of(std::size_t count) {
     return {py::ssize_t(count)};
 }
 
-/// What body() gives. Meanwhile other threads of Python run, so it must touch nothing of Python's.
+/// Returns body(), called without the GIL: it must not use Python objects.
 template <typename Body>
 auto without_gil(const Body& body) {
     py::gil_scoped_release release;
@@ -80,13 +79,13 @@ Numpy<T> view_numpy(const Array<T>& array, py::handle owner) {
     return result;
 }
 
-/// Getter of a member that is an array: a view that keeps its owner.
+/// Getter of an array member: a view that keeps its owner alive.
 template <typename Owner, typename Structure, typename T>
 auto viewing(Array<T> Structure::* array) {
     return [array](py::object self) { return view_numpy(self.cast<const Owner&>().*array, self); };
 }
 
-/// The columns of a bound structure, or of one that it is made of (base/columns.h), as read-only properties.
+/// Binds the columns (base/columns.h) of a structure, or of a part of it, as read-only properties.
 template <typename Class, typename Columns>
 void bind_columns(Class& bound, const Columns& columns) {
     for_each_column(columns, [&](const auto& column) {
@@ -94,7 +93,7 @@ void bind_columns(Class& bound, const Columns& columns) {
     });
 }
 
-/// Numpy array that takes the memory over; no copy.
+/// Numpy array that takes ownership of the memory; no copy.
 template <typename T>
 Numpy<T> to_numpy(Array<T>&& array) {
     using Scalar = typename Element<T>::Scalar;
@@ -105,7 +104,7 @@ Numpy<T> to_numpy(Array<T>&& array) {
     return Numpy<T>(shape_of<T>(owned->size()), data, owner);
 }
 
-/// The same of pixels, bottom row first: (height, width), or (height, width, columns).
+/// The same for pixels, bottom row first: shape (height, width) or (height, width, columns).
 template <typename T>
 Numpy<T> to_image(Array<T>&& pixels, int width, int height) {
     std::vector<py::ssize_t> shape{height, width};
@@ -113,7 +112,7 @@ Numpy<T> to_image(Array<T>&& pixels, int width, int height) {
     return to_numpy(std::move(pixels)).reshape(shape);
 }
 
-/// An argument: contiguous array of the right type (converted, with a copy, only when it is not).
+/// An argument: contiguous array of the right type (converted, with a copy, only if it is not).
 template <typename T>
 using Arg = py::array_t<typename Element<T>::Scalar, py::array::c_style | py::array::forcecast>;
 
@@ -124,7 +123,7 @@ using Optional = std::optional<Arg<T>>;
 /// An argument of any shape: an image or a texture, say.
 using Pixels = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-/// Borrows an argument as a span of T; `name` appears in the error when the shape is not (n,) or (n, columns).
+/// Borrows an argument as a span of T; `name` appears in the error if the shape is not (n,) or (n, columns).
 template <typename T>
 In<T> borrow(const Arg<T>& array, const char* name) {
     constexpr int columns = Element<T>::columns;
@@ -139,7 +138,7 @@ In<T> borrow(const Optional<T>& array, const char* name) {
     return array ? borrow<T>(*array, name) : In<T>{};
 }
 
-/// Elements of its own.
+/// Copies an argument into an array.
 template <typename T>
 Array<T> copy(const Arg<T>& array, const char* name) {
     const In<T> in = borrow<T>(array, name);

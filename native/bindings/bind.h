@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What module.cpp puts together: in this order, as signatures name the types that are bound before them.
+// Functions that module.cpp calls to bind the module, in this order: signatures refer to types bound earlier.
 #pragma once
 
 #include <pybind11/pybind11.h>

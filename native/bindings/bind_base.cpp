@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Threads, how to stop what they do, and hashes.
+// Threads, cancellation, and hashes.
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/base/threads.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What colors a scene, and pictures as files.
+// Color sources of a scene, and picture files.
 #include <pybind11/stl.h>
 
 #include <fovea/color/light.h>

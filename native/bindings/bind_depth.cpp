@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the gpu backend's passes read to draw a depth buffer and to look into it.
+// Input of the GPU backend's passes that draw and probe a depth buffer.
 #include <glm/gtc/type_ptr.hpp>
 #include <pybind11/stl.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double margin = DepthOptions().margin;
 
-/// A placement as the depth pass draws it.
+/// Draw call of the depth pass for one placement.
 struct DepthDraw {
     Index placement;
     std::uint64_t surface_version;
@@ -26,13 +26,13 @@ struct DepthDraw {
     const char* culled;
 };
 
-/// Corners of a surface's occluding triangles, one after the other: what the depth pass keeps on the GPU.
+/// Vertices of a surface's occluding triangles, three per triangle, unshared: vertex buffers of the depth pass.
 struct DepthCorners {
     Array<vec3> positions;
     Array<Index> facets;
 };
 
-/// Which side of its triangles need not be drawn, as Blender calls it.
+/// Face culling of an occluder, as a name of Blender's gpu module.
 const char* one_side(const Occluder& occluder) {
     if (!occluder.solid) return "NONE";
     return glm::determinant(dmat3(occluder.object_to_view)) < 0.0 ? "FRONT" : "BACK";
@@ -48,7 +48,7 @@ std::vector<DepthDraw> depth_draws(const DepthBuffer& layout, const Scene& scene
     return draws;
 }
 
-/// What the cpu backend draws.
+/// The depth buffer of the CPU backend.
 py::array texels(const DepthBuffer& layout, const Scene& scene, const View& view) {
     const DepthBuffer drawn = without_gil([&] { return draw_depth(layout, view, depth_meshes(scene, view, margin)); });
     return py::array_t<DepthTexel>({drawn.height, drawn.width}, drawn.texels.data());

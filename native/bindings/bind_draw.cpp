@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture: what it is made of, its steps, and the backends that carry out some of them.
+// Frames: their input, steps and passes, and backends.
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -15,7 +15,7 @@
 namespace fovea::bindings {
 namespace {
 
-/// A backend that Python implements: its verbs are called with the GIL held, on the thread that draws.
+/// A backend implemented in Python: its methods are called with the GIL held, on the thread that draws.
 class PythonBackend : public Backend {
    public:
     std::string name() const override {
@@ -74,7 +74,7 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
     return std::make_shared<Frame>(std::move(job));
 }
 
-/// An array of the frame, or None where it is empty.
+/// Getter of an array of the frame; None if it is empty.
 template <typename T>
 auto member(Array<T> Frame::* array) {
     return [array](py::object self) -> std::optional<Numpy<T>> {
@@ -85,10 +85,10 @@ auto member(Array<T> Frame::* array) {
 
 template <typename T>
 std::shared_ptr<T> mutable_pointer(const std::shared_ptr<const T>& pointer) {
-    return std::const_pointer_cast<T>(pointer);  // nothing that is bound changes what it is given
+    return std::const_pointer_cast<T>(pointer);  // bound functions do not modify it
 }
 
-/// A pass as an image, moved out of the frame; None where it is empty.
+/// A pass as an image, moved out of the frame; None if it is empty.
 template <typename T>
 std::optional<Numpy<T>> image(Array<T>& pixels, const View& view) {
     return pixels.empty() ? std::nullopt : std::optional(to_image(std::exchange(pixels, {}), view.width, view.height));

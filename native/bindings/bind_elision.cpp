@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elision: what the gpu backend's passes read, and what frames near by know of each other.
+// Elision: input of the GPU backend's passes, and lines of neighboring frames.
 #include <pybind11/stl.h>
 
 #include <fovea/draw/backend.h>

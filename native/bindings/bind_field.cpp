@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of surfaces, and the pieces of curves that one definition finds: what research and benchmarks ask for.
+// Fields of surfaces, and pieces of curves traced by one line definition, for research and benchmarks.
 #include <pybind11/stl.h>
 
 #include <fovea/field/fields.h>
@@ -21,7 +21,7 @@ Numpy<T> per_element(std::size_t count, const Value& value) {
     return to_numpy(std::move(column));
 }
 
-/// One member of the curvature at every vertex.
+/// Getter of one member of the curvature at every vertex.
 template <typename T>
 auto curvature(T Curvature::* member) {
     return [member](const Fields& fields) {
@@ -33,7 +33,7 @@ struct Pieces {
     Curves curves;
 };
 
-/// One value of every piece.
+/// Getter of one value per piece.
 template <typename T, typename Value>
 auto column(const Value& value) {
     return [value](const Pieces& p) {

@@ -16,7 +16,7 @@
 namespace fovea::bindings {
 namespace {
 
-/// A mesh, and the owners of its arrays.
+/// A mesh, and the Python owners of its arrays.
 struct Mesh {
     MeshArrays arrays;
     std::vector<py::object> owners;

@@ -6,7 +6,7 @@
 namespace fovea::bindings {
 namespace {
 
-/// Borrows an array from an owner that is kept.
+/// Borrows an array and appends its owner to `owners`.
 In<float> kept(const Optional<float>& array, const char* name, std::vector<py::object>& owners) {
     if (array) owners.push_back(*array);
     return borrow<float>(array, name);
@@ -19,7 +19,7 @@ std::vector<T> numbers(const Arg<T>& given, const char* name) {
     return {values.begin(), values.end()};
 }
 
-/// Values of a definition's parameters that placements have of their own, by the parameter's name.
+/// Per-placement values of a definition's parameters, by the parameter's name.
 using ByParameter = std::map<std::string, Arg<double>>;
 
 void add_parameters(OwnLines& lines, const std::string& name, const ByParameter& given) {

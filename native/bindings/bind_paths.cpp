@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The registry of line definitions, and lines on their way: paths, clipped paths, runs, polylines.
+// The registry of line definitions, and stages of lines: paths, clipped paths, runs, polylines.
 #include <pybind11/stl.h>
 #include <pybind11/typing.h>
 
@@ -22,7 +22,7 @@ py::list parameters_of(const LineDefinition& definition) {
     return parameters;
 }
 
-/// {definition: {parameter: value}} that drafts draw instead.
+/// {definition: {parameter: value}} that replace a definition in drafts.
 py::dict stand_ins_of(const LineDefinition& definition) {
     py::dict result;
     for (const StandIn& stand_in : definition.stand_ins) {
@@ -50,7 +50,7 @@ py::typing::List<py::typing::Dict<std::string, py::object>> definitions() {
     return result;
 }
 
-/// Rows of an owner's flat arrays.
+/// Getter of row offsets into an owner's flat arrays.
 template <typename Owner, typename Structure>
 auto viewing_rows(Rows Structure::* rows) {
     return [rows](py::object self) { return view_numpy((self.cast<const Owner&>().*rows).offsets, self); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Views, scenes and rays through them.
+// Views, scenes and ray casting.
 #include <pybind11/stl.h>
 
 #include <fovea/path/extract.h>
@@ -63,7 +63,7 @@ View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int widt
             frame.value_or(dvec4(0.0, 0.0, width, height))};
 }
 
-/// One line set of definitions with some of their parameters by name.
+/// A line set from {definition: {parameter: value}}.
 LineSet line_set(const std::map<std::string, std::map<std::string, double>>& kinds, double corner_angle_degrees) {
     LineSet set;
     set.corner_angle_rad = glm::radians(corner_angle_degrees);

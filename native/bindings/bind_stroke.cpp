@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pens, strokes and their reference picture.
+// Pens, strokes and the reference rasterizer.
 #include <pybind11/stl.h>
 
 #include <fovea/stroke/ink.h>

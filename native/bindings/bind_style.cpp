@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Styles: their records, their files, and what is declared of their members.
+// Styles: records, files, and the declarations of their members.
 #include <fovea/draw/pens.h>
 #include <fovea/style/json.h>
 #include <fovea/style/mix.h>
@@ -9,7 +9,7 @@
 
 namespace fovea::bindings {
 
-/// A path as a tuple, the value as Python's own.
+/// A tuple of the path and the parsed value.
 template <>
 struct Member<style::Unknown> {
     static style::Unknown from(const py::handle& given) {
@@ -62,7 +62,7 @@ struct Inner<std::optional<T>> {
     using Type = T;
 };
 
-/// What a member is, in a word; its records have names of their own.
+/// Name of a member's type; records use their own names.
 template <typename V>
 const char* type_name() {
     using T = typename Inner<V>::Type;
@@ -99,7 +99,7 @@ py::dict told(const style::Field<S, V>& field) {
     return found;
 }
 
-/// A record, and what is declared of its members: an attribute `fields` of its class.
+/// Binds a record, with the declarations of its members as the class attribute `fields`.
 template <style::Record S>
 py::class_<S> bind_part(py::module_& m, const char* name, const char* doc) {
     auto bound = bind_record<S>(m, name, doc);

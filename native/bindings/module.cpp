@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Python module: surfaces, lines and stages as numpy arrays. It knows nothing of Blender.
+// The Python module: surfaces, lines and stages as numpy arrays. Independent of Blender.
 #include "bindings/bind.h"
 
 PYBIND11_MODULE(_native, m) {
@@ -16,7 +16,7 @@ PYBIND11_MODULE(_native, m) {
     bind_stroke(m);
     bind_color(m);
     bind_draw(m);
-    // What Python notes about the loaded code. A module that is imported anew has only the attributes that it was made
-    // with; this is the same dict then, too.
+    // Notes of Python code about the loaded module. Reimporting resets the module's attributes to those set here, but
+    // this dict object stays the same.
     m.attr("notes") = pybind11::dict();
 }

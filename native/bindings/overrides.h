@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an artist has said of a scene's placements, as Python hands it over.
+// Per-placement overrides from Python.
 #pragma once
 
 #include <fovea/draw/overrides.h>
@@ -10,7 +10,7 @@ namespace fovea::bindings {
 
 using namespace draw;
 
-/// Overrides that keep alive what they borrow.
+/// Overrides with the Python objects whose memory they borrow.
 struct OwningOverrides {
     Overrides overrides;
     std::vector<py::object> owners;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records (style/field.h) as Python has them: keyword arguments, attributes, `replace`; enumerations by their names.
+// Bindings of records (style/field.h): keyword arguments, attributes, `replace`; enumerations by their names.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace fovea::bindings {
 
-// A member as Python has it: enumerations by their names, lists and vectors as tuples, named values as dicts, so that
-// what a record holds does not change and compares by value.
+// Conversion of a member to and from Python: enumerations by their names, lists and vectors as tuples, named values as
+// dicts, so that members of a record are immutable and compare by value.
 template <typename T>
 struct Member {
     static T from(const py::handle& given) { return given.cast<T>(); }
@@ -72,7 +72,7 @@ struct Member<std::vector<std::pair<std::string, T>>> {
     }
 };
 
-/// A member from what Python gives for it; `name` is what it is called where it cannot be that.
+/// Converts a Python value to a member; `name` appears in the error if it cannot be converted.
 template <typename V>
 V value_from(const py::handle& given, const std::string& name) {
     try {
@@ -89,7 +89,7 @@ py::object value_to(const V& value) {
     return Member<V>::to(value);
 }
 
-/// A record with some of its members set.
+/// Copy of a record with the given members set.
 template <style::Record S>
 S with(S record, const py::kwargs& given) {
     std::size_t known = 0;

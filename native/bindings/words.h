@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words for the enumerations of folders that come before style/; those after it have theirs beside them
-// (style/field.h).
+// Names (style/field.h) for the enumerations of folders that style/ depends on; later folders declare theirs next to
+// the enumeration.
 #pragma once
 
 #include <fovea/line/definition.h>
@@ -15,7 +15,7 @@ inline constexpr Choice choices_of<Estimator>[] = {{"automatic"}, {"jets"}, {"on
 template <>
 inline constexpr Choice choices_of<line::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"bool"}};
 
-/// For scripts lines depend on the surface alone, on the view too, or on the whole scene.
+/// In scripts a line's scope is "surface", "view" or "scene".
 template <>
 inline constexpr Choice choices_of<Scope>[] = {{"surface"}, {"scene"}, {"view"}, {"scene"}};
 

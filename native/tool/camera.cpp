@@ -10,7 +10,7 @@
 namespace fovea::tool {
 namespace {
 
-/// From the model's space to that of a camera at its origin: x right, y up, z towards the viewer.
+/// Rotation from model space to camera space: x right, y up, z towards the viewer.
 dmat3 turned(const Camera& camera, bool y_up) {
     const double a = glm::radians(camera.azimuth), e = glm::radians(camera.elevation);
     const dvec3 right(std::cos(a), -std::sin(a), 0.0);
@@ -19,7 +19,8 @@ dmat3 turned(const Camera& camera, bool y_up) {
     return y_up ? axes * dmat3({1, 0, 0}, {0, 0, 1}, {0, -1, 0}) : axes;
 }
 
-/// Sums up where a camera has to stand along one axis of its frame, half of which is `half` wide at distance 1.
+/// Accumulates constraints on the camera's position along one axis of its frame; `half`: half the frame's extent at
+/// distance 1.
 struct Side {
     double half, above = -1e300, below = -1e300;
     void hold(double across, double z) {
@@ -49,7 +50,7 @@ View view_of(In<vec3> positions, const Camera& camera, bool y_up) {
         high = std::max(high, p.z);
     }
     if (low > high) low = high = 0.0, x.hold(0.0, 0.0), y.hold(0.0, 0.0);
-    // A single point is looked at from a distance of 1.
+    // A single point is viewed from a distance of 1.
     dvec3 eye(x.middle(), y.middle(), std::max(x.distance(), y.distance()));
     if (!(eye.z > low)) eye.z = low + 1.0;
     View view;

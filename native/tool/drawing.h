@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model's picture.
+// Drawing of a model.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,20 @@
 
 namespace fovea::tool {
 
-/// A style of one line set with these definitions, all with their defaults. Throws std::invalid_argument for a
-/// definition that does not exist.
+/// A style of one line set with these definitions at their defaults. Throws std::invalid_argument for an unknown
+/// definition.
 style::Style style_of(const std::vector<std::string>& lines);
 
-/// The style in a file. Throws std::invalid_argument, naming the file, where it is none.
+/// Reads a style file. Throws std::invalid_argument, naming the file, if it is not valid.
 style::Style read_style(const std::filesystem::path& file);
 
-/// The model alone, drawn natively; no step is taken yet. `assets`: a folder with textures and papers, which only
-/// styles that use them need.
+/// A frame of the model alone, on the CPU backend; no step has run yet. `assets`: folder of textures and papers,
+/// required only by styles that use them.
 Frame frame_of(const Model& model, const Camera& camera, const style::Style& style,
                const std::filesystem::path& assets = {});
 
-/// Writes what a frame's picture shows, over white where it has no paper: a PNG of 8-bit sRGB. The file is whole or not
-/// there. Throws std::invalid_argument, naming it, where it cannot be written.
+/// Writes a frame's combined pass, over white where there is no paper, as an 8-bit sRGB PNG. The file is written
+/// completely or not at all. Throws std::invalid_argument, naming it, if it cannot be written.
 void write_png(const Frame& frame, const std::filesystem::path& file);
 
 }  // namespace fovea::tool

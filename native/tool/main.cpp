@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core as a program: reads a model, draws it, and prints its statistics.
+// Command-line program over the core: reads a model, draws it, and prints its statistics.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <tool/options.h>

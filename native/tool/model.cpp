@@ -11,7 +11,7 @@
 namespace fovea::tool {
 namespace {
 
-constexpr std::size_t most_elements = std::size_t(none / 4);  // what a surface holds
+constexpr std::size_t most_elements = std::size_t(none / 4);  // limit of a surface
 
 }  // namespace
 

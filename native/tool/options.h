@@ -13,13 +13,13 @@ struct Options {
     std::filesystem::path model;
     std::vector<std::string> lines;  ///< names of line definitions
     Camera camera;
-    std::filesystem::path style;   ///< a style file; empty: one of the lines
+    std::filesystem::path style;   ///< a style file; empty: a style made of `lines`
     std::filesystem::path assets;  ///< a folder with textures and papers
     std::filesystem::path output;  ///< a PNG file; empty: nothing is drawn
     int threads = 0;               ///< 0: as many as the machine has
 };
 
-/// Ends the program when the words ask for help, or for what there is not.
+/// Parses the command line. Exits the program on a request for help and on invalid arguments.
 Options parse(int count, char** words);
 
 }  // namespace fovea::tool

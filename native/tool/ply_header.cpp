@@ -54,7 +54,7 @@ class HeaderReader {
    private:
     [[noreturn]] void fail(const std::string& what) const { refuse(file_, "line", header_.lines, what); }
 
-    /// A word of the file, safe to print.
+    /// A word of the file, sanitized for messages.
     static std::string shown(std::string_view word) {
         std::string text(word.substr(0, 40));
         for (char& c : text)
@@ -62,7 +62,7 @@ class HeaderReader {
         return text;
     }
 
-    /// The header's next line; what follows its last one may be binary, so that a line ends at \n alone.
+    /// The header's next line. Only \n ends a line, because binary data may follow the last one.
     std::string_view line() {
         ++header_.lines;
         const std::size_t end = bytes_.find('\n', at_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the header of a PLY file says of what follows it.
+// The header of a PLY file.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ enum class PlyFormat { ascii, little_endian, big_endian };
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of a binary value.
+/// Size of a binary value in bytes.
 int size_of(PlyType type);
 
 struct PlyProperty {
@@ -32,11 +32,11 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;
     std::vector<PlyElement> elements;
-    std::size_t size = 0;   ///< bytes up to the first value
-    std::size_t lines = 0;  ///< of text
+    std::size_t size = 0;   ///< size of the header in bytes
+    std::size_t lines = 0;  ///< lines of the header
 };
 
-/// Throws std::invalid_argument, naming the file and the line, for what is no header.
+/// Parses a header. Throws std::invalid_argument, naming the file and the line, if it is invalid.
 PlyHeader ply_header(const std::string& file, std::string_view bytes);
 
 }  // namespace fovea::tool

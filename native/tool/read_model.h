@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a model from a file, by the ending of its name.
+// Reads a model from a file, by its extension.
 #pragma once
 
 #include <filesystem>

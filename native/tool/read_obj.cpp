@@ -19,8 +19,8 @@ std::optional<dvec3> coordinates(std::string_view line) {
     return position;
 }
 
-/// A corner is VERTEX, VERTEX/UV, VERTEX//NORMAL or VERTEX/UV/NORMAL. Its vertex from 0, of which there are `count` so
-/// far: negative ones in the file count backwards from there. Negative where there is no such vertex.
+/// Vertex number, from 0, of a corner VERTEX, VERTEX/UV, VERTEX//NORMAL or VERTEX/UV/NORMAL. `count`: vertices so far;
+/// negative numbers in the file count backwards from there. Negative if there is no such vertex.
 std::int64_t corner_vertex(std::string_view word, std::int64_t count) {
     const std::optional<std::int64_t> number = take_integer(word);
     if (!number || !(word.empty() || word.front() == '/')) return -1;

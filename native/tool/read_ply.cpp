@@ -8,7 +8,7 @@
 namespace fovea::tool {
 namespace {
 
-/// What a property is for.
+/// Use of a property.
 enum Role { other, x, y, z, corners };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
@@ -18,12 +18,12 @@ Role role_of(const PlyElement& element, const PlyProperty& property) {
     return element.name == "face" && property.is_list && indices ? corners : other;
 }
 
-/// A number of a vertex; -1 where it is none.
+/// Converts a value to a vertex number; -1 if it is none.
 std::int64_t index_of(double value) {
     return value >= 0.0 && value < double(none) && value == std::floor(value) ? std::int64_t(value) : -1;
 }
 
-/// Which of an element's properties has a role, when one does.
+/// Whether one of an element's properties has a role.
 bool has(const PlyElement& element, Role role) {
     for (const PlyProperty& property : element.properties)
         if (role_of(element, property) == role) return true;

@@ -7,10 +7,10 @@
 
 namespace fovea::tool {
 
-/// `file`: its name, for messages. Takes x, y and z of 'vertex' and the list vertex_indices (or vertex_index) of
-/// 'face', whatever their types are; everything else is passed over. Faces that name vertices which are not there are
-/// counted; throws std::invalid_argument, naming the place, where a header or values cannot be read.
-/// (Debian's rply reads beyond its buffer in broken files, and tells no place.)
+/// `file`: its name, for messages. Reads x, y and z of 'vertex' and the list vertex_indices (or vertex_index) of
+/// 'face', of any type; everything else is ignored. Faces that refer to missing vertices are counted; throws
+/// std::invalid_argument, naming the place, if the header or values cannot be read. (Debian's rply reads beyond its
+/// buffer in broken files, and reports no position.)
 Model read_ply(const std::string& file, std::string_view bytes);
 
 }  // namespace fovea::tool

@@ -31,8 +31,7 @@ ordered_json of(const Surface& surface) {
             {"inconsistent_edges", report.inconsistent_edges}};
 }
 
-/// Per definition that the style asks for, how many paths are of its kind, at least in part, and of how many segments
-/// in all.
+/// Per definition of the style: number of paths that are at least partly of its kind, and their number of segments.
 ordered_json of(const Paths& paths, const style::Style& style) {
     ordered_json counts = ordered_json::object();
     for (const style::LineSet& set : style.line_sets)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a model is, which lines it has in a view, and how long each stage takes.
+// Statistics of a model, of its lines in a view, and of the time per stage.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,11 +7,11 @@
 
 namespace fovea::tool {
 
-/// Names of the line definitions that are found along edges, and quickly.
+/// Names of the default line definitions: those traced along mesh edges, which are fast.
 std::vector<std::string> default_lines();
 
-/// Elements of the model and of its surface; of a frame of it whose lines are seen (Frame::see), paths of each
-/// definition that its style asks for, pixels, strokes if it has them, and milliseconds per stage.
+/// Elements of the model and of its surface; and, for a frame of it after Frame::see, paths per definition of its
+/// style, pixels, strokes if there are any, and milliseconds per stage.
 nlohmann::ordered_json statistics(const Model& model, const Frame& frame);
 
 }  // namespace fovea::tool

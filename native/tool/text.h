@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines, words and numbers of text, whatever the locale.
+// Lines, words and numbers of text, independent of the locale.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace fovea::tool {
 
-/// The lines of a text, without their ends: \n, \r\n or \r. One that ends in a backslash goes on in the next.
+/// Iterates over the lines of a text, without their ends: \n, \r\n or \r. A backslash at the end of a line continues
+/// it.
 class Lines {
    public:
     explicit Lines(std::string_view text) : text_(text) {}
-    /// The next line, valid until the one after it; nothing at the end.
+    /// The next line, valid until the next call; empty optional at the end.
     std::optional<std::string_view> next();
-    /// Where it stands, from 1: its first line, if it goes on.
+    /// Number of the last line, from 1; of its first part, if it was continued.
     std::size_t number() const { return number_; }
 
    private:
@@ -26,16 +27,16 @@ class Lines {
     std::size_t number_ = 0, read_ = 0;
 };
 
-/// Takes the next word off the front of a text; empty at its end. Blanks, tabs and line ends divide words.
+/// Removes and returns the next word of a text; empty at its end. Words are separated by blanks, tabs and line ends.
 std::string_view take_word(std::string_view& text);
 
-/// Without blanks around it.
+/// The text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 
-/// A number that is all of a word, as C writes it; infinite beyond the range.
+/// Parses a whole word as a number in C notation; infinite beyond the range of double.
 std::optional<double> to_number(std::string_view word);
 
-/// The whole number that a word begins with, taken off its front.
+/// Removes and returns the integer at the front of a word.
 std::optional<std::int64_t> take_integer(std::string_view& word);
 
 }  // namespace fovea::tool

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looking into the depth buffer (native/fovea/visibility/sampled.h says what and why). C++ compiles this file, too, as
-// members of a struct. Whoever includes it, with shared/edges.glsl, has
-//   struct Line                             with float steepness: of its surfaces; -1: an inner line
-//   int depth_shows(ivec2 place, Line line) what a texel shows: -1 nothing, 1 a facet of the line, 0 another
-//   vec3 depth_plane(ivec2 place)           its depth, and the change of it per pixel to the right and up
+// Probes of the depth buffer, as specified in native/fovea/visibility/sampled.h. Also compiled as C++, as members of a
+// struct. The including program provides shared/edges.glsl and
+//   struct Line                             with float steepness: of its facets; -1: an inner line
+//   int depth_shows(ivec2 place, Line line) what a texel shows: -1 background, 1 a facet of the line, 0 another
+//   vec3 depth_plane(ivec2 place)           its depth, and its change per pixel to the right and up
 //   vec2 depth_edges(ivec2 place)           edges of its triangle
 //   ivec2 depth_size()                      of the buffer
-//   vec2 border, float buffer_scale         its layout;  float slack_px, bias, int probes  how to look
+//   vec2 border, float buffer_scale         its layout;  float slack_px, bias, int probes  as in SampledOptions
 
-// What a texel says about a line at a probe.
+// A texel compared with a line at a probe.
 struct Look {
-  float gap;    // how far its surface lies in front of the line
+  float gap;    // depth by which its surface lies in front of the line
   float bulge;  // a gap up to this may come from the line's own surface
-  bool own;     // shows a facet of the line
-  bool holds;   // its surface lies in front, and its triangle reaches as far as the probe
+  bool own;     // it shows a facet of the line
+  bool holds;   // its surface lies in front, and its triangle extends to the probe
 };
 
-// `at`: the probe in texels; `depth`: of the line there.
+// `at`: the probe in texels; `depth`: depth of the line at the probe.
 Look depth_look(vec2 texel, Line line, vec2 at, float depth)
 {
   ivec2 place = clamp(ivec2(texel), ivec2(0), depth_size() - 1);
@@ -38,7 +38,7 @@ Look depth_look(vec2 texel, Line line, vec2 at, float depth)
 bool depth_sees(Line line, vec2 px, float depth)
 {
   vec2 at = (px + border) * buffer_scale;
-  vec2 nearest = floor(at), opposite = 2.0f * floor(at - 0.5f) + 1.0f - nearest;  // of the four around
+  vec2 nearest = floor(at), opposite = 2.0f * floor(at - 0.5f) + 1.0f - nearest;  // of the four around `at`
   bool inner = line.steepness < 0.0f;
   bool open = false;
   for (int k = 0; k < 4; k++) {
@@ -59,7 +59,7 @@ bool depth_probe(Line line, vec3 first, vec3 last, float t0, float t1, int k)
   return depth_sees(line, vec2(place.x, place.y), place.z);
 }
 
-// Share of the probes, evenly spread over the part of the line between two fractions of its way, that see it.
+// Visibility: share of the probes that are not hidden, spread evenly over the line between screen fractions t0 and t1.
 float depth_share(Line line, vec3 first, vec3 last, float t0, float t1)
 {
   bool start = depth_probe(line, first, last, t0, t1, 0);

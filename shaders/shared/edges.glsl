@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The edges of a texel's triangle near its center, in integers (native/fovea/visibility/triangle_edges.h). C++ compiles
-// this file, too, as members of a struct.
+// Quantized edge equations of a texel's triangle near the texel's center (native/fovea/visibility/triangle_edges.h).
+// Also compiled as C++, as members of a struct.
 
-// An edge in 16 bits: 256 directions, evenly spread over the diamond |x| + |y| = 1, times 256 + the distance in [0, 1] in
-// 1/255. `along`: what the code is at distance 0.
+// An edge in 16 bits: 256 directions, evenly spread over the diamond |x| + |y| = 1, times 256 + the distance in [0, 1]
+// in 1/255. `along`: the code at distance 0.
 int edge_code(int along, float inside)
 {
   return along + int(clamp(inside, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-// `inside`: any linear function that is 0 on the edge and grows inwards. Where a line has no direction, the edge cuts
-// nothing off.
+// `inside`: any linear function that is 0 on the edge and positive inside; `slope`: its gradient. Without a gradient
+// the edge excludes nothing.
 int edge_code_of(float inside, vec2 slope)
 {
   float size = abs(slope.x) + abs(slope.y);
@@ -22,14 +22,15 @@ int edge_code_of(float inside, vec2 slope)
   return edge_code(int(turn * 64.0f + 0.5f) % 256 * 256, inside / size);
 }
 
-// Three of a triangle in two integers below 2^24, which floats hold exactly: the third is shared out.
+// Packs a triangle's three edges into two integers below 2^24, which floats hold exactly: the third is split between
+// them.
 vec2 pack_edges(int a, int b, int c)
 {
   return vec2(float(a * 256 + c / 256), float(b * 256 + c % 256));
 }
 
-// (distance, normal) of an edge of a code: (x, y) texels from the center lie inside where distance + normal . (x, y) >= 0,
-// |normal.x| + |normal.y| = 1.
+// (distance, normal) of an edge from its code: (x, y) texels from the center lie inside where distance + normal . (x,
+// y) >= 0, |normal.x| + |normal.y| = 1.
 vec3 edge_of_code(int code)
 {
   float turn = float(code / 256) / 64.0f;
@@ -43,7 +44,7 @@ bool edge_holds(int code, vec2 off)
   return edge.x + edge.y * off.x + edge.z * off.y >= 0.0f;
 }
 
-// True where `off` texels from the center lie inside all three.
+// Whether the point `off` texels from the center lies inside all three edges.
 bool packed_edges_hold(vec2 packed_edges, vec2 off)
 {
   int a = int(packed_edges.x), b = int(packed_edges.y);

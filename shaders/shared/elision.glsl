@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a line's own band is lost to others (native/fovea/elision/elide.h says what and why). C++ compiles this file,
-// too, as members of a struct.
+// The elision test: what a line's own band loses to others, as specified in native/fovea/elision/elide.h. Also compiled
+// as C++, as members of a struct.
 //   place   pixel position and direction of a sample of the line
 //   band    half width [px], rank, pixels back to its run's start and ahead to its end
-//   across  unit vector to the left of another line's way, times how much of it is there: 1 within the run, less near
-//           its ends
+//   across  vector across another line, from its center towards the pixel; its length is 1, falling to .5 towards
+//           the ends of that line's band
 
-// How much a run is a mere tick: shorter than half its band's width, and no more from three times as long on.
+// Weight in [0, 1] of short runs: 1 up to half the band's width, falling to 0 at three times that length.
 float elision_shortness(vec4 band)
 {
   return 1.0f - smoothstep(band.x, 3.0f * band.x, band.z + band.w);
 }
 
-// How much another line may still meet this one at an end so many pixels away.
+// Weight in [0, 1] with which another line can meet this one at an end `distance_px` away.
 float elision_near_end(vec4 band, float distance_px, float end_reach)
 {
   return 1.0f - smoothstep(0.5f * end_reach * band.x, end_reach * band.x, distance_px);
 }
 
-// Share of `near` that is of one of the four pixels around an end, `off` pixels from the first of them, so that the end
-// may move.
+// `near` times the bilinear weight of pixel k of the four around an end, `off` pixels from the first of them:
+// continuous when the end moves.
 float elision_corner(float near, vec2 off, int k)
 {
   return near * (k % 2 == 0 ? 1.0f - off.x : off.x) * (k / 2 == 0 ? 1.0f - off.y : off.y);
 }
 
-// Number k of `rows` places in column j of `columns` of the window.
+// Sample position k of `rows` in column j of `columns` of the window.
 vec2 elision_place(vec4 place, vec4 band, int j, int columns, int k, int rows, float window_px)
 {
-  float shift = (float(j) + 0.5f) / float(columns);  // other places in every column
+  float shift = (float(j) + 0.5f) / float(columns);  // positions are staggered between columns
   vec2 column = vec2(place.x, place.y) + vec2(place.z, place.w) * ((shift - 0.5f) * window_px);
   return column + vec2(-place.w, place.z) * (((float(k) + shift) / float(rows) - 0.5f) * (2.0f * band.x + 1.0f));
 }
@@ -38,20 +38,21 @@ int elision_rows(vec4 band, int most)
   return min(most, int(ceil(2.0f * (2.0f * band.x + 1.0f))));
 }
 
-// Share of a pixel between the run's ends, u px along the line.
+// Coverage of a pixel u px along the line by the interval between the run's ends.
 float elision_inside(vec4 band, float u)
 {
   return clamp(u + band.z + 0.5f, 0.0f, 1.0f) * clamp(band.w - u + 0.5f, 0.0f, 1.0f);
 }
 
-// Share of a pixel that the line's band covers, v px across it.
+// Coverage of a pixel v px across the line by the line's band.
 float elision_own(vec4 band, float v)
 {
   return clamp(band.x + 0.5f - abs(v), 0.0f, 1.0f);
 }
 
-// How much the line takes over from another, which ends: wholly over the last two thirds of its reach, if it goes on
-// beyond that end as far. `size`: of `across`; right: the pixel lies to the right of the other.
+// Weight in [0, 1] with which the line takes over from another one that ends: 1 over the last two thirds of the reach
+// before that end, if the line continues as far beyond it. `size`: length of `across`; `right`: the other
+// line's nearer end lies to the right of `across`.
 float elision_takes_over(vec4 place, vec4 band, float u, vec2 across, float size, bool right, float reach_px)
 {
   float near_end = 2.0f * (1.0f - size);
@@ -63,15 +64,15 @@ float elision_takes_over(vec4 place, vec4 band, float u, vec2 across, float size
   return min(1.0f, 3.0f * near_end) * smoothstep(0.0f, reach_px, beyond);
 }
 
-// The part of a pixel that another line takes away, which covers `covered` of it. `own`: share of the line's band there;
-// `away`: unit vector across the line, towards the pixel; met: how much one of the run's ends lies in the other's band.
-// By the angle between the two: 60 to 30 degrees, and 25 to 10 where they meet.
+// The part of a pixel lost to another line, whose band covers `covered` of it. `own`: coverage by the line's own band;
+// `away`: unit vector across the line, towards the pixel; `met`: how far one of the run's ends lies in the other's
+// band. The loss rises from 60 to 30 degrees between the two, and from 25 to 10 where they meet.
 float elision_lost(vec4 place, vec4 band, float own, float u, vec2 away, vec2 across, bool right, float covered, float met, float shortness, float reach_px)
 {
   float size = length(across), cosine = dot(away, across) / size;
   float weight = mix(smoothstep(0.25f, 0.75f, cosine * cosine), smoothstep(0.8214f, 0.9698f, cosine * cosine), met) *
                  (1.0f - elision_takes_over(place, band, u, across, size, right, reach_px));
-  // Between the two lines both cover it from opposite sides, else from the same.
+  // Overlap of the two coverages: between the lines they cover the pixel from opposite sides, else from the same.
   float both = cosine < 0.0f ? max(0.0f, own + covered - 1.0f) : min(own, covered);
   return max(weight, shortness) * both;
 }

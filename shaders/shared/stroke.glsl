@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one fragment of a stroke adds to the picture. C++ compiles this file as members of a struct, through GLM
-// (native/fovea/stroke/fragment.h). Whoever includes it has
+// Shading of one fragment of a stroke. Also compiled as C++, as members of a struct, through GLM
+// (native/fovea/stroke/fragment.h). The including program provides
 //   float ink_texel(int index)                     of a texture, row after row
 //   float ink_row(int first, ivec2 size, int row)  mean of a row of the texture whose first texel is number `first`
 
-// Share of the pixel that the stroke covers, in [0, 1]. All in px: u along the path, v across, u of the run's start and
-// end, half the drawn width. The edge is a ramp one pixel wide, centered on the true edge.
+// Coverage of the pixel by the stroke, in [0, 1]. All in px: u along the path, v across, u of the run's start and end,
+// half the drawn width. The edge is a ramp one pixel wide, centered on the true edge.
 float stroke_coverage(float u, float v, float start, float end, float half_width_px, bool round_cap)
 {
   if (round_cap) {
@@ -14,7 +14,7 @@ float stroke_coverage(float u, float v, float start, float end, float half_width
     return clamp(half_width_px - away + 0.5f, 0.0f, 1.0f);
   }
   float side = clamp(half_width_px - abs(v) + 0.5f, 0.0f, 1.0f);
-  // The pixel's share on this side of the end, less its share before the start: exact for runs of any length.
+  // Coverage up to the end minus coverage before the start: exact for runs of any length.
   float along = clamp(u - start + 0.5f, 0.0f, 1.0f) + clamp(end - u + 0.5f, 0.0f, 1.0f) - 1.0f;
   return side * max(along, 0.0f);
 }
@@ -24,14 +24,14 @@ float blend(float a, float b, float share)
   return a + (b - a) * share;
 }
 
-// Texel of a row across the stroke, held at its sides.
+// Texture coordinate across the stroke [texels], clamped at its sides.
 float ink_height(ivec2 size, float v, float half_width_px)
 {
   return clamp((half_width_px - v) / (2.0f * half_width_px) * float(size.y) - 0.5f, 0.0f, float(size.y - 1));
 }
 
-// Ink in [0, 1], bilinear: repeated along the stroke (`along`: in repetitions), held at the sides. The texture must be
-// fitted to the pen (stroke/ink.h), so that no texel is much smaller than a pixel.
+// Ink in [0, 1], bilinear: repeated along the stroke (`along`: in repetitions), clamped at the sides. The texture must
+// be fitted to the pen (stroke/ink.h), so that no texel is much smaller than a pixel.
 float stroke_ink(int first, ivec2 size, float along, float v, float half_width_px)
 {
   float x = (along - floor(along)) * float(size.x) - 0.5f;
@@ -56,10 +56,10 @@ float mean_stroke_ink(int first, ivec2 size, float v, float half_width_px)
   return blend(ink_row(first, size, y0), ink_row(first, size, min(y0 + 1, size.y - 1)), y - float(y0));
 }
 
-// (repetitions along the whole path, share) of the finer of two octaves by which a texture that is anchored to its path
-// repeats along it; the coarser one has half the repetitions. They are a power of two, so that one in a zoom stays where
-// it is, or parts in two: of n = ceil(log2 level) for a path of `level` lengths of the texture. At the end of an octave
-// only the finer one is left: it is the coarser one of the next. Benard et al., "Self-Similar Line Artmaps", 2010. Paths
+// For a texture anchored to its path: (repetitions along the whole path, weight) of the finer of two blended octaves;
+// the coarser one has half the repetitions. Repetitions are powers of two, so that in a zoom they stay in place or
+// split in two: 2^n with n = ceil(log2 level), for a path of `level` texture lengths. At the end of an octave only the
+// finer one is left, which is the coarser one of the next. Benard et al., "Self-Similar Line Artmaps", 2010. Paths
 // below a pixel count as one.
 vec2 stroke_octave(float path_px, float texture_length_px)
 {
@@ -68,9 +68,9 @@ vec2 stroke_octave(float path_px, float texture_length_px)
   return vec2(repeats, clamp(2.0f * level / repeats - 1.0f, 0.0f, 1.0f));
 }
 
-// Ink of a texture anchored to a path of so many px, u px from its middle. Two octaves are blended, and what the blend
-// loses of the contrast along the line is given back about the mean of the row: as dark, and as rough, all through a
-// zoom; the profile across the line stays.
+// Ink of a texture anchored to a path of length path_px, u px from its middle. Two octaves are blended, and the
+// contrast along the line that the blend loses is restored about the mean of the row, so that darkness and roughness
+// are constant in a zoom; the profile across the line is unchanged.
 float anchored_stroke_ink(int first, ivec2 size, float u, float v, float half_width_px, float path_px, float texture_length_px)
 {
   vec2 octave = stroke_octave(path_px, texture_length_px);

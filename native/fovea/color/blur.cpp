@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diffusion with a conductivity of its own between any two neighbors, solved along rows and columns in turn.
+// Diffusion with spatially varying conductivity, solved implicitly along rows and columns in turn.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,21 +11,21 @@
 namespace fovea::color {
 namespace {
 
-/// Solutions along both axes; more make the kernel rounder.
+/// Number of passes along both axes; more make the kernel rounder.
 constexpr int rounds = 2;
-/// As wide as any picture.
+/// Maximum radius [px]: as wide as any picture.
 constexpr float most_px = 1e4f;
-/// Columns that are solved side by side: as many as a cache line holds, a few times.
+/// Columns solved simultaneously: a few cache lines.
 constexpr std::size_t side_by_side = 16;
 
 bool finite(const vec4& pixel) { return std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w); }
 
-/// One line of pixels at equal strides, several of them side by side. Solves (1 + flow) u = c where the flow between
-/// neighbors is symmetric: its sum over the line is 0, whatever goes out of one pixel comes into the next.
+/// One or several adjacent lines of pixels. Solves the tridiagonal system (1 + flow) u = c for each. The flow between
+/// neighbors is symmetric, so that the sum of the colors is preserved.
 template <std::size_t lanes>
 struct Line {
     vec4* pixel;
-    const float* conductivity;  // of pixels; between two, the less
+    const float* conductivity;  // per pixel; between two pixels the minimum
     std::size_t count, stride;
 
     float between(std::size_t i, std::size_t lane) const {
@@ -33,9 +33,9 @@ struct Line {
         return std::min(conductivity[at], conductivity[at + stride]);
     }
 
-    /// `onward`: room for lanes * count numbers.
+    /// `onward`: scratch space for lanes * count numbers.
     void solve(float* onward) const {
-        float flow[lanes] = {};  // from the pixel before
+        float flow[lanes] = {};  // conductivity to the pixel before
         for (std::size_t i = 0; i < count; ++i) {
             vec4* here = pixel + i * stride;
             for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -85,7 +85,7 @@ void along_columns(std::span<vec4> image, std::size_t width, const Array<float>&
 void blur(std::span<vec4> image, int width, In<float> radius_px) {
     check(radius_px.size() == image.size(), "blur: expected one radius per pixel");
     check(width > 0 && image.size() % std::size_t(width) == 0, "blur: the image is no rectangle");
-    // A disc of radius r has the variance r^2 / 4 along an axis, one solution twice its conductivity.
+    // A disc of radius r has variance r^2 / 4 along an axis, one solution twice its conductivity.
     Array<float> conductivity(image.size());
     std::atomic<bool> any{false};
     parallel_blocks(image.size(), 1 << 15, [&](std::size_t, std::size_t begin, std::size_t end) {

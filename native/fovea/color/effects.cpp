@@ -9,7 +9,7 @@
 namespace fovea::color {
 namespace {
 
-/// body(pixel, amount) wherever the amount is more than 0.
+/// Calls body(pixel, amount) wherever the amount is above 0.
 template <typename Body>
 void where_any(std::span<vec4> image, In<float> amount, const Body& body) {
     check(amount.size() == image.size(), "color effect: expected one amount per pixel");

@@ -11,10 +11,10 @@ namespace fovea::color {
 namespace {
 
 constexpr int fine_samples = 16;
-/// Colors, as seen, that differ by more are worth the fine samples.
+/// Difference of display colors above which a pixel gets the fine samples.
 constexpr float fine_color = 1.0f / 96.0f;
 
-/// Which triangle each pixel's center sees, numbered over those that occlude.
+/// Item buffer of occluding triangles: which one is visible at each pixel's center.
 class Items {
    public:
     Items(const Scene& scene, const View& view, const Cancel& cancel) : width_(view.width) {
@@ -57,7 +57,8 @@ class Items {
     Array<Index> items_, first_, placement_;
 };
 
-/// Samples in a pixel: a (0, 4, 2)-net in base 2 (Hammersley), as even for slanted edges as for upright ones.
+/// Offset of sample i in a pixel: low-discrepancy points, a (0, 4, 2)-net in base 2 (Hammersley), evenly spread for
+/// edges of any direction.
 dvec2 place_in_pixel(int i) {
     int reversed = 0;
     for (int bit = 0; bit < 4; ++bit) reversed |= (i >> bit & 1) << (3 - bit);

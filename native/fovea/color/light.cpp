@@ -11,12 +11,12 @@
 namespace fovea::color {
 namespace {
 
-/// Shadow sides stay readable, and lit sides told from them.
+/// Bounds of the ambient share: shadow sides stay readable, and distinct from lit ones.
 constexpr float least_ambient = 0.2f, most_ambient = 0.6f;
 /// Half the width of the step between two bands, as a share of full light.
 constexpr float soft_step = 0.012f;
 
-/// By the strongest channel: a white surface in colored light keeps its hue up to full light.
+/// Strongest channel, so that a white surface in colored light keeps its hue up to full light.
 float brightness(const vec3& color) { return std::max({color.x, color.y, color.z}); }
 
 float smooth_step(float low, float high, float x) {
@@ -24,7 +24,7 @@ float smooth_step(float low, float high, float x) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-/// What of a light arrives at a point, facing it, and the way to the light.
+/// Irradiance by a light at a point on a surface that faces it; sets the unit vector to the light.
 vec3 arriving(const Light& light, const dvec3& point, vec3& to_light) {
     if (light.kind == Light::sun) {
         to_light = vec3(-light.direction);
@@ -47,8 +47,8 @@ bool usable(const Light& light) {
            glm::length(light.direction) > 0.0;
 }
 
-/// The median over the placements of what arrives at their middle from all lights, spots and areas turned to them: most
-/// light but a part of a floor.
+/// Median over the placements of the irradiance at their centers from all lights, with spots and areas counted as point
+/// lights, as most of them light only a part of a floor.
 float typical(const std::vector<Light>& lights, const Scene& scene, const View& view) {
     std::vector<float> found;
     for (const Placement& placement : scene.placements) {

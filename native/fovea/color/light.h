@@ -14,22 +14,23 @@ struct Light {
     enum Kind : std::uint8_t { sun, point, spot, area };
     Kind kind = sun;
     dvec3 position{0.0};        ///< world
-    dvec3 direction{0, 0, -1};  ///< world: where it shines; points shine everywhere
+    dvec3 direction{0, 0, -1};  ///< world: direction of emission; unused for points
     vec3 color{1.0f};           ///< of a sun the irradiance, W/m2; of others the intensity along their axis, W/sr
-    float cos_outer = -1.0f;    ///< of the angle to a spot's axis where its light ends
-    float cos_inner = -1.0f;    ///< and where it begins to fade
+    float cos_outer = -1.0f;    ///< cosine of the angle to a spot's axis at which its light ends
+    float cos_inner = -1.0f;    ///< and at which it begins to fall off
 };
 
-/// The lights of a scene as a view needs them, exposed for the picture: what irradiates the middle of most placements
-/// head on makes them as bright as their base color, whatever the units. The exposure looks at the scene, not at the
-/// view, so that a moving camera does not change it. Where no light reaches anything there is one at the eye.
+/// The lights of a scene in view space, with automatic exposure: light that irradiates the middle of a typical
+/// placement (the median) head on makes it as bright as its base color, whatever the units. The exposure depends on the
+/// scene, not on the view, so that a moving camera does not change it. Without any effective light there is one at the
+/// eye.
 class Lighting {
    public:
-    /// `world`: radiance of the sky, whose share of the light is ambient. `style`: shading, and bands if it is in some.
+    /// `world`: radiance of the sky, whose share of all light is ambient. `style`: shading, and bands for toon shading.
     Lighting(In<Light> lights, const vec3& world, const Scene& scene, const View& view, const style::Color& style);
 
-    /// How bright a white surface is: 1 in full light. View space; `normal` and `to_eye` of unit length, `normal`
-    /// turned to the viewer.
+    /// Brightness of a white surface: 1 in full light. View space; `normal` and `to_eye` of unit length, `normal`
+    /// facing the viewer.
     vec3 at(const dvec3& point, const vec3& normal, const vec3& to_eye) const;
 
     Shading shading() const { return shading_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An image laid over the camera's frame, along the lines.
+// Values along lines of an image that covers the camera's frame.
 #pragma once
 
 #include <fovea/base/view.h>
@@ -8,8 +8,8 @@
 
 namespace fovea::color {
 
-/// Luminance in [0,1] (Rec. 709, scene-linear) of the image where each atlas sample lies; the image's borders are those
-/// of the whole frame, of which a view may show a part, and beyond them it goes on as at them.
+/// Luminance in [0,1] (Rec. 709, scene-linear) of the image at each atlas sample. The image covers the whole frame, of
+/// which a view may show a part, and is clamped beyond its borders.
 Array<float> map_of_samples(const ClippedPaths& clipped, const View& view, const ColorTexture& image);
 
 }  // namespace fovea::color

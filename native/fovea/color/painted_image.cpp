@@ -9,7 +9,7 @@
 namespace fovea::color {
 namespace {
 
-/// Gray that shines by itself: as bright as painted.
+/// Unlit gray with the painted values.
 std::shared_ptr<const SurfaceColor> gray(const Surface& surface, In<float> values) {
     auto color = std::make_shared<SurfaceColor>();
     ColorSlot slot;

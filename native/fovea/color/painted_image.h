@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the artist has painted, as the picture shows it.
+// Image of a painted mesh attribute.
 #pragma once
 
 #include <fovea/base/parallel.h>
@@ -8,8 +8,8 @@
 
 namespace fovea::color {
 
-/// The painted value of what each pixel sees (width * height, bottom row first), as the color layer sees it: the mean
-/// over the pixel, where what no surface covers counts 0. Throws as check_painted and color_layer.
+/// The painted value at each pixel (width * height, bottom row first), sampled like the color layer: the mean over the
+/// pixel, where background counts as 0. Throws as check_painted and color_layer.
 Array<float> painted_image(const Tracer& tracer, const Painted& painted, const Cancel& cancel);
 
 }  // namespace fovea::color

@@ -11,12 +11,13 @@
 namespace fovea::color {
 namespace {
 
-/// Share of the heights over which ink runs out.
+/// Width of the ramp, in quantiles of height, over which ink runs out.
 constexpr float soft = 0.25f;
-/// Darkest that pigment is, as a share of what lies under it: denser is all the same.
+/// Minimum transmittance of pigment.
 constexpr float darkest = 1e-4f;
 
-/// Of each value, the share of all that are lower, ties in the middle of their range; not a number: the lowest.
+/// Quantile of each value: the fraction of all values that are lower; ties get the middle of their range; NaN is the
+/// lowest.
 Array<float> shares_lower(In<float> values) {
     Array<Index> order(values.size());
     std::iota(order.begin(), order.end(), Index(0));
@@ -31,7 +32,7 @@ Array<float> shares_lower(In<float> values) {
     return shares;
 }
 
-/// How steeply each texel rises away from the upper left, where the light is; what repeats goes on at its borders.
+/// Slope of each texel, positive where it faces the light at the upper left; wraps around at the borders.
 Array<float> slopes(In<float> heights, int width, int height) {
     Array<float> result(heights.size());
     const auto at = [&](int x, int y) { return heights[std::size_t(y) * width + x]; };
@@ -50,13 +51,13 @@ int wrapped(float i, int size) {
     return std::clamp(int(i - turns * float(size)), 0, size - 1);
 }
 
-/// Where the view's axis meets the picture.
+/// Pixel position of the view's axis.
 vec2 origin_of(const View& view) {
     const dvec2 px = to_pixels(view, view.view_to_clip * dvec4(0.0, 0.0, -1.0, 1.0));
     return std::isfinite(px.x) && std::isfinite(px.y) ? vec2(px) : vec2(0.0f);
 }
 
-/// Pigment of color `seen` on `under`, its density times `share`.
+/// Color of pigment that looks like `seen` on `under`, with its optical density scaled by `share`.
 vec3 granulated(const vec3& seen, const vec3& under, float share) {
     vec3 result;
     for (int c = 0; c < 3; ++c) {
@@ -89,7 +90,8 @@ PaperPlace PaperTexture::at(const vec2& texel) const {
 
 float toothed(float opacity, float lower, float tooth) {
     if (!(opacity > 0.0f) || opacity >= 1.0f || tooth <= 0.0f) return opacity;
-    // The ramp whose mean over all heights is the opacity: it enters at one end and leaves at the other.
+    // Position of the ramp for which the mean over all heights is the opacity; the ramp may be cut off at either end of
+    // the range.
     float reach;
     if (opacity < 0.5f * soft)
         reach = std::sqrt(2.0f * soft * opacity);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A triangle as the image sees it: which share of it lies at a pixel position.
+// Barycentric coordinates of a triangle as functions of pixel position.
 #pragma once
 
 #include <fovea/base/view.h>
 
 namespace fovea::color {
 
-/// Where pixels look: (x, y, 1) to a direction with z = -1 (perspective), or to the place (x, y, 1) on the image plane.
+/// Maps pixel positions (x, y, 1) to ray directions with z = -1 (perspective), or to points (x, y, 1) of the image
+/// plane (orthographic).
 inline dmat3 pixel_to_ray(const View& view) {
     const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
     const double w = view.width, h = view.height;
@@ -18,10 +19,11 @@ inline dmat3 pixel_to_ray(const View& view) {
     return dmat3((at(w, 0.0) - origin) / w, (at(0.0, h) - origin) / h, origin);
 }
 
-/// Barycentric shares that are linear over the image but for a common factor (Olano & Greer, "Triangle Scan Conversion
-/// using 2D Homogeneous Coordinates", Graphics Hardware 1997): no clipping, and corners behind the eye do no harm.
+/// Homogeneous barycentric coordinates, linear over the image up to a common factor (Olano & Greer, "Triangle Scan
+/// Conversion using 2D Homogeneous Coordinates", Graphics Hardware 1997): no clipping is needed, and corners may lie
+/// behind the eye.
 struct ScreenTriangle {
-    dmat3 shares{0.0};     ///< (x, y, 1) to unnormalized shares; not finite for a triangle seen edge on
+    dmat3 shares{0.0};     ///< (x, y, 1) to unnormalized barycentrics; not finite if edge-on
     dvec3 distances{0.0};  ///< of the corners along -z
     bool orthographic = false;
 
@@ -37,7 +39,7 @@ struct ScreenTriangle {
     }
 
     dvec3 at(const dvec2& px) const { return shares * dvec3(px, 1.0); }
-    /// Whether the triangle covers the place that `at` gave; false where that is not finite.
+    /// Whether the triangle covers the pixel position of the barycentrics from `at`; false where these are not finite.
     static bool covers(const dvec3& share) {
         return share.x >= 0.0 && share.y >= 0.0 && share.z >= 0.0 && share.x + share.y + share.z > 0.0;
     }

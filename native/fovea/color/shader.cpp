@@ -10,7 +10,7 @@
 namespace fovea::color {
 namespace {
 
-/// Shares of a place that rounding may have put a hair outside.
+/// Normalizes barycentrics, clamped in case rounding put them slightly outside.
 vec3 normalized(const dvec3& share) {
     const dvec3 inside = glm::max(share, dvec3(0.0));
     const double sum = inside.x + inside.y + inside.z;
@@ -92,7 +92,7 @@ vec3 ColorShader::base(const SeenTriangle& triangle, const dvec2& px, const vec3
         };
         const float right = step(1.0, 0.0), up = step(0.0, 1.0);
         const float longer = std::max(right, up), shorter = std::min(right, up);
-        // Between the two ways: seen at a slant, a surface is neither blurred nor alias more than need be.
+        // Footprint between the longer and the shorter axis: at grazing angles a compromise between blur and aliasing.
         color *= slot.texture->at(here, std::max(std::sqrt(longer * shorter), 0.25f * longer));
     }
     return color;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The color of a place on a triangle as the camera sees it.
+// Shaded color of a visible point of a triangle.
 #pragma once
 
 #include <fovea/color/light.h>
@@ -10,7 +10,7 @@
 
 namespace fovea::color {
 
-/// A triangle that may be seen, ready to be asked for its color.
+/// A potentially visible triangle, prepared for shading.
 struct SeenTriangle {
     ScreenTriangle screen;
     Index placement = none;
@@ -21,7 +21,7 @@ struct SeenTriangle {
 
 class ColorShader {
    public:
-    /// Borrows all of them. Throws as check_color, and where there is not one entry of `colors` per placement.
+    /// Borrows its arguments. Throws as check_color, and unless there is one entry of `colors` per placement.
     ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting);
 
     SeenTriangle triangle(Index placement, Index triangle) const;
@@ -33,7 +33,7 @@ class ColorShader {
     struct Placed {
         dmat4 object_to_view;
         glm::mat3 normal_to_view;
-        std::shared_ptr<const CornerNormals> normals;  // where the mesh brings none
+        std::shared_ptr<const CornerNormals> normals;  // if the mesh has none of its own
     };
     vec3 base(const SeenTriangle& triangle, const dvec2& px, const vec3& share) const;
     vec3 normal(const SeenTriangle& triangle, const vec3& share, const vec3& to_eye) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the colors of surfaces come from.
+// Color sources of surfaces.
 #pragma once
 
 #include <memory>
@@ -9,28 +9,28 @@
 
 namespace fovea::color {
 
-/// What a material says: its color, times an image, times an attribute of the mesh.
+/// Color of a material: a constant, times an image, times a mesh attribute.
 struct ColorSlot {
     vec3 color{0.8f};                             ///< scene-linear
     std::shared_ptr<const ColorTexture> texture;  ///< null: none
-    Index uv = none;                              ///< which of the surface's uvs the texture lies on; none: not drawn
-    Index attribute = none;                       ///< which of the surface's attributes
-    bool unlit = false;                           ///< it shines by itself
+    Index uv = none;         ///< index of the surface's UV map for the texture; none: texture unused
+    Index attribute = none;  ///< index of the surface's color attribute
+    bool unlit = false;      ///< emission: not lit
 };
 
-/// What a surface brings along beside its geometry; corners are the mesh's own.
+/// Color data of a surface; corners are those of the mesh.
 struct SurfaceColor {
-    std::vector<ColorSlot> slots;         ///< by Surface::polygon_material; others look as the default slot
+    std::vector<ColorSlot> slots;         ///< by Surface::polygon_material; others use the default slot
     Array<vec3> normals;                  ///< per corner, object space; empty: those of field/corner_normals.h
     std::vector<Array<vec2>> uvs;         ///< each per corner
     std::vector<Array<vec3>> attributes;  ///< each per corner, scene-linear
 };
 
-/// Of a scene: by placement; null: default slots.
+/// Per placement of a scene; null: default slots.
 using SceneColor = std::vector<std::shared_ptr<const SurfaceColor>>;
 
-/// Throws std::invalid_argument, naming the surface, where arrays are not as long as it has corners, or a slot names
-/// one that does not exist.
+/// Throws std::invalid_argument, naming the surface, if an array does not have one entry per corner, or a slot refers
+/// to one that does not exist.
 void check_color(const SurfaceColor& color, const Surface& surface);
 
 }  // namespace fovea::color

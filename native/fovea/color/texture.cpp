@@ -80,7 +80,7 @@ vec3 ColorTexture::at(const vec2& uv, float footprint) const {
     const float size = static_cast<float>(std::max(levels_[0].width, levels_[0].height));
     const float last = static_cast<float>(levels_.size() - 1);
     const float wanted = std::log2(std::max(footprint * size, 1.0f));
-    const float level = wanted < last ? wanted : last;  // also what is not a number
+    const float level = wanted < last ? wanted : last;  // last level also for NaN
     const auto fine = static_cast<std::size_t>(level);
     const float share = level - static_cast<float>(fine);
     const vec3 color = bilinear(levels_[fine], uv);

@@ -6,16 +6,15 @@
 
 namespace fovea::color {
 
-/// An image of base colors, repeated over the plane; smaller copies of it serve where it is seen from far away.
-/// Colors are kept as 8-bit sRGB: shares of light that is reflected, not light.
+/// A tiled, mipmapped image of base colors. Stored as 8-bit sRGB: values are reflectances in [0, 1], not radiances.
 class ColorTexture {
    public:
     /// `pixels`: rows from bottom to top, `channels` (1 gray, 2 gray and alpha, 3 or 4) values per pixel. Alpha is
-    /// straight, and left out. `encoded`: as sRGB, else scene-linear. What is not a number is black. Throws
-    /// std::invalid_argument when the sizes do not fit together.
+    /// straight, and ignored. `encoded`: values are sRGB, else scene-linear. NaN is black. Throws std::invalid_argument
+    /// if the sizes do not match.
     ColorTexture(In<float> pixels, int width, int height, int channels, bool encoded);
 
-    /// Scene-linear color at a place of the unit square; `footprint`: how much of the square one pixel sees.
+    /// Scene-linear color at uv; `footprint`: extent of a pixel, in uv units.
     vec3 at(const vec2& uv, float footprint) const;
     int width() const { return levels_[0].width; }
     int height() const { return levels_[0].height; }

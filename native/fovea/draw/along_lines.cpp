@@ -9,9 +9,9 @@
 namespace fovea::draw {
 namespace {
 
-constexpr float most_density = 4.0f;  // times as dense as pens say, where a map is white
+constexpr float most_density = 4.0f;  // factor on the pens' density where a map is white
 
-/// Calls visit(sample, path) for the samples of pieces that runs lie on.
+/// Calls visit(sample, path) for the samples of pieces that have runs.
 template <typename Visit>
 void each_sample_with_runs(const ClippedPaths& clipped, const Runs& runs, const Visit& visit) {
     for (std::size_t r = 0; r < runs.size(); ++r) {

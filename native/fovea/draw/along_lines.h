@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a style says of each path and of each atlas sample along the lines.
+// Settings of a style resolved per path and per atlas sample.
 #pragma once
 
 #include <fovea/draw/overrides.h>
@@ -11,10 +11,10 @@
 
 namespace fovea::draw {
 
-/// The line sets of a style, for one scene's placements. Throws std::invalid_argument for lines that are not known.
+/// The line sets of a style, for one scene's placements. Throws std::invalid_argument for unknown line definitions.
 std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides);
 
-/// Per path: `of_set` of its line set, in pixels (`scale` of them are a reference pixel).
+/// Per path: the value of its line set in `of_set` [reference px], in pixels; `scale`: pixels per reference pixel.
 Array<float> by_path(const Paths& paths, double scale, const std::vector<double>& of_set);
 
 /// Per path: `of_view` where its definition depends on the view, else `other`.
@@ -23,16 +23,16 @@ Array<float> by_view(const Paths& paths, double of_view, double other);
 /// Per path: pixels of it that lie inside the frame.
 Array<double> lengths_in_frame(const Paths& paths, const ClippedPaths& clipped);
 
-/// The function that a style's numbers describe.
+/// Builds the transfer function from its settings.
 Transfer transfer_of(const style::Transfer& transfer);
 
-/// What a style's elision and maps say of the distance that lines want to keep from others.
+/// Inputs that modulate the distance that lines keep from others in elision.
 struct Density {
     In<float> focus, distance;  ///< per sample, may be empty
-    In<float> painted, mapped;  ///< per sample in [0, 1], from a quarter as dense to four times; may be empty
+    In<float> painted, mapped;  ///< per sample in [0, 1], a quarter to four times as dense; may be empty
 };
 
-/// Per atlas sample [px]: half the distance that lines want to keep from others; 0 on pieces without runs.
+/// Per atlas sample [px]: half the distance that lines keep from others; 0 on pieces without runs.
 Array<float> half_width_px(const style::Style& style, const Paths& paths, const ClippedPaths& clipped, const Runs& runs,
                            const Density& density, double scale);
 

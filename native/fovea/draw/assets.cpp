@@ -11,7 +11,7 @@
 
 namespace fovea::draw {
 
-/// Names come from style files, which may be anyone's: none leads out of the folder.
+/// Path of a shipped file. Names come from untrusted style files, so they must not leave the folder.
 std::filesystem::path Assets::file(const char* kind, const std::string& name) const {
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
     check(!name.empty() && std::ranges::all_of(name, plain), "'" + name + "' is no name of a texture");

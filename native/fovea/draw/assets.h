@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pen textures and papers that ship: gray PNG files by name.
+// Shipped pen textures and papers: gray PNG files by name.
 #pragma once
 
 #include <filesystem>
@@ -13,20 +13,20 @@
 
 namespace fovea::draw {
 
-/// Reads each file once; may be asked from many threads.
+/// Reads and caches each file once; thread-safe.
 class Assets {
    public:
     struct Texture {
         PenTexture ink;
-        double length_in_widths;  ///< of one repetition
+        double length_in_widths;  ///< of one repetition, in widths of the pen
     };
 
     /// A folder with the folders `textures` (with textures.json: {name: {"length_in_widths": number}}) and `papers`.
     explicit Assets(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Null: solid. White is full ink. Throws std::invalid_argument, naming the file, where it cannot be read.
+    /// Null: solid. White is full ink. Throws std::invalid_argument, naming the file, if it cannot be read.
     std::shared_ptr<const Texture> texture(const std::string& name) const;
-    /// Widths of the pen that one repetition covers; 1 where nothing says so.
+    /// Length of one repetition in widths of the pen; 1 if not specified.
     double texture_length(const std::string& name) const;
     /// Null: smooth. White is high. Throws as `texture`.
     std::shared_ptr<const PaperTexture> paper(const std::string& name) const;

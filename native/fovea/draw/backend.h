@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who decides what a depth buffer hides, what crowds, and who puts strokes on paper.
+// Backends: sampled visibility, elision and drawing of strokes.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace fovea::draw {
 
 class Frame;
 
-/// Runs on their way through elision: what both backends draw and read.
+/// Input of the elision test: bands to rasterize and samples to test, for both backends.
 struct Elision : OwnBands, Bands {};
 
 /// Arguments as of own_bands.
@@ -22,25 +22,25 @@ inline Elision elision_of(const ClippedPaths& clipped, const Runs& runs, In<Inde
     return {std::move(own), std::move(bands)};
 }
 
-/// Three verbs over a Frame whose earlier members are filled. `CpuBackend` is the reference and draws the same picture
-/// on every machine; others may need a context, and are called on the thread that draws.
+/// Three operations on a Frame whose earlier steps are done. `CpuBackend` is the reference and draws the same picture
+/// on every machine; others may need a graphics context, and are called on the thread that draws the frame.
 class Backend {
    public:
     virtual ~Backend() = default;
     virtual std::string name() const = 0;
 
-    /// How visible each atlas sample is, in [0, 1], by the frame's sampled method: Visibility::atlas or item_buffer.
+    /// Visibility of each atlas sample, in [0, 1], by the frame's sampled method: Visibility::atlas or item_buffer.
     virtual Array<float> visibility(const Frame& frame) = 0;
 
-    /// How crowded each sample of `elision` is, as elision/elide.h tells it.
+    /// Result of the elision test at each sample of `elision`: crowding() of elision/elide.h.
     virtual Array<vec2> elide(const Frame& frame, const Elision& elision) = 0;
 
-    /// The frame's strokes alone: scene-linear, premultiplied, bottom row first; by Visibility::spine what is hidden of
-    /// them is left out here.
+    /// The frame's strokes alone: scene-linear, premultiplied, bottom row first; with Visibility::spine their hidden
+    /// parts are removed here.
     virtual Array<vec4> draw(const Frame& frame) = 0;
 };
 
-/// All of it in software, in tiles that memory allows.
+/// Software implementation, in tiles that bound the use of memory.
 class CpuBackend : public Backend {
    public:
     explicit CpuBackend(int side = 6144) : most_side(side) {}
@@ -50,7 +50,7 @@ class CpuBackend : public Backend {
     Array<vec2> elide(const Frame& frame, const Elision& elision) override;
     Array<vec4> draw(const Frame& frame) override;
 
-    int most_side;  ///< texels of a tile of the depth buffer; of 6144 one takes 0.9 GB
+    int most_side;  ///< maximum side of a depth buffer tile [texels]; 0.9 GB at 6144
 };
 
 }  // namespace fovea::draw

@@ -14,7 +14,7 @@
 namespace fovea::draw {
 namespace {
 
-/// look(depth buffer) for each tile of a frame's depth buffer; no two of them are there at once.
+/// Calls look(depth buffer) for each tile of a frame's depth buffer; only one tile is in memory at a time.
 template <typename Look>
 void each_tile(const Frame& frame, int most_side, int overlap_px, const Look& look) {
     const std::vector<RasterMesh> meshes = depth_meshes(*frame.job.scene, frame.job.view, DepthOptions().margin);
@@ -22,7 +22,7 @@ void each_tile(const Frame& frame, int most_side, int overlap_px, const Look& lo
         look(draw_depth(std::move(layout), frame.job.view, meshes, &frame.cancel()));
 }
 
-/// Pixels between a stroke's spine and its farthest fragment, and no less.
+/// Upper bound of the distance [px] between a stroke's spine and its fragments.
 int reach_px(const Strokes& strokes) {
     const auto widest = std::ranges::max_element(strokes.half_width);
     return widest == strokes.half_width.end() ? 0 : static_cast<int>(std::ceil(2.0f * *widest));

@@ -19,8 +19,8 @@
 namespace fovea::draw {
 namespace {
 
-constexpr double stub = 12.0;        // reference pixels; what elision leaves of a line in shorter pieces goes, too
-constexpr double hands_over = 12.0;  // reference pixels before its end that a line begins to hand over to another
+constexpr double stub = 12.0;        // reference pixels; remainders of elided lines that are shorter are removed
+constexpr double hands_over = 12.0;  // reference pixels before its end at which a line begins to hand over to another
 
 Array<float> inverted(Array<float> values) {
     for (float& value : values) value = 1.0f - value;
@@ -70,7 +70,7 @@ void Frame::filter() {
     if (has(Step::filter)) return;
     stage("runs", 0.05, [&] {
         const Options& o = job.options;
-        // Samples only say whether something hides a line, not how often.
+        // Samples tell whether a line is hidden, not by how many surfaces.
         const Index counted = job.style.counted();
         const Index levels = method_of(o.visibility).counts_surfaces ? counted : std::min(counted, Index(1));
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
@@ -145,8 +145,8 @@ Strokes Frame::strokes_with(In<float> opacity) const {
     return tessellate(*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis, paths->id);
 }
 
-/// Runs as strokes are made of them: cut back where they pass behind others, contours drawn on to where other lines go
-/// on, and all beyond their ends. Short lines overshoot by at most a quarter of their length, as a hand would.
+/// Runs for strokes: with haloes, contours extended to meet other lines, and overshoot. Overshoot is at most a quarter
+/// of a line's length.
 Runs Frame::with_ends() const {
     std::vector<double> halos, near, away;
     for (const style::LineSet& set : job.style.line_sets) {
@@ -186,7 +186,7 @@ ShownLines Frame::shown_lines() {
     return elision::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
 }
 
-/// Per atlas sample: what elision leaves of the runs in this frame.
+/// Elision opacity per atlas sample, from this frame alone.
 Array<float> Frame::left(float cut) {
     const style::Elision& e = job.style.elision;
     const std::size_t placements = job.scene->placements.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole method on one page: from a scene and a view to strokes on paper. Each step fills the members that the next
-// ones read; whoever wants less than a picture stops earlier and reads the same members.
+// The whole method as a program: from a scene and a view to strokes on paper. Each step fills the members that the next
+// ones read; callers that need less than a picture stop at an earlier step and read its members.
 #pragma once
 
 #include <functional>
@@ -25,14 +25,14 @@
 
 namespace fovea::draw {
 
-/// Where the colors of a scene come from.
+/// Color sources of a scene.
 struct ColorSources {
-    SceneColor surfaces;        ///< by placement
+    SceneColor surfaces;        ///< per placement
     std::vector<Light> lights;  ///< none: one at the eye
     vec3 world{0.0f};           ///< radiance of the sky
 };
 
-/// What one picture is made of.
+/// Input of one picture.
 struct Job {
     std::shared_ptr<const Scene> scene;
     View view;
@@ -42,32 +42,33 @@ struct Job {
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
     std::optional<ColorSources> colors = {};  ///< none: no color layer, whatever the style says
-    std::vector<FrameNear> near = {};         ///< other frames, for elision smoothed in time
+    std::vector<FrameNear> near = {};         ///< neighboring frames, for temporal smoothing of elision
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
-    /// Hears the share that is done before each stage, in [0, 1], and the stage's name.
+    /// Called before each stage with the fraction done, in [0, 1], and the stage's name.
     std::function<void(double, const std::string&)> progress = {};
 };
 
-/// Passes of width x height pixels, bottom row first, scene-linear and premultiplied; empty: not asked for, or nothing.
+/// Passes of width x height pixels, bottom row first, scene-linear and premultiplied; empty: not requested, or without
+/// content.
 struct Picture {
     Array<vec4> combined, lines;
     Array<vec4> color;   ///< the color layer alone
     Array<float> focus;  ///< in [0, 1], 0: in focus
-    Array<float> depth;  ///< along the view; background_depth where nothing is seen
+    Array<float> depth;  ///< along the view axis; background_depth for background
 };
 
-/// One picture on its way. Every step first takes those before it that have not been taken. May throw Cancelled, and
-/// what its parts throw.
+/// The computation of one picture. Each step first runs the steps before it that have not run yet. May throw Cancelled,
+/// and the exceptions of its parts.
 class Frame {
    public:
     explicit Frame(Job job);
 
-    void find();     ///< lines of the surfaces, as paths, projected and clipped
-    void see();      ///< what of them is visible
-    void filter();   ///< without gaps and spurs; with hidden parts, as far as pens draw them
-    void thin();     ///< elision: what crowds fades
-    void ink();      ///< haloes and overshoot, pens, strokes
-    void picture();  ///< on paper, over colors, with its passes
+    void find();     ///< traces lines as paths, projects and clips them
+    void see();      ///< visibility
+    void filter();   ///< closes gaps, removes spurs; adds the hidden parts that pens draw
+    void thin();     ///< elision: fades lines that crowd
+    void ink();      ///< applies haloes and overshoot, chooses pens, makes strokes
+    void picture();  ///< composites over colors and paper; makes the passes
 
     // Filled by find():
     std::shared_ptr<const Tracer> tracer;
@@ -75,12 +76,12 @@ class Frame {
     std::shared_ptr<const ClippedPaths> clipped;
     // By see():
     std::shared_ptr<const Runs> visible;
-    Array<float> samples;  ///< per atlas sample, by which the ends of strokes fade; empty: they are sharp
+    Array<float> samples;  ///< visibility per atlas sample, for fading the ends of strokes; empty: sharp
     // By filter():
     std::shared_ptr<const Runs> runs;
-    Array<float> focus, distance;  ///< per atlas sample, in [0, 1]; empty: nothing answers to it
+    Array<float> focus, distance;  ///< per atlas sample, in [0, 1]; empty: no effect uses it
     // By thin():
-    Array<float> shown;  ///< per atlas sample, in [0, 1], what elision leaves; empty: all
+    Array<float> shown;  ///< elision opacity per atlas sample, in [0, 1]; empty: 1
     // By ink():
     std::shared_ptr<const Runs> drawn;  ///< with haloes and overshoot
     std::shared_ptr<const Strokes> strokes;
@@ -89,28 +90,28 @@ class Frame {
     Picture passes;
 
     const Job job;
-    /// Milliseconds by stage, in the order in which they ran.
+    /// (stage, milliseconds), in the order in which they ran.
     std::vector<std::pair<std::string, double>> stages;
 
-    /// Whether elision thins these lines: the style wants it, and what is visible is known before strokes are drawn.
+    /// Whether elision applies: the style enables it, and visibility is known before strokes are drawn.
     bool thins() const;
-    /// The method of visibility and its quality in words.
+    /// Name of the method of visibility, and its quality, for reports.
     std::string visibility_in_words() const;
-    /// What frames near by need to know of this one: what elision leaves of its lines. Takes the steps up to filter().
+    /// Elision opacities of this frame's lines, as neighboring frames need them. Runs the steps up to filter().
     ShownLines shown_lines();
-    /// Focus of what each pixel shows; empty where all is in focus. Needs no other step.
+    /// Focus at each pixel; empty if all is in focus. Runs no other step.
     Array<float> focus_of_pixels();
 
-    /// Strokes of the runs drawn, of which elision leaves so much at each sample. Once ink() is done.
+    /// Strokes of the drawn runs, with this elision opacity at each sample. Requires ink().
     Strokes strokes_with(In<float> opacity) const;
-    /// The places to look at, as this view has them.
+    /// The focus field in the coordinates of this view.
     const Focus& focus_function();
 
-    /// Layouts of its depth buffer in at most `most_side` texels along each axis: one, or tiles. Cores are looked out
-    /// of by so many pixels, besides what a sample's own probes are apart.
+    /// Layouts of its depth buffer of at most `most_side` texels along each axis: one, or tiles. Tiles overlap their
+    /// cores by `overlap_px` pixels plus the extent of a sample's own probes.
     std::vector<DepthBuffer> depth_layouts(int most_side, int overlap_px) const;
 
-    double scale() const { return job.view.reference_scale; }  ///< pixels of the image that are a reference pixel
+    double scale() const { return job.view.reference_scale; }  ///< image pixels per reference pixel
     const Cancel& cancel() const { return *job.cancel; }
 
    private:

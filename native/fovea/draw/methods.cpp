@@ -21,17 +21,18 @@ Array<float> look_by_atlas(const Frame& frame, const DepthBuffer& depth) {
     return sampled_visibility(*frame.clipped, sides, depth, {.probes = frame.job.options.probes}, &frame.cancel());
 }
 
-/// Decided later.
+/// Visibility is decided later, in strokes.
 Runs all(Frame& frame) { return whole_pieces(*frame.clipped); }
 
-/// Where lines share texels, samples in part are not seen in part: ends of strokes stay sharp.
+/// Frame::samples stays empty, so that ends of strokes are sharp: where lines share texels, a fraction of successful
+/// probes is not partial visibility.
 Runs by_items(Frame& frame) { return runs_from_samples(*frame.clipped, frame.job.backend->visibility(frame)); }
 
 Array<float> look_by_items(const Frame& frame, const DepthBuffer& depth) {
     return item_visibility(*frame.clipped, depth, {.layers = frame.job.options.layers}, &frame.cancel());
 }
 
-/// By the values of Visibility.
+/// Indexed by Visibility.
 constexpr Method methods[] = {
     {.words = "exact", .visible = by_rays, .counts_surfaces = true},
     {.words = "segment atlas",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods of visibility, one row each: how it is decided what is hidden.
+// Table of the methods of visibility.
 #pragma once
 
 #include <fovea/draw/frame.h>
@@ -9,15 +9,15 @@ namespace fovea::draw {
 
 struct Method {
     const char* words;  ///< its name in reports
-    /// What is visible of a frame's lines, once they are found. May fill Frame::samples.
+    /// Visible runs of a frame's clipped paths. May fill Frame::samples.
     Runs (*visible)(Frame& frame);
-    /// How visible each atlas sample is, in [0, 1], by one tile of the depth buffer; null: it takes no
-    /// samples. The spine test does so only to be compared with the atlas.
+    /// Visibility of each atlas sample, in [0, 1], from one tile of the depth buffer; null: the method takes no
+    /// samples. For the spine test that is the atlas' answer, for comparison.
     Array<float> (*look)(const Frame& frame, const DepthBuffer& depth) = nullptr;
-    int Options::* quality = nullptr;  ///< null: none can be chosen
-    const char* counted = "";          ///< what `quality` is a number of
-    bool counts_surfaces = false;      ///< it can be told how many surfaces hide a line
-    bool in_strokes = false;           ///< decided at every pixel, while strokes are drawn
+    int Options::* quality = nullptr;  ///< option that sets the quality; null: none
+    const char* counted = "";          ///< unit that `quality` counts, for reports
+    bool counts_surfaces = false;      ///< quantitative invisibility can be computed
+    bool in_strokes = false;           ///< evaluated at every pixel while strokes are drawn
 };
 
 const Method& method_of(Visibility visibility);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of the method that are not the style's.
+// Parameters of the method that are not part of a style.
 #pragma once
 
 #include <string>
@@ -10,36 +10,36 @@
 
 namespace fovea::draw {
 
-/// How it is decided what is hidden.
+/// Methods of visibility.
 enum class Visibility : std::uint8_t {
     exact,       ///< rays: the same answer on every machine (visibility/exact.h)
-    atlas,       ///< looks into a depth buffer at every sample along the lines (visibility/sampled.h)
-    spine,       ///< at every pixel of a stroke (visibility/spine.h)
-    item_buffer  ///< lines drawn by number against a depth buffer (visibility/item_buffer.h)
+    atlas,       ///< depth buffer probes at every sample along lines (visibility/sampled.h)
+    spine,       ///< depth buffer probes at every pixel of a stroke (visibility/spine.h)
+    item_buffer  ///< item buffer tested against a depth buffer (visibility/item_buffer.h)
 };
 
-/// Line definitions by name that, of a line set, draw only what is the outer boundary of its object.
+/// (line set, names of its line definitions of which only the outer boundary of the object is drawn).
 using Outlines = std::vector<std::pair<int, std::vector<std::string>>>;
 
 struct Options {
     Visibility visibility = Visibility::exact;
     double sample_step = 2.0;    ///< reference pixels between visibility samples
     int depth_scale = 2;         ///< texels of the depth buffer per pixel, along each axis
-    int probes = 9;              ///< looks into the depth buffer per sample
-    int layers = 3;              ///< lines that a texel of the item buffer holds
-    double gap = 3.0;            ///< reference pixels of hidden line that are drawn over; more than one sample
-    double spur = 1.0;           ///< reference pixels of visible line that are left out
-    double contour_spur = 10.0;  ///< the same inside contours, which break up where they end on a smooth surface
-    double fold = 30.0;          ///< reference pixels up to which a contour's end may fold back and is cut off
-    double meet = 8.0;          ///< reference pixels that a contour is drawn on over facets of its own, to another line
-    double beside = 4.0;        ///< reference pixels to a visible line at which a hidden one along it is left out
-    double least_hidden = 6.0;  ///< reference pixels; shorter hidden parts between visible ones are left out
-    /// Drafts: what of a line set's lines is not the outer boundary goes to the next set that wants it. Hidden parts
-    /// have no pens then.
+    int probes = 9;              ///< depth buffer probes per sample
+    int layers = 3;              ///< lines per texel of the item buffer
+    double gap = 3.0;            ///< maximum gap that is closed [reference px]; more than one sample
+    double spur = 1.0;           ///< maximum length of spurs that are removed [reference px]
+    double contour_spur = 10.0;  ///< the same in contours, which break up at their ends on smooth surfaces
+    double fold = 30.0;          ///< maximum length of folds cut off ends of contours [reference px]
+    double meet = 8.0;           ///< maximum extension of a contour over its own facets, to another line [reference px]
+    double beside = 4.0;         ///< distance within which a hidden line beside a visible one is removed [reference px]
+    double least_hidden = 6.0;   ///< minimum length of hidden parts between visible ones [reference px]
+    /// Drafts: lines of a set that are not the outer boundary go to the next set that draws them. Hidden parts have no
+    /// pens then.
     Outlines outlines = {};
-    int focus_step = 1;       ///< drafts: pixels between those whose focus is evaluated for the colors under the lines
-    bool with_depth = false;  ///< also make the depth pass
-    bool with_focus = false;  ///< and that of focus, where the style has one
+    int focus_step = 1;       ///< drafts: spacing [px] at which focus is evaluated for the color layer
+    bool with_depth = false;  ///< whether to make the depth pass
+    bool with_focus = false;  ///< whether to make the focus pass, if the style has focus
 
     bool operator==(const Options&) const = default;
 

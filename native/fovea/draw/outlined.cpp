@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drafts: silhouettes are found among contours by what lies behind them.
+// Drafts: silhouettes are distinguished from other contours by rays behind them.
 
 #include <algorithm>
 
@@ -9,14 +9,14 @@
 namespace fovea::draw {
 namespace {
 
-constexpr double outline_step = 10.0;  // reference pixels between looks at what lies behind an outline
+constexpr double outline_step = 10.0;  // reference pixels between rays behind an outline
 
 const std::vector<std::string>* stand_ins_of(const Outlines& outlines, Index set) {
     const auto found = std::ranges::find(outlines, int(set), [](const auto& entry) { return entry.first; });
     return found == outlines.end() ? nullptr : &found->second;
 }
 
-/// Per line set: bits of the definitions that it draws, whether they are an outer boundary or not.
+/// Per line set: bits of the definitions that it draws unconditionally, outer boundary or not.
 std::vector<Kinds> wanted_by(const style::Style& style, const Outlines& outlines) {
     std::vector<Kinds> wanted;
     for (Index i = 0; i < style.line_sets.size(); ++i) {
@@ -32,8 +32,8 @@ std::vector<Kinds> wanted_by(const style::Style& style, const Outlines& outlines
 
 }  // namespace
 
-/// Visible runs parted where they are the outer boundary of their object (Options::outlines), and the pen of each;
-/// `none`: it is not drawn. The first pens are those of the line sets.
+/// Visible runs, split where they change between outer boundary of their object and interior (Options::outlines), and
+/// the pen of each; `none`: not drawn. The first pens are those of the line sets.
 std::pair<Runs, Array<Index>> Frame::outlined(const Runs& drawn_runs) const {
     const std::vector<Kinds> wanted = wanted_by(job.style, job.options.outlines);
     Array<Kinds> sure(paths->count(), ~Kinds(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an artist has said of a scene's placements, beside what they look like.
+// Per-placement overrides.
 #pragma once
 
 #include <map>
@@ -13,27 +13,28 @@
 
 namespace fovea::draw {
 
-/// Per placement where nothing else is said; empty arrays: nothing is said of any.
+/// Per placement unless stated otherwise; empty arrays: no overrides.
 struct Overrides {
     /// Priority in elision, in [0, 1]. Borrowed.
     In<float> importance;
-    /// Values painted on meshes, by the name of the attribute. Borrowed.
+    /// Painted mesh attributes by name. Borrowed.
     std::map<std::string, Painted> painted;
-    /// Names of the object, and of what made an instance of it.
+    /// Names of the object, and of what instanced it.
     std::vector<std::vector<std::string>> objects;
-    /// How dense lines may be, over the camera's frame; null: as their pens say.
+    /// Density map over the camera's frame; null: the pens' spacing.
     std::shared_ptr<const ColorTexture> density_map;
-    /// Which lines placements have of their own, and on which materials.
+    /// Per-placement overrides of line definitions, and their material filters.
     OwnLines lines;
 
-    /// Whose lines a line set has, as in LineSet; by set. Empty: all lines of all placements.
+    /// Placement and material filter of a line set, as in LineSet. `line_sets`: one per set; empty: all lines of all
+    /// placements.
     struct Filter {
         std::vector<std::uint8_t> placements;
         MaterialFilter materials;
     };
     std::vector<Filter> line_sets;
 
-    /// What is painted by that name; empty on every placement where nothing is.
+    /// The painted attribute of that name; empty on all placements if there is none.
     Painted painted_as(const std::string& attribute, std::size_t placements) const {
         const auto found = painted.find(attribute);
         return found == painted.end() ? Painted(placements) : found->second;

@@ -9,7 +9,7 @@
 namespace fovea::draw {
 namespace {
 
-constexpr Index uncounted = 255;  // more surfaces than are ever counted
+constexpr Index uncounted = 255;  // upper end of open ranges: the greatest invisibility
 
 std::vector<PenRange> ranges_of(const style::Style& style) {
     std::vector<PenRange> ranges;
@@ -37,7 +37,7 @@ Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
     const std::vector<style::Pen> all = pens_in_order(style);
     Pens found;
     found.ranges = ranges_of(style);
-    std::map<std::string, Index> numbers;  // in the order of their names
+    std::map<std::string, Index> numbers;  // textures by name, in sorted order
     for (const style::Pen& pen : all)
         if (assets.texture(pen.texture)) numbers[pen.texture];
     for (auto& [name, number] : numbers) {

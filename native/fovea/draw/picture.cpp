@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A frame's pixels: what lies under the lines, and the passes.
+// Pixels of a frame: color layer, focus effects, paper, and the passes.
 #include <algorithm>
 
 #include <fovea/base/check.h>
@@ -13,8 +13,8 @@
 namespace fovea::draw {
 namespace {
 
-/// Distance from what the scene shows of an object and of what it makes instances of; null where that is nothing: then
-/// the object's own place counts.
+/// Distance from the placements of an object, including instances that it makes; null if there are none, then the
+/// object's own position is used.
 std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const Job& job) {
     Array<Index> placements;
     const std::vector<std::vector<std::string>>& objects = job.overrides.objects;
@@ -24,7 +24,7 @@ std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const
     return std::make_shared<SurfaceDistance>(*job.scene, job.view, placements);
 }
 
-/// How much of an effect each pixel has: up to `most`.
+/// Amount of an effect per pixel, in [0, most].
 Array<float> amounts(const style::Transfer& transfer, In<float> focus, float most = 1.0f) {
     const Transfer answer = transfer_of(transfer);
     Array<float> result(focus.size());
@@ -32,7 +32,7 @@ Array<float> amounts(const style::Transfer& transfer, In<float> focus, float mos
     return result;
 }
 
-/// Values of a view's pixels from those of the same in fewer pixels: of the nearest.
+/// Upsamples an image from view `fewer` to view `view` (nearest neighbor).
 Array<float> magnified(const Array<float>& image, const View& fewer, const View& view) {
     const auto nearest = [](int i, int size, int of) { return int((i + 0.5) * of / size); };
     Array<float> result(std::size_t(view.width) * view.height);
@@ -69,7 +69,7 @@ void Frame::picture() {
     done_ = Step::picture;
 }
 
-/// Whether the color layer needs the focus of each pixel.
+/// Whether the color layer depends on focus.
 bool Frame::colors_answer() const {
     const style::Effects& e = job.style.effects;
     const double strongest = std::max({e.desaturation.strength, e.fade.strength, e.blur.strength});
@@ -112,14 +112,14 @@ Array<float> Frame::focus_of_pixels() {
     return focus::focus_of_pixels(job.view, depth(), focus_function());
 }
 
-/// Focus evaluated at pixels so many apart; those between are as the nearest of them.
+/// Focus evaluated at a resolution reduced by focus_step, upsampled by nearest neighbor.
 Array<float> Frame::focus_of_fewer_pixels() {
     Job coarse{.scene = job.scene, .view = smaller(job.view, 1.0 / job.options.focus_step), .style = {}};
     coarse.style.focus = job.style.focus;
     coarse.overrides = job.overrides;
     coarse.cancel = job.cancel;
     Frame fewer(std::move(coarse));
-    // Focus in the scene does not depend on the pixels, and takes time to make.
+    // The focus function does not depend on the resolution if focus lies in the scene, and is costly to build.
     if (!job.style.focus.is_painted()) fewer.focus_ = focus_function();
     return magnified(fewer.focus_of_pixels(), fewer.job.view, job.view);
 }

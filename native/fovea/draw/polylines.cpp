@@ -6,7 +6,7 @@
 namespace fovea::draw {
 namespace {
 
-/// Samples of a piece: where each lies along it [px of arc length], ascending, and its number in the atlas.
+/// A sample of a piece: its arc length [px], and its atlas index. Lists of them ascend by arc length.
 struct PieceSample {
     double arc;
     Index number;

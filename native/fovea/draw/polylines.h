@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A frame's lines as polylines: what pens draw of them, visible and hidden, without haloes and overshoot.
+// A frame's runs that pens draw, visible and hidden, as polylines, without haloes and overshoot.
 #pragma once
 
 #include <fovea/draw/frame.h>
@@ -16,10 +16,10 @@ struct Polylines : CompactRuns {
         Column{"shown", &Polylines::shown, "(R,) float32 in [0, 1] that elision leaves"}};
 };
 
-/// Takes a frame's steps up to thin().
+/// Runs a frame's steps up to thin().
 Polylines polylines_of(Frame& frame);
 
-/// Per run of `lines`: mean of (samples) values along clipped paths over it; of runs between two samples as there.
+/// Per run of `lines`: mean of the per-atlas-sample `values` over it; for a run between two samples, the value there.
 Array<float> means_over(const ClippedPaths& clipped, const CompactRuns& lines, In<float> values);
 
 }  // namespace fovea::draw

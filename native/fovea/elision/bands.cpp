@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t runs_per_block = 64;
 constexpr double width_error_px = 0.05;
-constexpr double pulled_back = 0.25;  // of half the width
+constexpr double pulled_back = 0.25;  // share of half the width by which bands are shortened at their ends
 constexpr Index most_ranks = (Index(1) << 23) - 1;
 
 /// Half width at an arc length.
@@ -22,8 +22,8 @@ struct Knot {
     double arc, half;
 };
 
-/// Drops knots between which the width is linear, near enough, in one pass: the slopes that lead from a knot past all
-/// that follow it are a cone, which narrows until the next one is missed (Sklansky & Gonzalez 1980).
+/// Drops knots between which the width is linear, within the tolerance, in one pass: the slopes from a knot that pass
+/// all following ones within the tolerance form a cone, which narrows until it misses one (Sklansky & Gonzalez 1980).
 void simplify(std::vector<Knot>& knots) {
     if (knots.size() < 3) return;
     constexpr double any = std::numeric_limits<double>::infinity();
@@ -80,14 +80,15 @@ class Band {
         simplify(knots_);
     }
 
-    /// Where one line ends and another goes on, neither reaches over the other, though they be a little askew.
+    /// Shortens the band at both ends, so that bands of lines that continue each other do not overlap, even if slightly
+    /// misaligned.
     void pull_back() {
         const double most = (end_ - start_) * 0.25;
         start_ += std::min(most, pulled_back * knots_.front().half);
         end_ -= std::min(most, pulled_back * knots_.back().half);
     }
 
-    /// Half width; arc lengths ascend from call to call.
+    /// Half width at an arc length; calls must be in ascending order.
     double half_at(double arc) {
         while (knot_ + 1 < knots_.size() && knots_[knot_ + 1].arc <= arc) ++knot_;
         const Knot& a = knots_[knot_];
@@ -100,7 +101,7 @@ class Band {
         return std::max(0.0, 1.0 - (run_end_ - arc) / reach_) - std::max(0.0, 1.0 - (arc - run_start_) / reach_);
     }
 
-    /// Where after an arc length, at the latest, something stops being linear.
+    /// The next arc length, at most `last`, at which width or distance to an end stops being linear.
     double next_bend(double arc, double last) const {
         double next = last;
         if (knot_ + 1 < knots_.size()) next = std::min(next, std::max(knots_[knot_ + 1].arc, arc));
@@ -130,7 +131,7 @@ class Band {
         has_before_ = true;
     }
 
-    /// A band at an arc length.
+    /// Cross section of a band at an arc length.
     struct Side {
         double half, near_end;
     };

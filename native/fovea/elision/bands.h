@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bands that lines reserve, as triangles: what both backends draw into the priority buffer.
+// Triangles of the bands that lines reserve; both backends rasterize them into the priority buffer.
 #pragma once
 
 #include <fovea/base/columns.h>
@@ -7,10 +7,9 @@
 
 namespace fovea::elision {
 
-/// V corners and T triangles, run after run, the highest rank first. Bands are drawn half a pixel wider than they are,
-/// so that a pixel tells how much of it a band covers: clamp(h + .5 - |v|, 0, 1) at its center, v and h affine over the
-/// triangle. They end straight, an eighth of
-/// their width before their run does.
+/// V vertices and T triangles, run by run, the highest rank first. Each side is drawn half a pixel wider than the band,
+/// and a pixel's coverage by the band is clamp(h + .5 - |v|, 0, 1) at its center, with v and h affine over the
+/// triangle. Bands end square, an eighth of their width before their run does.
 struct Bands {
     Array<vec2> px;
     Array<vec3> across, owner;
@@ -28,7 +27,7 @@ struct Bands {
     Array<glm::uvec3> triangles;
 };
 
-/// Bands of all runs that samples belong to; on a bend the gap on its outer side is filled. The width is linear between
+/// Bands of all runs that own samples. The gap on the outer side of a bend is filled. The width is linear between
 /// samples, to 1/20 px. Throws std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own);
 

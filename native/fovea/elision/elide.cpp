@@ -34,14 +34,14 @@ class Window {
    private:
     static constexpr std::size_t nowhere = ~std::size_t(0);
 
-    /// Number of the pixel at a place; `nowhere` outside of the picture.
+    /// Index of the pixel at a position; `nowhere` outside of the picture.
     std::size_t find(vec2 at) const {
         if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < float(buffer_.width) && at.y < float(buffer_.height)))
             return nowhere;
         return std::size_t(int(at.y)) * buffer_.width + std::size_t(int(at.x));
     }
 
-    /// (lost, own) share of the pixel at a place.
+    /// (lost, own) share of the pixel at a position.
     vec2 pixel(vec2 at) {
         const std::size_t here = find(at);
         if (here == nowhere) return vec2(0.0f);
@@ -60,14 +60,15 @@ class Window {
         return f_.elision_inside(band_, u) * vec2(taken, own);
     }
 
-    /// The part of a pixel that another line takes away.
+    /// The part of a pixel that is lost to another line.
     float lost(const PriorityTexel& other, float own, float u, vec2 away) {
         const vec2 across = vec2(other.away_x, other.away_y) / PriorityTexel::away_unit;
         return f_.elision_lost(place_, band_, own, u, away, across, other.right != 0, float(other.coverage) / 255.0f,
                                meets(other.rank), f_.elision_shortness(band_), reach_);
     }
 
-    /// How much one of the run's ends, not far from here, lies in this line's band. Asked only where something is lost.
+    /// How far one of the run's ends, if near, lies in the band of the line of this rank, in [0, 1]. Evaluated lazily,
+    /// only where something is lost.
     float meets(std::uint32_t rank) {
         if (!knows_ends_) find_ends();
         float most = 0.0f;
@@ -79,7 +80,7 @@ class Window {
         return most;
     }
 
-    /// Between the four pixels around an end, so that it may move.
+    /// Bilinear weights of the four pixels around each end, so that the result is continuous when the end moves.
     void find_ends() {
         knows_ends_ = true;
         for (int end = 0; end < 2; ++end) {

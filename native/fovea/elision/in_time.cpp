@@ -16,12 +16,12 @@ namespace {
 using Part = ShownLines::Part;
 using Sample = ShownLines::Sample;
 
-/// What tells places on the paths of a frame.
+/// Keys of places on the paths of a frame (ShownLines::Key).
 class Keys {
    public:
     Keys(const Paths& paths, const Scene& scene) : paths_(paths), scene_(scene) {}
 
-    /// The part that the segment from a point of a path lies on.
+    /// The part that contains the segment from a point of a path.
     Part part(Index path, Index point) const {
         const Placement& placement = scene_.placements[paths_.placement[path]];
         const Index end = paths_.rows.end(path) - 1;
@@ -60,7 +60,7 @@ class Keys {
     const Scene& scene_;
 };
 
-/// Where atlas samples are on their paths: on the segment from a point, at an arc length.
+/// Position of an atlas sample on its path: segment from `point`, arc length, and range of validity.
 struct OnPath {
     Index point;
     double arc, reach;
@@ -77,12 +77,12 @@ Array<OnPath> places_of_samples(const ClippedPaths& clipped, const Paths& paths)
     });
 }
 
-/// What other frames are asked about one frame's places.
+/// Lookup of elision opacities in another frame.
 class Frame {
    public:
     explicit Frame(const ShownLines& lines) : lines_(lines) {}
 
-    /// What is shown at the place of another frame's sample; below 0 where that is not seen.
+    /// Elision opacity at the place of another frame's sample; below 0 if not in this picture.
     double at(const Sample& sample, bool hidden) {
         if (part_ == lines_.parts.end() || part_->key != sample.key) part_ = find(sample.key);
         if (part_ == lines_.parts.end()) return ShownLines::unseen;
@@ -98,13 +98,13 @@ class Frame {
     }
 
    private:
-    /// The only part that has a key.
+    /// The part with a key; end() unless it is unique.
     Array<Part>::const_iterator find(ShownLines::Key key) const {
         const auto same = std::ranges::equal_range(lines_.parts, key, {}, &Part::key);
         return same.size() == 1 ? same.begin() : lines_.parts.end();
     }
 
-    /// At an arc length of a stretch.
+    /// Elision opacity at an arc length of a stretch.
     double on(Index stretch, double arc) const {
         const auto begin = lines_.samples.begin() + lines_.rows.begin(stretch);
         const auto end = lines_.samples.begin() + lines_.rows.end(stretch);
@@ -125,7 +125,7 @@ class Frame {
 ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
                        In<float> shown, int width, int height) {
     check(shown.size() == clipped.samples, "smoothing in time: one opacity per atlas sample expected");
-    // Of their bands only which samples they have, and where, matters.
+    // Only the samples of each run and their positions are used, not their bands.
     const Array<Index> ranks(runs.size(), 0);
     const Array<float> widths(clipped.samples, 0.0f);
     const OwnBands own = own_bands(clipped, runs, ranks, widths, 1.0f);
@@ -133,7 +133,7 @@ ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Sc
     const Keys keys(paths, scene);
 
     const auto path_of = [&](Index r) { return clipped.path[runs.piece[r]]; };
-    Array<Index> order;  // of the runs
+    Array<Index> order;  // run numbers, by path
     for (Index r = 0; r < runs.size(); ++r)
         if (own.runs.size(r) > 0 && !paths.of_view[path_of(r)]) order.push_back(r);
     std::ranges::stable_sort(order, {}, path_of);

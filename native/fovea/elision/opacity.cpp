@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t taps_aside = 4;
 
-/// body(begin, end) for the samples of every run.
+/// Calls body(begin, end) for the samples of every run.
 template <typename Body>
 void for_runs(const Rows& runs, const Body& body) {
     parallel_for(
@@ -22,10 +22,11 @@ void for_runs(const Rows& runs, const Body& body) {
         64);
 }
 
-/// Least (or with `most`, greatest) of values[i] .. values[i + length - 1] for every i at which these are all there.
+/// Sliding-window reduction by `better` (minimum or maximum): out[i] is that of values[i] .. values[i + length - 1],
+/// for every full window.
 template <typename Better>
 void windows(const std::vector<float>& values, std::size_t length, std::vector<float>& out, const Better& better) {
-    // Van Herk: blocks of `length`; every window is the end of one block and the start of the next.
+    // Van Herk 1992: in blocks of `length`, every window is a suffix of one block and a prefix of the next.
     const std::size_t count = values.size();
     std::vector<float> ahead(count), back(count);
     for (std::size_t i = 0; i < count; ++i) ahead[i] = i % length ? better(ahead[i - 1], values[i]) : values[i];
@@ -35,8 +36,8 @@ void windows(const std::vector<float>& values, std::size_t length, std::vector<f
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = better(back[i], ahead[i + length - 1]);
 }
 
-/// Gray-scale opening by windows that lie inside, so many values long; between two whole numbers, between both
-/// openings. Of fewer values the least.
+/// Gray-scale opening with full windows of `length` values; for fractional lengths, interpolated between the two
+/// integer ones. For fewer values than that, their minimum.
 class Opening {
    public:
     void operator()(float* values, std::size_t count, double length) {
@@ -64,7 +65,7 @@ class Opening {
     std::vector<float> values_, least_, most_, longer_;
 };
 
-/// Pixels between the samples of a stretch, on average.
+/// Average distance between the samples of a stretch [px].
 double spacing(const OwnBands& own, std::size_t begin, std::size_t end) {
     const double px = double(own.band[end - 1].z) - own.band[begin].z;
     return px / double(std::max<std::size_t>(1, end - 1 - begin));

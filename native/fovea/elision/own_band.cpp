@@ -12,10 +12,10 @@ namespace {
 constexpr std::size_t pieces_per_block = 256;
 constexpr float least_half_width_px = 0.5f, most_half_width_px = 4096.0f;
 
-/// Runs of one piece over a stretch of it.
+/// The run that owns a stretch of a piece.
 struct Cover {
     Index run = none;
-    double share = 0.0;  // of the stretch, by runs as visible as this one
+    double share = 0.0;  // of the stretch covered by runs of its class (visible or hidden)
 };
 
 Cover cover(const Runs& runs, Index first, Index last, double from, double to) {
@@ -34,13 +34,13 @@ Cover cover(const Runs& runs, Index first, Index last, double from, double to) {
     return found;
 }
 
-/// Samples of some pieces.
+/// Collects the samples of some pieces.
 class Samples {
    public:
     Samples(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px, OwnBands& own)
         : clipped_(clipped), runs_(runs), ranks_(ranks), half_width_px_(half_width_px), own_(own) {}
 
-    /// `counts`: samples of each run.
+    /// Adds the samples of a piece. `counts`: samples of each run.
     void add(Index piece, Index run, Index last_run, Array<Index>& counts) {
         counted_ = none;
         for (Index i = clipped_.pieces.begin(piece); i + 1 < clipped_.pieces.end(piece); ++i) {

@@ -6,8 +6,8 @@
 
 namespace fovea::elision {
 
-/// The atlas samples that runs cover, in the order of the atlas, and so of the runs; what the elision test reads, on
-/// either backend. A sample belongs to the run that covers most of it.
+/// The atlas samples covered by runs, in atlas order and hence in that of the runs: input of the elision test on both
+/// backends. A sample belongs to the run that covers most of it.
 struct OwnBands {
     /// Samples of each run: entries runs.begin(r) .. runs.end(r) of the arrays; a run shorter than a sample may have
     /// none.
@@ -24,14 +24,13 @@ struct OwnBands {
             "rank of the run; pixels back to its start, and ahead to its end"},
         Column{"ends", &OwnBands::ends, "(D, 4) float32: where the run starts, and where it ends [px]"}};
 
-    /// How far before its end a line begins to hand over to one that goes on there [px].
+    /// Distance before its end at which a line begins to hand over to one that continues there [px].
     float reach_px = 0.0f;
 };
 
-/// `ranks`: per run (elision/priority.h). `half_width_px`: per atlas sample, half the width that a line wants there
-/// where it is wholly drawn; where runs cover the sample in part it is that much less. What is not a number, or below
-/// 0, is 0. `reach_px`: 1.5 times the window over which elision_scores averages, so that a line that begins where
-/// another ends is whole there; above 0.
+/// `ranks`: per run (elision/priority.h). `half_width_px`: per atlas sample, half the width of the band of a fully
+/// drawn line; scaled down where runs cover the sample in part. NaN and negative values count as 0. `reach_px`: 1.5
+/// times the smoothing window of elision_scores, so that a line that begins where another ends is whole there; above 0.
 OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
                    float reach_px);
 

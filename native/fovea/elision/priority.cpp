@@ -13,7 +13,7 @@
 namespace fovea::elision {
 namespace {
 
-/// Importance of the most important of some kinds.
+/// Greatest importance among some kinds.
 double importance_of(Kinds kinds) {
     const auto& all = line_definitions();
     double importance = 0.0;
@@ -22,10 +22,10 @@ double importance_of(Kinds kinds) {
     return importance;
 }
 
-/// Also for what is not a number.
+/// Clamps to [0, 1]; NaN: 0.
 double in_unit(double value) { return value > 0.0 ? std::min(value, 1.0) : 0.0; }
 
-/// Sums along a path, by length in space.
+/// Integrals along a path over length in space.
 struct Along {
     double length = 0.0, kind = 0.0, strength = 0.0, painted = 0.0, distance = 0.0;
 

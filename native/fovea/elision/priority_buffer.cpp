@@ -10,14 +10,14 @@
 namespace fovea::elision {
 namespace {
 
-/// Of the sign of the cosine of twice the angle between two lines.
+/// Has the sign of the cosine of twice the angle between two lines.
 float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
     const vec2 u(a.away_x, a.away_y), v(b.away_x, b.away_y);
     const float c = glm::dot(u, v);
     return 2.0f * c * c - glm::dot(u, u) * glm::dot(v, v);
 }
 
-/// Bands come by falling rank, so that whoever is first stays.
+/// Bands are drawn by descending rank, so the first entry stays.
 void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) {
     PriorityTexel& first = buffer.first[pixel];
     if (first.rank == 0) {

@@ -7,14 +7,14 @@
 
 namespace fovea::focus {
 
-/// Where an atlas sample lies: on the segment from a point of ClippedPaths to the next, and what share of it, on the
-/// screen and in space.
+/// Position of an atlas sample: on the segment from `point` of ClippedPaths to the next, at these fractions of it on
+/// the screen and in space.
 struct SamplePlace {
     Index sample, point;
     float on_screen, in_space;
 };
 
-/// value(SamplePlace) at every atlas sample, by many threads.
+/// Evaluates value(SamplePlace) at every atlas sample, in parallel.
 template <typename Value>
 auto at_samples(const ClippedPaths& clipped, const Value& value) {
     Array<decltype(value(SamplePlace()))> values(clipped.samples);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t rows_per_block = 8;
 
-/// 0 up to `near`, 1 from `far` on; equal: a step there. What is no number is far.
+/// 0 up to `near`, 1 from `far` on, linear between; near == far is a step. NaN: 1.
 float between(float distance, float near, float far) {
     if (distance <= near) return 0.0f;
     return distance < far ? (distance - near) / (far - near) : 1.0f;
@@ -75,7 +75,7 @@ Array<float> focus_of_pixels(const View& view, In<float> distance, const Focus& 
                 const std::size_t i = y * view.width + x;
                 const vec2 px(x + 0.5f, y + 0.5f);
                 const bool in_scene = focus.space == FocusSpace::scene;
-                // Beyond everything: infinity times 0 is no number.
+                // Background: from_pixels would give NaN (infinity times 0).
                 const bool nothing = in_scene && !std::isfinite(distance[i]);
                 const vec3 place =
                     in_scene && !nothing ? vec3(from_pixels(view, clip_to_view, px, distance[i])) : vec3(0.0f);

@@ -10,14 +10,14 @@
 namespace fovea::focus {
 namespace {
 
-constexpr int cell = 4;  // pixels between those of the lattice
+constexpr int cell = 4;  // spacing of the lattice [px]
 
-/// The samples of a piece, in its order.
+/// The samples of a piece, in order.
 struct Along {
     struct Sample {
         Index number;
         vec3 place;
-        float length;  // along the piece
+        float length;  // arc length along the piece, in space
     };
     const Focus& focus;
     float reach;
@@ -26,7 +26,7 @@ struct Along {
 
     void ask(std::size_t i) { f[samples[i].number] = focus(vec2(0.0f), samples[i].place); }
 
-    /// All between two that are known.
+    /// Fills the samples between two that are known.
     void between(std::size_t first, std::size_t last) {
         if (last - first < 2) return;
         const Sample &from = samples[first], &to = samples[last];
@@ -79,7 +79,7 @@ class BetweenPixels {
         float f;
     };
 
-    /// Not finite where the pixel shows nothing.
+    /// View-space position seen at a pixel; not finite for background.
     vec3 place(int x, int y) const {
         const float distance = distance_[std::size_t(y) * view_.width + x];
         if (!std::isfinite(distance)) return vec3(distance);
@@ -93,7 +93,7 @@ class BetweenPixels {
         return {there, exact(there)};
     }
 
-    /// `corners` of the pixel's cell: along x, then along y.
+    /// f of a pixel. `corners`: of its cell, x running first.
     float at(int x, int y, const Known corners[4]) const {
         const int u = x % cell, v = y % cell;
         if (u == 0 && v == 0) return corners[0].f;
@@ -110,7 +110,7 @@ class BetweenPixels {
     In<float> distance_;
     const Focus& focus_;
     dmat4 clip_to_view_;
-    float reach_;  // over which f cannot change by more than the tolerance
+    float reach_;  // distance over which f changes by at most the tolerance
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ void check_curve(In<vec2> curve) {
     }
 }
 
-/// The monotone cubic through points.
+/// Monotone cubic interpolant of points.
 class Curve {
    public:
     explicit Curve(In<vec2> points) : points_(points), slope_(points.size(), 0.0f) {
@@ -27,7 +27,7 @@ class Curve {
         const std::size_t last = points.size() - 1;
         for (std::size_t i = 0; i <= last && last > 0; ++i) {
             const float a = chord(i > 0 ? i - 1 : 0), b = chord(i < last ? i : last - 1);
-            // The harmonic mean is at most twice the lesser slope: no overshoot.
+            // The harmonic mean is at most twice the lesser slope, so that the cubic is monotone.
             slope_[i] = a * b > 0.0f ? 2.0f * a * b / (a + b) : 0.0f;
         }
     }

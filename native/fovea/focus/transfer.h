@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Transfer functions: how strongly an effect answers to focus.
+// Transfer functions: strength of an effect as a function of focus.
 #pragma once
 
 #include <array>
@@ -9,19 +9,19 @@
 namespace fovea::focus {
 
 /// From a normalized value (focus; distance from the camera) in [0,1] to a mix in [0,1] (Cole 2009, 5.3.2): 0 up to
-/// `start`, `strength` from `end` on, in between along the response curve. `start` beyond `end` turns it round; where
-/// they are equal, it is a step there. Backends and the panel all take their numbers from here.
+/// `start`, `strength` from `end` on, in between along the response curve. start > end reverses it; start == end is a
+/// step. Backends and the panel all evaluate this class.
 class Transfer {
    public:
     /// The identity.
     Transfer() : Transfer(0.0f, 1.0f, 1.0f, {}) {}
 
-    /// `curve`: points (x, y) of the response, x ascending, all in [0,1], joined by a monotone cubic (Fritsch & Carlson
-    /// 1980), held beyond the first and the last; none: straight. Throws std::invalid_argument for other points, and
-    /// for numbers that are not finite.
+    /// `curve`: points (x, y) of the response, x ascending, all in [0,1], interpolated by a monotone cubic (Fritsch &
+    /// Carlson 1980), constant beyond the first and the last; empty: linear. Throws std::invalid_argument for other
+    /// points, and for non-finite numbers.
     Transfer(float start, float end, float strength, In<vec2> curve);
 
-    /// What is no number counts as 0.
+    /// NaN counts as 0.
     float operator()(float value) const {
         const float x = position(value) * steps;
         const int k = x < steps ? int(x) : steps - 1;
@@ -31,7 +31,7 @@ class Transfer {
    private:
     static constexpr int steps = 64;
 
-    /// Where a value lies between start and end, in [0,1].
+    /// Position of a value between start and end, in [0,1].
     float position(float value) const {
         if (!(value == value)) value = 0.0f;
         if (start_ == end_) return value >= start_ ? 1.0f : 0.0f;
@@ -43,7 +43,7 @@ class Transfer {
     std::array<float, steps + 1> response_;
 };
 
-/// What two causes make of one effect, each a mix in [0,1]: neither undoes the other.
+/// Combines the mixes in [0,1] of two causes of one effect; never less than either.
 inline float both(float a, float b) { return 1.0f - (1.0f - a) * (1.0f - b); }
 
 }  // namespace fovea::focus

@@ -33,7 +33,8 @@ inline double plane_distance(int plane, const dvec3& position_view, const dvec4&
     }
 }
 
-/// Liang & Barsky, "A New Concept and Method for Line Clipping", TOG 1984, for one plane given by its distances.
+/// Liang & Barsky, "A New Concept and Method for Line Clipping", TOG 1984, for one plane, given the signed distances of
+/// both ends.
 inline void clip_plane(double at_begin, double at_end, ClipRange& range) {
     if (at_begin < 0.0 && at_end < 0.0) {
         range = {1.0, 0.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What projection and clipping hand on: pieces of paths in pixels, each with its share of the segment atlas.
+// Output of projection and clipping: pieces of paths in pixels, with their samples in the segment atlas.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace fovea::project {
 
-/// The depth of lines that nothing hides: nearer than any surface, however steep it is.
+/// Depth of lines that nothing occludes: in front of any surface, whatever its slope.
 inline constexpr float before_all = 1e30f;
 
-/// How a piece begins and ends: with an end of its path, at the seam of a closed path, or, with no bit set, cut by the
-/// frame.
+/// How a piece begins and ends: at an end of its path, at the seam of a closed path, or, with no bit set, clipped by
+/// the frame.
 enum PieceEnds : std::uint8_t { path_start = 1, path_end = 2, seam_start = 4, seam_end = 8 };
 
 /// Paths projected and clipped to the frame. A piece is what one path leaves inside the frame (a path that leaves
@@ -66,9 +66,9 @@ struct ClippedPaths {
             "the atlas; sample j lies at its screen fraction (j + 0.5) / sample_count"},
         Column{"sample_count", &ClippedPaths::sample_count, "(M,) uint32, 0 at the end of a piece"}};
 
-    /// Samples in the atlas.
+    /// Number of samples in the atlas.
     Index samples = 0;
-    /// Whether screen fractions of a segment are also fractions of it in space.
+    /// Orthographic view: fractions of a segment on the screen equal those in space.
     bool orthographic = false;
 
     /// Arc length at which a piece begins, and at which it ends.
@@ -79,25 +79,25 @@ struct ClippedPaths {
         const auto inner = arc_px.begin() + pieces.begin(piece) + 1, last = arc_px.begin() + pieces.end(piece) - 1;
         return Index(std::upper_bound(inner, last, arc) - arc_px.begin()) - 1;
     }
-    /// Which share of a segment lies before an arc length, in [0, 1]; `otherwise` where the segment has no length.
+    /// Fraction of a segment before an arc length, in [0, 1]; `otherwise` if the segment has no length.
     double share_at(Index segment, double arc, double otherwise = 0.0) const {
         const double length = arc_px[segment + 1] - arc_px[segment];
         return length > 0.0 ? std::clamp((arc - arc_px[segment]) / length, 0.0, 1.0) : otherwise;
     }
-    /// Number of a piece's first sample; samples of the pieces follow each other, so that the next piece's ends its
-    /// own.
+    /// Index of a piece's first atlas sample. Samples of pieces are contiguous: those of a piece end where the next
+    /// piece's begin.
     Index first_sample(Index piece) const {
         return piece < pieces.count() ? sample_start[pieces.begin(piece)] : samples;
     }
-    /// Place in pixels at an arc length of a piece, or its nearest end.
+    /// Pixel position at an arc length of a piece, clamped to its ends.
     vec2 place_px(Index piece, double arc) const {
         const Index i = segment_at(piece, arc);
         return glm::mix(px[i], px[i + 1], float(share_at(i, arc)));
     }
-    /// Values per point of Paths at a point of these.
+    /// Per-point values of Paths, interpolated at a clipped point.
     float at_point(In<float> values, Index point) const {
         const float here = values[source[point]], t = source_t[point];
-        // The last point of a path has nothing to mix with.
+        // The last point of a path has no next point.
         return t > 0.0f ? glm::mix(here, values[source[point] + 1], t) : here;
     }
 };

@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t paths_per_block = 512;
 constexpr const char* too_many_samples = "the drawing has more than four billion samples; raise the sample step";
-/// Coordinates beyond it overflow in Embree, which drops them.
+/// Coordinates beyond this overflow in Embree; such paths are dropped.
 constexpr double farthest = 1e18;
-/// Finer steps would only fill memory.
+/// Lower bound that limits memory.
 constexpr double least_sample_step_px = 1e-3;
 
 /// One path, projected, before clipping.
@@ -21,7 +21,7 @@ struct Projected {
     std::vector<dvec3> view;
     std::vector<dvec4> clip;
     std::vector<dvec2> px;              // of points in front of the near plane
-    std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it lies beyond
+    std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it is outside of
     std::uint8_t outside_all = 0, outside_any = 0;
     std::vector<ClipRange> near_range;  // per segment: the part in front of the near plane
     std::vector<double> length;         // per segment, in space
@@ -29,20 +29,20 @@ struct Projected {
     double middle_px = 0.0;
 };
 
-/// A point of a piece: a place on a segment of its path, and the pixels of path before it.
+/// A point of a piece: position on a segment of its path, and arc length of the path up to it [px].
 struct Stop {
     Index segment;
     double t;
     double arc;
 };
 
-/// Projects paths one after the other into its own ClippedPaths.
+/// Projects paths sequentially into its own ClippedPaths.
 class Projector {
    public:
     Projector(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options)
         : paths_(paths), scene_(scene), view_(view), options_(options) {}
 
-    /// Room for so many pieces and points, so that arrays do not grow step by step.
+    /// Reserves memory for pieces and points.
     void reserve(std::size_t pieces, std::size_t points) {
         reserve_columns(out, ClippedPaths::piece_columns, pieces);
         reserve_columns(out, ClippedPaths::point_columns, points);
@@ -90,7 +90,7 @@ class Projector {
         }
     }
 
-    /// A bit per clip plane.
+    /// Outcode: a bit per clip plane that the point is outside of.
     std::uint8_t beyond(const dvec3& position, const dvec4& clip) const {
         int bits = 0;
         for (int plane = 0; plane < clip_planes; ++plane)
@@ -98,21 +98,21 @@ class Projector {
         return static_cast<std::uint8_t>(bits);
     }
 
-    /// False where a placement puts the path nowhere, or farther than rays reach.
+    /// False if a view-space coordinate is NaN, infinite, or too large for rays.
     bool reachable() const {
         return std::all_of(p_.view.begin(), p_.view.end(), [](const dvec3& p) {
             return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
         });
     }
 
-    /// A short path that leads nowhere; what fades away at its ends does not make it longer.
+    /// Whether a path with a free end is shorter than the minimum; faint parts do not count.
     bool is_speck(Index path) const {
         const std::size_t set = paths_.line_set[path];
         return set < options_.least_length_px.size() && paths_.free_ends[path] != 0 &&
                drawn_px(path) < options_.least_length_px[set];
     }
 
-    /// Pixels of a path that are strong enough to be seen.
+    /// Length in pixels of the segments of a path whose strength is visible.
     double drawn_px(Index path) const {
         constexpr float faint = 0.1f;
         double length = 0.0;
@@ -121,7 +121,8 @@ class Projector {
         return length;
     }
 
-    /// A short contour around nothing: noise of the mesh where a smooth surface is seen at a grazing angle.
+    /// Whether a path is a short closed contour that encloses almost no area: mesh noise where a smooth surface is seen
+    /// at a grazing angle.
     bool is_sliver(Index path) const {
         constexpr double roundness = 0.02;  // area / perimeter^2; a circle has 0.08
         const std::size_t set = paths_.line_set[path];
@@ -137,7 +138,7 @@ class Projector {
         return std::abs(area) < roundness * perimeter * perimeter;
     }
 
-    /// Arc length in pixels of what lies in front of the near plane, and where the path's middle (in space) falls.
+    /// Measures arc length in pixels in front of the near plane, and its value at the path's middle (in space).
     void measure() {
         const std::size_t segments = p_.clip.size() - 1;
         p_.near_range.resize(segments);
@@ -177,7 +178,7 @@ class Projector {
         return glm::length(pixels_at(segment, t1) - pixels_at(segment, t0));
     }
 
-    /// Pixels of path before a place in front of the near plane.
+    /// Arc length [px] at a position, counting the part in front of the near plane.
     double arc_at(std::size_t segment, double t) const {
         const ClipRange& range = p_.near_range[segment];
         if (t <= range.begin) return p_.arc_px[segment];
@@ -208,7 +209,7 @@ class Projector {
         mark_ends(path, begin, end, first_piece);
     }
 
-    /// Writes the piece through the stops, if there is one.
+    /// Writes the piece through the stops, if there are any.
     void finish_piece(Index path, Index begin) {
         if (stops_.empty()) return;
         const std::size_t count = stops_.size(), first = out.px.size();
@@ -251,7 +252,7 @@ class Projector {
         out.sample_count[at] = 0;
     }
 
-    /// The segment that starts at a point.
+    /// Writes the segment that starts at a point.
     void write_segment(std::size_t at, Index path, Index source, double length) {
         out.sample_count[at] = static_cast<Index>(std::ceil(length / options_.sample_step_px));
         const Index placement = paths_.placement[path], place = paths_.place[source];
@@ -269,7 +270,7 @@ class Projector {
         }
     }
 
-    /// The first and the last piece may have ends of their path.
+    /// Marks ends of the path on its first and last piece.
     void mark_ends(Index path, Index begin, Index end, std::size_t first_piece) {
         const int free = path < paths_.free_ends.size() ? paths_.free_ends[path] : 0;
         const bool closed = paths_.closed[path];
@@ -289,12 +290,12 @@ class Projector {
     const View& view_;
     const ProjectOptions& options_;
     Projected p_;
-    Index placement_ = none;  // what lies in view space
+    Index placement_ = none;  // whose transforms are set; none: view space
     dmat4 object_to_view_{1.0}, object_to_clip_{view_.view_to_clip};
     std::vector<Stop> stops_;  // of the piece that is being clipped
 };
 
-/// Parts one after the other.
+/// Concatenates parts.
 ClippedPaths join(const std::vector<ClippedPaths>& parts) {
     std::vector<std::uint64_t> pieces, points, samples;
     for (const ClippedPaths& part : parts) {

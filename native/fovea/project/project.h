@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Projection and clipping of paths, and their share of the segment atlas.
+// Projection and clipping of paths, and layout of their samples in the segment atlas.
 #pragma once
 
 #include <fovea/base/parallel.h>
@@ -11,16 +11,16 @@ namespace fovea::project {
 struct ProjectOptions {
     /// Pixels between samples (k of eq. 5.1): l = ceil(length / k).
     double sample_step_px = 2.0;
-    /// Room kept around the frame, as a share of its half size, so that strokes do not end where one can see it.
+    /// Margin around the frame, as a fraction of its half size, so that clipped ends of strokes lie out of view.
     double margin = 0.1;
-    /// Per line set: paths with an end that touches no other line are left out when shorter than this in the image,
-    /// and so are closed contours twice as long that enclose next to nothing. May be empty: nothing is left out.
+    /// Per line set: minimum length in the image. Shorter paths with an end that touches no other line are dropped, and
+    /// so are closed contours up to twice as long that enclose almost no area. Empty: nothing is dropped.
     std::vector<double> least_length_px{};
 };
 
 /// Clips paths in homogeneous coordinates at the near plane and at the widened frame, projects them, measures arc
-/// length over the whole path (zero at its middle in space) and lays their samples out one after the other. A path of
-/// one segment no longer than a sample is dropped. Cole 2009, section 5.1.2, "Projection and Clipping".
+/// length over the whole path (zero at its middle in space) and lays out their samples contiguously. A path of one
+/// segment no longer than a sample is dropped. Cole 2009, section 5.1.2, "Projection and Clipping".
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel);
 

@@ -10,14 +10,15 @@ namespace {
 
 constexpr std::size_t runs_per_block = 256;
 constexpr double step_px = 2.0;
-constexpr double alongside = 0.97;  // cosine between lines that go the same way, either way round: 14 degrees
-constexpr double crossing = 3.0;    // times near_px: how far a line is beside one that it crosses at that angle
+constexpr double alongside = 0.97;  // cosine of 14 degrees: smaller angles count as parallel, in either direction
+constexpr double crossing =
+    3.0;  // times near_px: length over which a line lies beside one that it crosses at that angle
 
 struct Place {
     dvec2 px, way;
 };
 
-/// visit(arc, place) along a run every step_px, half a step from its start.
+/// Calls visit(arc, place) along a run every step_px, starting at half a step.
 template <typename Visit>
 void walk(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const Visit& visit) {
     Index i = clipped.pieces.begin(runs.piece[run]);
@@ -34,7 +35,7 @@ void walk(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const 
     }
 }
 
-/// The places of visible runs, by square cells of the image.
+/// Uniform grid over sample places of visible runs.
 class Grid {
    public:
     Grid(const ClippedPaths& clipped, const Runs& runs, double near_px) : cell_(std::max(near_px, step_px)) {
@@ -64,7 +65,7 @@ class Grid {
             for (const Place& place : block) places_[counts[cell(place.px)]++] = place;
     }
 
-    /// Whether a visible run goes along `place` nearer than near_px.
+    /// Whether a visible run lies alongside `place` within near_px.
     bool holds(const Place& place, double near_px) const {
         const dvec2 at = (place.px - low_) / cell_;
         const auto x = std::int64_t(std::floor(at.x)), y = std::int64_t(std::floor(at.y));
@@ -92,7 +93,7 @@ class Grid {
     std::vector<Place> places_;
 };
 
-/// Appends what is left of a hidden run.
+/// Appends the parts of a hidden run that do not lie alongside a visible one.
 void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const Grid& grid, double near_px,
                Runs& out) {
     const double least = crossing * near_px;

@@ -9,7 +9,8 @@
 namespace fovea::runs {
 namespace {
 
-/// The pieces of a path stand together: the other one at its seam is the last or the first of them.
+/// The piece on the other side of the seam, `none` if there is none. Pieces of a path are contiguous, so it is the last
+/// or the first of them.
 Index beyond_seam(const ClippedPaths& clipped, Index piece) {
     const Index path = clipped.path[piece], count = static_cast<Index>(clipped.path.size());
     Index other = piece;
@@ -21,7 +22,7 @@ Index beyond_seam(const ClippedPaths& clipped, Index piece) {
     return other != piece && (clipped.ends[other] & seam_start) ? other : none;
 }
 
-/// Sorts spans and joins those that meet.
+/// Sorts spans and merges those that touch.
 void unite(std::vector<Span>& spans) {
     std::ranges::sort(spans, {}, [](const Span& s) { return std::pair(s.begin, s.end); });
     std::size_t kept = 0;
@@ -110,7 +111,7 @@ void Chain::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const 
 }
 
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out) {
-    std::size_t next = 0;  // visible span that is not written yet
+    std::size_t next = 0;  // first visible span not written yet
     const auto write_before = [&](double arc) {
         for (; next < visible.size() && visible[next].begin < arc; ++next)
             out.push(piece, visible[next].begin, visible[next].end);

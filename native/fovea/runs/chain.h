@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a line is to filters along it: pieces that go on into each other.
+// Chains: connected pieces of a line, which filters process as one.
 #pragma once
 
 #include <fovea/visibility/runs.h>
@@ -12,19 +12,19 @@ struct Span {
     double length() const { return end - begin; }
 };
 
-/// Runs nearer to each other than this, and ends of pieces than this, are the same place.
+/// Ends of runs and of pieces closer than this coincide.
 inline constexpr double same_place_px = 1e-6;
 
-/// A piece; or, where the frame cuts a closed path, the two pieces that meet at its seam. A closed piece goes on into
-/// itself. Arc length is that of the first piece, and goes on along the second.
+/// One piece; or, where the frame cuts a closed path, the two pieces that meet at its seam. A closed piece is cyclic.
+/// Arc length is that of the first piece, continued along the second.
 class Chain {
    public:
     Chain(const ClippedPaths& clipped, Index piece);
 
     double begin = 0.0, end = 0.0;
-    /// The end goes on at the begin.
+    /// Whether the end connects to the begin.
     bool cyclic = false;
-    /// Whether the line ends there, and is not cut by the frame.
+    /// Whether the line itself ends there, rather than being cut by the frame.
     bool ends_at_begin = false, ends_at_end = false;
 
     double length() const { return end - begin; }
@@ -34,19 +34,18 @@ class Chain {
 
     struct Part {
         Index piece;
-        double shift;  ///< arc length of the chain less that of the piece
+        double shift;  ///< arc length of the chain minus that of the piece
     };
     In<Part> parts() const { return {parts_, std::size_t(count_)}; }
 
-    /// What per-atlas-sample `values` say at a place of the chain (PieceSamples::value).
+    /// Interpolates per-atlas-sample `values` at an arc length of the chain (PieceSamples::value).
     float value(const ClippedPaths& clipped, In<float> values, double at, float otherwise) const;
 
-    /// The visible parts of the chain, ascending, apart from each other. Of a cyclic chain, one that goes on across
-    /// the seam ends beyond `end`.
+    /// Visible spans of the chain, ascending and disjoint. In a cyclic chain, a span across the seam ends beyond `end`.
     void visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const;
 
-    /// What spans leave on one piece, in its own arc length, ascending and apart. Spans may overlap, may reach beyond a
-    /// cyclic chain, and beyond ends of the line; where the frame cuts it they end.
+    /// The spans restricted to one piece, in its own arc length, ascending and disjoint. Input spans may overlap, and
+    /// may extend beyond a cyclic chain and beyond ends of the line; where the frame cuts the line they are clipped.
     void on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const;
 
    private:
@@ -55,13 +54,13 @@ class Chain {
     double seam_ = 0.0;  // where two parts meet
 };
 
-/// Appends the runs of a piece that is now visible in `visible` (ascending, apart), hidden where it was and is not
-/// visible now.
+/// Appends the runs of a piece whose visible spans are now `visible` (ascending, disjoint); its hidden runs stay except
+/// where they are now visible.
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out);
 
-/// The runs after change(chain, spans) has had its way with the visible spans of each chain whose path is `wanted`;
-/// the runs of others stay as they are. Hidden runs give way to visible ones and stay otherwise. A chain of two pieces
-/// is changed once for each. Parallel; the result does not depend on the number of threads.
+/// Applies change(chain, spans) to the visible spans of each chain whose path satisfies `wanted`; runs of other paths
+/// are copied. Visible runs replace hidden ones, which stay otherwise. A chain of two pieces is changed once for each.
+/// Parallel; the result does not depend on the number of threads.
 template <typename Wanted, typename Change>
 Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted& wanted, const Change& change) {
     const Rows rows = runs_of_pieces(clipped, runs);

@@ -10,8 +10,8 @@
 namespace fovea::runs {
 namespace {
 
-constexpr double whole_error = 1e-3;  // px a run may miss at the ends of a closed piece that it covers
-constexpr double look_back = 3.0;     // px: at its very end a dense mesh's line leads anywhere
+constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers a whole closed piece
+constexpr double look_back = 3.0;     // px; the last segments on a dense mesh have no reliable direction
 
 /// Points of the piece within a run: first .. last.
 struct Inner {
@@ -70,7 +70,7 @@ class Writer {
         const Index before = clipped_.segment_at(piece_, arc), after = before + 1;
         const double s = clipped_.share_at(before, arc);
         const dvec3 a(clipped_.position_view[before]), b(clipped_.position_view[after]);
-        // A share of the segment in the image, and the same place as a share of it in space.
+        // Screen fraction of the segment, and the same position as its fraction in space.
         const double t = clipped_.orthographic ? s : s * a.z / (b.z + s * (a.z - b.z));
         out_.px[at] = vec2(glm::mix(dvec2(clipped_.px[before]), dvec2(clipped_.px[after]), s));
         out_.position_view[at] = vec3(glm::mix(a, b, t));
@@ -79,7 +79,8 @@ class Writer {
         out_.kinds[at] = paths_.kinds[clipped_.source[before]];
     }
 
-    /// Straight on beyond an end of the piece, whose inner points follow in the direction `inwards`.
+    /// Writes a point straight beyond an end of the piece; `inwards` (1 or -1): index step from that end to inner
+    /// points.
     void write_beyond(Index at, Index end, int inwards, double arc) {
         write_point(at, end);
         out_.arc_px[at] = arc;
@@ -98,7 +99,7 @@ class Writer {
     const ClippedPaths& clipped_;
     const Paths& paths_;
     CompactRuns& out_;
-    Index piece_ = 0, begin_ = 0, last_ = 0;  // that is being written, and its points
+    Index piece_ = 0, begin_ = 0, last_ = 0;  // the current piece, and its first and last point
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs as polylines: what strokes, export and `fovea lines --visible` read back.
+// Runs as polylines, for strokes, export and `fovea lines --visible`.
 #pragma once
 
 #include <fovea/path/paths.h>
@@ -42,10 +42,11 @@ struct CompactRuns {
                "line_definitions()"}};
 };
 
-/// The points of the paths within each run, and its two ends: interpolated along the image in pixels, along the line in
-/// space in positions and strength. Where a run overshoots its line, the line's end is a point of it, too, and it goes
-/// on the way that it led over its last 3 pixels, as far from the viewer as that end. Throws std::invalid_argument
-/// where runs, pieces and paths do not belong together. Parallel; the same for any number of threads.
+/// The points of the paths within each run, and its two ends: pixel positions are interpolated linearly in the image,
+/// view-space positions and strength linearly along the line in space. Where a run overshoots its line, the line's end
+/// is a point, too, and the run continues in the direction of the line's last 3 pixels, at the depth of its end. Throws
+/// std::invalid_argument where runs, pieces and paths do not belong together. Parallel; the result does not depend on
+/// the number of threads.
 CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs);
 
 }  // namespace fovea::runs

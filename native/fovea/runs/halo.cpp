@@ -10,9 +10,9 @@
 namespace fovea::runs {
 namespace {
 
-constexpr double least_sine = 0.2588;  // of 15 degrees: a gap does not grow along the line it follows
+constexpr double least_sine = 0.2588;  // sine of 15 degrees: bounds the length of gaps at grazing crossings
 
-/// Takes one span out of all.
+/// Subtracts a span from all spans.
 void cut_out(const Span& gap, std::vector<Span>& spans) {
     const std::size_t count = spans.size();
     for (std::size_t i = 0; i < count; ++i) {

@@ -42,7 +42,7 @@ class Splitter {
     }
 
    private:
-    /// Counts at `arc`, and finds the changes since `before`.
+    /// Counts surfaces at `arc`, and locates the changes since `before`.
     double look(double before, double arc) {
         const int count = count_at(arc);
         if (count_ == 0)
@@ -52,7 +52,7 @@ class Splitter {
         return arc;
     }
 
-    /// Changes of the number between two places: count_ at the first, `count` at the other.
+    /// Locates changes of the count between `low`, where it is count_, and `high`, where it is `count`, by bisection.
     void split(double low, double high, int count) {
         if (count == count_) return;
         if (high - low <= exact_tolerance_px) {
@@ -81,7 +81,7 @@ class Splitter {
         return std::max(1, count);
     }
 
-    /// As many surfaces as are told apart, met before: no ray has to find them again where all of them hide the line.
+    /// A set of `levels` surfaces met before: where all of them hide the line, no ray is needed.
     using Enough = std::vector<Occluding>;
 
     Interval interval_of(const Enough& enough) const {
@@ -108,10 +108,10 @@ class Splitter {
     Runs& out_;
     const int levels_;
     Index piece_ = 0;
-    Index at_ = none;  // the segment of count_at, by its first point
+    Index at_ = none;  // first point of the segment of count_at
     Segment segment_;
-    double start_ = 0.0;  // of the run that is open
-    int count_ = 0;       // its number; 0 where none was counted yet
+    double start_ = 0.0;  // start of the open run
+    int count_ = 0;       // its invisibility; 0: not counted yet
     std::vector<Hit> surfaces_;
     Remembered<Enough, 6> enough_;
 };

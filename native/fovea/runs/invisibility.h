@@ -10,11 +10,10 @@
 
 namespace fovea::runs {
 
-/// `all` (visibility/runs.h, with_hidden) with its hidden runs split where the number of surfaces before them changes,
-/// told apart up to `levels` (at most 255): a run's invisibility is the number of surfaces or `levels`, whichever is
-/// less, and at least 1. What counts as a surface: Tracer::surfaces_before. Visible runs stay as they are, and so does
-/// everything for levels <= 1. One ray per atlas sample counts; each change between two is narrowed to
-/// exact_tolerance_px.
+/// Splits the hidden runs of `all` (visibility/runs.h, with_hidden) where the number of surfaces in front of them
+/// changes. The invisibility of a hidden run becomes that number, at least 1 and at most `levels` (<= 255). What counts
+/// as a surface: Tracer::surfaces_before. Visible runs are unchanged, and so is everything for levels <= 1. One ray per
+/// atlas sample counts; each change between two is narrowed to exact_tolerance_px.
 Runs count_invisibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& all,
                         Index levels, const Cancel& cancel);
 

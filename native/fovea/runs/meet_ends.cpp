@@ -10,15 +10,15 @@
 namespace fovea::runs {
 namespace {
 
-constexpr double look_back_px = 4.0;  // a dense mesh's own segments zigzag
+constexpr double look_back_px = 4.0;  // segments on dense meshes zigzag
 constexpr double step_px = 0.5;
-constexpr double facing = -0.5;        // cosine between the ways out of two ends: what is left of a half turn is a bend
-constexpr double near_px = 3.5;        // so near to another end a line on its hidden way meets it
-constexpr double in_line_px = 1.5;     // and one that goes straight on; ends that near to each other meet as they are
-constexpr double straight_on = 0.375;  // share of the reach for which a line goes on beyond its own end
-constexpr double gain_px = 0.5;        // an end goes on for no less
+constexpr double facing = -0.5;        // maximum cosine between the outward directions of two facing ends
+constexpr double near_px = 3.5;        // distance at which a hidden continuation meets another end
+constexpr double in_line_px = 1.5;     // the same for a straight extension; ends this close already meet
+constexpr double straight_on = 0.375;  // maximum straight extension, as a fraction of the reach
+constexpr double gain_px = 0.5;        // minimum extension
 
-/// An end of a visible run, and the way out of it.
+/// An end of a visible run, its cell in the grid, and its outward direction.
 struct End {
     std::int64_t row, column;
     Index run;
@@ -39,7 +39,7 @@ class Ends {
         std::ranges::sort(ends_, {}, [](const End& e) { return std::tuple(e.row, e.column, e.run, e.at_end); });
     }
 
-    /// Where an end of a run should be, at most at `limit` [px of the piece].
+    /// New arc length of an end of a run, at most at `limit` [px of the piece].
     double met(Index run, bool at_end, double limit) const {
         const End own = end_of(run, at_end);
         const double start = at_end ? runs_.end_px[run] : runs_.start_px[run], sign = at_end ? 1.0 : -1.0;
@@ -66,7 +66,7 @@ class Ends {
         return {std::int64_t(cell.y), std::int64_t(cell.x), run, at_end, px, out / glm::length(out)};
     }
 
-    /// How far along its own line an end comes nearest to another one that faces it; 0 where it does not meet it.
+    /// Extension of an end along its own line to the point nearest to a facing end; 0 if they do not meet.
     double way_to(const End& own, const End& other, double start, double sign, double most) const {
         const Index piece = runs_.piece[own.run], path = clipped_.path[piece];
         const Index others = clipped_.path[runs_.piece[other.run]];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t runs_per_block = 64;
 
-/// The parts of a range of runs.
+/// Splits a range of runs.
 class Parting {
    public:
     Parting(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, In<Kinds> sure, double step_px,
@@ -58,7 +58,7 @@ class Parting {
         return {source, !behind || behind->placement != paths_.placement[path]};
     }
 
-    /// Without an answer that stands alone.
+    /// Result of test k, with isolated results replaced by those of their neighbors.
     std::uint8_t voted(std::size_t k) const {
         const std::uint8_t own = answers_[k].outer;
         if (k == 0 || k + 1 == answers_.size() || answers_[k - 1].outer != answers_[k + 1].outer) return own;

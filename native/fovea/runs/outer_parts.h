@@ -12,15 +12,14 @@
 namespace fovea::runs {
 
 struct OuterParts {
-    Runs runs;                  ///< those given, parted
-    Array<std::uint8_t> outer;  ///< per run: 1 where the same placement does not go on behind
-    Array<Index> source;        ///< per run: the point of Paths whose segment it begins on
+    Runs runs;                  ///< the given runs, split
+    Array<std::uint8_t> outer;  ///< per run: 1 if its own placement does not continue behind it
+    Array<Index> source;        ///< per run: first point, in Paths, of the segment on which it begins
 };
 
-/// Asks with rays at the middles of equal parts, at most `step_px` pixels long; one answer alone between two others is
-/// outvoted. `sure` (one entry per path of Paths): segments that are one of these kinds are not asked and count as
-/// outer. Lines found in the image lie on no placement: they must be sure. Throws std::invalid_argument for paths of
-/// another scene.
+/// Casts rays at the middles of equal parts, at most `step_px` pixels long; a single result between two that agree is
+/// replaced by theirs. `sure` (one entry per path of Paths): segments of these kinds are not tested and count as outer.
+/// Image-space lines lie on no placement: they must be sure. Throws std::invalid_argument for paths of another scene.
 OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs,
                        In<Kinds> sure, double step_px, const Cancel& cancel);
 

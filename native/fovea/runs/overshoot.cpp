@@ -15,10 +15,11 @@ void check_amounts(const ClippedPaths& clipped, In<float> amounts, const char* n
     for (float amount : amounts) check(std::isfinite(amount), std::string(name) + ": not a finite number");
 }
 
-constexpr double hidden_rest_px = 1.0;  // what may be hidden of a line at its end: a corner that touches a surface
+constexpr double hidden_rest_px =
+    1.0;  // length of a line that may be hidden at its end, where a corner touches a surface
 
-/// How far a span whose line ends `rest` pixels farther on is drawn on beyond its end. Where a surface hides it, a line
-/// stops at the edge of that surface, as a pencil does; it may draw back from there.
+/// Extension of a span whose line ends `rest` pixels after the span. A line that a surface hides stops at the edge of
+/// that surface; negative amounts apply there, too.
 double beyond(double amount, bool line_ends, double rest) {
     if (amount <= 0.0) return amount;
     return line_ends ? amount * std::clamp(2.0 - rest / hidden_rest_px, 0.0, 1.0) : 0.0;
@@ -42,7 +43,7 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
             if (chain.is_whole(span)) continue;
             const double before = amount(span.begin), after = amount(span.end);
             const double rest_before = span.begin - chain.begin, rest_after = chain.end - span.end;
-            // At the frame the line only seems to end.
+            // No extension at the frame, where the line continues.
             if (chain.ends_at_begin || !chain.reaches_begin(span))
                 span.begin -= beyond(before, chain.ends_at_begin, rest_before);
             if (chain.ends_at_end || !chain.reaches_end(span)) span.end += beyond(after, chain.ends_at_end, rest_after);

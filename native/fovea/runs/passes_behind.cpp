@@ -11,13 +11,13 @@ namespace fovea::runs {
 namespace {
 
 constexpr std::size_t runs_per_block = 256;
-constexpr double reach_px = 2.0;      // beyond the ends of a run: what hides it is found there, however it was sampled
-constexpr double direction_px = 3.0;  // to both sides: a dense mesh's own segments zigzag
-constexpr double joint_px = 1e-3;     // two segments that share a point leave no gap for a line to slip through
-constexpr double least_pixels = 8.0;  // a nearer line is nearer by so many pixels' size; less has a rough outline
-constexpr double steepness = 16.0;    // and by so many more for each pixel beyond the end of a run
+constexpr double reach_px = 2.0;  // extension of runs, to find the lines that hide them at their ends despite sampling
+constexpr double direction_px = 3.0;  // to both sides, for directions: segments on dense meshes zigzag
+constexpr double joint_px = 1e-3;     // tolerance at joints, so that no crossing is missed between two segments
+constexpr double least_pixels = 8.0;  // minimum depth difference in pixels' size; rough outlines differ by less
+constexpr double steepness = 16.0;    // added to it per pixel beyond the end of a run
 
-/// body(stretch) for the segments of a piece between two arc lengths.
+/// Calls body(stretch) for the segments of a piece between two arc lengths.
 template <typename Body>
 void for_stretches(const ClippedPaths& clipped, Index piece, double start, double end, const Body& body) {
     const Index last = clipped.pieces.end(piece) - 1;
@@ -31,7 +31,7 @@ void for_stretches(const ClippedPaths& clipped, Index piece, double start, doubl
     }
 }
 
-/// Whether nothing hides the path of a piece, and it hides nothing.
+/// Whether a piece is of an image-space line, which neither hides nor is hidden.
 bool in_image(const ClippedPaths& clipped, Index piece) {
     return clipped.depth[clipped.pieces.begin(piece)] >= before_all;
 }
@@ -53,19 +53,19 @@ Array<Stretch> visible_stretches(const ClippedPaths& clipped, const Runs& runs) 
     }));
 }
 
-/// A place on a segment, by its screen fraction.
+/// A position on a segment, by its screen fraction.
 struct Place {
     Index point;
     double s;
 };
 
-/// Distance from the eye along the view.
+/// Distance from the eye along the view axis.
 double distance(const ClippedPaths& clipped, const Place& at) {
     const double a = -clipped.position_view[at.point].z, b = -clipped.position_view[at.point + 1].z;
     return clipped.orthographic ? glm::mix(a, b, at.s) : 1.0 / glm::mix(1.0 / a, 1.0 / b, at.s);
 }
 
-/// How wide a pixel is in space where a segment is.
+/// Size of a pixel in space at a position of a segment.
 double pixel_size(const ClippedPaths& clipped, const Place& at) {
     const dvec3 a(clipped.position_view[at.point]), b(clipped.position_view[at.point + 1]);
     const double pixels = glm::length(dvec2(clipped.px[at.point + 1]) - dvec2(clipped.px[at.point]));
@@ -81,12 +81,12 @@ dvec2 direction(const ClippedPaths& clipped, Index piece, double arc) {
     return dvec2(clipped.place_px(piece, arc + direction_px)) - dvec2(clipped.place_px(piece, arc - direction_px));
 }
 
-/// Where two stretches cross, on the segment of each.
+/// The crossing of two stretches, as positions on the segment of each.
 std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, const Stretch& far, const Stretch& near) {
     const dvec2 a(far.a), c(near.a), along = dvec2(far.b) - a, across = dvec2(near.b) - c;
     const double area = cross(along, across);
     const double t = cross(c - a, across) / area, u = cross(c - a, along) / area;
-    // How far beside the stretches their lines cross, in shares of them.
+    // How far beyond the ends of the stretches their lines cross, in fractions of the stretches.
     const double beside_t = std::max({0.0, -t, t - 1.0}), beside_u = std::max({0.0, -u, u - 1.0});
     const bool meet = beside_t * beside_t * glm::dot(along, along) <= joint_px * joint_px &&
                       beside_u * beside_u * glm::dot(across, across) <= joint_px * joint_px;
@@ -98,7 +98,7 @@ std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, con
     return std::pair(on_segment(far.point, a + t * along), on_segment(near.point, c + u * across));
 }
 
-/// Adds what a run passes behind on one of its stretches.
+/// Adds the crossings at which a run passes behind others on one of its stretches.
 void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const StretchGrid& grid, const Stretch& far,
           Array<PassBehind>& found) {
     const Index piece = runs.piece[run];
@@ -131,7 +131,7 @@ Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, I
             for_stretches(clipped, piece, runs.start_px[r] - reach_px, runs.end_px[r] + reach_px,
                           [&](const Stretch& stretch) { find(clipped, runs, r, grid, stretch, part); });
         }
-        // The grid gives stretches in no certain order.
+        // The grid returns stretches in unspecified order.
         std::ranges::sort(part, {}, [](const PassBehind& p) { return std::tuple(p.piece, p.arc_px, p.sine); });
     }));
 }

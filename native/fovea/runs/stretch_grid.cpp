@@ -23,7 +23,7 @@ StretchGrid::StretchGrid(Array<Stretch>&& stretches) : stretches_(std::move(stre
     width_ = static_cast<int>(extent.x / size_) + 1;
     height_ = static_cast<int>(extent.y / size_) + 1;
 
-    // Counted, then filled, by all threads at once: only the order within a cell depends on them.
+    // Parallel counting sort: only the order within a cell depends on the threads.
     starts_.assign(std::size_t(width_) * height_, 0);
     parallel_for(stretches_.size(), [&](std::size_t i) {
         cells(stretches_[i].a, stretches_[i].b,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Straight visible stretches of lines, found by where they are in the image.
+// Spatial index of straight visible stretches of lines in the image.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace fovea::runs {
 
-/// The part of a segment of ClippedPaths between two places in the image [px].
+/// The part of a segment of ClippedPaths between two positions in the image [px].
 struct Stretch {
     vec2 a, b;
-    Index point;  ///< where the segment starts
+    Index point;  ///< first point of the segment
 };
 
 /// A uniform grid over stretches, with about as many cells as stretches.
@@ -19,7 +19,7 @@ class StretchGrid {
    public:
     explicit StretchGrid(Array<Stretch>&& stretches);
 
-    /// body(stretch) for every stretch that may cross the one from a to b; some more than once, in no certain order.
+    /// Calls body(stretch) for every stretch that may cross the one from a to b; some repeatedly, in unspecified order.
     template <typename Body>
     void near(const vec2& a, const vec2& b, const Body& body) const {
         cells(a, b, [&](std::size_t cell) {
@@ -28,7 +28,8 @@ class StretchGrid {
     }
 
    private:
-    /// body(cell) for every cell that the line from a to b comes near: row by row, the part of each that it spans.
+    /// Calls body(cell) for every cell that the segment from a to b touches, within a slack: row by row, the columns
+    /// that it spans.
     template <typename Body>
     void cells(const vec2& a, const vec2& b, const Body& body) const {
         constexpr double slack = 1e-3;  // cells

@@ -9,10 +9,10 @@
 namespace fovea::runs {
 namespace {
 
-/// Where a run of a contour that ends at `end` should end instead, looking back over at most fold_px along `way` (+1
-/// or -1): before a fold, from which the rest runs backwards.
+/// New end of a contour's run that ends at `end`: the start of the fold, if one lies within fold_px; `way` (+1 or -1):
+/// direction of the end along the piece.
 double trim_end(const ClippedPaths& clipped, Index piece, double start, double end, int way, double fold_px) {
-    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // back within 30 degrees of the way it came
+    constexpr double before_px = 4.0, least_px = 1.0, cosine = -0.87;  // cosine: reversal within 30 degrees
     double result = end;
     const vec2 tip = clipped.place_px(piece, end);
     const auto arcs = clipped.arc_px.begin();
@@ -29,8 +29,8 @@ double trim_end(const ClippedPaths& clipped, Index piece, double start, double e
     return result;
 }
 
-/// Where a run should end so that it meets the next one, which starts at `next` beside it: the nearest place within
-/// fold_px of its end, if it is near enough for one line to go on as the other.
+/// New end of a run so that it meets the next one, which starts at `next`: the position within fold_px of its end that
+/// is nearest to that start, if it is near enough for one line to continue as the other.
 double meet_next(const ClippedPaths& clipped, Index piece, double start, double end, double next, double fold_px) {
     constexpr double near_px = 3.0, step_px = 0.5;
     const vec2 goal = clipped.place_px(piece, next);

@@ -10,13 +10,14 @@ namespace fovea::stroke {
 namespace {
 
 constexpr double small_step = 1.5;      // px; longer steps are shape, not noise of a dense mesh
-constexpr double largest_shift = 0.15;  // px a point may move to even out small steps
+constexpr double largest_shift = 0.15;  // px by which smoothing may move a point
 constexpr double tolerance = 0.1;       // px between a dropped point and the line that replaces it
-constexpr double shortest = 0.05;       // px between neighbors: below it a direction means nothing
-constexpr float strength_step = 0.05f;  // change of strength that keeps a point
+constexpr double shortest = 0.05;       // px between neighbors; shorter segments have no reliable direction
+constexpr float strength_step = 0.05f;  // change of strength at which a point is kept
 constexpr int taper_steps = 4;
 constexpr double most_overshoot = 1000.0;  // px
-constexpr double tip_width = 0.2;          // of a tapered end, in widths of the pen: corners of the drawing stay closed
+constexpr double tip_width =
+    0.2;  // of a tapered end, in pen widths; above 0, so that corners of the drawing stay closed
 
 CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);
@@ -26,12 +27,11 @@ CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
 
 CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
     float s = strength.empty() ? 1.0f : clipped.at_point(strength, i);
-    s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // what is no number has no strength
+    s = s > 0.0f ? std::min(s, 1.0f) : 0.0f;  // NaN: 0
     return {dvec2(clipped.px[i]), clipped.arc_px[i], 0.0f, s};
 }
 
-/// The directions in which a straight line from `origin` passes all points seen so far within the
-/// tolerance.
+/// The cone of directions from `origin` that pass all points seen so far within the tolerance.
 class Cone {
    public:
     explicit Cone(const CenterPoint& origin) : origin_(origin) {}
@@ -61,7 +61,7 @@ class Cone {
     dvec2 right_{0.0}, left_{0.0};
 };
 
-/// Binomial average where both steps are small: a zigzag of a dense mesh becomes straight.
+/// Binomial filter where both steps are small: straightens zigzags of a dense mesh.
 void even_out(CenterLine& line) {
     dvec2 before = line.front().px;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -74,13 +74,13 @@ void even_out(CenterLine& line) {
     }
 }
 
-/// Width of the pens where a line is as strong, and as far out of focus, as here; `opacity` is the strength still.
+/// Width of the pens at this strength and mix; `opacity` still holds the strength.
 float width_of(const PenPair& pens, const CenterPoint& p) {
     const float width = glm::mix(pens.in_focus.width_px, pens.out_of_focus.width_px, p.mix.z);
     return width * glm::mix(1.0f, p.opacity, float(pens.in_focus.look.strength_width));
 }
 
-/// Points where strength thins the pen to one pixel: thinner ones are drawn in another way.
+/// Inserts points where strength reduces the width to one pixel, below which opacity is reduced instead.
 void insert_where_thin(CenterLine& line, const PenPair& pens) {
     std::vector<double> arcs;
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -98,8 +98,7 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
     const Index begin = clipped.pieces.begin(piece), end = clipped.pieces.end(piece);
     if (end - begin < 2 || !(start_px < end_px)) return;
     const auto arc = clipped.arc_px.begin();
-    // First point beyond the start, first point not before the end; both have a predecessor in the
-    // piece.
+    // First point beyond the start, and first point not before the end; both have a predecessor in the piece.
     const Index first = Index(std::upper_bound(arc + begin + 1, arc + end - 1, start_px) - arc);
     const Index last = Index(std::lower_bound(arc + first, arc + end - 1, end_px) - arc);
     const auto at = [&](Index i, double arc_px) {
@@ -115,7 +114,7 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
 
 void lengthen(CenterLine& line, double before_px, double after_px) {
     if (line.size() < 2) return;
-    // Straight on is where the line leads over this length: at its very end a dense mesh leads anywhere.
+    // Direction is measured over this length: the last segments on a dense mesh have no reliable direction.
     constexpr double look_back = 3.0;
     const auto beyond = [](const auto& from_end, double length, double sign) {
         CenterPoint end = *from_end.begin();
@@ -162,7 +161,7 @@ void simplify(CenterLine& line) {
     }
     const CenterPoint end = line.back();
     while (kept > 0 && glm::distance(line[kept - 1].px, end.px) <= shortest) --kept;
-    // Too short for a direction: nothing. A last step that was too short ends at the true end.
+    // If no point is left the line has no direction. Else the last point is replaced by the true end.
     if (kept > 0) line[kept++] = end;
     line.resize(kept);
 }
@@ -184,8 +183,7 @@ void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered) {
         }
         insert_points(line, arcs);
     }
-    // A line too short to taper in full keeps its width: a row of short ones shall not look like
-    // beads.
+    // A line too short for a full taper thins less, so that a row of short ones does not look like beads.
     const double thinning = taper > 0.0 ? (1.0 - tip_width) * (taper / full_taper) : 0.0;
     const auto along = [&](bool tapers, double distance) {
         return tapers && taper > 0.0 ? std::clamp(distance / taper, 0.0, 1.0) : 1.0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The center line of a stroke: the visible part of a path, relieved of steps too small to see, with
-// width and ends.
+// The center line of a stroke: a run's part of its path, simplified, with width and ends.
 #pragma once
 
 #include <fovea/project/clipped_paths.h>
@@ -14,29 +13,29 @@ struct CenterPoint {
     double arc;
     /// Half the drawn width [px]; set by `shape`.
     float half_width = 0.0f;
-    /// Strength, until `shape` has made it what strength and thin pens leave of the pen's opacity.
+    /// Before `shape`: strength. After it: opacity, from that of the pen, strength and pens thinner than a pixel.
     float opacity = 1.0f;
-    /// How far color, texture, width and opacity are on the way to the pen out of focus, each in [0,1].
+    /// Mix of color, texture, width and opacity towards the out-of-focus pen, each in [0,1].
     vec4 mix{0.0f};
-    /// What elision leaves of the opacity.
+    /// Elision opacity.
     float shown = 1.0f;
 };
 
 using CenterLine = std::vector<CenterPoint>;
 
-/// The part of a piece between two arc lengths; its ends are interpolated. `strength` per point of
-/// Paths, held to [0, 1], 0 where it is no number; empty: 1.
+/// The part of a piece between two arc lengths; its ends are interpolated. `strength` per point of Paths, clamped to
+/// [0, 1], NaN: 0; empty: 1.
 void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double start_px, double end_px, CenterLine& out);
 
-/// Goes straight on beyond either end of a line, for so many pixels (0 or less: not at all).
+/// Extends a line straight beyond its ends by these lengths (0 or less: not at all).
 void lengthen(CenterLine& line, double before_px, double after_px);
 
-/// Evens out zigzag of steps below 1.5 px (points move at most .15 px), then drops points that lie
-/// within .1 px of the line between those kept, or on top of each other. Ends stay. Fewer than two
-/// points are left of a line without length.
+/// Smooths zigzags with steps below 1.5 px (points move by at most .15 px), then drops points within .1 px of the
+/// segment between the remaining ones, and coincident points. Ends stay. A line without length becomes fewer than two
+/// points.
 void simplify(CenterLine& line);
 
-/// Adds points at the given arc lengths (ascending), except so near to others.
+/// Inserts points at the given arc lengths (ascending), except within `near_px` of existing ones.
 void insert_points(CenterLine& line, In<double> arcs, double near_px = 0.5);
 
 /// Which ends of a line taper.
@@ -44,18 +43,18 @@ struct TaperedEnds {
     bool start, end;
 };
 
-/// The pens in and out of focus; the caps, tapers and hand of the first hold for both.
+/// The pens in and out of focus; caps, tapers and jitter are those of the first.
 struct PenPair {
     const Pen &in_focus, &out_of_focus;
 };
 
-/// Sets width and opacity between those of the two pens: the width times 1 + (strength - 1) strength_width, the opacity
-/// times 1 + (strength - 1) (1 - strength_width) and what is shown. The width thins to a fifth over the pen's taper at
-/// ends that taper. A line too short for that thins in proportion less. Points are added where the width bends. Less
-/// than a pixel is drawn as a pixel of that much less opacity.
+/// Sets width and opacity, interpolated between the two pens: width times 1 + (strength - 1) strength_width, opacity
+/// times 1 + (strength - 1) (1 - strength_width) and `shown`. Over the pen's taper, the width falls to a fifth at
+/// tapered ends; on a line too short for that it falls proportionally less. Inserts points where the width is not
+/// linear. Widths below one pixel become one pixel with opacity scaled down by the same factor.
 void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered);
 
-/// Adds a point beyond either end, as far as the cap reaches.
+/// Adds a point beyond each end, at the extent of the cap.
 void extend(CenterLine& line, Cap cap);
 
 }  // namespace fovea::stroke

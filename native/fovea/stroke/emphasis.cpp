@@ -11,14 +11,14 @@ namespace {
 
 constexpr float tolerance = 0.02f;
 
-/// Emphasis at a place of the line.
+/// Emphasis at an arc length of the line.
 struct Place {
     double arc;
     vec4 mix;
     float shown;
 };
 
-/// The lines from a place that pass all places after it within the tolerance.
+/// The cone of slopes from a place that pass all following places within the tolerance.
 class Fan {
    public:
     explicit Fan(const Place& from) : from_(from) {}
@@ -47,7 +47,7 @@ class Fan {
     float low_[5] = {-1e30f, -1e30f, -1e30f, -1e30f, -1e30f}, high_[5] = {1e30f, 1e30f, 1e30f, 1e30f, 1e30f};
 };
 
-/// The samples in a run, or of one that is shorter than they are apart, the nearest to its middle.
+/// The samples in a run; for a run between two samples, the one nearest to its middle.
 struct Own {
     std::ptrdiff_t first, last;
 };
@@ -77,7 +77,8 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
     if (e.focus.empty() && e.distance.empty() && e.shown.empty()) return;
     const PieceSamples samples(clipped, piece);
     if (samples.count() == 0) return;
-    // From the sample before the run to the one after it. What these two show is of other runs, or of none.
+    // From the sample before the run to the one after it. The elision opacity of these two is of other runs, or of
+    // none.
     const std::ptrdiff_t first = std::max<std::ptrdiff_t>(samples.after(start_px) - 1, 0);
     const std::ptrdiff_t last = std::min(samples.after(end_px), samples.count() - 1);
     const Own own = own_samples(samples, start_px, end_px);

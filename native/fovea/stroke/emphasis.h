@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What focus, distance and elision make of a stroke: a way from the pen in focus to the pen out of focus.
+// Emphasis of a stroke: effects of focus, distance and elision, as mixes from the pen in focus to the one out of focus.
 #pragma once
 
 #include <fovea/focus/transfer.h>
@@ -11,17 +11,17 @@ namespace fovea::stroke {
 struct Emphasis {
     /// 0: in focus.
     In<float> focus;
-    /// How far from the camera.
+    /// Normalized distance from the camera.
     In<float> distance;
-    /// What elision leaves of the opacity.
+    /// Elision opacity.
     In<float> shown;
-    /// How far focus leads to the pen out of focus (Cole 2009, 5.3.2).
+    /// From focus to the mix towards the out-of-focus pen (Cole 2009, 5.3.2).
     Transfer color, texture, width, opacity;
-    /// How far distance does.
+    /// The same from distance.
     Transfer distance_width, distance_opacity;
 };
 
-/// Where the emphasis along a run bends, and what it is there; linear in between, to a fiftieth.
+/// Emphasis along a run, piecewise linear to within 1/50: arc lengths of its knots, and its values there.
 struct EmphasisAlong {
     Array<double> arc;
     Array<vec4> mix;
@@ -31,12 +31,12 @@ struct EmphasisAlong {
 /// Throws std::invalid_argument where an array has not one value per sample.
 void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis);
 
-/// The emphasis of a run of a piece; empty where it is zero all along. What is shown is that of the run's own
-/// samples, held at its ends: those beside them are of other runs, or of none.
+/// The emphasis of a run of a piece; empty if it is zero all along. Elision opacity is taken from the run's own samples
+/// only and constant beyond them: neighboring samples belong to other runs or to none.
 void find_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis, Index piece, double start_px, double end_px,
                    EmphasisAlong& out);
 
-/// Adds the points at which the emphasis bends, and sets CenterPoint::mix and ::shown everywhere; before `shape`.
+/// Inserts points at the knots of the emphasis, and sets CenterPoint::mix and ::shown of all points; before `shape`.
 void emphasize(CenterLine& line, const EmphasisAlong& emphasis);
 
 }  // namespace fovea::stroke

@@ -8,7 +8,7 @@
 namespace fovea::stroke {
 namespace {
 
-/// How much of each sample of a piece a run shows.
+/// Opacity factor of a run at each sample of its piece.
 class Samples : public PieceSamples {
    public:
     Samples(const ClippedPaths& clipped, In<float> visibility, Index piece, bool hidden)
@@ -16,7 +16,7 @@ class Samples : public PieceSamples {
 
     float share(std::ptrdiff_t sample) const {
         const float read = visibility_[in_atlas(sample)];
-        const float seen = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // also what is not a number
+        const float seen = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // NaN: 0
         return hidden_ ? 1.0f - seen : seen;
     }
 
@@ -25,12 +25,12 @@ class Samples : public PieceSamples {
     bool hidden_;
 };
 
-/// The samples at which a fade bends, first .. last; none where a run ends sharply.
+/// The samples that are knots of a fade, first .. last; empty for a sharp end.
 struct Bends {
     std::ptrdiff_t first = 0, last = -1;
 };
 
-/// Those around the end of a run whose last sample is `inner`; `way` (1 or -1) leads out of it.
+/// Knots around the end of a run whose last sample is `inner`; `way` (1 or -1) points out of the run.
 Bends bends_at(const Samples& samples, std::ptrdiff_t inner, int way) {
     const auto inside = [&](std::ptrdiff_t s) { return s >= 0 && s < samples.count(); };
     const auto partial = [&](std::ptrdiff_t s) {
@@ -40,7 +40,8 @@ Bends bends_at(const Samples& samples, std::ptrdiff_t inner, int way) {
     while (partial(in)) in -= way;
     while (partial(out)) out += way;
     if (in == inner && out == inner + way) return {};
-    // Whole inside and nothing outside, unless filters or the end of the piece say otherwise.
+    // Includes a fully shown sample inside and a fully hidden one outside, unless filters moved the end or the piece
+    // ends.
     if (!inside(in) || samples.share(in) < 1.0f) in += way;
     if (!inside(out) || samples.share(out) > 0.0f) out -= way;
     return {std::min(in, out), std::max(in, out)};
@@ -73,7 +74,8 @@ void find_fade(const ClippedPaths& clipped, In<float> visibility, Index piece, d
 }
 
 void insert_bends(CenterLine& line, const Fade& fade) {
-    // Samples of a small picture lie close together: without the last bend before an end, all of the line would fade.
+    // Small tolerance, as samples of a small picture lie close together: without the last knot before an end, all of
+    // the line would fade.
     if (!fade.arc.empty() && line.size() > 1) insert_points(line, fade.arc, 0.1);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one fragment of a stroke adds to the picture: the formulas of shaders/shared/stroke.glsl, which the GPU
-// evaluates, too, over the textures of this side.
+// Shading of one fragment of a stroke: the formulas of shaders/shared/stroke.glsl, shared with the GPU, over the CPU's
+// textures.
 #pragma once
 
 #include <fovea/stroke/pen.h>
@@ -26,7 +26,7 @@ inline float coverage(float u, float v, float start, float end, float half_width
     return formulas::Stroke{}.stroke_coverage(u, v, start, end, half_width, cap == Cap::round);
 }
 
-/// `along`: in repetitions of a texture that is fitted to the pen (ink.h).
+/// `along`: in repetitions of the texture, which must be fitted to the pen (ink.h).
 inline float ink(const PenTexture& texture, float along, float v, float half_width) {
     formulas::Stroke stroke{&texture};
     return stroke.stroke_ink(0, stroke.size(), along, v, half_width);
@@ -38,7 +38,7 @@ inline float anchored_ink(const PenTexture& texture, float u, float v, float hal
     return stroke.anchored_stroke_ink(0, stroke.size(), u, v, half_width, path_px, texture_length_px);
 }
 
-/// Ink over what is there; both premultiplied. alpha = coverage * ink * vertex opacity.
+/// Ink over `below`; both premultiplied. alpha = coverage * ink * vertex opacity.
 inline vec4 over(vec4 below, vec3 color, float alpha) { return vec4(color * alpha, alpha) + below * (1.0f - alpha); }
 
 }  // namespace fovea::stroke

@@ -11,7 +11,7 @@ namespace {
 constexpr double steps_per_wave = 6.0;
 constexpr int pressure_steps = 16;
 
-/// Mixes the bits of a number (splitmix64, Steele et al. 2014).
+/// Hash of an integer (splitmix64, Steele et al. 2014).
 std::uint64_t mixed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -19,7 +19,7 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// In [-1,1], at whole numbers.
+/// Noise in [-1,1] at integers.
 double lattice(std::int64_t i, std::uint64_t seed) {
     return double(mixed(seed ^ mixed(std::uint64_t(i))) >> 11) * 0x1p-52 - 1.0;
 }
@@ -37,7 +37,7 @@ dvec2 normal_at(const CenterLine& line, std::size_t i) {
     return length > 0.0 ? dvec2(-along.y, along.x) / length : dvec2(0.0);
 }
 
-/// Arc lengths at whole multiples of a step inside a line: they do not depend on where it begins.
+/// Arc lengths inside a line at integer multiples of `step`, independent of where the line begins.
 std::vector<double> multiples(const CenterLine& line, double step) {
     std::vector<double> arcs;
     for (double k = std::ceil(line.front().arc / step); k * step < line.back().arc; ++k) arcs.push_back(k * step);
@@ -69,7 +69,7 @@ void press(CenterLine& line, float amount) {
     for (CenterPoint& p : line) {
         const double swell = std::sqrt(std::max(std::sin(std::numbers::pi * (p.arc - start) / length), 0.0));
         const float width = 2.0f * p.half_width * float(1.0 - amount * (1.0 - swell));
-        // Less than a pixel is drawn as a pixel of that much less opacity (center_line.h).
+        // Widths below a pixel become a pixel with opacity scaled down (center_line.h).
         p.half_width = std::max(width, 1.0f) / 2.0f;
         p.opacity *= std::min(width, 1.0f);
     }

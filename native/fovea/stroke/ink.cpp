@@ -11,8 +11,8 @@ namespace fovea::stroke {
 
 namespace {
 
-/// Box filter of `from` values to `to` <= from values: each is the mean over its share of the row.
-/// Value i of line j lies at in[i * step + j * line_step].
+/// Box filter from `from` to `to` <= from values: each is the mean over its interval of the line. Value i of line j
+/// lies at in[i * step_in + j * line_in].
 void shrink(const float* in, int from, float* out, int to, int lines, std::ptrdiff_t step_in, std::ptrdiff_t line_in,
             std::ptrdiff_t step_out, std::ptrdiff_t line_out) {
     const double share = double(from) / to;

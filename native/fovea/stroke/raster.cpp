@@ -14,7 +14,7 @@ namespace fovea::stroke {
 
 namespace {
 
-/// Edges of a depth buffer's core lie between pixels, or beyond all of them.
+/// Pixels of a depth buffer's core, whose bounds lie between pixels, or beyond the image.
 PixelBox pixels_of(const vec4& core) { return {int(core.x), int(core.y), int(core.z), int(core.w)}; }
 
 class Painter {

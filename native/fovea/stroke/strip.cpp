@@ -9,7 +9,7 @@ namespace fovea::stroke {
 namespace {
 
 constexpr double mitre_limit = -0.17;    // cosine of the sharpest mitred bend: 100 degrees
-constexpr double stretch_limit = 0.87;   // cosine of the bend up to which a texture stretches: 30 degrees
+constexpr double stretch_limit = 0.87;   // cosine of the bend up to which u is shared by both segments: 30 degrees
 constexpr double reverse_limit = -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
 constexpr double round_error = 0.1;      // px between a round join and its polygon
 constexpr double fringe = 0.5;           // px added for antialiasing
@@ -17,20 +17,18 @@ constexpr Index largest_group = 32;      // points that may share a corner
 
 dvec2 left_of(dvec2 d) { return {-d.y, d.x}; }
 
-/// Where a side of the strip meets the cross section of a point: the corner of the segment that
-/// ends there, and of the one that starts there.
+/// Vertices on one side of the strip at a point: of the segment that ends there, and of the one that starts there.
 struct Corners {
     Index before = none, after = none;
-    /// The segments end square: two places rather than one.
+    /// The segments end square, with two vertices in different positions.
     bool square = false;
 };
 
-/// Points whose corners on one side are one corner, because the strip is too narrow there for each
-/// to have its own.
+/// Consecutive points that share a corner on one side, because there is no room on that side for each to have its own.
 struct Group {
     Index first, last;
     dvec2 corner;
-    bool shared;  // false: every segment ends square, and those that overlap do so
+    bool shared;  // false: every segment ends square, and they may overlap
 };
 
 class Strip {
@@ -55,7 +53,7 @@ class Strip {
 
    private:
     double reach(Index i) const { return line_[i].half_width + fringe; }
-    /// Directions of the segments before and after a point; at an end both are the only one's.
+    /// Directions of the segments before and after a point; equal at an end.
     dvec2 into(Index i) const { return i > 0 ? directions_[i - 1] : closed_ ? directions_.back() : directions_[0]; }
     dvec2 out_of(Index i) const {
         return i + 1 < size_ ? directions_[i] : closed_ ? directions_[0] : directions_.back();
@@ -64,8 +62,7 @@ class Strip {
         return line_[i].px + side * reach(i) * left_of(direction);
     }
 
-    /// Corner shared by points first..last: where the edges of the strip before and after them
-    /// meet.
+    /// Corner shared by points first .. last: intersection of the strip's edges before and after them.
     Group group(Index first, Index last, double side) const {
         const dvec2 a = into(first), b = out_of(last);
         const dvec2 from = square(first, a, side), to = square(last, b, side);
@@ -81,7 +78,7 @@ class Strip {
         return g;
     }
 
-    /// True where the bend's outer side is this one and too sharp to be mitred.
+    /// Whether this is the outer side of a bend too sharp to be mitred.
     bool is_round(Index i, double side) const {
         const dvec2 a = into(i), b = out_of(i);
         const double turn = cross(a, b);
@@ -98,8 +95,7 @@ class Strip {
         return has_corner(g, side) ? g.corner : square(g.last, out_of(g.last), side);
     }
 
-    /// True where the corner is as far from all the segments that end in it as the side of the
-    /// strip would be.
+    /// Whether the corner is about as far from all segments that end in it as the side of the strip.
     bool lies_beside(const Group& g, double side) const {
         if (g.last - g.first > largest_group) return false;
         for (Index i = g.first; i < g.last; ++i)
@@ -129,7 +125,7 @@ class Strip {
         return result;
     }
 
-    /// Corners of every point on one side (1: left, -1: right).
+    /// Corners at every point on one side (1: left, -1: right).
     std::vector<Corners> side(double side) {
         std::vector<Corners> corners(size_);
         for (const Group& g : groups(side)) {
@@ -151,7 +147,7 @@ class Strip {
         Corners split;
         if (glm::dot(a, b) > stretch_limit || (merged && (start || end))) {
             split.before = split.after = vertex(middle, g.corner, middle.arc, side);
-        } else {  // u is true on both sides of the bend, and jumps between them
+        } else {  // u is exact on both sides of the bend, and discontinuous between them
             split.before = vertex(p, g.corner, within(p.arc + glm::dot(g.corner - p.px, a)), side);
             split.after = vertex(q, g.corner, within(q.arc + glm::dot(g.corner - q.px, b)), side);
         }
@@ -173,12 +169,12 @@ class Strip {
         if (middle_[i] == none) middle_[i] = vertex(line_[i], line_[i].px, line_[i].arc, 0.0);
     }
 
-    /// u that a cap does not cut: bends near the end of a stroke are whole.
+    /// Clamps u to the run, so that caps do not cut bends near the ends of a stroke.
     double within(double u) const {
         return std::clamp(u, double(ends_.start), std::max<double>(ends_.start, ends_.end));
     }
 
-    /// A corner on a side of the strip; side 0: on the center line.
+    /// Adds a vertex on a side of the strip; side 0: on the center line.
     Index vertex(const CenterPoint& p, dvec2 px, double u, double side) {
         out_.px.push_back(vec2(px));
         out_.arc.push_back({float(u), float(side * (p.half_width + fringe)), ends_.start, ends_.end});
@@ -194,7 +190,7 @@ class Strip {
         if (a != b && b != c && c != a) out_.triangles.push_back({a, b, c});
     }
 
-    /// The part of a segment between two cross sections, which have a middle or not.
+    /// Triangles of a segment between two cross sections, each with or without a middle vertex.
     void segment(Index l0, Index m0, Index r0, Index l1, Index m1, Index r1) {
         if (m0 == none && m1 == none) {
             triangle(l0, r0, l1);
@@ -211,8 +207,8 @@ class Strip {
         }
     }
 
-    /// Fills the wedge on the outer side of a bend whose segments end square. u goes on around it
-    /// from either segment as far as the middle.
+    /// Fills the wedge on the outer side of a bend whose segments end square. u continues from either segment to the
+    /// middle of the wedge.
     void fan(Index i, const Corners& corners, double side) {
         const dvec2 a = into(i), b = out_of(i);
         const double turn = cross(a, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A center line with width becomes a strip of triangles with mitred or round joins.
+// Tessellates a center line with width into a triangle strip with mitred or round joins.
 #pragma once
 
 #include <fovea/stroke/center_line.h>
@@ -7,7 +7,7 @@
 
 namespace fovea::stroke {
 
-/// What is the same all over a stroke.
+/// Values constant over a stroke.
 struct StripEnds {
     /// u of the run's start and end; caps lie beyond them.
     float start, end;
@@ -16,11 +16,11 @@ struct StripEnds {
     Index pen;
 };
 
-/// Appends the strip around `line` (at least two points, neighbors apart), half a pixel wider than
-/// its width. Bends up to 100 degrees are mitred, sharper ones rounded. Where the inner side of
-/// bends is longer than the steps between them, their inner corners merge: no spikes, no folded
-/// triangles, and no pixel drawn twice unless the line turns back on itself (more than 150 degrees)
-/// within its own width. `closed`: the last point repeats the first, and is joined to it.
+/// Appends the strip around `line` (at least two points, neighbors not coincident), half a pixel wider than its width.
+/// Bends up to 100 degrees are mitred, sharper ones rounded. Where the inner side of bends is longer than the steps
+/// between them, their inner corners merge: no spikes, no folded triangles, and no pixel drawn twice unless the line
+/// turns back on itself (more than 150 degrees) within its own width. `closed`: the last point repeats the first, and
+/// is joined to it.
 void add_strip(In<CenterPoint> line, bool closed, const StripEnds& ends, Strokes& out);
 
 }  // namespace fovea::stroke

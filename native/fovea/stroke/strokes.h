@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Visible runs shaped into triangles: what every backend draws.
+// Triangles of strokes, which every backend draws.
 #pragma once
 
 #include <fovea/base/columns.h>
@@ -36,8 +36,7 @@ struct Strokes {
                "(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty "
                "otherwise"}};
 
-    /// Corners of each triangle, either way round, in drawing order: stroke after stroke, along
-    /// each stroke.
+    /// Vertices of each triangle, in either winding, in drawing order: stroke by stroke, along each stroke.
     Array<glm::uvec3> triangles;
     /// Strokes that have triangles.
     Index count = 0;

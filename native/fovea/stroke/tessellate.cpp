@@ -18,7 +18,7 @@ namespace fovea::stroke {
 namespace {
 
 constexpr std::size_t block_size = 128;  // runs
-constexpr double whole_error = 1e-3;     // px a run may miss at the ends of a piece that it covers
+constexpr double whole_error = 1e-3;     // px: tolerance for a run that covers its whole piece
 constexpr float endless = 1e9f;
 
 void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
@@ -43,10 +43,10 @@ void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of
     check(clipped.source.empty() || source < strength.size(), "strength: no entry for point " + std::to_string(source));
 }
 
-/// The runs that have a pen, the most hidden first; those that are hidden alike as they come.
+/// The runs that have a pen, by descending invisibility; stable (counting sort).
 Array<Index> drawing_order(const Runs& runs, In<Index> pen_of_run) {
     constexpr int most = std::numeric_limits<std::uint8_t>::max();
-    Array<Index> place(most + 1, 0);  // per invisibility, the most first
+    Array<Index> place(most + 1, 0);  // per invisibility, in descending order
     for (std::size_t r = 0; r < runs.size(); ++r) place[most - runs.invisibility[r]] += pen_of_run[r] != none;
     counts_to_offsets(place);
     Array<Index> order(place.back());
@@ -74,7 +74,7 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
                 const Index r = order[k], piece = runs.piece[r], pen = pen_of_run[r];
                 if (clipped.pieces.size(piece) < 2) continue;
                 const double first = clipped.first_arc(piece), last = clipped.last_arc(piece);
-                // What overshoots its line goes straight on.
+                // Overshoot is extended straight.
                 const double before = first - runs.start_px[r], after = runs.end_px[r] - last;
                 find_fade(clipped, visibility, piece, std::max(runs.start_px[r], first), std::min(runs.end_px[r], last),
                           runs.invisibility[r] != 0, fade);

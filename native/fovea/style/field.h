@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structures that name their members once, with what each may be and what people are told of it: files, Python, panels
-// and checks follow from the list.
+// Reflection of settings structures: each member is declared once, with its range, unit, label and tooltip. Files, the
+// Python bindings, panels and range checks follow from the list.
 #pragma once
 
 #include <cstddef>
@@ -12,44 +12,44 @@
 
 namespace fovea::style {
 
-/// What a number is measured in, or counts.
+/// Unit of a number.
 enum class Unit : std::uint8_t {
     none,
-    share,      ///< of a whole, 0 to 1
+    share,      ///< fraction, 0 to 1
     reference,  ///< pixels of an image 1080 pixels high
     degrees,
-    scene,        ///< lengths of the scene
+    scene,        ///< scene length
     millimeters,  ///< on paper
-    light,        ///< of a color's channels, scene-linear
-    seed,         ///< a whole number that stands for nothing but itself
+    light,        ///< color channel, scene-linear
+    seed,         ///< integer random seed
 };
 
-/// What a text names.
+/// What a string refers to.
 enum class Names : std::uint8_t {
     anything,
-    texture,    ///< a pen's, that ships
-    paper,      ///< that ships
-    datablock,  ///< an object, collection or material in Blender
-    attribute,  ///< of meshes in Blender
+    texture,    ///< shipped pen texture
+    paper,      ///< shipped paper texture
+    datablock,  ///< Blender object, collection or material
+    attribute,  ///< mesh attribute in Blender
 };
 
-/// The most letters of a name in Blender; 0: any number.
+/// Maximum length of a name in Blender, in characters; 0: unlimited.
 constexpr std::size_t most_letters(Names names) {
     return names == Names::attribute ? 63 : names == Names::datablock ? 255 : 0;
 }
 
-/// What a member may be.
+/// Allowed values of a member.
 struct Domain {
     double least = -1e9, most = 1e9;  ///< of a number
-    double soft_most = most;          ///< where sliders end
+    double soft_most = most;          ///< soft maximum of sliders
     Unit unit = Unit::none;
-    Names names = Names::anything;  ///< of a text
+    Names names = Names::anything;  ///< of a string
 };
 
-inline constexpr double far_away = 1e9;  ///< the farthest place that a style names
+inline constexpr double far_away = 1e9;  ///< upper limit of distances in a style
 inline constexpr Domain share{.least = 0.0, .most = 1.0, .unit = Unit::share};
 inline constexpr Domain light{.least = 0.0, .most = 1000.0, .soft_most = 1.0, .unit = Unit::light};
-/// A length in the image.
+/// A length in the image, in reference pixels.
 constexpr Domain reference(double most, double soft_most, double least = 0.0) {
     return {.least = least, .most = most, .soft_most = soft_most, .unit = Unit::reference};
 }
@@ -58,9 +58,9 @@ constexpr Domain number(double least, double most, double soft_most) {
 }
 constexpr Domain naming(Names names) { return {.names = names}; }
 
-/// A member of a structure S by its name. S::fields is a tuple of all of them, in the order in which they are
-/// written. Label and description are Blender's: the first a title, the second a sentence without its full stop; of a
-/// length in the image it is followed by what that is measured in.
+/// Declaration of a member of structure S. S::fields is a tuple of all of them, in the order in which they are written
+/// to files. Label and description are shown by Blender: a title, and a sentence without its full stop; for a length in
+/// the image its unit is appended.
 template <typename S, typename V>
 struct Field {
     const char* name;
@@ -68,8 +68,8 @@ struct Field {
     const char* label = "";
     const char* description = "";
     Domain domain = {};
-    const char* group = "";     ///< members of the same group stand together in panels
-    const char* in_files = "";  ///< its name in files, where that is another; null: it is not in files
+    const char* group = "";     ///< panels show members of one group together
+    const char* in_files = "";  ///< key in files if not `name`; null: not in files
 
     constexpr bool is_in_files() const { return in_files != nullptr; }
     constexpr const char* key() const { return *in_files ? in_files : name; }
@@ -81,13 +81,14 @@ Field(const char*, V S::*, const char* = "", const char* = "", Domain = {}, cons
 template <typename S>
 concept Record = requires { S::fields; };
 
-/// visit(field) for each.
+/// Calls visit(field) for each field of S.
 template <Record S, typename Visit>
 void for_each_field(const Visit& visit) {
     std::apply([&](const auto&... field) { (visit(field), ...); }, S::fields);
 }
 
-/// A record with its lengths in the image in pixels of a picture, so many of which are a reference pixel.
+/// Copy of `record` with lengths in reference pixels converted to image pixels. `reference_scale`: image pixels per
+/// reference pixel.
 template <Record S>
 S in_pixels(S record, double reference_scale) {
     for_each_field<S>([&]<typename V>(const Field<S, V>& field) {
@@ -97,14 +98,14 @@ S in_pixels(S record, double reference_scale) {
     return record;
 }
 
-/// A value of an enumeration: its name in files, and what people are told of it.
+/// A value of an enumeration: its name in files, label and tooltip.
 struct Choice {
     const char* name;
     const char* label = "";
     const char* description = "";
 };
 
-/// An array of Choice, by the values of an enumeration: specialized where the enumeration is.
+/// Array of Choice indexed by the values of an enumeration; specialized next to each enumeration.
 template <typename Enum>
 inline constexpr int choices_of = 0;
 

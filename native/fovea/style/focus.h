@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Focus and what answers to it, as data: where the viewer shall look, and a transfer function per effect. Focus is 0
-// where the viewer shall look and 1 far from there (focus/focus.h, focus/transfer.h).
+// Stylized focus as data (Cole 2009, 5.3): focus points, and a transfer function per effect. Focus is 0 in focus and 1
+// far out of focus (focus/focus.h, focus/transfer.h).
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace fovea::style {
 
-/// Mix of an effect: 0 where focus is at most `start`, `strength` from `end` on, a curve between; a start beyond the
-/// end turns it round.
+/// Transfer function from focus to the mix of an effect: 0 up to `start`, `strength` from `end` on, the curve in
+/// between; start > end reverses it.
 struct Transfer {
     double start = 0.0, end = 1.0, strength = 1.0;
-    std::vector<dvec2> curve;  ///< (x, y) in [0, 1], x ascending; none: straight
+    std::vector<dvec2> curve;  ///< (x, y) in [0, 1], x ascending; empty: linear
 
-    static constexpr std::size_t most_points = 32;  ///< of a curve
+    static constexpr std::size_t most_points = 32;  ///< maximum size of `curve`
 
     bool operator==(const Transfer&) const = default;
 
@@ -32,7 +32,7 @@ struct Transfer {
 
 inline Transfer off() { return {0.0, 1.0, 0.0, {}}; }
 
-/// Whether lines or colors answer to focus: as it says, as at one value of it everywhere, or not drawn at all.
+/// How lines or colors respond to focus: to its value at each place, to one constant value, or not drawn at all.
 enum class Mode : std::uint8_t { emphasized, uniform, none };
 template <>
 inline constexpr Choice choices_of<Mode>[] = {
@@ -41,10 +41,10 @@ inline constexpr Choice choices_of<Mode>[] = {
     {"none", "None", "Not drawn"},
 };
 
-/// What answers to focus, one transfer function each.
+/// Effects driven by focus, one transfer function each.
 struct Effects {
-    Transfer color, texture, width, opacity, density, overshoot;  ///< of lines: to the pen out of focus
-    Transfer desaturation = off(), fade = off(), blur = off();    ///< of the colors under the lines: amount
+    Transfer color, texture, width, opacity, density, overshoot;  ///< lines: mix towards the out-of-focus pen
+    Transfer desaturation = off(), fade = off(), blur = off();    ///< color layer: amount
     Mode lines = Mode::emphasized, colors = Mode::emphasized;
     double uniform = 0.5;
     double blur_radius = 12.0;
@@ -69,9 +69,9 @@ struct Effects {
         Field{"blur_radius", &Effects::blur_radius, "Blur Radius", "Radius of the full blur", reference(200.0, 60.0)}};
 };
 
-/// Distance from the camera drives width, opacity and density as focus does, and together with it.
+/// Line effects driven by distance from the camera, combined with those of focus.
 struct Distance {
-    double near = 0.0, far = 100.0;  ///< along the view
+    double near = 0.0, far = 100.0;  ///< along the view axis, scene units
     Transfer width = off(), opacity = off(), density = off();
 
     bool operator==(const Distance&) const = default;
@@ -84,13 +84,13 @@ struct Distance {
         Field{"density", &Distance::density, "Line Density"}};
 };
 
-/// A place to look at.
+/// A focus point.
 struct FocusPlace {
     /// In the image: 0 .. 1 from the left and from the top, of the whole frame. In the scene: world coordinates.
     dvec3 at{0.5, 0.5, 0.0};
-    double near = 0.1;   ///< in focus up to here; in the image in heights of the frame, in the scene in its units
-    double far = 0.5;    ///< out of focus from here on
-    std::string object;  ///< of the model `object`: whose surface is the place; `at` where it has none
+    double near = 0.1;   ///< in focus up to this distance: frame heights in the image, scene units in the scene
+    double far = 0.5;    ///< out of focus from this distance on
+    std::string object;  ///< model `object`: distance is measured from its surface; from `at` if it has none
 
     bool operator==(const FocusPlace&) const = default;
 
@@ -100,33 +100,33 @@ struct FocusPlace {
                                        Field{"object", &FocusPlace::object, "", "", naming(Names::datablock)}};
 };
 
-/// What says where to look.
+/// How the places in focus are specified.
 enum class FocusModel : std::uint8_t { none, image, scene, object, painted };
 template <>
 inline constexpr Choice choices_of<FocusModel>[] = {{"none"}, {"image"}, {"scene"}, {"object"}, {"painted"}};
 
-/// What focus depends on in a picture.
+/// What focus is a function of.
 enum class FocusBasis : std::uint8_t {
     nothing,
-    image,     ///< where a pixel lies
-    scene,     ///< where in space what it shows lies
-    surfaces,  ///< how near that is to surfaces of the scene
-    attribute  ///< values at the corners of meshes
+    image,     ///< position in the image
+    scene,     ///< position in space of the visible point
+    surfaces,  ///< distance of that point from surfaces of the scene
+    attribute  ///< per-corner mesh attribute
 };
 inline constexpr FocusBasis basis_of[] = {FocusBasis::nothing, FocusBasis::image, FocusBasis::scene,
                                           FocusBasis::surfaces, FocusBasis::attribute};
 
-/// What several places make together.
+/// How several focus points are combined.
 enum class Combine : std::uint8_t { nearest, sum };
 template <>
 inline constexpr Choice choices_of<Combine>[] = {{"nearest"}, {"sum"}};
 
-/// Where the viewer shall look: in Blender a scene says it, not its style.
+/// Focus model and focus points. In Blender they belong to the scene, not to its style.
 struct Focus {
     FocusModel model = FocusModel::none;
     std::vector<FocusPlace> points{FocusPlace()};
     Combine combine = Combine::nearest;
-    std::string attribute;  ///< of the basis `attribute`
+    std::string attribute;  ///< mesh attribute, for the basis `attribute`
 
     static constexpr std::size_t most_places = 16;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies under the lines: the paper, and the scene's surfaces in color.
+// Paper and color layer, drawn under the lines.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace fovea::style {
 struct Paper {
     dvec3 color{1.0};
     bool transparent = false;
-    std::string texture = "none";  ///< none: smooth
-    double scale = 1.0;            ///< reference pixels that a texel of the texture covers
+    std::string texture = "none";  ///< "none": smooth
+    double scale = 1.0;            ///< reference pixels per texel of the texture
     double tooth = 0.0;
     double granulation = 0.0;
     double tint = 0.0;
-    double height_mm = 210.0;  ///< by default that of A4 lying
+    double height_mm = 210.0;  ///< default: A4 landscape
 
     bool operator==(const Paper&) const = default;
 
@@ -52,8 +52,8 @@ struct Color {
     Shading shading = Shading::plain;
     int bands = 3;
     double opacity = 1.0;
-    double desaturation = 0.0;        ///< besides what focus does
-    std::optional<dvec3> background;  ///< painted under the layer; none: the paper shows
+    double desaturation = 0.0;        ///< in addition to that of focus
+    std::optional<dvec3> background;  ///< color behind the layer; unset: the paper
 
     bool operator==(const Color&) const = default;
 

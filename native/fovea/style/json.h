@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Style files.
+// Reading and writing style files (JSON).
 #pragma once
 
 #include <string>
@@ -10,22 +10,22 @@
 
 namespace fovea::style {
 
-inline constexpr int schema = 1;  ///< number of the format, which files name
+inline constexpr int schema = 1;  ///< version of the format, stored in files
 
-/// Names of pen textures and papers that there are.
+/// Names of the available pen textures and papers.
 struct Shipped {
     std::vector<std::string> textures, papers;
 };
 
-/// A style from its file's JSON. What is not given is as its default, of a pen out of focus as in the one in focus.
-/// What is not known is kept. Throws std::invalid_argument with a sentence that names the value that has a wrong type
-/// or is out of its range; `shipped`, if not null, says which textures and papers may be named.
+/// Parses a style file. Missing values take their defaults; those of an out-of-focus pen take the values of the pen in
+/// focus. Unknown values are preserved (Style::kept). Throws std::invalid_argument with a sentence that names the value
+/// with a wrong type or out of range. `shipped`, if not null, restricts which textures and papers may be named.
 Style read_style(std::string_view json, const Shipped* shipped = nullptr);
 
-/// The file of a style: read_style gives the same one back, and this of it the same file.
+/// Serializes a style. read_style restores it exactly; writing that again gives the same text.
 std::string write_style(const Style& style);
 
-/// Parameters of a line definition, checked against it.
+/// Validates parameters of a line definition; throws std::invalid_argument, with `where` as the place in the message.
 Parameters checked_parameters(const std::string& definition, const Parameters& given, const std::string& where);
 
 }  // namespace fovea::style

@@ -13,7 +13,7 @@ namespace {
 
 using Type = JsonValue::Type;
 
-/// A number as people write it: 2 and .5, not 2.000000.
+/// Formats a number for messages: 2 and 0.5, not 2.000000.
 std::string plain(double number) {
     std::ostringstream text;
     text << number;
@@ -26,7 +26,7 @@ std::string joined(const std::vector<std::string>& words) {
     return all;
 }
 
-/// Text without control characters, of so many letters at most.
+/// Whether a string has no control characters and at most `most` characters (UTF-8 code points).
 bool is_name(const std::string& text, std::size_t most) {
     std::size_t letters = 0;
     for (const unsigned char byte : text) {
@@ -36,7 +36,7 @@ bool is_name(const std::string& text, std::size_t most) {
     return letters <= most;
 }
 
-/// Reads records, and knows the place of what it reads.
+/// Reads records, and tracks the path of the current value for messages.
 class Reader {
    public:
     Reader(const Shipped* shipped, std::vector<Unknown>& unknown) : shipped_(shipped), unknown_(unknown) {}
@@ -57,7 +57,7 @@ class Reader {
             settle(record, path_, unknown_);
     }
 
-    /// Parameters of a definition; those that are not known are kept.
+    /// Parameters of a definition; unknown ones are preserved.
     Parameters parameters(const JsonValue& json, const LineDefinition& definition) {
         expect(json.type == Type::object, "must map parameters to numbers");
         Parameters found;
@@ -126,7 +126,7 @@ class Reader {
         if (domain.names == Names::paper) ships(value, shipped_ ? &shipped_->papers : nullptr);
     }
 
-    /// Names become those of files: none may lead out of its folder.
+    /// Checks the name of a texture or paper. Names become file names, so none may leave the folder.
     void ships(const std::string& name, const std::vector<std::string>* known) {
         const bool is_plain = std::ranges::all_of(
             name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c >= 0x80; });
@@ -146,7 +146,7 @@ class Reader {
         value = static_cast<Enum>(found - known.begin());
     }
 
-    /// A place in the image has no third number.
+    /// A position in the image may omit the third number.
     template <int N>
     void read(const JsonValue& json, glm::vec<N, double>& value, const Domain& domain) {
         const bool is_color = domain.unit == Unit::light;
@@ -180,7 +180,7 @@ class Reader {
             read(json, value.emplace(), domain);
     }
 
-    /// "paper" stands for none.
+    /// "paper" or null: unset.
     void read(const JsonValue& json, std::optional<dvec3>& color, const Domain& domain) {
         if (json.type == Type::null || json.text == "paper") return color.reset();
         expect(json.type == Type::list && json.items.size() == 3, "must be 'paper' or a list of 3 numbers");
@@ -222,7 +222,7 @@ class Reader {
 
     template <typename Knows>
     void keep_unknown(const JsonValue& json, const Knows& is_known) {
-        std::map<std::string, const JsonValue*> unknown;  // by their keys
+        std::map<std::string, const JsonValue*> unknown;  // sorted by key
         for (std::size_t i = 0; i < json.items.size(); ++i)
             if (!is_known(json.keys[i])) unknown[json.keys[i]] = &json.items[i];
         for (const auto& [key, value] : unknown) in(key, [&] { unknown_.push_back({path_, value->written(false)}); });

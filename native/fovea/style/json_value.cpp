@@ -14,10 +14,10 @@ namespace {
 
 using Type = JsonValue::Type;
 
-constexpr std::size_t largest = 1 << 20;  // bytes; shipped styles have two thousand
+constexpr std::size_t largest = 1 << 20;  // bytes; shipped styles have about two thousand
 constexpr std::size_t deepest = 32;       // levels of objects and lists
 
-/// Takes what the parser of the library finds.
+/// Event handler of the library's parser.
 class Builder {
    public:
     explicit Builder(std::string_view text) : text_(text) {}
@@ -51,7 +51,7 @@ class Builder {
         if (dynamic_cast<const nlohmann::json::out_of_range*>(&error))
             refuse(dotted(path()) + " is " + token.substr(0, 20) + ", not a finite number");
         const std::string_view before = text_.substr(0, std::min(position, text_.size()));
-        const std::size_t line = before.rfind('\n') + 1;  // 0 where there is none
+        const std::size_t line = before.rfind('\n') + 1;  // 0 on the first line
         refuse("the style is not JSON at line " + std::to_string(std::ranges::count(before, '\n') + 1) + ", column " +
                std::to_string(std::max<std::size_t>(before.size() - line, 1)));
         return false;
@@ -60,18 +60,18 @@ class Builder {
    private:
     struct Open {
         JsonValue* value;
-        std::string key;  // that was read last
+        std::string key;  // the last key read
         std::unordered_set<std::string> keys;
     };
 
     static JsonValue whole(double value, std::string digits) {
         return {.type = Type::whole, .number = value, .text = std::move(digits)};
     }
-    /// Of the value that is read next.
+    /// Path of the value that is read next.
     Path path() const {
         Path steps;
         for (const Open& each : open_) {
-            const std::size_t after = &each == &open_.back() ? 0 : 1;  // what is open in a list is in it already
+            const std::size_t after = &each == &open_.back() ? 0 : 1;  // an open value is already in its list
             const bool is_list = each.value->type == Type::list;
             steps.push_back(is_list ? Step(each.value->items.size() - after) : Step(each.key));
         }
@@ -103,7 +103,7 @@ class Builder {
     std::vector<Open> open_;
 };
 
-/// The shortest digits that are read as the same number; always with a point or an exponent.
+/// Shortest decimal that parses to the same number, always with a point or an exponent.
 std::string digits_of(double value) {
     char found[32];
     const auto end = std::to_chars(found, std::end(found), std::abs(value), std::chars_format::scientific).ptr;

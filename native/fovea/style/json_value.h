@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON of style files, whatever they hold: what is read is small, not deep, and has no key twice.
+// JSON values of style files. Files are untrusted: size, depth and duplicate keys are checked.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace fovea::style {
 
-/// A step from a value to one in it: a key of an object, or an index of a list.
+/// One step of a path into a JSON value: an object key or a list index.
 using Step = std::variant<std::string, std::size_t>;
 using Path = std::vector<Step>;
 
-/// A path as readers of the file write it: line_sets[0].pen.width; `the style` where it has no steps.
+/// Dotted notation of a path, such as line_sets[0].pen.width; `the style` if it is empty.
 std::string dotted(const Path& path);
 
 struct JsonValue {
@@ -23,9 +23,9 @@ struct JsonValue {
 
     Type type = Type::null;
     bool boolean = false;
-    double number = 0.0;                ///< finite; of whole numbers, too
-    std::string text = {};              ///< also the digits of a whole number
-    std::vector<JsonValue> items = {};  ///< of a list, and of an object, by its keys
+    double number = 0.0;                ///< finite; also set for whole numbers
+    std::string text = {};              ///< a string's value, or the digits of a whole number
+    std::vector<JsonValue> items = {};  ///< of a list; of an object, parallel to `keys`
     std::vector<std::string> keys = {};
 
     static JsonValue of(bool value);
@@ -36,16 +36,16 @@ struct JsonValue {
     static JsonValue object() { return {.type = Type::object}; }
 
     void add(std::string key, JsonValue value);
-    /// The value of a key, or of an index: null where there is none.
+    /// Value at a key or an index; null if absent.
     const JsonValue* at(const Step& step) const;
     JsonValue* at(const Step& step) { return const_cast<JsonValue*>(std::as_const(*this).at(step)); }
 
-    /// In ASCII. With indent, two spaces a level, and a line for each value; without it all of it in one line.
+    /// Serializes to ASCII: with `indent`, two spaces per level and one value per line; else on one line.
     std::string written(bool indent) const;
 };
 
-/// What a text holds. Throws std::invalid_argument with a sentence that names the place of what is wrong: what is no
-/// JSON, a key that an object has twice, numbers that are not finite, more than a megabyte, or 32 levels.
+/// Parses a text. Throws std::invalid_argument with a sentence that names the place, for invalid JSON, duplicate keys
+/// in an object, non-finite numbers, more than 1 MiB, or more than 32 levels.
 JsonValue parse_json(std::string_view text);
 
 }  // namespace fovea::style

@@ -34,7 +34,7 @@ JsonValue to_json(const std::optional<T>& value) {
     return value ? to_json(*value) : JsonValue();
 }
 
-/// Of names: an object.
+/// Pairs of name and value become an object.
 template <typename T>
 JsonValue to_json(const std::vector<std::pair<std::string, T>>& named) {
     JsonValue object = JsonValue::object();
@@ -51,7 +51,7 @@ JsonValue to_json(const S& record) {
     return object;
 }
 
-/// Sets a key, where there is still an object that had it.
+/// Writes an unknown value back, if the object that contained it still exists.
 void put(JsonValue& root, const Unknown& unknown) {
     JsonValue* place = &root;
     for (std::size_t i = 0; place && i + 1 < unknown.path.size(); ++i) place = place->at(unknown.path[i]);

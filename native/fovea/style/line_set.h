@@ -11,14 +11,14 @@
 
 namespace fovea::style {
 
-inline constexpr int most_surfaces = 100;  ///< that a range of invisibility can name
+inline constexpr int most_surfaces = 100;  ///< limit of ranges of quantitative invisibility
 
-/// How the parts of lines are drawn that at least `first` and at most `last` surfaces hide (none: any number).
+/// Pens for the parts of lines whose quantitative invisibility lies in [first, last]; `last` unset: no upper limit.
 struct Hidden {
     int first = 1;
     std::optional<int> last;
     Pen pen;
-    std::optional<Pen> pen_away;  ///< out of focus; none: as in focus
+    std::optional<Pen> pen_away;  ///< out of focus; unset: `pen`
 
     bool operator==(const Hidden&) const = default;
 
@@ -30,13 +30,13 @@ struct Hidden {
         Field{"pen", &Hidden::pen}, Field{"pen_away", &Hidden::pen_away}};
 };
 
-/// Values of a line definition's parameters by their names, in the units of the definition.
+/// (name, value) of a line definition's parameters, in the definition's units.
 using Parameters = std::vector<std::pair<std::string, double>>;
 
-/// Definitions by their names, each once.
+/// (name, parameters) of line definitions; names are unique.
 using Definitions = std::vector<std::pair<std::string, Parameters>>;
 
-/// Lines drawn alike. An edge goes to the first set of the style that has a line for it.
+/// Line definitions with common filters and pens. An edge belongs to the first line set of the style that draws it.
 struct LineSet {
     std::string name = "lines";
     Definitions kinds;
@@ -46,14 +46,14 @@ struct LineSet {
     bool other_objects = false;
     std::string material;
     bool other_materials = false;
-    double corner_angle = 60.0;  ///< at which a path is split
+    double corner_angle = 60.0;  ///< turning angle above which a path is split
     double least_length = 30.0;
     double overshoot = 0.0;
     double halo = 0.0;
-    std::optional<double> overshoot_away;  ///< none: as in focus
-    Pen pen;                               ///< of visible parts
-    std::optional<Pen> pen_away;           ///< of visible parts out of focus; none: as in focus
-    std::vector<Hidden> hidden;            ///< ranges that ascend; parts in none of them are not drawn
+    std::optional<double> overshoot_away;  ///< unset: `overshoot`
+    Pen pen;                               ///< for visible parts
+    std::optional<Pen> pen_away;           ///< for visible parts out of focus; unset: `pen`
+    std::vector<Hidden> hidden;            ///< ascending ranges; parts in none of them are not drawn
 
     bool operator==(const LineSet&) const = default;
 

@@ -8,7 +8,7 @@
 namespace fovea::style {
 namespace {
 
-/// What goes over half way.
+/// Values without interpolation switch at share .5.
 template <typename T>
 T between(const T& a, const T& b, double share) {
     return share < 0.5 ? a : b;
@@ -29,7 +29,7 @@ std::optional<T> between(const std::optional<T>& a, const std::optional<T>& b, d
     return between(*a, *b, share);
 }
 
-/// Lists of the same length go over one by one.
+/// Lists of the same length are interpolated element by element, others switch at share .5.
 template <typename T>
 std::vector<T> between(const std::vector<T>& a, const std::vector<T>& b, double share) {
     if (a.size() != b.size()) return share < 0.5 ? a : b;
@@ -61,14 +61,14 @@ Hidden faint(Hidden hidden, double opacity) {
     return hidden;
 }
 
-/// The pen out of focus of two line sets or hidden pens: where one has none, its pen in focus stands for it.
+/// The out-of-focus pen of two line sets or hidden pens; one that has none uses its pen in focus.
 template <typename S>
 std::optional<Pen> mixed_away(const S& a, const S& b, double share) {
     if (!a.pen_away && !b.pen_away) return std::nullopt;
     return between(a.pen_away.value_or(a.pen), b.pen_away.value_or(b.pen), share);
 }
 
-/// Those of the same range are mixed; others fade out, then the other style's fade in.
+/// Interpolates pens if the ranges are the same; else those of one style fade out, then those of the other fade in.
 std::vector<Hidden> mixed_hidden(const std::vector<Hidden>& a, const std::vector<Hidden>& b, double share) {
     const auto same_range = [](const Hidden& x, const Hidden& y) { return x.first == y.first && x.last == y.last; };
     std::vector<Hidden> mixed;
@@ -91,7 +91,7 @@ const T* find(const std::vector<std::pair<std::string, T>>& named, const std::st
     return found == named.end() ? nullptr : &found->second;
 }
 
-/// What one of the two leaves at its default goes over half way.
+/// Parameters that either style leaves at the default switch at share .5.
 Parameters mixed_parameters(const Parameters& a, const Parameters& b, double share) {
     Parameters mixed = share < 0.5 ? a : b;
     for (auto& [name, value] : mixed) {
@@ -103,7 +103,7 @@ Parameters mixed_parameters(const Parameters& a, const Parameters& b, double sha
 
 using Names = std::vector<std::string>;
 
-/// Some kinds of a line set, so much fainter.
+/// A line set reduced to `kinds`, with opacity scaled.
 LineSet fading(const LineSet& set, const Names& kinds, double opacity) {
     LineSet faded = set;
     faded.kinds.clear();
@@ -131,7 +131,8 @@ auto filters(const LineSet& set) {
     return std::tie(set.collection, set.outside, set.object, set.other_objects, set.material, set.other_materials);
 }
 
-/// A kind that a line set of a style draws; `earlier` sets before it draw it of the same things.
+/// A line definition (`kind`) drawn by line set `set` of a style; `earlier`: number of preceding sets with the same
+/// filters that draw it, too.
 struct Drawn {
     std::string kind;
     std::size_t set;
@@ -150,7 +151,7 @@ std::vector<Drawn> drawn(const Style& style) {
     return found;
 }
 
-/// Line sets of two styles that draw the same of the same things; `nobody` in the place of one that there is not.
+/// Line sets of two styles that draw the same kinds with the same filters; `nobody`: no such set in that style.
 struct Pair {
     std::size_t one, other;
     Names kinds;
@@ -177,8 +178,9 @@ std::vector<Pair> paired(const Style& one, const Style& other) {
     return pairs;
 }
 
-/// For each pair of line sets that have kinds of the same things in common one for these, and one for the kinds of
-/// either set that the other style does not draw of them. Edges go to the first: they stand as in the nearer style.
+/// For each pair of line sets with the same filters and common kinds, one set for these; and one for the kinds of
+/// either set that the other style does not draw. Edges belong to the first set that draws them, so the order is that
+/// of the nearer style.
 std::vector<LineSet> mixed_sets(const Style& one, const Style& other, double share) {
     std::vector<Pair> pairs = paired(one, other);
     std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A style between two: for changes of style over time.
+// Interpolation of two styles, for transitions over time.
 #pragma once
 
 #include <fovea/style/style.h>
 
 namespace fovea::style {
 
-/// The style that is `one` at a share of 0 or less and `other` at 1 or more. Numbers and colors go over steadily. Lines
-/// that both draw go from the one's pen to the other's, lines of one alone fade. Words and switches change half way.
-/// Where to look is said by `one`.
+/// Interpolates: `one` at share <= 0, `other` at share >= 1. Numbers and colors change continuously. Lines that both
+/// styles draw change from one's pen to the other's, lines of one alone fade. Strings and switches change at share .5.
+/// Focus is that of `one`.
 Style mix(const Style& one, const Style& other, double share);
 
 }  // namespace fovea::style

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How strokes look.
+// Pens: appearance of strokes.
 #pragma once
 
 #include <string>
@@ -24,8 +24,9 @@ inline constexpr Choice choices_of<WidthUnit>[] = {
     {"millimetres", "Millimeters", "Millimeters on a page as high as the paper says"},
 };
 
-/// Where a pen's texture stays in zooms. On the screen: one repetition is as long as the pen says. On the path: it
-/// keeps its places there, in octaves; dashes turn gray while they divide.
+/// What a pen's texture is fixed to when a stroke's size in the image changes. screen: one repetition keeps its length
+/// in the image. path: the texture keeps its places on the path and repeats by octaves (powers of two); dashes turn
+/// gray while octaves blend.
 enum class Anchor : std::uint8_t { screen, path };
 template <>
 inline constexpr Choice choices_of<Anchor>[] = {

@@ -10,10 +10,10 @@
 namespace fovea::style {
 namespace {
 
-/// The name of a member in sentences.
+/// Name of a member in messages.
 std::string of(const Path& where, const char* member) { return (where.empty() ? "" : dotted(where) + ".") + member; }
 
-/// Moves what is not known of the entries of a list to where these stand now: entry i at place[i].
+/// Updates the paths of unknown values in a list whose entries were reordered: entry i is now at place[i].
 void follow(std::vector<Unknown>& unknown, const Path& list, const std::vector<std::size_t>& place) {
     for (Unknown& each : unknown) {
         if (each.path.size() <= list.size()) continue;

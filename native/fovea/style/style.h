@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A style: the paper, the layers under the lines, and an ordered list of line sets with their pens. Lengths are in
-// reference pixels (image height / 1080) where nothing else is said, colors scene-linear.
+// reference pixels (image height / 1080) unless stated otherwise, colors scene-linear.
 #pragma once
 
 #include <fovea/style/focus.h>
@@ -11,13 +11,13 @@
 
 namespace fovea::style {
 
-/// A pen, and the one that it becomes out of focus.
+/// A pen and its counterpart out of focus.
 struct PenPair {
     const Pen* pen;
-    const Pen* away;  ///< null: it stays as it is
+    const Pen* away;  ///< null: `pen` everywhere
 };
 
-/// A value of a style's file that is not known here.
+/// A value of a style file that this version does not know.
 struct Unknown {
     Path path;
     std::string json;
@@ -33,7 +33,7 @@ struct Style {
     Distance distance;
     Color color;
     Elision elision;
-    std::vector<Unknown> kept;  ///< what its file says that is not known here
+    std::vector<Unknown> kept;  ///< unknown values of its file, written back unchanged
 
     bool operator==(const Style&) const = default;
 
@@ -45,13 +45,13 @@ struct Style {
 
     /// Whether there is a color layer.
     bool has_color() const { return color.shading != Shading::plain && effects.colors != Mode::none; }
-    /// Those of visible parts by line set, then those of hidden parts. Borrowed.
+    /// Pens of visible parts by line set, then those of hidden parts; pointers into this style.
     std::vector<PenPair> pen_pairs() const;
-    /// Whether lines out of focus are other than those in focus.
+    /// Whether any pen or overshoot differs out of focus.
     bool has_away() const;
-    /// How many surfaces that hide a line must be told apart; 0: hidden lines are not drawn.
+    /// Levels of quantitative invisibility that the ranges distinguish; 0: hidden lines are not drawn.
     Index counted() const;
-    /// Width of a pen in pixels of an image, `reference_scale` of which are a reference pixel.
+    /// Width of a pen in image pixels. `reference_scale`: image pixels per reference pixel.
     double width_px(const Pen& pen, double reference_scale) const;
 };
 

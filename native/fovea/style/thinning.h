@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Line elision of a style: which of the lines that crowd each other stay (Cole 2009, 5.2.2).
+// Settings of line elision (Cole 2009, 5.2.2).
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace fovea::style {
 
-/// Lines that go alongside each other nearer than their pens' spacing are thinned, by priority.
+/// Thins lines that run alongside each other closer than their pens' spacing, by priority.
 struct Elision {
     bool enabled = false;
-    double fade_from = 0.35;  ///< a line is whole where it has all of its room
+    double fade_from = 0.35;  ///< share of its band at which a line begins to show; opaque at 1
     double cut = 0.0;
     int frames = 0;
     double length = 1.0, kind = 0.5, strength = 0.25, depth = 0.25, object = 1.0, painted = 1.0;
-    std::string priority_attribute;  ///< none: what is painted does not count
+    std::string priority_attribute;  ///< empty: no painted term
     std::string density_attribute;
 
     bool operator==(const Elision&) const = default;
-    /// Whether something counts for the priority of lines.
+    /// Whether any priority term has an effect.
     bool ranks() const {
         return length > 0 || kind > 0 || strength > 0 || depth > 0 || object > 0 ||
                (painted > 0 && !priority_attribute.empty());

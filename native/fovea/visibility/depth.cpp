@@ -10,17 +10,17 @@
 namespace fovea::visibility {
 namespace {
 
-/// Slopes of triangles seen almost edge on stay finite.
+/// Clamps slopes of triangles seen almost edge-on.
 float slope(double value) {
     return static_cast<float>(std::clamp(value, -double(max_depth_slope), double(max_depth_slope)));
 }
 
-/// An edge of a triangle along a row of texels.
+/// An edge of a triangle, evaluated along a row of texels.
 struct RowEdge {
     int along;            ///< its code without the distance
     double inside, step;  ///< distance inside at texel 0, and its change from texel to texel
 
-    /// What is no edge of the mesh cuts nothing off.
+    /// `of_mesh`: false for an edge that is not of the mesh, which excludes nothing.
     RowEdge(dvec2 a, dvec2 b, int y, bool of_mesh) {
         const dvec2 way = b - a, inwards(-way.y, way.x);
         const double length = std::abs(way.x) + std::abs(way.y), unit = length > 0.0 && of_mesh ? 1.0 / length : 0.0;
@@ -31,7 +31,7 @@ struct RowEdge {
     int code(int x) const { return formulas::Edges().edge_code(along, float(inside + step * x)); }
 };
 
-/// Draws rows y0 to y1 of a triangle that lies on a facet.
+/// Rasterizes rows y0 to y1 (excluded) of a triangle of a facet.
 void draw_rows(const RasterTriangle& t, int y0, int y1, Index facet, DepthBuffer& buffer) {
     const TriangleRows rows(t);
     const DepthTexel plane{0.0f, slope(t.plane.x * buffer.scale), slope(t.plane.y * buffer.scale), facet, {}};
@@ -52,9 +52,9 @@ void draw_rows(const RasterTriangle& t, int y0, int y1, Index facet, DepthBuffer
     }
 }
 
-/// A tile along one axis [px of the whole, its border included].
+/// Extent of a tile along one axis [px of the whole, including its border].
 struct TileSpan {
-    int begin, end;  // shown
+    int begin, end;  // with the overlap
     int core_begin, core_end;
 };
 
@@ -97,7 +97,7 @@ std::vector<DepthBuffer> depth_tiles(const View& view, const DepthOptions& optio
             tile.border_y = whole.border_y - y.begin;
             tile.width = (x.end - x.begin) * whole.scale;
             tile.height = (y.end - y.begin) * whole.scale;
-            // What lies beyond the border belongs to the outermost tiles.
+            // Cores of the outermost tiles extend beyond the border.
             if (x.core_begin > 0) tile.core.x = float(x.core_begin - whole.border_x);
             if (y.core_begin > 0) tile.core.y = float(y.core_begin - whole.border_y);
             if (x.core_end < width) tile.core.z = float(x.core_end - whole.border_x);
@@ -113,7 +113,7 @@ dmat4 view_to_depth_clip(const View& view, const DepthBuffer& layout) {
     // Third row: depth times w. Perspective: near / -z times -z. Orthographic: (far + z) / (far - near).
     const dvec4 row =
         view.orthographic ? dvec4(0.0, 0.0, 1.0 / range, view.far_clip / range) : dvec4(0.0, 0.0, 0.0, view.near_clip);
-    // From the frame to the buffer: its share of the buffer, and how far their middles are apart.
+    // From the frame's NDC to the buffer's: scale, and offset of the centers.
     const dvec2 size = dvec2(layout.width, layout.height) / double(layout.scale), frame(view.width, view.height);
     const dvec2 share = frame / size, shift = (frame + 2.0 * dvec2(layout.border_x, layout.border_y)) / size - 1.0;
     for (int column = 0; column < 4; ++column) {

@@ -9,12 +9,12 @@
 namespace fovea::visibility {
 namespace {
 
-/// Nearness as it is compared: larger is nearer. Of an orthographic view it is -distance: depth, which counts from the
-/// far plane, would lose what lies near.
+/// Nearness, the compared quantity: larger is nearer. For orthographic views it is -distance: depth, measured from the
+/// far plane, would lose precision near the camera.
 constexpr float nothing = -std::numeric_limits<float>::infinity();
 
-/// An image of the nearest surfaces. What lies behind everything that is drawn already, tile by tile, is not drawn at
-/// all: this is what crowded scenes need, and it changes no pixel.
+/// Depth image with hierarchical occlusion culling: triangles behind everything already drawn in a tile are skipped
+/// there. This pays off in crowded scenes and changes no pixel.
 class Nearest {
    public:
     explicit Nearest(const View& view)
@@ -27,7 +27,7 @@ class Nearest {
         parallel_for(view.height, [&](std::size_t y) { std::fill_n(row(int(y)), width_, nothing); }, 16);
     }
 
-    /// Draws rows y0 to y1, which lie in one band.
+    /// Rasterizes rows y0 to y1 (excluded), which lie in one row of tiles.
     void draw(const RasterTriangle& triangle, int y0, int y1) {
         const TriangleRows rows(triangle);
         int first = triangle.x0 / side, last = (triangle.x1 - 1) / side;
@@ -52,15 +52,15 @@ class Nearest {
     static constexpr int draws_between_looks = 8;
 
     struct Tile {
-        float farthest = nothing;  ///< of its texels, when last looked at: they have come nearer since
-        int drawn = 0;             ///< triangles since then
+        float farthest = nothing;  ///< bound over its texels, from the last update; they can only be nearer
+        int drawn = 0;             ///< triangles drawn since then
     };
 
     float nearness(double depth) const { return static_cast<float>(scale_ * depth + offset_); }
     Tile& tile(int x, int y) { return tiles_[std::size_t(y / side) * across_ + x]; }
 
     bool hidden(const RasterTriangle& triangle, const TriangleRows& rows, int x, int y0, int y1) {
-        // A plane is nearest at a corner; computed as for the texels, and rounding keeps the order.
+        // A plane is nearest at a corner of the tile; computed as for the texels, so that rounding is monotonic.
         const int left = std::max(x * side, triangle.x0), right = std::min((x + 1) * side, triangle.x1) - 1;
         const double depth_y = rows.depth_y(triangle.plane.y > 0.0 ? y1 - 1 : y0);
         const float nearest = nearness(rows.depth(triangle.plane.x > 0.0 ? right : left, depth_y));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t pieces_per_block = 256;
 
-/// Visibility along segments, one after the other, remembering what hid the last ones.
+/// Computes visibility along consecutive segments, with a cache of recent occluders.
 class Marcher {
    public:
     explicit Marcher(const Tracer& tracer) : tracer_(tracer) {}
@@ -20,7 +20,7 @@ class Marcher {
         segment_ = &segment;
         known_.next_segment();
         const double step = 1.0 / samples, tolerance = exact_tolerance_px / std::max(length_px, 1e-9);
-        double seen = 0.0;  // visible here (or the beginning)
+        double seen = 0.0;  // last visible position, or 0
         bool was_hidden = false;
         for (Index i = 0; i < samples; ++i) {
             const double s = (i + 0.5) * step;
@@ -34,11 +34,11 @@ class Marcher {
                 was_hidden = false;
                 seen = s;
             } else if (was_hidden) {
-                // Less than a sample between two shadows: no line is seen through it.
+                // A gap of less than a sample between two shadows counts as hidden.
                 hidden.back().end = std::max(hidden.back().end, by.end);
             } else {
                 const double begin = narrow(by.begin, seen, -1.0, tolerance);
-                // At the very beginning of the segment nothing is known to be visible.
+                // At the beginning of the segment no visible position is known.
                 hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, by.end});
                 was_hidden = true;
             }
@@ -58,12 +58,12 @@ class Marcher {
         const Occluding by(tracer_, *hit);
         const Interval interval = hides(by);
         known_.remember({by, interval});
-        // The ray is the judge: at its own sample the triangle hides, whatever rounding says.
+        // The ray is authoritative: the triangle hides at least the ray's own sample, despite rounding.
         return interval.holds(s) ? interval : Interval{s, s};
     }
 
-    /// Moves an end of a hidden interval to where the segment, visible at `seen`, becomes hidden; `way` leads out of
-    /// it: -1 at its begin, 1 at its end.
+    /// Refines an end of a hidden interval, between `hidden` and the visible position `seen`; `way` points out of the
+    /// interval: -1 at its begin, 1 at its end.
     double narrow(double hidden, double seen, double way, double tolerance) {
         double visible = seen;
         for (int steps = 0; (visible - hidden) * way > tolerance && steps < 24; ++steps) {
@@ -79,11 +79,11 @@ class Marcher {
 
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
-    /// From segment to segment: neighbors are mostly hidden by the same triangles.
+    /// Kept across segments: neighbors are mostly hidden by the same triangles.
     Remembered<Occluding, 8> known_;
 };
 
-/// Appends a visible part of a piece, or goes on with the last one.
+/// Appends a visible part of a piece, merged with the last run if adjacent.
 void add_visible(Index piece, double start, double end, Runs& runs) {
     if (end - start <= 1e-9) return;
     if (runs.size() > 0 && runs.piece.back() == piece && start - runs.end_px.back() <= 1e-6)

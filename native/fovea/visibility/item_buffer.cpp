@@ -11,7 +11,7 @@ namespace {
 constexpr int most_layers = 3;
 constexpr int band_rows = 32;
 
-/// A segment in texels, along its longer axis.
+/// A segment in texels, rasterized along its major axis.
 struct Line {
     dvec2 from, to;
     double depth_from, depth_to;
@@ -19,15 +19,15 @@ struct Line {
     bool along_x;
 };
 
-/// A place in texels, the same to the last bit in every tile that is a whole number of pixels away.
+/// Position in texels; bit-identical in all tiles that are offset by whole pixels.
 dvec2 texels(const DepthBuffer& depth, vec2 px) {
     return (dvec2(px) + dvec2(depth.border_x, depth.border_y)) * double(depth.scale);
 }
 
-/// True where a line from `from` to `to` goes as far in x as in y.
+/// Whether x is the major axis.
 bool along_x(dvec2 from, dvec2 to) { return std::abs(to.x - from.x) >= std::abs(to.y - from.y); }
 
-/// First and last texel (excluded) whose centers lie on the way; the texel in which a line ends is left to the next.
+/// First and last texel (excluded) with centers between a and b; the texel at the end is left to the next segment.
 std::pair<int, int> texels_between(double a, double b, int size) {
     const double low = a <= b ? std::ceil(a - 0.5) : std::floor(b - 0.5) + 1.0;
     const double high = a <= b ? std::ceil(b - 0.5) : std::floor(a - 0.5) + 1.0;
@@ -98,9 +98,9 @@ class Drawing {
         insert(&buffer_.items[first], &nearness_[first], s.item, std::min(depth, 1.0f));
     }
 
-    /// Into a list, nearest first, in which every item is once.
+    /// Inserts into a list of unique items, nearest first.
     void insert(Index* items, float* nearness, Index item, float depth) {
-        int last = 0;  // the entry that makes room: the item's own, else the first free one, else the farthest
+        int last = 0;  // entry to replace: the item's own, else the first free one, else the farthest
         while (last < buffer_.layers - 1 && items[last] != 0 && items[last] != item) ++last;
         if (items[last] != 0 && depth < nearness[last]) return;
         for (; last > 0 && depth >= nearness[last - 1]; --last) {
@@ -117,7 +117,7 @@ class Drawing {
     Array<float> nearness_;  // depth of each item
 };
 
-/// Lines by the bands of rows they touch, in their order.
+/// Lines by the bands of rows that they touch, in order.
 Rows bin(const std::vector<Line>& lines, int height, Array<Index>& members) {
     const auto bands = [&](const Line& s, const auto& body) {
         const auto [begin, end] = rows_of(s, height);
@@ -133,7 +133,7 @@ Rows bin(const std::vector<Line>& lines, int height, Array<Index>& members) {
     return rows;
 }
 
-/// Share of the looks for sample j of segment i of a piece that find it.
+/// Share of the probes of sample j of segment i that find the piece.
 float share_seen(const ClippedPaths& clipped, const DepthBuffer& depth, const ItemBuffer& buffer, Index piece, Index i,
                  Index j) {
     const float middle = (float(j) + 0.5f) / float(clipped.sample_count[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How pieces share the segment atlas: who owns which sample, and batches that fit into textures.
+// Layout of the segment atlas: the segment that owns each sample, and batches that fit into textures.
 #pragma once
 
 #include <fovea/project/clipped_paths.h>
@@ -9,11 +9,11 @@ namespace fovea::visibility {
 
 /// The atlas is one row of samples wrapped over texture rows of this width.
 inline constexpr Index atlas_width = 2048;
-/// Samples of a batch; a longer piece makes a batch of its own.
+/// Maximum number of samples per batch; a longer piece is a batch of its own.
 inline constexpr Index batch_samples = Index(1) << 22;
-/// Every so many samples the atlas notes which segment it is in.
+/// Stride [samples] of the table of owner segments.
 inline constexpr Index owner_stride = 64;
-/// Facet numbers are kept modulo this, so that float textures hold them exactly; -1: none.
+/// Facet numbers are stored modulo this, so that float textures hold them exactly; -1: none.
 inline constexpr Index facet_modulus = Index(1) << 24;
 inline float facet_number(Index facet) { return facet == none ? -1.0f : float(facet % facet_modulus); }
 
@@ -26,14 +26,14 @@ struct AtlasBatch {
 /// Consecutive batches of at most `limit` samples (or one piece).
 Array<AtlasBatch> atlas_batches(const ClippedPaths& clipped, Index limit = batch_samples);
 
-/// Three entries of the segment from point i, as passes read them; what stands beside its start and its end is theirs.
+/// Writes the three table entries of the segment from point i. `with_start` and `with_end` are the last components of
+/// the entries of its start and its end, whose meaning differs between passes.
 void write_segment(const ClippedPaths& clipped, const OwnSides& sides, Index i, float with_start, float with_end,
                    vec4* rows);
 
-/// What the visibility pass reads, three entries a segment that has samples, in atlas order:
+/// Input tables of the visibility pass: three entries per segment that has samples, in atlas order:
 /// (x0, y0, depth0, first sample), (x1, y1, depth1, sample count),
-/// (facet0, facet1, steepness, or -1 for an inner line, 0).
-/// Samples count inside the batch.
+/// (facet0, facet1, steepness, or -1 for an inner line, 0). Sample numbers are relative to the batch.
 struct AtlasTables {
     Array<vec4> segments;
     /// Segment that owns sample 0, owner_stride, 2 owner_stride, ... of the batch; one more entry closes the table

@@ -11,12 +11,12 @@
 namespace fovea::visibility {
 namespace {
 
-/// A triangle of each facet of a surface.
+/// One triangle of each facet of a surface.
 struct FacetTriangles {
     Array<Index> triangle;
 };
 
-/// What all facets of a placement share.
+/// Data shared by all facets of a placement.
 struct PlacedSurface {
     const Surface* surface = nullptr;
     bool occludes = false;
@@ -59,7 +59,7 @@ std::vector<PlacedSurface> place(const Scene& scene, const View& view) {
 /// A facet found by its number over the whole scene.
 struct Facet {
     const PlacedSurface* placed = nullptr;
-    Index number = none;  // in its surface
+    Index number = none;  // facet number in its surface
     dvec4 plane() const {
         const vec4 p = placed->surface->facet_plane[number];
         return dvec4(p.x, p.y, p.z, -p.w);
@@ -67,12 +67,12 @@ struct Facet {
     Index triangle() const { return placed->triangles->triangle[number]; }
     bool occludes() const { return placed->occludes && triangle() < placed->surface->occluding_triangles; }
     bool faces_viewer() const { return glm::dot(plane(), placed->eye_obj) >= 0.0; }
-    /// Slope of a facet towards the viewer; 0 for others, which rise above no line.
+    /// Depth slope of a front-facing facet; 0 for others, which do not rise in front of a line.
     float rise() const {
         if (!placed || !faces_viewer()) return 0.0f;
         const dvec4 p = placed->plane_to_depth * plane();
         const double slope = std::hypot(p.x, p.y) / std::abs(p.z);
-        return static_cast<float>(slope < max_depth_slope ? slope : max_depth_slope);  // edge on: 0 / 0 too
+        return static_cast<float>(slope < max_depth_slope ? slope : max_depth_slope);  // also for NaN (0 / 0, edge-on)
     }
 };
 
@@ -85,8 +85,8 @@ Facet find_facet(const Scene& scene, const std::vector<PlacedSurface>& placed, I
     return number < placed[i].surface->facet_count() ? Facet{&placed[i], number} : Facet{};
 }
 
-/// True where `b` rises in front of `a`: their edge is a groove, not a ridge. It does where they pass through each
-/// other, of two placements or one.
+/// Whether the edge between facets `a` and `b` is concave: `b` rises in front of `a`. Also true where they intersect,
+/// in one placement or two.
 bool groove(const Facet& a, const Facet& b) {
     if (a.placed != b.placed) return true;
     const Surface& surface = *b.placed->surface;

@@ -10,15 +10,15 @@ namespace fovea::visibility {
 
 /// Per segment (indexed by its first point); the last point of a piece holds the same as a segment without facets.
 struct OwnSides {
-    /// The greatest slope of the segment's facets that face the viewer, in depth (base/view.h) per pixel: how far a
-    /// surface that goes on like its own can rise above the line next to it; 0 where both turn away. At most
-    /// max_depth_slope (depth.h), reached edge on.
+    /// Greatest depth slope (base/view.h) per pixel of the segment's front-facing facets: bounds how far the line's own
+    /// surface, continued, rises in front of the line beside it. 0 where both are back-facing; at most max_depth_slope
+    /// (depth.h), reached edge-on.
     Array<float> steepness;
-    /// 1 where both adjacent facets are back-facing, or one is and the edge is concave: a solid would hide the line,
-    /// which is seen on open surfaces only, next to its own facets. 0 where the facets do not occlude.
+    /// 1 where both adjacent facets are back-facing, or one is and the edge is concave: a solid would hide the line; it
+    /// is visible on open surfaces only, next to its own facets. 0 where the facets do not occlude.
     Array<std::uint8_t> inner;
 
-    /// As tables have it: the steepness, or -1 for an inner line.
+    /// Entry in the GPU's tables: the steepness, or -1 for an inner line.
     float in_tables(Index segment) const { return inner[segment] ? -1.0f : steepness[segment]; }
 };
 

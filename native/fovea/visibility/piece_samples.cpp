@@ -15,7 +15,7 @@ PieceSamples::PieceSamples(const ClippedPaths& clipped, Index piece) : clipped_(
 double PieceSamples::arc(std::ptrdiff_t sample) const {
     const Index wanted = Index(begin_ + sample);
     const auto starts = clipped_.sample_start.begin();
-    // The last segment that starts at or before the sample; those without samples start with the next.
+    // The last segment that starts at or before the sample; segments without samples have the start of the next one.
     const auto after = std::upper_bound(starts + first_point_, starts + last_point_, wanted);
     const Index i = Index(after - starts) - 1;
     const double step = (clipped_.arc_px[i + 1] - clipped_.arc_px[i]) / clipped_.sample_count[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The atlas samples of one piece, which follow each other.
+// The atlas samples of one piece, which are contiguous.
 #pragma once
 
 #include <fovea/project/clipped_paths.h>
@@ -12,14 +12,14 @@ class PieceSamples {
     PieceSamples(const ClippedPaths& clipped, Index piece);
 
     std::ptrdiff_t count() const { return end_ - begin_; }
-    /// Number of a sample in the atlas.
+    /// Atlas index of a sample.
     std::size_t in_atlas(std::ptrdiff_t sample) const { return std::size_t(begin_ + sample); }
     /// Arc length of a sample [px].
     double arc(std::ptrdiff_t sample) const;
     /// The first sample beyond an arc length; count() where there is none.
     std::ptrdiff_t after(double arc_px) const;
-    /// What per-atlas-sample `values` say at an arc length: linear between samples, held beyond the first and the last;
-    /// `otherwise` where the piece has none.
+    /// Interpolates per-atlas-sample `values` at an arc length: linear between samples, constant beyond the first and
+    /// the last; `otherwise` if the piece has no samples.
     float value(In<float> values, double arc_px, float otherwise) const;
 
    private:

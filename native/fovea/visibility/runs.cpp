@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t pieces_per_block = 256;
 
-/// Runs of one piece: where the line through the samples crosses the threshold.
+/// Runs of one piece, between crossings of the threshold by the linear interpolant of the samples.
 void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshold, Index piece, Runs& runs) {
     const Index begin = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;
     double start = 0.0, before = clipped.arc_px[begin];
@@ -22,7 +22,7 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
         for (Index j = 0; j < clipped.sample_count[i]; ++j) {
             const double here = clipped.arc_px[i] + (j + 0.5) * step;
             const float read = visibility[clipped.sample_start[i] + j];
-            const float value = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // also what is not a number
+            const float value = read > 0.0f ? std::min(read, 1.0f) : 0.0f;  // NaN: 0
             const bool visible = value >= threshold;
             if (visible != open) {
                 const double t = first ? 0.0 : (threshold - value_before) / (value - value_before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Visibility in its canonical form: runs of arc length, and the way between runs and atlas samples.
+// The canonical form of visibility: runs, intervals of arc length; and conversion between runs and atlas samples.
 #pragma once
 
 #include <fovea/base/parallel.h>
@@ -8,9 +8,9 @@
 
 namespace fovea::visibility {
 
-/// Parts of pieces, sorted by piece, then by start; they do not overlap. start < end, in pixels of the piece's own
-/// arc_px; a run that overshoots its line starts before it or ends after it, where the line goes straight on. What
-/// finds visible parts leaves hidden ones out, until `with_hidden` adds them.
+/// Intervals of pieces, sorted by piece, then by start, disjoint. start < end, in pixels of the piece's own arc_px; a
+/// run that overshoots its line starts before the piece or ends after it, where the line is continued straight. Methods
+/// of visibility return visible runs only; `with_hidden` adds the hidden ones.
 struct Runs {
     Array<Index> piece;
     Array<double> start_px, end_px;
@@ -24,20 +24,21 @@ struct Runs {
                "counted; 0: visible"}};
 
     std::size_t size() const { return piece.size(); }
-    /// Appends a run, unless it has no length.
+    /// Appends a run, unless it is empty.
     void push(Index of, double start, double end, std::uint8_t hidden_by = 0);
-    /// Appends a run of others.
+    /// Appends a copy of run number `run` of `others`.
     void push(const Runs& others, std::size_t run) {
         push(others.piece[run], others.start_px[run], others.end_px[run], others.invisibility[run]);
     }
     void append(const Runs& more);
 };
 
-/// Throws std::invalid_argument unless the runs can be of these pieces. Both ascend, so the last run tells.
+/// Throws std::invalid_argument if the runs are not of these pieces. Runs ascend by piece, so only the last one is
+/// checked.
 void check_runs(const ClippedPaths& clipped, const Runs& runs);
 
-/// The runs that add(runs, begin, end) appends for blocks of `size` of `count` elements, in their order. Parallel; the
-/// same for any number of threads.
+/// Concatenates the runs that add(runs, begin, end) appends for each block of `size` of `count` elements, in order.
+/// Parallel; the result does not depend on the number of threads.
 template <typename Add>
 Runs runs_by_blocks(std::size_t count, std::size_t size, const Add& add) {
     Runs all;
@@ -45,7 +46,7 @@ Runs runs_by_blocks(std::size_t count, std::size_t size, const Add& add) {
     return all;
 }
 
-/// Runs of each piece.
+/// Range of runs of each piece.
 Rows runs_of_pieces(const ClippedPaths& clipped, const Runs& runs);
 
 /// Runs where the sampled visibility (atlas order, in [0,1]) is at least `threshold`; ends are interpolated between
@@ -55,8 +56,9 @@ Runs runs_from_samples(const ClippedPaths& clipped, In<float> visibility, float 
 /// Share of each atlas sample that visible runs cover, in [0,1].
 Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs);
 
-/// Visible runs and what lies between them, hidden by 1 surface or more. Lines of the image, whose path's `placement`
-/// is `none` (one entry per path of Paths), have no hidden parts: they lie on no surface, and nothing hides them.
+/// Adds to visible runs the hidden ones between them, with invisibility 1 (one surface or more). Image-space lines,
+/// whose path's `placement` is `none` (one entry per path of Paths), have no hidden runs: they lie on no surface, and
+/// nothing occludes them.
 Runs with_hidden(const ClippedPaths& clipped, const Runs& visible, In<Index> placement);
 
 }  // namespace fovea::visibility

@@ -10,7 +10,7 @@ namespace formulas {
 using namespace glm;
 
 struct Depth : Edges {
-    /// A line by the facets it lies between.
+    /// The two facets at a line's edge, and its steepness (OwnSides).
     struct Line {
         Index facet0, facet1;
         float steepness;
@@ -50,7 +50,7 @@ namespace {
 
 constexpr int max_probes = 16;
 
-/// A segment as its samples see it.
+/// A segment as the probes read it.
 struct SeenSegment {
     vec3 first, last;  ///< px, depth
     formulas::Depth::Line line;
@@ -62,7 +62,7 @@ SeenSegment segment_of(const ClippedPaths& clipped, const OwnSides& sides, Index
             {clipped.facet0[i], clipped.facet1[i], sides.in_tables(i)}};
 }
 
-/// Samples of piece q.
+/// Computes the samples of piece q.
 void fill_piece(const ClippedPaths& clipped, const OwnSides& sides, Index q, formulas::Depth& look,
                 Array<float>& visibility) {
     for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {

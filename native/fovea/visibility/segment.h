@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rays ask about: one segment of a projected path.
+// One segment of a projected path, as rays test it.
 #pragma once
 
 #include <fovea/path/paths.h>
@@ -8,8 +8,8 @@
 
 namespace fovea::visibility {
 
-/// A segment of a piece between its ends in view space, where rays ask for it (Ignore::above is added). Positions along
-/// it are screen fractions s in [0,1], or fractions t of its length in space.
+/// A segment of a piece, with its ends in view space, where rays test it (offset by Ignore::above). Positions along it
+/// are screen fractions s in [0,1], or fractions t of its length in space.
 struct Segment {
     dvec3 a, b;
     double wa, wb;  ///< distances along -z; equal (1) for an orthographic camera

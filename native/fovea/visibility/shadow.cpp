@@ -5,7 +5,8 @@ namespace fovea::visibility {
 
 Shadow::Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin) {
     const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    // How far the plane lies beyond the eye, along its normal turned away from the eye.
+    // Positive if the normal points away from the eye. Perspective: signed distance of the plane from the eye times the
+    // normal's length; orthographic: the normal's component along the view.
     const double facing = orthographic ? -normal.z : glm::dot(normal, corners[0]);
     if (facing == 0.0) return;
     for (const dvec3& corner : corners)
@@ -52,7 +53,7 @@ Interval Occluding::hides(const Tracer& tracer, const Segment& segment) const {
     if (!shadow_.usable()) return {};
     const Ignore& ignore = segment.ignore;
     const Surface& surface = *tracer.scene().placements[placement_].surface;
-    // How near a curve's own surface may be, only rays know.
+    // The distance to a curve's own surface is handled by rays only.
     if (placement_ == ignore.placement && ignore.across_triangles()) return {};
     if (ignore.holds(placement_, surface, triangle_)) return {};
     if (other_ != none && ignore.holds(placement_, surface, other_)) return {};

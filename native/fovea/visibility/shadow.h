@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shadow volumes: what a polygon, or the triangle that a ray met, hides from the eye.
+// Shadow volumes: the space that a polygon, or the triangle that a ray hit, hides from the eye.
 #pragma once
 
 #include <algorithm>
@@ -17,34 +17,37 @@ struct Interval {
     bool holds(double t) const { return begin <= t && t <= end; }
 };
 
-/// Bounded by the planes through the eye (view-space origin; along z for an orthographic camera) and the sides of a
-/// flat convex polygon of three or four corners, and by the polygon's own plane. Convex, so it cuts an interval out of
-/// a segment.
+/// The shadow volume of a flat convex polygon of three or four corners, with the eye as the light: bounded by the
+/// planes through the eye (view-space origin; along z for an orthographic camera) and the polygon's sides, and by the
+/// polygon's own plane. Convex, so its intersection with a segment is one interval.
 class Shadow {
    public:
     Shadow() = default;
-    /// Corners in view space. `margin`: share of the distance by which a point must lie behind to be hidden.
+    /// Corners in view space. `margin`: how far a point must lie behind the polygon to be hidden, as a fraction of the
+    /// distance.
     Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin);
 
-    /// False when the polygon is seen edge-on or reaches in front of the near plane: it then hides nothing for sure.
+    /// False when the polygon is seen edge-on or reaches in front of the near plane: then nothing is certain to be
+    /// hidden.
     bool usable() const { return usable_; }
 
     /// Part of the segment from a to b that is hidden, as fractions of its length in space.
     Interval hides(const dvec3& a, const dvec3& b) const;
 
    private:
-    dvec4 planes_[5];  // inside where positive; its own first
+    dvec4 planes_[5];  // positive inside; the polygon's own plane first
     int count_ = 0;
     bool usable_ = false;
 };
 
-/// The shadow of a hit's outline (Tracer::outline), and of which surface it is.
+/// Shadow volume of a hit's outline (Tracer::outline), with the surface that was hit.
 class Occluding {
    public:
     Occluding() = default;
     Occluding(const Tracer& tracer, const Hit& hit);
 
-    /// The part of a segment that it surely hides, in screen fractions; empty where the segment ignores it.
+    /// The part of a segment that is certain to be hidden, in screen fractions; empty if the segment ignores this
+    /// surface.
     Interval hides(const Tracer& tracer, const Segment& segment) const;
 
    private:
@@ -52,23 +55,24 @@ class Occluding {
     Index placement_ = none, triangle_ = none, other_ = none;
 };
 
-/// So many of what hid segments before, and which part of the one that is looked at now each of them hides.
+/// Fixed-size cache of occluders of earlier segments, with the interval of the current segment that each of them hides.
 template <typename Hider, std::size_t count>
 class Remembered {
    public:
     struct Entry {
         Hider by;
-        std::optional<Interval> interval;  ///< none: not asked for yet
+        std::optional<Interval> interval;  ///< unset: not computed yet
     };
 
     Remembered() { std::iota(order_.begin(), order_.end(), std::size_t(0)); }
 
-    /// Another segment is looked at.
+    /// Starts a new segment: clears the intervals.
     void next_segment() {
         for (Entry& entry : entries_) entry.interval.reset();
     }
 
-    /// The interval around s that one of them hides; null where none does. interval_of(hider): on this segment.
+    /// The interval around s that a cached occluder hides; null if none does. interval_of(hider) computes it for this
+    /// segment. A hit moves up one place in the search order.
     template <typename IntervalOf>
     const Interval* around(double s, const IntervalOf& interval_of) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -81,7 +85,7 @@ class Remembered {
         return nullptr;
     }
 
-    /// Keeps another one instead of that which did not hide for longest.
+    /// Inserts an occluder first in the search order, replacing the last.
     void remember(Entry entry) {
         std::rotate(order_.begin(), order_.end() - 1, order_.end());
         entries_[order_[0]] = std::move(entry);
@@ -89,7 +93,7 @@ class Remembered {
 
    private:
     std::array<Entry, count> entries_;
-    std::array<std::size_t, count> order_;  // of entries_, those that hid last before the others
+    std::array<std::size_t, count> order_;  // search order: indices into entries_, those with recent hits first
 };
 
 }  // namespace fovea::visibility

@@ -22,7 +22,7 @@ SpineTest::SpineTest(const ClippedPaths& clipped, const OwnSides& sides, const D
 }
 
 float SpineTest::visibility(Index piece, float u) const {
-    // The last segment that starts at u or before it; the arc lengths are rounded as in the table below.
+    // The last segment that starts at or before u; arc lengths are rounded to float as in spine_table.
     Index low = clipped_.pieces.begin(piece), high = clipped_.pieces.end(piece) - 2;
     while (low < high) {
         const Index middle = (low + high + 1) / 2;

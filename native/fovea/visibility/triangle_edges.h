@@ -10,7 +10,7 @@ namespace formulas {
 
 using namespace glm;
 
-/// They err by at most 1/64 + 1/510 texel.
+/// Their error is at most 1/64 + 1/510 texel.
 struct Edges {
 #include <shared/edges.glsl>
 };
