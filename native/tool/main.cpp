@@ -9,6 +9,7 @@
 #include <fovea/base/threads.h>
 
 int main(int count, char** words) {
+    using namespace fovea;
     using namespace fovea::draw;
     const tool::Options options = tool::parse(count, words);
     try {
