@@ -28,7 +28,7 @@ def cup(location, turn: float, size: float = 1.0):
     body = revolve("Cup", [(0, 0), (0.024, 0), *wall, *inside], 72)
     path = [(0.037, 0.056), (0.058, 0.058), (0.064, 0.04), (0.052, 0.022), (0.032, 0.02)]
     hollow = revolve("Hollow", [(0, 0.014), (0.029, 0.021), (0.0385, 0.046), (0.0415, 0.08), (0, 0.08)], 72)
-    ear = combine("DIFFERENCE", handle(path, 0.0042), hollow)  # what would stick into the tea
+    ear = combine("DIFFERENCE", handle(path, 0.0042), hollow)  # remove the part inside the cup
     put(combine("UNION", body, ear), "china", above(location, 0.0095 * size), turn, size)
     put(revolve("Tea", [(0, 0), (0.0412, 0)], 72), "tea", above(location, 0.068 * size), scale=size)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What one sees far off: gabled houses, a round church tower."""
+"""The background: gabled houses, a round church tower."""
 
 import math
 

@@ -86,7 +86,7 @@ def cobbles(center, turn: float, rows: int, columns: int, seed: int):
 
 
 def edging(path, seed: int):
-    """One row of setts along a path, with gaps where the pen may rest."""
+    """One row of setts along a path, with random gaps."""
     draw, path = random.Random(seed), np.asarray(path, dtype=float)
     steps = np.diff(path, axis=0)
     length = np.concatenate([[0], np.cumsum(np.linalg.norm(steps, axis=1))])

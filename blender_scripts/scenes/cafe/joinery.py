@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Door and windows, each a hair smaller than its opening, so that its outline is its own."""
+"""Door and windows, each GAP smaller than its opening on every side, so that it has an outline of its own."""
 
 import math
 
