@@ -10,7 +10,7 @@ from .world import named_style
 STYLES = ("pen_and_ink", "watercolor")
 COLORFUL = ("watercolor",)
 NEAR, FAR = 0.1, 0.6  # heights of the image, as `fovea draw --focus` has them
-FAR_IN_SCENE = 0.35  # outer radius over the distance to the camera; so small that a focus elsewhere in a room excludes it
+FAR_IN_SCENE = 0.35  # outer radius over the distance to the camera; a focus elsewhere in the room leaves a place out
 GRID = (6, 4)  # columns and rows of candidate focus points in the image
 RINGS = 10  # bins of the focus value f between 0 and 1
 LEAST_INK = 0.002  # bins with less mean ink in the picture all in focus are ignored
