@@ -14,7 +14,7 @@ class Unavailable(RuntimeError):
 
 
 def load():
-    """The native module, the same object every time."""
+    """The native module, the same object every time. Unavailable if it cannot be used."""
     try:
         module = importlib.import_module("._native", __package__)
     except ImportError as error:

@@ -168,7 +168,8 @@ def set_effects(effects, options):
 
 
 def focus_of(scene, where, radii):
-    """The Focus for `--focus`: (u, v) in the image, (x, y, z) in world space, or the name of an object for its surface."""
+    """The Focus for `--focus`: (u, v) in the image, (x, y, z) in world space, or the name of an object for its
+    surface."""
     if isinstance(where, str):
         if where not in scene.objects:
             raise ValueError(f"--focus {where}: there is no such object in the scene")

@@ -97,7 +97,7 @@ def cold_press():
 
 
 def rough():
-    """Handmade: deeper and coarser, uneven."""
+    """Handmade paper: deeper, coarser and more uneven than cold press."""
     s = Sheet(12)
     return s.pebbles(6.5) + 0.5 * s.pebbles(12) + 0.5 * s.pebbles(3.5) + 0.8 * s.grain(8) + 0.15 * s.clouds(80)
 

@@ -31,7 +31,7 @@ def is_whole(path):
     if not path.is_file() or not ENDS[path.suffix](path.read_bytes()):
         return False
     image = bpy.data.images.load(str(path))
-    found = len(image.pixels) > 0 and image.has_data  # pixels are read when they are asked for
+    found = len(image.pixels) > 0 and image.has_data  # pixels are loaded on first access
     bpy.data.images.remove(image)
     return found
 

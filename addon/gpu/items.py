@@ -15,7 +15,7 @@ def item_of_point(clipped):
 
 
 class ItemPass:
-    """Draws the segments from an Atlas's tables on the GPU; holds only an index buffer of quads."""
+    """Draws the segments from an Atlas's tables on the GPU; holds only a batch of numbered quad corners."""
 
     def __init__(self, programs):
         self._programs = programs

@@ -61,7 +61,7 @@ def compile_program(name):
 
 
 def _declare_depth(info):
-    """Lets the fragment stage write gl_FragDepth. Blender 4.3 has no API to declare it, and only OpenGL works without."""
+    """Lets the fragment stage write gl_FragDepth. Blender 4.3 has no API to declare it; only OpenGL works without."""
     if hasattr(info, "depth_write"):
         info.depth_write("ANY")
     elif gpu.platform.backend_type_get() != "OPENGL":

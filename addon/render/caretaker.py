@@ -27,7 +27,7 @@ class Movement:
         return time.monotonic() > self._changed_at + self._rest
 
 
-_movement = Movement()  # of all viewports
+_movement = Movement()  # shared by all viewports
 note_change = _movement.note_change  # call it when a viewport has to show something else
 rests = _movement.rests  # whether no viewport has changed recently
 

@@ -19,7 +19,8 @@ class Slot:
 
 
 def slots(obj, mesh, known):
-    """The Slots of an evaluated object's mesh, including object-linked ones. `known`: cache {name: Slot} for one frame."""
+    """The Slots of an evaluated object's mesh, including object-linked ones. `known`: {name: Slot} cache for a
+    frame."""
     return tuple(_slot(material, known) for material in of(obj, mesh))
 
 

@@ -8,7 +8,7 @@ TOLD = (CannotDraw, native.Unavailable, style.StyleError)  # errors whose messag
 
 
 class Operator:
-    """One that can be undone, says why it cannot be called now, and reports errors as one sentence."""
+    """An operator with undo that explains why it is unavailable, and reports errors of `act` as one sentence."""
 
     bl_options = {"REGISTER", "UNDO"}
     errors, level = TOLD, "ERROR"  # exceptions from `act` that are reported, and the report's level

@@ -45,12 +45,12 @@ class Freestyle(Picture):
         scene.render.use_freestyle = True
         settings = bpy.context.view_layer.freestyle_settings
         settings.crease_angle = math.pi - CREASE  # it measures between the faces
-        lines = settings.linesets[0]  # of the startup file: one made here would lack a line style
+        lines = settings.linesets[0]  # from the startup file, because a new line set has no line style
         for kind in self.kinds | self.others:
             setattr(lines, f"select_{kind}", kind in self.kinds)
 
     def frame(self):
-        import parameter_editor  # of Freestyle, on Blender's own path
+        import parameter_editor  # Freestyle's module, on Blender's sys.path
 
         self.strokes = 0
         parameter_editor.callbacks_lineset_post.append(self.count)
@@ -90,7 +90,7 @@ class LineArt:
         self.modifier.target_material = material
         self.modifier.crease_threshold = math.pi - CREASE  # it measures between the faces
         for kind in ("contour", "crease", "intersection", "material", "edge_mark", "loose", "light_contour", "shadow"):
-            setattr(self.modifier, f"use_{kind}", kind in ("contour", "crease"))  # its contours hold the borders
+            setattr(self.modifier, f"use_{kind}", kind in ("contour", "crease"))  # its contours include the borders
         bpy.context.view_layer.update()
 
     def frame(self):

@@ -14,7 +14,7 @@ MEANDER = "uuuuuuuuuu" + "rrr" + "dddddddddd" + "rrr"  # steps of a wave along e
 
 
 def build(name):
-    """The model alone in the open file."""
+    """Builds a model, replacing everything in the open file."""
     stage.clear()
     stage.frame()
     MODELS[name]()

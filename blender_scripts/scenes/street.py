@@ -57,7 +57,7 @@ def manhole(location):
 
 
 def setts(name: str, places, location=(0, 0, 0), turn: float = 0.0):
-    """Stones at (x, y, spin, size): open shells with round shoulders, so that each is one outline on the ground."""
+    """Adds stones at (x, y, rotation, size): open shells with rounded tops, so that each draws a single outline."""
     angle = np.linspace(0, 2 * math.pi, 20, endpoint=False)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     stone = np.sign(circle) * np.sqrt(np.abs(circle)) * (0.092, 0.07)  # half way to a rectangle
