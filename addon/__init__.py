@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fovea: 3D scenes drawn as line drawings, inside Blender's own render pipeline.
 
-Importable without Blender: only `register` touches what needs it.
+Importable without Blender: only `register` imports modules that need it.
 """
 
 import importlib

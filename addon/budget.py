@@ -1,32 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How good a picture may be when there is little time for it: a ladder of qualities, and which of them to draw in.
+"""Level of detail under a time budget: a list of quality levels, and the choice among them.
 
-While a view moves, each draw should keep within a budget. What the stages cost was measured by the draws before, so
-that one knows what a quality will cost before it is drawn.
+While a view moves, each draw should finish within the budget. The cost of each stage is measured in earlier draws and
+predicts the cost of every quality before it is drawn.
 """
 
 from dataclasses import dataclass
 
 from . import catalogue
 
-ENOUGH = 1.25  # times the least that any quality costs: what is nearly as fast and better looking is taken
-MARGIN = 0.8  # of the budget: a better quality must keep within it, so that qualities do not alternate
-OVERVIEW = 500.0  # ms: resting views show a better picture in this time, if the best takes twice as long
+ENOUGH = 1.25  # a quality that costs at most this multiple of the cheapest one is accepted even beyond the budget
+MARGIN = 0.8  # hysteresis: switching to a better quality requires this fraction of the budget
+OVERVIEW = 500.0  # ms: a resting view first shows a quality within this time if the best takes over twice as long
 
 
 @dataclass(frozen=True)
 class Quality:
-    """What is left out or made coarser; as it is given here, nothing."""
+    """One level of detail; the defaults are full quality."""
 
-    scale: float = 1.0  # of the picture, along each axis
-    step: float = 1.0  # between visibility samples, times that of the options
-    probes: int = 16  # at most
-    depth_scale: int = 3  # at most
-    focus_step: int = 1  # pixels between those whose focus is evaluated for colors
-    blur: bool = True  # of colors out of focus; that they are faded and desaturated is in every draft
+    scale: float = 1.0  # image resolution, factor along each axis
+    step: float = 1.0  # spacing of visibility samples, factor on Options.sample_step
+    probes: int = 16  # upper limit of Options.probes
+    depth_scale: int = 3  # upper limit of Options.depth_scale
+    focus_step: int = 1  # lower limit of Options.focus_step: pixels between evaluations of focus for colors
+    blur: bool = True  # blur colors out of focus; fading and desaturation are in every quality
     hidden: bool = True  # hidden lines, haloes and overshoot
     elision: bool = True
-    definitions: bool = True  # lines that take long to find
+    definitions: bool = True  # definitions marked slow in the registry
 
 
 QUALITIES = (
@@ -37,9 +37,9 @@ QUALITIES = (
     Quality(0.5, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False, definitions=False),
     Quality(0.34, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False, definitions=False),
 )
-UNKNOWN = 3  # what to draw in when nothing has been measured
+UNKNOWN = 3  # index of the quality drawn when nothing has been measured
 
-# Stage -> what of a quality changes what it costs. All other stages cost the same in each.
+# Stage -> members of Quality that its cost depends on. All other stages cost the same in every quality.
 DEPENDS = {
     "lines": ("definitions",),
     "project": ("definitions", "step"),
@@ -56,7 +56,7 @@ DEPENDS = {
 
 
 def simplified(style, quality):
-    """A Style as a quality draws it."""
+    """The Style reduced to what a quality draws."""
     sets = style.line_sets
     if not quality.hidden:
         sets = tuple(s.replace(hidden=(), halo=0.0, overshoot=0.0, overshoot_away=None) for s in sets)
@@ -69,14 +69,14 @@ def simplified(style, quality):
 
 
 def _quick(kinds, drawn):
-    """The kinds of a line set without those that take long, and with what stands for them."""
+    """A line set's kinds without the slow definitions, plus their stand-ins."""
     known = catalogue.by_name()
     return {kind: values for kind, values in kinds.items() if not known[kind]["slow"]} | _stand_ins(kinds, drawn)
 
 
 def _stand_ins(kinds, drawn):
-    """What stands for others of a line set's kinds, and is none of them itself. `drawn`: kinds of all sets; where the
-    smooth twin of a stand-in is among them, it goes before that of the mesh."""
+    """{definition: {parameter: value}} of the stand-ins for a line set's kinds, without those the set already has.
+    `drawn`: kinds of all line sets; if it contains the smooth twin of a stand-in, the twin is put before it."""
     found, known = {}, catalogue.by_name()
     for name, definition in known.items():
         if name in kinds:
@@ -86,7 +86,7 @@ def _stand_ins(kinds, drawn):
 
 
 def outlines(style, quality):
-    """`outlines` of the native Options of a Style as a quality draws it."""
+    """`outlines` of the native Options for a Style in a quality: (index of the line set, its stand-in kinds), ..."""
     if quality.definitions:
         return ()
     drawn = {kind for s in style.line_sets for kind in s.kinds}
@@ -95,7 +95,7 @@ def outlines(style, quality):
 
 
 def coarser(options, quality):
-    """Native Options in a quality."""
+    """Native Options reduced to a quality."""
     return options.replace(
         sample_step=options.sample_step * quality.step,
         gap=max(options.gap, options.sample_step * quality.step + 1),
@@ -106,15 +106,16 @@ def coarser(options, quality):
 
 
 class Budget:
-    """Chooses among QUALITIES by what their stages cost when they were drawn last. `cold`: of the first picture of a
-    scene that has changed, for which all must be found that is kept for those after it; such costs are told apart."""
+    """Chooses among QUALITIES by the measured costs of their stages. `cold`: the first picture of a changed scene,
+    which fills caches that later pictures reuse; its costs are recorded separately."""
 
     def __init__(self):
-        self._cost = {}  # (stage, what of the quality changes it, cold) -> ms
+        self._cost = {}  # (stage, values of the Quality members in DEPENDS, cold) -> ms
 
     def note(self, index, stages, *, cold=False):
-        """What the stages {name: ms} of a picture in the quality of that index took. Where a stage takes longer than it
-        used to, the machine has more to do or the scene has more in it: so it will in the other qualities, too."""
+        """Records the stage times {name: ms} of a picture in QUALITIES[index]. Each is averaged with the time recorded
+        before; the stage's times in all other qualities are scaled by the same factor, since a change of machine load
+        or scene size affects them equally."""
         for stage, ms in stages.items():
             key = self._key(stage, QUALITIES[index], cold)
             before = self._cost.setdefault(key, ms)
@@ -127,14 +128,14 @@ class Budget:
         return bool(self._cost)
 
     def predicted(self, index, *, cold=False):
-        """ms that a picture in this quality takes."""
+        """Expected ms of a picture in this quality."""
         quality = QUALITIES[index]
         stages = {key[0] for key in self._cost if key[0] != "elision" or quality.elision}
         return sum(self._cost_of(stage, quality, cold) for stage in stages)
 
     def _cost_of(self, stage, quality, cold):
-        """ms that a stage takes. Where it was not measured so, as much as the dearest way in which it was, or as it took
-        cold."""
+        """Expected ms of a stage. Without a measurement for this quality: the maximum over the qualities measured, and
+        if not `cold`, at most the stage's cold time in this quality."""
         exact = self._cost.get(self._key(stage, quality, cold))
         if exact is not None:
             return exact
@@ -143,13 +144,13 @@ class Budget:
         return dearest if cold else min(dearest, found.get(self._key(stage, quality, True), dearest))
 
     def choose(self, budget_ms, last=None, *, cold=False):
-        """Index of the best quality that keeps within the budget, or that is nearly as fast as the fastest. `last`: the
-        one drawn before, which needs no margin."""
+        """Index of the best quality whose expected time is within the budget or within ENOUGH times the cheapest.
+        `last`: index of the quality drawn before, or None; better ones must fit into MARGIN of the budget."""
         if not self.known():
             return UNKNOWN
         predicted = [self.predicted(i, cold=cold) for i in range(len(QUALITIES))]
         chosen = self._least_within(budget_ms, predicted, last)
-        # What is coarser than all that was ever drawn may be faster than it is thought to be.
+        # Costs of qualities coarser than every measured one are overestimated: try the next coarser one.
         coarser = 1 + max(i for i in range(len(QUALITIES)) if i == 0 or self._measured(i))
         if predicted[chosen] > budget_ms and coarser < len(QUALITIES):
             return coarser
@@ -165,13 +166,14 @@ class Budget:
         return len(QUALITIES) - 1
 
     def _measured(self, index):
-        """Whether all stages were drawn in this quality."""
+        """Whether all stages have been measured in this quality."""
         quality = QUALITIES[index]
         stages = {key[0] for key in self._cost if key[0] != "elision" or quality.elision}
         return all(any(self._key(stage, quality, cold) in self._cost for cold in (False, True)) for stage in stages)
 
     def next_at_rest(self, shown):
-        """Index of the quality that comes after that of the picture shown, on the way to the best."""
+        """Index of the quality to refine a resting view to, from that of the picture shown: 0, or first the best one
+        within OVERVIEW where the best takes over twice as long."""
         if self.predicted(0) > 2 * OVERVIEW:
             for i in range(1, shown):
                 if self.predicted(i) <= OVERVIEW:

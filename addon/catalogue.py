@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The line definitions and their parameters, as the native registry has them: the one place they are declared.
+"""The line definitions and their parameters, read from the native registry, which declares them.
 
 A definition is a dict of
 - name, label, source (the paper), description
 - scope (surface, view or scene: what its lines depend on) and view_dependent
-- in_image: whether they are found in the shaded picture, and so are of no object
-- importance, in (0, 1]: of lines that crowd each other the more important one stays
-- smooth_twin: name of the same line of the smooth surface, which goes before this one of the mesh; or None
-- slow: it takes long to find for each view, and drafts leave it out
-- stand_ins: {definition: {parameter: value}} that drafts draw instead, where they are an object's outer boundary
-- reads_edge_marks: whether it finds edges marked for Freestyle, which are read only where they are asked for
+- in_image: whether it is detected in the shaded image; such lines belong to no object
+- importance, in (0, 1]: a term of the priority in elision
+- smooth_twin: name of the counterpart on the smooth surface, which takes precedence over this mesh definition; or None
+- slow: extraction is slow for each view, so drafts omit it
+- stand_ins: {definition: {parameter: value}} that drafts draw instead, only along an object's outer silhouette
+- reads_edge_marks: whether it needs Freestyle's edge marks, which are read only on demand
 - parameters: dicts of name, label, default, min, max, unit ("degrees", "pixels", "bool" or ""), meaning, and
-  per_object: objects may have a value of their own.
-The order is that of the registry.
+  per_object: whether objects may override the value.
+Definitions are in the registry's order.
 """
 
 import functools
@@ -34,17 +34,17 @@ def by_name():
 
 @functools.cache
 def per_object():
-    """(definition, parameter) of which objects may have values of their own."""
+    """All (definition, parameter) that objects may override."""
     return tuple((d, parameter) for d in definitions() for parameter in d["parameters"] if parameter["per_object"])
 
 
 def read_edge_marks(line_sets):
-    """Whether some LineSets have lines along edges that are marked for Freestyle."""
+    """Whether any of the LineSets has a kind that reads Freestyle's edge marks."""
     return any(by_name()[kind]["reads_edge_marks"] for line_set in line_sets for kind in line_set.kinds)
 
 
 def named(words):
-    """Names of definitions: those given, or every one where the word is `all`. ValueError for what is none."""
+    """Checked names of definitions: the words themselves, or all names for ["all"]. ValueError on an unknown name."""
     known = list(by_name())
     if list(words) == ["all"]:
         return known

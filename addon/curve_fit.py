@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Points for a response curve: the fewest found whose monotone cubic (native/fovea/focus/transfer.h) keeps to a given one."""
+"""Fits a monotone cubic (native/fovea/focus/transfer.h) to a densely sampled response curve with few control points."""
 
 from functools import lru_cache
 
@@ -9,8 +9,8 @@ TOLERANCE = 1e-3
 
 
 def monotone_cubic(points, x):
-    """Values at `x` of the curve through (n, 2) points, x ascending; held beyond the first and the last. As
-    native/fovea/focus/transfer.cpp joins them."""
+    """Values at `x` of the monotone cubic through (n, 2) points with ascending x; constant beyond the first and the
+    last point. The same interpolation as native/fovea/focus/transfer.cpp."""
     px, py = np.asarray(points, float).T
     if len(px) == 1:
         return np.full(len(x), py[0])
@@ -28,9 +28,10 @@ def monotone_cubic(points, x):
 
 @lru_cache(maxsize=64)
 def fewest(points, kept, corners, most):
-    """Indices of those of a curve's points (a tuple of many (x, y), x ascending) that give it back within TOLERANCE, at
-    most `most`, or as near as so many do. Tuples of indices: `kept`, those that stay; `corners`, those where the curve
-    has a corner, which takes a point to each side."""
+    """Indices of a subset of `points` (tuple of (x, y), x ascending) whose monotone cubic reproduces all of them within
+    TOLERANCE, at most `most`; if that many do not suffice, the subset of least maximum error found. `kept`: indices
+    that must stay; `corners`: indices where the curve has a corner, which needs a point on each side. Greedy: grows,
+    then thins."""
     x, y = np.array(points).T
     first = {0, len(x) - 1, *kept}
     beside = {near for i in corners for near in (i - 1, i + 1) if 0 <= near < len(x)}
@@ -44,7 +45,8 @@ def fewest(points, kept, corners, most):
 
 
 def _grown(x, y, chosen, most, middle):
-    """With a point more where the curve is farthest off, or in the middle of that stretch, until it is near."""
+    """Adds points to the subset `chosen` until the maximum error is within TOLERANCE or it has `most`: each where the
+    error is largest, or with `middle` half way between the chosen points around that place."""
     while len(chosen) < most:
         off = _off(x, y, chosen)
         worst = int(off.argmax())
@@ -60,7 +62,7 @@ def _grown(x, y, chosen, most, middle):
 
 
 def _thinned(x, y, chosen, kept):
-    """Without points that nothing needs."""
+    """Removes points not in `kept` as long as the error stays within TOLERANCE."""
     for i in list(chosen):
         fewer = [j for j in chosen if j != i]
         if i not in kept and len(fewer) > 1 and _off(x, y, fewer).max() <= TOLERANCE:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines as polylines in NumPy arrays, for research and scripts: whole paths, or the runs of them that a camera sees.
+"""Lines as polylines in NumPy arrays, for research and scripts: whole paths, or their runs for a camera.
 
-Polyline i has the points offsets[i] to offsets[i + 1]; M points, R polylines.
+Polyline i has the points offsets[i] to offsets[i + 1] - 1; M points, R polylines.
 """
 
 import numpy as np
@@ -10,10 +10,10 @@ from . import native
 
 
 def whole(paths, view_to_world):
-    """A dict of paths, visible or not. points: (M, 3) float64, in the space of the surface, but for lines of the image
-    in that which `view_to_world` (4, 4) leads to; strength: (M,) float32 in [0, 1]; offsets: (R + 1,) int64; closed:
-    (R,) bool, the last point is the first again; path_id: (R,) uint64, the same from every view for lines of the mesh;
-    path: (R,) of native Paths."""
+    """A dict of all paths, visible or not. points: (M, 3) float64, in object space; image-space lines, which have no
+    object, are mapped from view space by `view_to_world` (4, 4). strength: (M,) float32 in [0, 1]; offsets: (R + 1,)
+    int64; closed: (R,) bool, the last point repeats the first; path_id: (R,) uint64, for lines of the mesh independent
+    of the view; path: (R,) index into the native Paths."""
     points = paths.points_obj.astype(np.float64)
     in_image = np.repeat(paths.placement == native.UNSET, np.diff(paths.offsets))
     points[in_image] = placed(points[in_image], view_to_world)
@@ -28,11 +28,11 @@ def whole(paths, view_to_world):
 
 
 def seen(frame, view_to_world):
-    """A dict of the runs of a native Frame, as pens draw them before haloes and overshoot. points: (M, 3) float64 in the
-    space that `view_to_world` leads to; px: (M, 2) float32 pixels from the lower left corner; arc_px: (M,) float64, 0 at
-    the path's middle; strength: (M,) float32; kinds: (M,) uint32, bit i: the registry's definition i, of the segment
-    from the point; offsets, closed, path_id, path: as of `whole`; invisibility: (R,) uint8 surfaces that hide the run;
-    shown: (R,) float32 in [0, 1], what elision leaves of it."""
+    """A dict of the runs of a native Frame, before haloes and overshoot. points: (M, 3) float64 in the target space of
+    `view_to_world` (4, 4); px: (M, 2) float32 pixels from the lower left corner; arc_px: (M,) float64 arc length, 0 at
+    the path's middle; strength: (M,) float32; kinds: (M,) uint32 of the segment that starts at the point, bit i: the
+    registry's definition i; offsets, closed, path_id, path: as in `whole`; invisibility: (R,) uint8 quantitative
+    invisibility, the number of surfaces that hide the run; shown: (R,) float32 in [0, 1], opacity factor of elision."""
     found = frame.polylines()
     return {
         "points": placed(found.position_view.astype(np.float64), view_to_world),
@@ -50,5 +50,5 @@ def seen(frame, view_to_world):
 
 
 def placed(points, matrix):
-    """(M, 3) points moved by an affine (4, 4) matrix, or by one of (M, 4, 4)."""
+    """(M, 3) points transformed by one affine (4, 4) matrix, or each by its own of (M, 4, 4)."""
     return (matrix[..., :3, :3] @ points[..., None])[..., 0] + matrix[..., :3, 3]

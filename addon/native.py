@@ -1,26 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the native module, which lies beside this file, and says what is wrong when it cannot be used."""
+"""Loads the native module from this folder, and explains why when it cannot be loaded."""
 
 import importlib
 import os
 import sys
 from pathlib import Path
 
-UNSET = 0xFFFFFFFF  # an index that is none
+UNSET = 0xFFFFFFFF  # index value for "none"
 
 
 class Unavailable(RuntimeError):
-    """Why the native module cannot be used, in words for the user."""
+    """The native module cannot be used; the message is for the user."""
 
 
 def load():
-    """The native module, the same object every time."""
+    """The native module, the same object every time. Unavailable if it cannot be used."""
     try:
         module = importlib.import_module("._native", __package__)
     except ImportError as error:
         raise Unavailable(_explain(error)) from error
-    # A process keeps the native code that it has loaded, whatever is installed over it and however often the module is
-    # imported anew; code that keeps no notes is of a version before them.
+    # A process keeps the shared library it loaded first, even if another version is installed over it and the module
+    # is imported again. So the identity of the file loaded first is stored in the module's `notes`; a module without
+    # `notes` is of an older version.
     file = _file_of(module)
     if vars(module).get("notes", {"loaded_from": None}).setdefault("loaded_from", file) != file:
         raise Unavailable("Fovea has been updated while Blender was running; start Blender again")
@@ -28,7 +29,7 @@ def load():
 
 
 def _file_of(module):
-    """What tells the module's file from another one in its place; None where there is none."""
+    """(inode, modification time in ns, size) of the module's file, to detect its replacement; None if missing."""
     try:
         found = os.stat(module.__file__)
     except FileNotFoundError:
@@ -37,7 +38,7 @@ def _file_of(module):
 
 
 def problem():
-    """Why the native module cannot be used, in one sentence; empty where it can."""
+    """One sentence on why the native module cannot be used; "" if it can."""
     try:
         load()
     except Unavailable as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of native scenes: what the core's Frame (native/fovea/draw/frame.h) makes of Python's records."""
+"""Renders native scenes: builds the core's Frame (native/fovea/draw/frame.h) and its Options from Python's records."""
 
 from functools import lru_cache
 from pathlib import Path
@@ -7,20 +7,20 @@ from pathlib import Path
 from . import native, style
 from .stages import Image
 
-FOLDER = Path(__file__).parent  # with the textures and papers that ship
+FOLDER = Path(__file__).parent  # contains the bundled textures and papers
 
 
 def options(**given):
-    """The native Options: numbers of the method that are not the style's, the others as by default."""
+    """Native Options: the method's settings that are not in the style. Those not given have their defaults."""
     return native.load().Options(**given)
 
 
 def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=None, progress=None, cancel=None):
-    """A native Frame: one picture of a native Scene as a native View sees it, in a Style, none of it made yet.
+    """A native Frame for a native Scene, a native View and a Style; no stage of it has run yet.
 
-    `asked`: native Options. `notes`: native Overrides, what the artist says of the scene's placements. `colors`: its
-    native ColorSources, where the style has a color layer. `near`: where `frames_near` asks for them, {how many frames
-    later another is: its native ShownLines}. `progress(share, stage)` is called before each stage."""
+    `asked`: native Options. `notes`: native Overrides, per placement. `colors`: native ColorSources, needed if the
+    style has a color layer. `near`: {frame offset: ShownLines of that frame}, needed if `frames_near` is above 0.
+    `progress(share, stage)` is called before each stage, with the share done in [0, 1]. `cancel`: native Cancel."""
     core = native.load()
     return core.Frame(
         scene,
@@ -38,8 +38,8 @@ def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=
 
 
 def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
-    """A Style of one line set, {definition: {parameter: value}}: every line of it, however short, and with `with_hidden`
-    what surfaces hide, told apart by how many."""
+    """A Style of one line set with the kinds {definition: {parameter: value}} and no minimum length. `with_hidden`:
+    also the hidden runs, split by quantitative invisibility."""
     many = style.MOST_SURFACES
     hidden = (style.Hidden(last=many - 1), style.Hidden(first=many)) if with_hidden else ()
     lines = style.LineSet(kinds=kinds, corner_angle=corner_angle, least_length=0.0, hidden=hidden)
@@ -47,7 +47,7 @@ def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
 
 
 def draw(scene, view, chosen, backend, asked, **beside):
-    """The Image of a scene; all as for `frame`."""
+    """Renders a scene to an Image; arguments as for `frame`."""
     made = frame(scene, view, chosen, backend, asked, **beside)
     made.picture()
     statistics = {
@@ -61,7 +61,8 @@ def draw(scene, view, chosen, backend, asked, **beside):
 
 
 def frames_near(chosen, asked):
-    """Over how many frames before and after it a frame is smoothed in time."""
+    """Number of frames before and after a frame over which elision is smoothed; 0 without elision and with the spine
+    test."""
     return chosen.elision.frames if chosen.elision.enabled and asked.visibility != "spine" else 0
 
 

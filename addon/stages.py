@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What passes between Blender, the stages and the backends: frozen records of plain arrays.
+"""Records of plain arrays exchanged between Blender, the stages and the backends.
 
 Pixels have their origin at the lower left corner of the drawn region, y up, centers at .5. View space looks along -z.
 Depth is reversed and screen-linear: near / distance for a perspective camera, 1 at the near and 0 at the far plane for
@@ -10,12 +10,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-REFERENCE_HEIGHT = 1080.0  # pixels: of an image so high, pixels are reference pixels
+REFERENCE_HEIGHT = 1080.0  # image height in pixels at which a pixel is one reference pixel
 
 
 @dataclass(frozen=True)
 class View:
-    """A camera and the image it makes. The crop of a render border, lens shift and pixel aspect are in view_to_clip."""
+    """A camera and its image. view_to_clip includes the crop to a render border, lens shift and pixel aspect."""
 
     world_to_view: np.ndarray  # (4, 4) float64
     view_to_clip: np.ndarray  # (4, 4) float64
@@ -34,7 +34,7 @@ class Image:
 
     combined: np.ndarray  # (H, W, 4) float32
     lines: np.ndarray | None = None  # (H, W, 4) float32, strokes alone
-    depth: np.ndarray | None = None  # (H, W) float32, distance from the camera
+    depth: np.ndarray | None = None  # (H, W) float32, distance along the view direction
     color: np.ndarray | None = None  # (H, W, 4) float32, the color layer alone
     focus: np.ndarray | None = None  # (H, W) float32 in [0, 1], 0: in focus
     statistics: dict = field(default_factory=dict)

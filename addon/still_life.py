@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scene of styles' thumbnails: a jug, a ball and a box on a round table, as plain arrays.
+"""The scene for thumbnails of styles: a jug, a ball and a box on a round table, as plain arrays.
 
-Small, and of everything something: smooth and flat surfaces, hard edges, one thing before another.
+It contains smooth and flat surfaces, sharp edges and occlusion.
 """
 
 from dataclasses import dataclass
@@ -10,8 +10,8 @@ import numpy as np
 
 EYE, TARGET = (2.6, -5.2, 2.7), (0.0, 0.0, 0.62)
 HALF_HEIGHT = 0.27  # tangent of half the field of view
-SUN = (-0.55, -0.35, -0.75)  # where it shines
-AROUND = 72  # corners of what is turned
+SUN = (-0.55, -0.35, -0.75)  # direction of the light's travel
+AROUND = 72  # vertices around the axis of a surface of revolution
 _JUG = (
     *((0.0, 0.0), (0.36, 0.0), (0.4, 0.05), (0.58, 0.35), (0.62, 0.6), (0.5, 0.92), (0.3, 1.15), (0.25, 1.3)),
     *((0.33, 1.48), (0.29, 1.47), (0.21, 1.3), (0.25, 1.12)),
@@ -21,7 +21,7 @@ _JUG = (
 @dataclass(frozen=True)
 class Shape:
     name: str
-    positions: np.ndarray  # (V, 3) float32, where they are in the scene
+    positions: np.ndarray  # (V, 3) float32, world space
     corners: np.ndarray  # (C,) int32 vertices
     offsets: np.ndarray  # (F + 1,) int32 corners of polygons
     normals: np.ndarray  # (C, 3) float32
@@ -29,7 +29,7 @@ class Shape:
 
 
 def shapes():
-    """What stands there, and what it stands on."""
+    """The Shapes of the scene: the table, and the objects on it."""
     table = ((0.0, -0.14), (1.95, -0.14), (1.95, 0.0), (0.0, 0.0))
     around = np.linspace(-np.pi / 2, np.pi / 2, 33)
     ball = np.column_stack([0.4 * np.cos(around), 0.4 + 0.4 * np.sin(around)])
@@ -42,7 +42,7 @@ def shapes():
 
 
 def view():
-    """World to view and view to clip, (4, 4) float64 each, near and far, of a square picture."""
+    """(world_to_view, view_to_clip, near, far) for a square image; matrices (4, 4) float64."""
     back = np.subtract(EYE, TARGET)
     back = back / np.linalg.norm(back)
     right = np.cross((0, 0, 1), back)
@@ -56,7 +56,7 @@ def view():
 
 
 def _rounded(profile, steps=6):
-    """A curve through the points of a profile (Catmull & Rom)."""
+    """(n, 2) profile interpolated by a Catmull-Rom spline, `steps` points per interval."""
     ends = np.vstack([profile[:1], profile, profile[-1:]])
     t = np.linspace(0, 1, steps, endpoint=False)[:, None]
     pieces = []
@@ -66,7 +66,8 @@ def _rounded(profile, steps=6):
 
 
 def _turned(name, profile, place, color, smooth=True):
-    """A profile of (radius, height), from below outwards, turned about a vertical axis; on the axis it closes."""
+    """Surface of revolution of a profile (n, 2) of (radius, height), from the bottom outwards, about the vertical axis
+    through `place` (x, y). Vertices at radius 0 are merged."""
     count = len(profile)
     angle = np.linspace(0, 2 * np.pi, AROUND, endpoint=False)
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -91,7 +92,7 @@ def _box(name, place, half, turn, color):
 
 
 def _shape(name, points, quads, normals, color):
-    """One whose vertices at the same place are one. `normals`: of the vertices; None: those of its faces."""
+    """A Shape of quads (F, 4), with vertices at equal positions merged. `normals`: per vertex; None: face normals."""
     _, first, same = np.unique(np.round(points, 6), axis=0, return_index=True, return_inverse=True)
     same = same.reshape(-1)
     if normals is None:
@@ -101,7 +102,7 @@ def _shape(name, points, quads, normals, color):
         normals = normals[quads.ravel()]
     normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
     corners = same[quads]
-    kept = corners != np.roll(corners, 1, axis=1)  # on the axis two corners are one
+    kept = corners != np.roll(corners, 1, axis=1)  # quads at the axis become triangles
     return Shape(
         name,
         points[first].astype(np.float32),

@@ -38,7 +38,7 @@ def main(words):
 
 
 def open_scene(spec):
-    """A .blend as it is; a model or a scene's name in an empty file. The add-on stays enabled all the while."""
+    """Opens a .blend, or imports a model or builds a named scene in an empty file. The add-on stays enabled."""
     if spec.endswith(".blend"):
         open_file(Path(spec).absolute())
         return
@@ -50,8 +50,8 @@ def open_scene(spec):
 
 
 def open_file(path):
-    """Runs no script of the file's. Blender's operators raise what they report as errors, and opening a file reports
-    parts of it that were left out, too: the file is open for all that."""
+    """Opens a .blend without running its scripts. The operator raises RuntimeError even if the file was opened, when it
+    reports missing parts as errors; only failures to open the file are raised."""
     try:
         bpy.ops.wm.open_mainfile(filepath=str(path), load_ui=False, use_scripts=False)
     except RuntimeError:
@@ -67,7 +67,7 @@ def set_size(scene, options):
 
 
 def set_camera(scene, options):
-    """A scene keeps its own camera unless another direction is asked for; a model never has one."""
+    """Keeps the scene's camera unless --azimuth or --elevation is given; without one, as for models, adds a camera."""
     turned = options.azimuth is not None or options.elevation is not None
     if scene.camera and not turned:
         if options.lens:
@@ -114,7 +114,7 @@ def set_drawing(scene, options):
 
 
 def set_parameters(held, given):
-    """What `--param DEFINITION.NAME=VALUE` says."""
+    """Applies `--param DEFINITION.NAME=VALUE`."""
     for words, value in given:
         name, dot, parameter = words.partition(".")
         if not dot:
@@ -127,7 +127,7 @@ def set_parameters(held, given):
 
 
 def set_hidden(held, options):
-    """Styles with hidden pens keep them; others get dashes."""
+    """Applies --hidden, --hidden-by, --halo and --overshoot. Styles with hidden pens keep them; others get dashes."""
     dashes = style.dashed(style_read.pen(held.line_sets[-1].pen))
     if (options.hidden or options.hidden_by) and not any(line_set.hidden for line_set in held.line_sets):
         for line_set in held.line_sets:
@@ -153,7 +153,7 @@ def set_focus(scene, options):
 
 
 def set_effects(effects, options):
-    """Lets only those answer that are asked for."""
+    """Applies --effects, --uniform and --without; effects not named in --effects get strength 0."""
     known = style_groups.transfers(style.Effects)
     unknown = sorted(set(options.effects or ()) - set(known))
     if unknown:
@@ -168,7 +168,8 @@ def set_effects(effects, options):
 
 
 def focus_of(scene, where, radii):
-    """The Focus that `--focus` means: a place in the image or in space, or an object's surface."""
+    """The Focus for `--focus`: (u, v) in the image, (x, y, z) in world space, or the name of an object for its
+    surface."""
     if isinstance(where, str):
         if where not in scene.objects:
             raise ValueError(f"--focus {where}: there is no such object in the scene")
@@ -180,27 +181,27 @@ def focus_of(scene, where, radii):
 
 
 def place(model, at, radii, name=""):
-    """A Focus on one place."""
+    """A Focus with one point."""
     near, far = radii
     return style.Focus(model=model, points=(style.FocusPlace(at=at, near=near, far=far, object=name),))
 
 
 def focus_radii(scene, place):
-    """Radii around a place in space that look alike from wherever the camera is."""
+    """(near, far) around a point in space, proportional to its distance from the camera."""
     distance = (scene.camera.matrix_world.translation - Vector(place)).length
     return 0.1 * distance, 0.6 * distance
 
 
 def set_output(scene, options):
-    """One picture a frame, whatever the file was to be rendered to. Paper stays white and ink as it was mixed: neither
-    a film look nor dither."""
+    """Sets one picture per frame as the output, overriding the file's. Standard view transform without look or dither,
+    so that colors are displayed unchanged."""
     scene.render.use_multiview = False
     scene.view_settings.view_transform = "Standard"
     scene.view_settings.look = "None"
     scene.render.dither_intensity = 0
     scene.render.film_transparent = options.transparent or scene.render.film_transparent
     image = scene.render.image_settings
-    if "media_type" in image.bl_rna.properties:  # from Blender 5.0 on; else only formats of the file's own can be set
+    if "media_type" in image.bl_rna.properties:  # from Blender 5.0 on; it limits the formats that can be set
         image.media_type = "IMAGE"
     image.file_format = "PNG" if options.output.suffix == ".png" else "OPEN_EXR"
     image.color_mode = "RGBA" if scene.render.film_transparent else "RGB"
@@ -212,7 +213,7 @@ def render(scene, options):
     dumps = draw_options.dumps(options) or [None] * (frames[1] + 1 - frames[0])
     for frame, path, dump in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), dumps, strict=True):
         scene.frame_set(frame)
-        if dump:  # first, as the picture may be what fails
+        if dump:  # first, because rendering may fail
             frame_dump.write(bpy.context, dump)
         picture.render(scene, path)
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the scripts that `fovea` runs inside Blender end: where the user can mend what is wrong, with a line that says so
-and exit status 1; else with a traceback."""
+"""Error handling of the scripts that `fovea` runs inside Blender: errors that the user can fix end with one line and
+exit status 1, others with a traceback."""
 
 import sys
 
-MARK = "fovea: "  # begins that line, to be told from what Blender reports beside it
+MARK = "fovea: "  # prefix of that line, which distinguishes it from Blender's own output
 
 
 def run(main):
-    """Calls main with the words after `--`."""
+    """Calls main with the command line arguments after `--`."""
     try:
         main(sys.argv[sys.argv.index("--") + 1 :])
     except MemoryError:
@@ -18,7 +18,6 @@ def run(main):
 
 
 def sentence(text):
-    """One line of what Blender's operators raise: each of their reports in a line of its own, perhaps repeated, as every
-    view layer says what is wrong."""
+    """One line from the message of an operator's error, which has one report per line, repeated per view layer."""
     reports = (line.removeprefix("Error: ").strip() for line in text.splitlines())
     return "; ".join(dict.fromkeys(filter(None, reports)))

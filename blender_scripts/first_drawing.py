@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What addon/docs/first_drawing.md says, done in Blender's own window, and the page's pictures. Runs inside that window
-(window/inside.py)."""
+"""Performs the steps of addon/docs/first_drawing.md in Blender's window and saves the page's pictures. Runs inside that
+window (window/inside.py)."""
 
 import subprocess
 from pathlib import Path
@@ -12,11 +12,11 @@ from command import pages
 from window import screen
 
 LAST = 48  # frame
-DOOR = (0.475, 0.4)  # of the viewport: where one shall look first
+DOOR = (0.475, 0.4)  # first focus, as fractions of the viewport's width and height
 
 
 def steps(folder, output):
-    """The pictures, in the folder `output`."""
+    """Scenario: saves the pictures in the folder `output`."""
     names = iter(pages.STEPS)
 
     def shown():
@@ -28,7 +28,7 @@ def steps(folder, output):
 
 
 def opened(folder):
-    """The demo scene, as `fovea scene` writes it, in a window as Blender starts with; the render tab beside the view."""
+    """Opens the demo scene, written by `fovea scene`, in Blender's default window, with the render tab shown."""
     path, script = str(folder / "demo.blend"), Path(__file__).with_name("save_scene.py")
     subprocess.run([bpy.app.binary_path, "-b", "-P", str(script), "--", "demo", "-o", path], check=True)
     bpy.ops.wm.open_mainfile(filepath=path, load_ui=False)
@@ -39,7 +39,7 @@ def opened(folder):
 
 
 def followed(shown):
-    """The page's actions from the second to the eighth: `yield from` it, as `shown()` is when there is a picture."""
+    """Performs the page's actions from the second to the eighth. `shown()`: generator to run at each picture."""
     scene = bpy.context.scene
     with screen.override():
         bpy.ops.view3d.view_camera()
@@ -63,14 +63,14 @@ def followed(shown):
 
 
 def sidebar():
-    """The tab Fovea of the 3D view's sidebar."""
+    """Opens the tab Fovea of the 3D view's sidebar."""
     screen.space().show_region_ui = True
     yield from screen.rest(0.3)
     next(region for region in screen.area().regions if region.type == "UI").active_panel_category = "Fovea"
 
 
 def settled():
-    """Waits until the window shows all."""
+    """Waits until the viewport is fully refined and displayed."""
     yield from screen.rest(0.5)
     yield from screen.until(lambda: not bpy.app.timers.is_registered(caretaker.tick))
     for _ in range(2):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea draw --dump`: what a final render is drawn from, as arrays in one file, for bug reports.
+"""Runs inside Blender for `fovea draw --dump`: saves the intermediate arrays of a final render in one file, for bug
+reports.
 
-The arrays have the names of the native Frame's members (native/fovea/draw/frame.h, native/bindings), dotted:
-`clipped.px`, `runs.start_px`. What the frame has not, as `shown` without elision, is not in the file."""
+The arrays are named after the native Frame's members (native/fovea/draw/frame.h, native/bindings), dotted:
+`clipped.px`, `runs.start_px`. Members that are empty, such as `shown` without elision, are not in the file."""
 
 import zipfile
 
@@ -13,8 +14,8 @@ from bl_ext.user_default.fovea.render import as_rendered, session
 from bl_ext.user_default.fovea.scene import camera
 from command import output
 
-# In the order in which a Frame fills them. Not its scene and textures, which are large, and not its pens: their numbers
-# are those of `style`, and `strokes.pen` counts them as Style.pens() does.
+# In the order in which a Frame fills them. Omitted are its scene and textures, which are large, and its pens: they are
+# in `style`, and `strokes.pen` are indices into Style.pens().
 MEMBERS = (
     "view",
     "options",
@@ -41,13 +42,14 @@ def write(context, path):
 
 
 def frame_of_render(engine, depsgraph):
-    """The arrays of what a final render of the depsgraph's scene is drawn from. Its projection is not the Frame's to tell."""
+    """{name: array} for a final render of the depsgraph's scene; view_to_clip is added, which the Frame does not
+    expose."""
     _, arrays, _ = session.final(engine, depsgraph, frame_arrays)
     return arrays | {"view.view_to_clip": camera.of_render(engine, depsgraph).view_to_clip}
 
 
 def frame_arrays(found, seen, chosen, backend, options, progress, cancel, near):
-    """{dotted name: array} of what session.draw would make a picture of, up to its strokes."""
+    """{dotted name: array} of the Frame that session.draw would render, up to its strokes; arguments as there."""
     beside = {"colors": found.colors, "notes": found.notes, "near": near}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
     frame.ink()
@@ -58,8 +60,8 @@ def frame_arrays(found, seen, chosen, backend, options, progress, cancel, near):
 
 
 def flat(members, name=""):
-    """(dotted name, array) pairs of a value: of arrays, plain values and lists of them the value itself, of what has
-    members theirs, of None none."""
+    """Yields (dotted name, array) for a value: itself if it is an array, plain value or list of these; recursively its
+    members if it is a dict or native object; nothing for None."""
     if members is None:
         return
     if isinstance(members, (np.ndarray, str, bool, int, float, list, tuple)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Puts a camera before everything that a scene shows."""
+"""Adds a camera that frames all visible meshes of a scene."""
 
 import math
 
@@ -11,7 +11,7 @@ AZIMUTH, ELEVATION, LENS = 35.0, 25.0, 50.0  # degrees left of the front and abo
 
 def frame(scene, azimuth, elevation, lens, margin):
     """Aims a new camera at the visible meshes, from `azimuth` and `elevation` (degrees), as near as `margin` (a share
-    of the picture on each side) allows."""
+    of the picture on each side) allows. `lens`: mm. ValueError if there is nothing to frame."""
     points = visible_points(bpy.context.evaluated_depsgraph_get())
     if not len(points):
         raise ValueError("the scene shows no mesh to frame")
@@ -33,8 +33,8 @@ def frame(scene, azimuth, elevation, lens, margin):
 
 
 def nearest_place(points, half_width, half_height):
-    """Where a camera that looks along -z, with the given half sizes of its frame at distance 1, stands nearest to
-    points (n, 3) and sees them all, those that touch opposite borders at the same distance from them."""
+    """Nearest position (3,) of a camera looking along -z, with the given half sizes of its frame at distance 1, from
+    which it sees all points (n, 3), centered between those that touch opposite borders."""
     place = np.empty(3)
     distance = []
     for axis, half in ((0, half_width), (1, half_height)):
@@ -47,7 +47,7 @@ def nearest_place(points, half_width, half_height):
 
 
 def visible_points(depsgraph):
-    """World positions (n, 3) of the vertices of every mesh that renders, instances included."""
+    """World positions (n, 3) of the vertices of every mesh that is rendered, including instances; finite ones only."""
     found = [np.empty((0, 3))]
     for instance in depsgraph.object_instances:
         mesh = instance.object.data

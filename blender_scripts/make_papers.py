@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the papers of addon/papers: python3 blender_scripts/make_papers.py [FOLDER]
 
-Each is a gray PNG of heights, white is high, that repeats without a seam on all sides. A texel is meant to cover about
-one reference pixel. Seeds are fixed: every run makes the same files.
+Each is a gray PNG of heights (white: high) that tiles seamlessly in both directions. A texel covers about one reference
+pixel. Seeds are fixed: every run writes the same files.
 """
 
 import sys
@@ -12,11 +12,11 @@ import numpy as np
 from make_textures import smoothstep, write_png
 
 SIZE = 384  # texels along a side
-LEVELS = 48  # heights are told apart no finer: files are half as large
+LEVELS = 48  # gray levels; quantization halves the size of the files
 
 
 class Sheet:
-    """One repetition of a paper, x and y in texels; all noise repeats with it."""
+    """One tile of a paper, x and y in texels; all noise is periodic in it."""
 
     def __init__(self, seed):
         self.random = np.random.default_rng(seed)
@@ -26,31 +26,31 @@ class Sheet:
         self.fy = np.fft.fftfreq(SIZE)[:, None]
 
     def shaped(self, response):
-        """Noise of mean 0 and deviation 1 whose spectrum is the response's."""
+        """Periodic noise of mean 0 and deviation 1: white noise filtered by a frequency response."""
         spectrum = np.fft.rfft2(self.random.standard_normal((SIZE, SIZE)))
         noise = np.fft.irfft2(spectrum * response, s=(SIZE, SIZE))
         return (noise - noise.mean()) / noise.std()
 
     def clouds(self, along_x, along_y=None):
-        """Everything that is larger than so many texels."""
+        """Low-pass noise: features larger than so many texels along each axis."""
         radius = np.hypot(self.fx * along_x, self.fy * (along_y or along_x))
         return self.shaped(np.exp(-2 * radius**2))
 
     def grain(self, size):
-        """Everything that is smaller than so many texels. Noise of one size alone has contours like worms: what breaks
-        them up is that all smaller sizes are there, too; but for the very finest, of which texels make checkers."""
+        """High-pass noise: features smaller than so many texels. Band-pass noise would show worm-like contours;
+        including all higher frequencies breaks them up, except the very highest, which would show as checkerboards."""
         square = self.fx**2 + self.fy**2
         return self.shaped((1 - np.exp(-2 * square * size**2)) * np.exp(-4 * square))
 
     def blurred(self, height, width):
-        """Heights of mean 0 and deviation 1, blurred by a Gaussian of so many texels."""
+        """Heights blurred by a Gaussian of so many texels, normalized to mean 0 and deviation 1."""
         soft = np.exp(-2 * (np.pi * width) ** 2 * (self.fx**2 + self.fy**2))
         height = np.fft.irfft2(np.fft.rfft2(height) * soft, s=height.shape)
         return (height - height.mean()) / height.std()
 
     def pebbles(self, apart):
-        """Round heights and the creases between them, as felt leaves them: the upper envelope of paraboloids, about so
-        many texels apart, no two of one size, height or shape."""
+        """Round bumps with creases between them, as felt presses them: the upper envelope of paraboloids about so many
+        texels apart, of random size, height and eccentricity."""
         height = np.full((SIZE, SIZE), -np.inf)
         reach = np.arange(-int(2.5 * apart), int(2.5 * apart) + 1)
         for x, y in self.scattered(apart):
@@ -64,7 +64,8 @@ class Sheet:
         return self.blurred(height, 0.6)
 
     def scattered(self, apart):
-        """(n, 2) places x, y, as many as fit where none is nearer than that to another: a Poisson disk."""
+        """(n, 2) positions x, y of a periodic Poisson-disk sample with that minimum distance in texels, by dart
+        throwing."""
         free, found = np.ones((SIZE, SIZE), bool), []
         reach = np.arange(-int(apart), int(apart) + 1)
         near = np.hypot(reach[:, None], reach[None, :]) < apart
@@ -76,7 +77,8 @@ class Sheet:
         return np.array(found) + self.random.uniform(0, 1, (len(found), 2))
 
     def fibres(self, count, length, width, bend):
-        """Thin curved threads lying over each other, each as high as it is thick."""
+        """`count` thin curved fibers, combined by the maximum; `length` and blur `width` in texels, `bend` in radians
+        per texel."""
         height = np.zeros((SIZE, SIZE))
         steps = np.arange(-length / 2, length / 2, 0.5)
         for _ in range(count):
@@ -89,19 +91,19 @@ class Sheet:
 
 
 def cold_press():
-    """Watercolor paper: what the felt has pressed into it, coarse and fine, and a tooth on that."""
+    """Watercolor paper: coarse and fine felt marks, and grain."""
     s = Sheet(11)
     return s.pebbles(4.5) + 0.5 * s.pebbles(8) + 0.8 * s.grain(7) + 0.1 * s.clouds(60)
 
 
 def rough():
-    """Handmade: deeper and coarser, uneven."""
+    """Handmade paper: deeper, coarser and more uneven than cold press."""
     s = Sheet(12)
     return s.pebbles(6.5) + 0.5 * s.pebbles(12) + 0.5 * s.pebbles(3.5) + 0.8 * s.grain(8) + 0.15 * s.clouds(80)
 
 
 def laid():
-    """The wires of the mould: close lines one way, the few chains that hold them the other."""
+    """Laid paper: close wire lines in one direction, sparse chain lines in the other."""
     s = Sheet(13)
     sway = 0.5 * s.clouds(50)
     wires = np.cos(2 * np.pi * (s.y + 0.8 * sway) / 6)
@@ -110,7 +112,7 @@ def laid():
 
 
 def canvas():
-    """Plain weave: threads that pass over and under each other."""
+    """Plain weave of warp and weft threads."""
     s = Sheet(14)
     pitch = 8
     slub_x, slub_y = 0.35 * s.clouds(40, 8), 0.35 * s.clouds(8, 40)
@@ -122,14 +124,14 @@ def canvas():
 
 
 def kraft():
-    """Wrapping paper: fibres that lie every way."""
+    """Wrapping paper: fibers in random directions."""
     s = Sheet(15)
     threads = s.fibres(1400, 26, 0.8, 0.03) + 0.6 * s.fibres(900, 12, 0.7, 0.05)
     return 0.7 * threads + 0.5 * s.grain(6) + 0.5 * s.pebbles(5) + 0.3 * s.clouds(24)
 
 
 def bristol():
-    """Smooth board: nothing but a fine tooth."""
+    """Smooth board: fine grain only."""
     s = Sheet(16)
     return s.grain(5) + 0.6 * s.pebbles(3) + 0.15 * s.clouds(40)
 

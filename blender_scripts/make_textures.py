@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pen textures of addon/textures: python3 blender_scripts/make_textures.py [FOLDER]
 
-Each is a gray PNG, white is full ink: columns run along the stroke and repeat without a seam, rows run across it from its
-left side to its right. All have as many texels per pen width along as across, so that grain is round on paper;
-textures.json holds the length of each, in widths of the pen. Seeds are fixed: every run makes the same files.
+Each is a gray PNG (white: full ink): columns run along the stroke and tile seamlessly, rows run across it from its left
+side to its right. All have as many texels per pen width along as across, so that grain is isotropic on paper;
+textures.json has the length of each, in pen widths. Seeds are fixed: every run writes the same files.
 """
 
 import json
@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 ROWS = 32  # texels across the pen
-LONG = 64  # widths after which an irregular pen repeats
+LONG = 64  # pen widths after which an irregular texture repeats
 
 
 def smoothstep(low, high, x):
@@ -24,7 +24,7 @@ def smoothstep(low, high, x):
 
 
 class Canvas:
-    """One repetition of a texture, `length` pen widths long; x and y in widths, y in [-.5, .5] across the pen."""
+    """One period of a texture, `length` pen widths long; x and y in pen widths, y in [-.5, .5] across the pen."""
 
     def __init__(self, length, seed=0):
         self.length = length
@@ -34,29 +34,31 @@ class Canvas:
         self.y = 0.5 - (np.arange(ROWS) + 0.5)[:, None] / ROWS
 
     def grain(self, size_along, size_across):
-        """Noise of mean 0 and deviation 1 whose spots are about so many widths large; seamless along the stroke."""
+        """Noise of mean 0 and deviation 1 with features of about the given sizes in pen widths; periodic along the
+        stroke."""
         rows = ROWS * 2
         spectrum = np.fft.rfft2(self.random.standard_normal((rows, self.columns)))
         f = np.fft.fftfreq(rows, 1 / ROWS)[:, None] * size_across
         g = np.fft.rfftfreq(self.columns, 1 / ROWS)[None, :] * size_along
-        # A ring of frequencies rather than everything below one: spots of one size, as paper has.
+        # Band-pass rather than low-pass: features of one size, as the grain of paper has.
         radius = np.hypot(f, g)
         noise = np.fft.irfft2(spectrum * radius * np.exp(-2 * radius**2), s=(rows, self.columns))[:ROWS]
         return (noise - noise.mean()) / noise.std()
 
     def wander(self, size):
-        """The same along the stroke only: how a hand's pressure comes and goes."""
+        """(1, columns) low-pass noise along the stroke, for variations of pressure; `size` in pen widths."""
         spectrum = np.fft.rfft(self.random.standard_normal(self.columns))
         f = np.fft.rfftfreq(self.columns, 1 / ROWS) * size
         noise = np.fft.irfft(spectrum * np.exp(-2 * f**2), n=self.columns)
         return ((noise - noise.mean()) / noise.std())[None, :]
 
     def between_edges(self, left, right, softness):
-        """1 between two edges given along the stroke as distances from its middle."""
+        """Coverage between two edges, given along the stroke as distances from its center line; `softness`: width of
+        the transition. All in pen widths."""
         return smoothstep(-softness, softness, left - self.y) * smoothstep(-softness, softness, right + self.y)
 
     def capsules(self, *spans):
-        """Strokes with round ends as wide as the pen, from one x to another (x repeats); sharp to a texel."""
+        """Capsules with the pen's width, from one x to another (x is periodic), antialiased over one texel."""
         result = np.zeros((ROWS, self.columns))
         for start, end in spans:
             half, middle = (end - start) / 2, (end + start) / 2
@@ -71,7 +73,7 @@ def solid():
 
 
 def pencil():
-    """Graphite: catches the fine tooth of the paper, softer and lighter towards its sides."""
+    """Graphite: fine paper grain, fading towards the sides."""
     c = Canvas(LONG, seed=1)
     pressure = 0.87 + 0.08 * c.wander(3.0) + 0.08 * c.wander(0.7)
     profile = 1 - np.abs(2 * (c.y + 0.03 * c.wander(2.0))) ** 3
@@ -80,7 +82,7 @@ def pencil():
 
 
 def charcoal():
-    """Broad and crumbly: dense in the middle, broken into crumbs at the sides, dragged along the way."""
+    """Dense in the middle, broken into grains at the sides, with grain stretched along the stroke."""
     c = Canvas(LONG, seed=2)
     pressure = 0.78 + 0.10 * c.wander(4.0)
     half = 0.43 + 0.03 * c.wander(1.5)
@@ -90,7 +92,7 @@ def charcoal():
 
 
 def ink():
-    """A nib: full black, its width breathing a little, its edges crisp but not quite clean."""
+    """A nib: full black, slightly varying width, sharp and slightly rough edges."""
     c = Canvas(LONG, seed=3)
     breath = 0.455 + 0.016 * c.wander(7.0)
     left = breath + 0.020 * c.wander(1.6) + 0.009 * c.wander(0.35)
@@ -99,7 +101,7 @@ def ink():
 
 
 def brush():
-    """A drying brush: edges that swell, and hairs that run out of ink along the way."""
+    """A dry brush: varying edges, and hair streaks without ink."""
     c = Canvas(LONG, seed=4)
     body = 0.44 + 0.03 * c.wander(6.0)
     shape = c.between_edges(body + 0.02 * c.wander(1.0), body + 0.02 * c.wander(1.0), 0.05)
@@ -109,7 +111,7 @@ def brush():
 
 
 def chalk():
-    """Dusty: the board shows through everywhere, and the sides are ragged."""
+    """Dusty: gaps from the board's grain everywhere, ragged sides."""
     c = Canvas(LONG, seed=5)
     half = 0.46 + 0.02 * c.wander(1.2)
     profile = 1 - smoothstep(0.72, 1.08, np.abs(c.y) / half)
@@ -118,7 +120,7 @@ def chalk():
 
 
 def marker():
-    """Felt tip: even and a little translucent, darker where ink pools along its sides."""
+    """Felt tip: uniform and slightly translucent, darker along its sides, where ink pools."""
     c = Canvas(LONG, seed=6)
     shape = c.between_edges(0.475 + 0.008 * c.wander(1.0), 0.475 + 0.008 * c.wander(1.0), 0.03)
     pool = smoothstep(0.28, 0.44, np.abs(c.y))
@@ -126,7 +128,7 @@ def marker():
     return c, shape * np.clip(0.80 + 0.14 * pool + felt, 0, 1)
 
 
-# What has gaps begins in the middle of a dash: so does every path (u is 0 at its middle), and short ones stay visible.
+# Textures with gaps have a dash centered at u = 0, which is the middle of every path, so that short paths stay visible.
 
 
 def dashes():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of the model that
-shows it, the demo scene at each stage of the method and with several places in focus, plots of transfer functions."""
+"""Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of its example
+model, the demo scene at each stage of the method and with several focus models, plots of transfer functions."""
 
 import argparse
 import sys
@@ -24,7 +24,7 @@ from scenes import lessons
 
 FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
 BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.strength_width": 0.5}
-GREYS = 16  # fewer make smaller files
+GREYS = 16  # gray levels; fewer give smaller files
 
 
 def main(words):
@@ -40,7 +40,7 @@ def main(words):
 
 
 def line(name, path):
-    """(H, W) of one line definition."""
+    """(H, W) picture of one line definition."""
     shown = pages.LINES[name]
     open_model(shown.model)
     faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, path)
@@ -49,7 +49,7 @@ def line(name, path):
 
 
 def stage(name, path):
-    """(H, W, 3) of the demo scene at one stage, or with one focus, drawn at twice the size and averaged down."""
+    """(H, W, 3) picture of the demo scene at one stage or with one focus, supersampled by 2."""
     shown = (pages.WAY | pages.FOCUS)[name]
     draw.open_scene("demo")
     scene = bpy.context.scene
@@ -62,7 +62,7 @@ def stage(name, path):
 
 
 def plot(name, path):
-    """(N, N) of a transfer function over focus: a frame with quarters in gray, the curve in black."""
+    """(N, N) plot of a transfer function over focus: grid lines at quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
     size, margin, fine = pages.PLOT, 0.06, 8
     place = np.arange(size * fine) / (size * fine - 1) * (1 + 2 * margin) - margin  # 0 and 1: the frame
@@ -82,7 +82,7 @@ DRAWN_BY = {"lines": line, "way": stage, "focus": stage, "transfers": plot}
 
 
 def magnify(scene, u, v, times):
-    """Shows the part of the camera's frame around (u, v), from the left and the top, so many times as large."""
+    """Zooms the camera by a factor `times` to the point (u, v) of its frame, 0 to 1 from the left and the top."""
     camera, render = scene.camera.data, scene.render
     camera.lens *= times
     camera.shift_x = (camera.shift_x + u - 0.5) * times
@@ -98,7 +98,7 @@ def open_model(model):
 
 
 def draw_lines(shown, lines, params, pen, path):
-    """(H, W) of some lines of the model, drawn with one pen."""
+    """(H, W) picture of some line definitions on the model, drawn with one pen."""
     scene = bpy.context.scene
     chosen = ["--size", pages.SIZE, "--style", "plain", "--lines", ",".join(lines), *params, "-o", str(path)]
     set_drawing(scene, draw_options.parse([*shown.camera, *chosen]), pen)
@@ -107,7 +107,7 @@ def draw_lines(shown, lines, params, pen, path):
 
 
 def set_drawing(scene, options, settings):
-    """All that `fovea draw` would set, then properties of the style, by pages.Stage's names."""
+    """Applies all settings of `fovea draw`, then properties of the style, named as in pages.Stage.settings."""
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
     draw.set_drawing(scene, options)
@@ -122,7 +122,7 @@ def set_drawing(scene, options, settings):
 
 
 def parts(held, part):
-    """What of a style's properties a word names."""
+    """The property groups of a style that the first part of a setting's name refers to."""
     if part == "pen":
         return [line_set.pen for line_set in held.line_sets]
     if part == "hidden":

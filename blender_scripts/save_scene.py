@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea scene NAME[:N] -o OUT.blend`: builds a scene, ready to be drawn, and saves it."""
+"""Runs inside Blender for `fovea scene NAME[:N] -o OUT.blend`: builds a scene with Fovea as its engine and saves it."""
 
 import argparse
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact sheets: each line definition by itself in a tile, with its label beneath, all seen by the same camera."""
+"""Contact sheets: one tile per line definition, with its label below, all from the same camera."""
 
 import math
 import tempfile
@@ -11,15 +11,15 @@ import picture
 from bl_ext.user_default.fovea.style import style_data
 from command import output
 
-ASPECT = 16 / 9  # that the columns of a sheet aim for
-LABEL, LETTERS = 0.12, 0.06  # height of the strip beneath a tile and of its letters, shares of the tile's height
-SHAPE = "contour"  # drawn thinly in every tile, so that one sees what the lines lie on
+ASPECT = 16 / 9  # target aspect ratio of a sheet
+LABEL, LETTERS = 0.12, 0.06  # heights of the strip below a tile and of its letters, as fractions of the tile's height
+SHAPE = "contour"  # drawn thinly in every tile, to show the shape
 SHAPE_PEN = {"width": 1.6, "color": (0.25, 0.25, 0.25), "taper": 0.0}
 PEN = {"width": 5.0, "color": (0.0, 0.0, 0.0), "taper": 0.0}
 
 
 def render(scene, definitions, path):
-    """Writes the sheet of the definitions that are on to `path`, an 8-bit gray PNG."""
+    """Writes a sheet of those definitions that the scene's style draws to `path`, an 8-bit gray PNG."""
     held = style_data.own(scene)
     drawn = style_data.drawn_kinds(held)
     shown = [definition for definition in definitions if definition["name"] in drawn]
@@ -43,7 +43,7 @@ def render(scene, definitions, path):
 
 
 def columns_for(count, size):
-    """Columns that bring a sheet of so many tiles of `size` nearest to ASPECT."""
+    """Number of columns for `count` tiles of `size` (w, h) that gives the aspect ratio nearest to ASPECT."""
 
     def off(columns):
         rows = -(-count // columns)
@@ -53,12 +53,12 @@ def columns_for(count, size):
 
 
 def strip(size):
-    """Height of the label beneath a tile of `size`, in pixels."""
+    """Height of the label below a tile of `size`, in pixels."""
     return math.ceil(LABEL * size[1])
 
 
 def paste(tiles, labels, columns):
-    """(H, W) sheet, bottom row first. tiles: (h, w) each; labels (rows, strip, W). All of them may have channels, too."""
+    """(H, W) sheet, bottom row first, from tiles (h, w) and labels (rows, strip, W); all optionally with channels."""
     blank = np.ones_like(tiles[0])
     bands = []
     for row, label in enumerate(labels):
@@ -69,8 +69,8 @@ def paste(tiles, labels, columns):
 
 
 def draw_labels(labels, columns, rows, size, path):
-    """(rows, strip, columns * width): the labels of each row of tiles. Fovea draws them: as holes that Blender's text
-    objects cut into transparent paper."""
+    """(rows, strip, columns * width): the labels of each row of tiles. They are rendered with Fovea, from the alpha of
+    Blender text objects that are holdouts."""
     wide, high = columns * size[0], strip(size)
     scene = bpy.data.scenes.new("Labels")
     for number, label in enumerate(labels):
@@ -87,11 +87,11 @@ def draw_labels(labels, columns, rows, size, path):
     picture.render(scene, path)
     paper = picture.pixels(path)[..., 3].reshape(rows, high, 2, wide, 2).mean(axis=(2, 4))
     bpy.data.scenes.remove(scene)
-    return paper[::-1] ** (1 / 2.2)  # as tiles are stored
+    return paper[::-1] ** (1 / 2.2)  # gamma-encoded, like the tiles
 
 
 def _look_down(scene, width, height):
-    """A camera that sees the rectangle from the origin to (width, height), a unit in two pixels."""
+    """Adds an orthographic camera that sees the rectangle from the origin to (width, height) at 2 pixels per unit."""
     data = bpy.data.cameras.new("Labels")
     data.type, data.ortho_scale = "ORTHO", max(width, height)
     camera = bpy.data.objects.new("Labels", data)
@@ -107,7 +107,7 @@ def gray(path):
 
 
 def save(sheet, path):
-    """An (H, W) sheet as an 8-bit gray PNG, an (H, W, 3) sheet as a JPEG, its values as they are."""
+    """Saves an (H, W) sheet as an 8-bit gray PNG, an (H, W, 3) sheet as a JPEG, without color conversion."""
     gray = sheet.ndim == 2
     colors = np.repeat(sheet[..., None], 3, axis=2) if gray else sheet
     image = bpy.data.images.new("Sheet", sheet.shape[1], sheet.shape[0])

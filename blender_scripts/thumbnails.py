@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea figures thumbnails`: a picture beside each style that ships, of what those of saved
-styles show."""
+"""Runs inside Blender for `fovea figures thumbnails`: writes the thumbnails of the bundled styles, which show the same
+scene as those of saved styles."""
 
 import sys
 from pathlib import Path
@@ -15,7 +15,7 @@ import sheet
 
 
 def main(words):
-    """words: the folder, then names of styles; all of them where none is named."""
+    """words: the folder, then names of styles; none: all bundled styles."""
     folder, *names = words
     for name in names or style.names():
         sheet.save(style_picture.draw(style.load(name)) / 255, Path(folder) / f"{name}.jpg")

@@ -37,7 +37,7 @@ def main(words):
 
 
 def draw_tile(scene_name, words, size, path):
-    """(h, w, 3) of the scene drawn as the words say, at twice the size and averaged down: tiles are small."""
+    """(h, w, 3) picture of the scene with the options `words` of `fovea draw`, supersampled by 2."""
     scene = bpy.context.scene
     width, height = 2 * size[0], 2 * size[1]
     options = draw_options.parse([scene_name, *words, "--size", f"{width}x{height}", "-o", str(path)])

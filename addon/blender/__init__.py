@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Modules for scripts by the names that they had before they moved to folders of their subjects."""
+"""Aliases for modules that moved from this package to others, so that existing scripts still import them."""
 
 import importlib
 import sys
 
-MOVED = {"api": "scene", "as_rendered": "render", "session": "render", "style_data": "style"}  # module: its folder
+MOVED = {"api": "scene", "as_rendered": "render", "session": "render", "style_data": "style"}  # module: its package now
 
 for _name, _folder in MOVED.items():
     _module = importlib.import_module(f"..{_folder}.{_name}", __package__)

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where one shall look: the places as properties of a scene, and the tools that pick, move and key them.
-What a style makes of focus is the style's."""
+"""Focus: its points as properties of a scene, and the tools that pick, move and keyframe them.
+The effects of focus are part of the style."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gizmos of the focus: the two radii of every place as rings, and its middle where no object marks it.
+"""Gizmos of the focus: two rings for the radii of each focus point, and a dot at its center if no object marks it.
 
-All is drawn and dragged in pixels of the region; values go through the properties, so that keyframes and undo hold.
+Drawing and dragging are in region pixels. Values are set through the RNA properties, so keyframes and undo work.
 """
 
 import bpy
@@ -12,7 +12,7 @@ from . import focus_kinds, focus_operators, focus_places
 
 NEAR, FAR = (1.0, 0.55, 0.1), (0.25, 0.6, 1.0)
 PARTS = ("middle", "near", "far")
-_REACH = 8  # pixels from a ring or a middle at which the pointer takes hold of it
+_REACH = 8  # pixels: distance to a ring or a center within which the pointer picks it
 
 
 class FOVEA_GT_focus_handle(bpy.types.Gizmo):
@@ -22,7 +22,7 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
     __slots__ = ("index", "part", "before")
 
     def place(self, context):
-        """The place, or None where it has been removed or this part of it cannot be dragged."""
+        """The properties of the focus point, or None if it was removed or this part of it cannot be dragged."""
         settings = context.scene.fovea
         if self.index > len(settings.focus_points):
             return None
@@ -31,7 +31,7 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
         return None if self.part == "middle" and marked else place
 
     def seen(self, context):
-        """(look, place, middle in pixels, radius in pixels), or None where it is not to be seen."""
+        """(Look, properties of the focus point, center in pixels, radius in pixels), or None if not visible here."""
         place, kind = self.place(context), focus_kinds.of(context.scene.fovea)
         try:
             look = focus_operators.look(context)
@@ -46,7 +46,7 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
         return look, place, middle, radius
 
     def name(self, kind):
-        """The property that is dragged."""
+        """Name of the property that this handle edits."""
         if self.part == "middle":
             return "focus_place" if kind.in_frame else "focus_location"
         return kind.radii[self.part == "far"]
@@ -74,7 +74,7 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
 
     def invoke(self, context, event):
         place, kind = self.place(context), focus_kinds.of(context.scene.fovea)
-        # A radius may take the other with it.
+        # Dragging one radius may change the other, to keep near <= far.
         names = (self.name(kind),) if self.part == "middle" else kind.radii
         values = {name: getattr(place, name) for name in names}
         self.before = {name: v if isinstance(v, float) else tuple(v) for name, v in values.items()}
@@ -109,7 +109,8 @@ class FOVEA_GT_focus_handle(bpy.types.Gizmo):
 
 
 def drag(look, place, kind, part, middle, event, slow=False):
-    """Sets a place, or a radius of it, to where the pointer is. The radii stay in order."""
+    """Sets a focus point's location or radius from the pointer's position; keeps near <= far. `middle`: its center in
+    pixels. `slow`: moves a radius by a tenth of the way."""
     px = (event.mouse_region_x, event.mouse_region_y)
     if part == "middle":
         look.move(place, kind, px)

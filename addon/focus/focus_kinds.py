@@ -1,32 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinds of focus, as scenes have them: what each is called, which properties it uses, and what tools may do with it.
-How focus falls off is the core's (native/fovea/style/focus.h)."""
+"""Focus models of a scene: labels, the properties each uses, and which tools apply to it.
+The fall-off itself is computed in the core (native/fovea/style/focus.h)."""
 
 from dataclasses import dataclass
 
-IN_SPACE = ("focus_near_distance", "focus_far_distance")  # radii of places there
-IN_FRAME = ("focus_near", "focus_far")
-PICKED = "SCENE"  # the kind that a click in a viewport makes of another, where that has no places
+IN_SPACE = ("focus_near_distance", "focus_far_distance")  # inner and outer radius in scene units
+IN_FRAME = ("focus_near", "focus_far")  # the same in heights of the camera's frame
+PICKED = "SCENE"  # the model set when a point in space is picked
 
 
 @dataclass(frozen=True)
 class Kind:
     label: str
     description: str
-    settings: tuple = ()  # names of the scene's properties that it uses
-    place: tuple = ()  # names of properties of each place to look at; (): it has none
-    in_frame: bool = False  # places lie in the camera's frame, else in space
-    is_surface: bool = False  # a place is the surface of its object, not a point
-    no_pull: str = ""  # why it cannot be led elsewhere over time; "": it can, and places have handles in viewports
+    settings: tuple = ()  # names of the scene properties that it uses
+    place: tuple = ()  # names of the properties of each focus point; (): it has no points
+    in_frame: bool = False  # points lie in the camera's frame, else in world space
+    is_surface: bool = False  # distance is to the surface of the point's object, not to a point
+    no_pull: str = ""  # why Focus Pull and viewport gizmos are unavailable; "": they are available
 
     @property
     def is_on(self):
-        """Whether it says where to look."""
+        """Whether it defines any focus."""
         return bool(self.settings or self.place)
 
     @property
     def radii(self):
-        """Names of a place's inner and outer radius."""
+        """Names of the inner and outer radius properties of a focus point."""
         return IN_FRAME if self.in_frame else IN_SPACE
 
 
@@ -60,5 +60,5 @@ KINDS = {
 
 
 def of(settings):
-    """The Kind that a scene's settings have."""
+    """The Kind selected in a scene's settings."""
     return KINDS[settings.focus_model]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pick Focus: a click says where to look."""
+"""Pick Focus: sets the focus by a click in a viewport."""
 
 import bpy
 from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_3d
@@ -13,11 +13,12 @@ PROMPT = "Pick Focus: click what to look at"
 KEYS = (("MOUSE_LMB", "Look Here"), ("EVENT_SHIFT", "Look Here, Too"), ("EVENT_ESC", "Cancel"))
 MISSED = "There is nothing under the pointer: the focus stays where it is"
 NAVIGATION = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "TRACKPADPAN", "TRACKPADZOOM", "MOUSEROTATE"}
-_THROUGH = 64  # objects that are not drawn and a click goes through
+_THROUGH = 64  # most ignored surfaces that the ray of a click passes through
 
 
 def cast(context, px):
-    """(world location, object) that a region's pixel shows, of what is drawn; None: nothing."""
+    """(world location, object) of the first hit of the ray through a region's pixel, skipping objects whose usage is
+    IGNORE; None if there is no hit."""
     region, view = context.region, context.region_data
     origin, direction = region_2d_to_origin_3d(region, view, px), region_2d_to_vector_3d(region, view, px)
     depsgraph = context.evaluated_depsgraph_get()
@@ -40,7 +41,7 @@ def look(context):
 
 
 def pick(context, px, add):
-    """Sets the focus to what a pixel of a context's viewport shows. A sentence where it does not."""
+    """Sets the focus to what a pixel of the context's viewport shows. Returns None, or a sentence on why it did not."""
     scene, seen = context.scene, look(context)
     kind = focus_kinds.of(scene.fovea)
     if kind.in_frame and seen.frame:
@@ -64,7 +65,7 @@ def pick(context, px, add):
 
 
 def viewport_at(context, x, y):
-    """(area, region) of the 3D viewport at a pixel of the window, not of what lies over it; or None."""
+    """(area, region) of the 3D viewport at a window pixel; None elsewhere and where another region overlaps it."""
     for area in context.window.screen.areas:
         if area.type != "VIEW_3D":
             continue
@@ -75,7 +76,7 @@ def viewport_at(context, x, y):
 
 
 def _draw_keys(header, _context):
-    """What may be pressed, in the status bar."""
+    """Draws the key hints in the status bar."""
     for icon, text in KEYS:
         header.layout.label(text=text, icon=icon)
 
@@ -145,14 +146,14 @@ class FOVEA_OT_pick_focus(Operator, bpy.types.Operator):
             raise CannotDraw(missed)
 
     def _pick(self, context):
-        """A sentence where nothing was picked."""
+        """None, or a sentence on why nothing was picked."""
         try:
             return pick(context, (self.x, self.y), self.add)
         except self.errors as problem:
             return str(problem)
 
     def _tell(self, context, text):
-        """In the headers of all viewports: nobody knows yet which one will be clicked in."""
+        """Sets the header text of all 3D viewports, any of which may be clicked; None restores it."""
         for area in context.window.screen.areas:
             if area.type == "VIEW_3D":
                 area.header_text_set(text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on the list of places to look at; a click in the viewport picks them, too: focus_operators.py."""
+"""Operators on the list of focus points; focus_operators.py picks them in a viewport."""
 
 import bpy
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Focus Pull: keyframes that lead from one place to look at to another."""
+"""Focus Pull: keyframes that move the focus from one place to another."""
 
 import bpy
 from mathutils import Vector
@@ -9,7 +9,7 @@ from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import focus_kinds, focus_places
 
-SECONDS = 2  # that a pull takes where the scene is a still
+SECONDS = 2  # default duration of a pull if the scene has a single frame
 EASINGS = [  # interpolation of the keyframes
     ("LINEAR", "Linear", "At one speed"),
     ("SINE", "Gentle", "Slowly off and slowly there"),
@@ -31,7 +31,7 @@ RADIUS = {
 
 
 class Track:
-    """Numbers of an ID that a pull keys: values as they are, and those they come to."""
+    """A property that a pull animates, from its current value to `end`. `owner`: the ID or group that has it."""
 
     def __init__(self, owner, name, end):
         self.owner, self.name, self.end = owner, name, end
@@ -55,8 +55,9 @@ class Track:
 
 
 def pull(scene, at, near, far, first, last, easing):
-    """Keys the first place: as it is at the frame `first`, at world coordinates with other radii at `last`; then shows
-    the frame that was shown. Where places lie in the camera's frame `at` is of the frame, from the left and the top."""
+    """Keyframes the first focus point: its current state at frame `first`, location `at` and radii `near` and `far` at
+    frame `last`; then evaluates the current frame again. `at`: world coordinates or, for points in the camera's frame,
+    (x, y) from its left and top."""
     settings, kind = scene.fovea, focus_kinds.of(scene.fovea)
     tracks = [Track(settings, name, radius) for name, radius in zip(kind.radii, (near, far))]
     if kind.in_frame:
@@ -71,7 +72,8 @@ def pull(scene, at, near, far, first, last, easing):
 
 
 def _track_of(scene, at):
-    """An Empty's own location. What marks the place and is no Empty stays where it is: an Empty takes its part."""
+    """The Track for the location of the Empty that marks the first focus point. A marker of another type is not
+    animated: a new Empty at its location replaces it."""
     mark = scene.fovea.focus_object
     if mark.type != "EMPTY":
         scene.fovea.focus_object = None
@@ -83,13 +85,13 @@ def _track_of(scene, at):
 
 
 def frames_of(scene):
-    """The first and the last frame that a pull is offered."""
+    """(first, last) frame proposed for a pull."""
     first, last = scene.frame_start, scene.frame_end
     return first, last if last > first else first + SECONDS * scene.render.fps
 
 
 def hold(scene, first, last):
-    """Widens the scene's range of frames until it holds a pull; whether it had to."""
+    """Extends the scene's frame range to contain a pull; returns whether it changed."""
     before = scene.frame_start, scene.frame_end
     scene.frame_start, scene.frame_end = min(scene.frame_start, first), max(scene.frame_end, last)
     return (scene.frame_start, scene.frame_end) != before
@@ -159,7 +161,7 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
             self.report({"INFO"}, told)
 
     def _problem(self, scene):
-        """A sentence about what is missing, or None."""
+        """A sentence on why the pull cannot be keyed, or None."""
         if self.frame_end <= self.frame_start:
             return f"The pull ends at frame {self.frame_end}, not after {self.frame_start}, where it starts"
         if self.target == "OBJECT" and self.object not in scene.objects:

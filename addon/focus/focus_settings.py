@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where to look, as properties of the scene: a style may be drawn with any focus, and shared by scenes with others."""
+"""Focus as properties of the scene, separate from the style, so that scenes can share a style with different focus."""
 
 import bpy
 from bpy.props import CollectionProperty
@@ -8,7 +8,7 @@ from .. import style
 from ..scene.property_kinds import choice, number, pointer, text, vector
 from . import focus_kinds
 
-MOST_LETTERS = 63  # of the name of an attribute, in Blender
+MOST_LETTERS = 63  # Blender's limit on the length of an attribute name
 MODELS = [(name, kind.label, kind.description) for name, kind in focus_kinds.KINDS.items()]
 COMBINATIONS = [
     ("NEAREST", "Nearest", "Of several places the nearest counts"),
@@ -17,7 +17,7 @@ COMBINATIONS = [
 
 
 def set_focus(settings, wanted):
-    """Sets where to look to what a Focus says."""
+    """Writes a Focus to the properties."""
     settings.focus_model, settings.focus_combine = wanted.model.upper(), wanted.combine.upper()
     kind = focus_kinds.of(settings)
     if "focus_attribute" in kind.settings:
@@ -29,7 +29,7 @@ def set_focus(settings, wanted):
 
 
 def annotations():
-    """Annotations of the scene's settings."""
+    """Property annotations for the scene's settings."""
     painted = "Of meshes: white (1) is in focus, black (0) out of it; half way where there is none"
     more = {"name": "More Places", "description": "Further places to look at"}
     return {
@@ -42,7 +42,7 @@ def annotations():
 
 
 def focus_of(settings):
-    """The Focus that the properties describe."""
+    """Reads the Focus from the properties."""
     kind = focus_kinds.of(settings)
     if not kind.is_on:
         return style.Focus()

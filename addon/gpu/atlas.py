@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The segment atlas on the GPU: tables of segments, and a texel for every sample (native/fovea/visibility/layout.h)."""
+"""The segment atlas on the GPU: tables of segments, and one texel per sample (native/fovea/visibility/layout.h)."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from .texture import Target, row_width, upload_row
 
 
 class Atlas:
-    """All samples of a Frame, in batches that fit into textures; passes over depth tiles fill them in."""
+    """All atlas samples of a Frame, in batches that fit into textures; filled by one pass per depth tile."""
 
     def __init__(self, programs, frame, batch_samples):
         core, clipped = native.load(), frame.clipped
@@ -18,12 +18,13 @@ class Atlas:
         self.batches = [_Batch(clipped, sides, batch) for batch in batches]
 
     def add_table(self, name, values):
-        """A sampler `name` with the entry of each segment, given one value per point of the paths, its first."""
+        """Adds a sampler `name` with one entry per segment. `values`: one per point of the paths; a segment has that of
+        its first point."""
         for batch in self.batches:
             batch.samplers[name] = upload_row(values[batch.points])
 
     def run(self, program, layout, samplers, **constants):
-        """Runs a program over the samples that lie in the core of a DepthLayout."""
+        """Runs a program over all samples; it writes those inside the core of a DepthLayout."""
         for batch in self.batches:
             with batch.target.bind():
                 self._programs.cover(
@@ -37,7 +38,7 @@ class Atlas:
                 )
 
     def read(self):
-        """(samples,) float32."""
+        """Reads back the values of all samples, (samples,) float32."""
         result = np.zeros(self._samples, np.float32)
         for batch in self.batches:
             result[batch.begin : batch.begin + batch.count] = batch.target.read(1).reshape(-1)[: batch.count]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The gpu backend: depth, visibility and strokes as passes of Blender's gpu module. Use it where there is a context."""
+"""The gpu backend: depth, visibility, elision and strokes as passes of Blender's gpu module. Needs a GPU context."""
 
 import math
 
@@ -16,26 +16,26 @@ from .strokes import Picture, StrokePass, box_of, boxes
 from .texture import Target, size_limit, upload_row
 
 _BACKGROUND = (0.0, 0.0, 0.0, -1.0)  # depth, slopes, facet
-_FAR = 160  # near clip distances: there the steps of clip space are as large as the bias of lines on surfaces
+_FAR = 160  # distance in near_clip at which the quantization of clip-space depth reaches the bias of the depth test
 
 
 class Backend(native.load().Backend):
-    """Keeps programs and meshes on the GPU; live no longer than the context it is used in."""
+    """Holds programs and meshes on the GPU; must not outlive the GPU context it is used in."""
 
     name = "gpu"
-    batch_samples = 1 << 22  # an atlas texture holds as many, or one path
-    most_side = 6144  # texels of a tile, where the GPU can do more: 1.1 GB
+    batch_samples = 1 << 22  # most samples in an atlas texture, unless a single piece has more
+    most_side = 6144  # texels: upper limit for the side of a tile, which then takes 1.1 GB
 
     def __init__(self):
         super().__init__()
         self.clock = Clock()
         self._programs = Programs()
         self._items = ItemPass(self._programs)
-        self.surfaces = {}  # version of a surface -> batch of its triangles
+        self.surfaces = {}  # surface version -> GPUBatch of its triangles
 
     def visibility(self, frame):
-        """(samples,) float32 in [0, 1] of a Frame's atlas, by looking into the depth buffer, or by the item buffer; the
-        core's, by methods that it alone knows. One depth tile after the other: no two of them are there at once."""
+        """(samples,) float32 in [0, 1]: visibility of a Frame's atlas samples, by probes of the depth buffer or by the
+        item buffer. Methods without a GPU implementation run on the CPU. Only one depth tile is in memory at once."""
         looks = {"atlas": self._look, "spine": self._look, "item_buffer": self._look_for_items}
         look = looks.get(frame.options.visibility)
         if look is None:
@@ -63,7 +63,8 @@ class Backend(native.load().Backend):
         atlas.run("item_samples", layout, samplers, layer_count=frame.options.layers)
 
     def layouts(self, frame, overlap_px=0):
-        """DepthLayouts of a Frame: one, or tiles where it is too large. Cores are looked out of by so many pixels."""
+        """DepthLayouts of a Frame: one, or tiles if it exceeds the size limit. `overlap_px`: pixels that each tile
+        shows around its core."""
         return frame.layouts(min(size_limit(), self.most_side), overlap_px)
 
     def _depth(self, frame, layout):
@@ -72,11 +73,11 @@ class Backend(native.load().Backend):
         return depth
 
     def draw_depth(self, scene, view, layout):
-        """Target with (depth, slope right, slope up, facet modulo 2^24 or -1) per texel, and the edges of its triangle;
-        see native/fovea/visibility/depth.h."""
+        """Target with (depth, ddx, ddy, facet modulo 2^24 or -1 for background) per texel in its first texture and the
+        encoded edges of the texel's triangle in its second; see native/fovea/visibility/depth.h."""
         target = Target(layout.width, layout.height, "RGBA32F", second="RG32F", depth=True)
         draws = layout.draws(scene, view)
-        # Clip space leaves depth steps of 6e-8; perspective makes that a growing share of it, far away.
+        # Depth interpolated in clip space has steps of 6e-8, a relative error that grows with distance in perspective.
         far = not view.orthographic and native.load().depth_reach(scene, view) > _FAR * view.near_clip
         self._keep_surfaces(scene, draws)
         with target.bind() as framebuffer:
@@ -92,7 +93,7 @@ class Backend(native.load().Backend):
         return target
 
     def _keep_surfaces(self, scene, draws):
-        """Has a batch for every surface that is drawn, and for no other."""
+        """Uploads the surfaces that are drawn and drops all others."""
         kept = {}
         for draw in draws:
             version = draw.surface_version
@@ -101,7 +102,8 @@ class Backend(native.load().Backend):
         self.surfaces = kept
 
     def elide(self, frame, elision):
-        """(D, 2) float32: pixels of each sample's band that others take, pixels that it has; as the cpu backend's."""
+        """(D, 2) float32 per sample that runs cover: pixels of its band in the window that are lost to lines of higher
+        rank, and pixels of its band in the window; as the cpu backend computes them."""
         self.clock.start()
         passes = ElisionPass(self._programs, elision, self.batch_samples)
         for box in boxes(frame.view.width, frame.view.height, self._elision_side(elision)):
@@ -113,17 +115,17 @@ class Backend(native.load().Backend):
         return crowding
 
     def _elision_side(self, elision):
-        """Pixels of a tile's side that are left when its border is taken off, on both sides."""
+        """Side of an elision tile in pixels without the border on both sides; at least 64."""
         return max(min(size_limit(), self.most_side) - 2 * border_of(elision), 64)
 
     def draw(self, frame):
-        """(height, width, 4) float32: a Frame's strokes alone, premultiplied, bottom row first."""
+        """Draws a Frame's strokes alone: (height, width, 4) float32, premultiplied, bottom row first."""
         if frame.options.visibility == "spine":
             return self._draw_spine(frame)
         return self.draw_strokes(frame.strokes, frame.pens, frame.textures, frame.view)
 
     def draw_strokes(self, strokes, pens, textures, view):
-        """The same of strokes that nothing hides."""
+        """Draws strokes without any visibility test; returns the same as `draw`."""
         picture = Picture(view)
         if len(strokes.triangles) == 0:
             return picture.pixels
@@ -135,7 +137,8 @@ class Backend(native.load().Backend):
         return picture.pixels
 
     def _draw_spine(self, frame):
-        """By the spine test: every pixel is as opaque as its stroke is visible next to it."""
+        """Draws strokes with the spine test: a fragment's opacity is scaled by the visibility of its stroke's spine at
+        the same arc length."""
         picture, strokes = Picture(frame.view), frame.strokes
         if len(strokes.triangles) == 0:
             return picture.pixels
@@ -165,17 +168,17 @@ class Backend(native.load().Backend):
 
 
 def _looked_into(depth):
-    """Samplers of a depth Target."""
+    """{sampler: texture} of a depth Target."""
     return {"depth_buffer": depth.color, "edge_buffer": depth.second}
 
 
 def _looks(frame):
-    """Constants of looking into the depth buffer."""
+    """Push constants for probing the depth buffer."""
     options = native.load().SampledOptions()
     return {"bias": options.bias, "slack_px": options.slack_px, "probes": frame.options.probes}
 
 
 def _batch(surface):
-    """The triangles of a native Surface that hide lines, with their facets."""
+    """GPUBatch of the occluding triangles of a native Surface, with their facet numbers."""
     corners = native.load().DepthCorners(surface)
     return triangles({"position": corners.positions, "facet": corners.facets})

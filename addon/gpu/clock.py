@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What each pass costs, for benchmarks: the GPU is waited for after every pass, which drawing itself never does."""
+"""Times GPU passes for benchmarks by waiting for the GPU after each pass; inactive in normal drawing."""
 
 import time
 
 
 class Clock:
-    """Set `stages` to {} to have the milliseconds of each pass added up there."""
+    """Sums the milliseconds of each pass in `stages`; None, the default, turns timing off."""
 
     stages = None
 
@@ -13,7 +13,7 @@ class Clock:
         self._last = time.perf_counter()
 
     def mark(self, name, target=None):
-        """What happened since the last mark, or the start, was `name`; `target` is what it drew into."""
+        """Adds the time since the last mark or the start to stage `name`. `target`: the pass's Target, waited for."""
         if self.stages is None:
             return
         if target is not None:

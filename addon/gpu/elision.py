@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Line elision on the GPU (native/elision): the bands of lines by rank, and what each sample finds of its own."""
+"""Line elision on the GPU (native/fovea/elision): draws the priority buffer, then measures the occupancy per sample."""
 
 import math
 
@@ -13,12 +13,12 @@ _BEYOND = 1e30  # px; farther than any sample
 
 
 def border_of(elision):
-    """Pixels around a sample of a native Elision in which it looks for anything."""
+    """Pixels around a sample of a native Elision that the test may read of the priority buffer: an upper bound."""
     return math.ceil(elision.band[:, 0].max(initial=0.0) * elision.END_REACH + elision.WINDOW_LENGTH_PX)
 
 
 class ElisionPass:
-    """Bands and samples of a native Elision, uploaded once; tiles of the picture fill in the samples that they hold."""
+    """Bands and samples of a native Elision, uploaded once; each image tile fills in the samples inside it."""
 
     def __init__(self, programs, elision, batch_samples):
         self._programs, self._border = programs, border_of(elision)
@@ -41,8 +41,8 @@ class ElisionPass:
         self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
 
     def look(self, box, view, clock):
-        """Fills in the samples of a box (left, lower, right, upper) of a View's picture; a box at the picture's edge
-        has those beyond it, too."""
+        """Fills in the samples inside a box (left, lower, right, upper) in pixels of a View's image; a box at the image
+        border includes the samples beyond it."""
         if self._bands is None:
             return
         whole = (0, 0, view.width, view.height)
@@ -64,14 +64,14 @@ class ElisionPass:
         clock.mark("samples", self._batches[-1].target)
 
     def _draw(self, box):
-        """Targets of the two layers of a box."""
+        """Draws the two layers of the priority buffer for a box, by depth peeling on rank; returns their Targets."""
         left, lower, right, upper = box
         size = (right - left, upper - lower)
         layers = []
         for number in range(2):
             target = Target(*size, "RG32UI", depth=layers[0].depth if layers else True)
             target.color.clear(format="UINT", value=(0, 0))
-            # Where no layer is in front, anything but the target itself may stand for it.
+            # The sampler must be bound even for the first layer; a texture must not be read while it is the target.
             front = layers[0].color if layers else gpu.types.GPUTexture((1, 1), format="RG32UI")
             with target.bind() as framebuffer:
                 framebuffer.clear(depth=0.0)
@@ -90,7 +90,7 @@ class ElisionPass:
         return layers
 
     def read(self):
-        """(D, 2) float32: pixels of each sample's band that others take, pixels that it has."""
+        """(D, 2) float32 per sample: pixels of its band in the window that are lost, and all pixels of it there."""
         parts = [batch.target.read(2).reshape(-1, 2)[: batch.count] for batch in self._batches]
         return np.concatenate(parts) if parts else np.zeros((0, 2), np.float32)
 

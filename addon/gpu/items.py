@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The item buffer on the GPU (native/fovea/visibility/item_buffer.h): lines drawn by number, layer behind layer."""
+"""The item buffer on the GPU (native/fovea/visibility/item_buffer.h): ids of lines per texel, in layers by depth."""
 
 import gpu
 import numpy as np
@@ -10,23 +10,24 @@ from .texture import Target
 
 
 def item_of_point(clipped):
-    """(M,) float32: what the lines from each point are called, piece + 1."""
+    """(M,) float32: id of the segment that starts at each point, index of its piece + 1."""
     return np.repeat(np.arange(1, len(clipped) + 1, dtype=np.float32), np.diff(clipped.offsets))
 
 
 class ItemPass:
-    """Draws the segments that an Atlas has on the GPU already; keeps no more than numbered corners."""
+    """Draws the segments from an Atlas's tables on the GPU; holds only a batch of numbered quad corners."""
 
     def __init__(self, programs):
         self._programs = programs
         self._room, self._quads = 0, None
 
     def draw(self, atlas, depth, layout, count):
-        """Targets of the nearest lines at each texel of a depth Target, of those behind them, and so on."""
+        """Draws `count` layers by depth peeling: Targets with the id of the nearest line at each texel of a depth
+        Target, of the next behind it, and so on."""
         layers = []
         for number in range(count):
             target = Target(layout.width, layout.height, "R32F", depth=layers[0].depth if layers else True)
-            # Where there are no two layers in front, anything but the target itself may stand for them.
+            # Both samplers must be bound even without two layers in front; `depth` fills in, as it is not the target.
             front = [*(layer.color for layer in layers), depth.color, depth.color]
             samplers = {"depth_buffer": depth.color, "layer0": front[0], "layer1": front[1]}
             with target.bind() as framebuffer:
@@ -54,7 +55,7 @@ class ItemPass:
         self._quads.draw_range(program, elem_start=0, elem_count=6 * len(batch.points))
 
     def _keep_room(self, segments):
-        """Corners 4 i .. 4 i + 3 of every segment i, in two triangles."""
+        """Grows the quads to at least so many segments: two triangles over vertices 4 i .. 4 i + 3 of segment i."""
         if segments <= self._room:
             return
         self._room = segments + segments // 4

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What lies over a viewport: rings, dots and translucent pictures, in pixels of the region that Blender is drawing."""
+"""Overlays over a viewport: rings, dots and translucent images, in pixels of the region that Blender is drawing."""
 
 import gpu
 import numpy as np
@@ -14,7 +14,7 @@ _CIRCLE = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros_like(_ANGLES)], a
 
 
 def ring(center, radius, color, width):
-    """A circle of a width in pixels; color: RGBA in the display's space."""
+    """Draws a circle; center, radius and line width in pixels, color: RGBA in display space."""
     shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
     shader.uniform_float("lineWidth", width)
@@ -22,7 +22,7 @@ def ring(center, radius, color, width):
 
 
 def dot(center, radius, color):
-    """A disc."""
+    """Draws a filled disc; arguments as for `ring`."""
     _draw(gpu.shader.from_builtin("UNIFORM_COLOR"), "TRI_FAN", center, radius, color)
 
 
@@ -35,13 +35,13 @@ def _draw(shader, kind, center, radius, color):
 
 
 class Veil:
-    """A picture (H, W, 4) float32, bottom row first, in the display's space, alpha not multiplied in."""
+    """An image (H, W, 4) float32, bottom row first, in display space, straight alpha."""
 
     def __init__(self, pixels):
         self._texture = upload(pixels, "RGBA16F")
 
     def show(self, width, height):
-        """Over a region of that many pixels."""
+        """Draws it stretched over a region of width x height pixels."""
         gpu.state.blend_set("ALPHA")
         draw_texture_2d(self._texture, (0, 0), width, height)
         gpu.state.blend_set("NONE")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shader programs, put together from shaders/programs.toml. Needs a GPU context from the first program() on."""
+"""Shader programs, assembled as shaders/programs.toml describes. Compiling needs a GPU context."""
 
 import tomllib
 from functools import cache
@@ -10,13 +10,13 @@ import numpy as np
 
 from .. import native
 
-LIMITS = ("ROW_WIDTH", "OWNER_STRIDE")  # of the core's that sources name
+LIMITS = ("ROW_WIDTH", "OWNER_STRIDE")  # constants of the core that are defined for the shader sources
 _PACKAGE = Path(__file__).resolve().parents[1]
 
 
 @cache
 def _folder():
-    """The shaders lie in the extension, or beside it in a checkout."""
+    """Folder of the shaders: inside the installed extension, or beside it in a checkout."""
     for folder in (_PACKAGE / "shaders", _PACKAGE.parent / "shaders"):
         if (folder / "programs.toml").is_file():
             return folder
@@ -25,13 +25,13 @@ def _folder():
 
 @cache
 def manifest():
-    """Name of each program -> its description, which goes on from that of the program that it is like."""
+    """{program: description}, each merged over that of the program in its `like` entry."""
     programs = tomllib.loads((_folder() / "programs.toml").read_text())
     return {name: {**programs.get(said.get("like"), {}), **said} for name, said in programs.items()}
 
 
 def compile_program(name):
-    """A new gpu.types.GPUShader; it lives no longer than the context it was made in."""
+    """A new gpu.types.GPUShader of the named program; must not outlive the context it was created in."""
     description = manifest()[name]
     info = gpu.types.GPUShaderCreateInfo()
     for slot, (attribute, kind) in enumerate(description.get("inputs", {}).items()):
@@ -61,7 +61,7 @@ def compile_program(name):
 
 
 def _declare_depth(info):
-    """Lets the fragment stage write gl_FragDepth. Blender 4.3 cannot declare it; only its OpenGL does without."""
+    """Lets the fragment stage write gl_FragDepth. Blender 4.3 has no API to declare it; only OpenGL works without."""
     if hasattr(info, "depth_write"):
         info.depth_write("ANY")
     elif gpu.platform.backend_type_get() != "OPENGL":
@@ -74,7 +74,7 @@ def _source(files):
 
 
 class Programs:
-    """Programs by name, compiled when first asked for; dropped with the context."""
+    """Programs by name, compiled on first use; must not outlive the context."""
 
     def __init__(self):
         self._programs = {}
@@ -96,7 +96,7 @@ class Programs:
         return program
 
     def cover(self, name, samplers, **constants):
-        """Runs a program over every fragment of the bound target."""
+        """Runs a program over every pixel of the bound target, with one triangle that covers it."""
         if self._cover is None:
             corners = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
             self._cover = triangles({"corner": corners})
@@ -104,7 +104,7 @@ class Programs:
 
 
 def set_constant(program, name, value):
-    """Sets a push constant; floats, ints, and matrices as 16 numbers column by column."""
+    """Sets a push constant: an int, a float, or a sequence of floats; matrices as 16 floats in column-major order."""
     if isinstance(value, int):
         program.uniform_int(name, value)
     else:
@@ -112,13 +112,14 @@ def set_constant(program, name, value):
 
 
 def triangles(attributes, corners=None):
-    """A batch of triangles, of vertices with these attributes; `corners`: (T, 3) of their vertices, None: one by one."""
+    """A GPUBatch of triangles. `attributes`: {name: array per vertex}; `corners`: (T, 3) vertex indices, None: each
+    three consecutive vertices are a triangle."""
     words = {} if corners is None else {"elem": gpu.types.GPUIndexBuf(type="TRIS", seq=corners)}
     return gpu.types.GPUBatch(type="TRIS", buf=vertex_buffer(attributes), **words)
 
 
 def vertex_buffer(attributes):
-    """A vertex buffer; each attribute an (n, 1..4) array, float32 or uint32."""
+    """A vertex buffer; each attribute is an (n,) or (n, 1..4) array, uint32 if unsigned, else float32."""
     form = gpu.types.GPUVertFormat()
     arrays = {}
     for name, values in attributes.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strokes on the GPU: uploaded once, drawn into as many targets as the picture needs."""
+"""Strokes on the GPU: uploaded once, then drawn into one target per image tile."""
 
 import gpu
 import numpy as np
@@ -10,8 +10,8 @@ from .texture import Target, upload_row
 
 
 class StrokePass:
-    """Strokes with their pens. `spine_ranges`: (V, 2) per vertex, the first and last entry of its piece among the
-    segments of the spine test."""
+    """Strokes with their pens. `spine_ranges`: (V, 2) per vertex, the first and last entry of its piece in the segment
+    table of the spine test; None without it."""
 
     def __init__(self, programs, strokes, pens, textures, spine_ranges=None):
         table = native.load().PenTable(pens, textures)
@@ -30,7 +30,7 @@ class StrokePass:
         self._batch = triangles(attributes, np.ascontiguousarray(strokes.triangles, np.uint32))
 
     def draw(self, box, program="stroke", samplers=None, **constants):
-        """A Target of the pixels of a box (left, lower, right, upper) of the picture."""
+        """Draws the strokes inside a box (left, lower, right, upper) of the image, in pixels; returns its Target."""
         left, lower, right, upper = box
         target = Target(right - left, upper - lower, "RGBA32F")
         with target.bind() as framebuffer:
@@ -48,19 +48,19 @@ class StrokePass:
 
 
 def boxes(width, height, side):
-    """Boxes of at most `side` pixels along each axis that make up a picture."""
+    """Boxes (left, lower, right, upper) of at most `side` pixels along each axis that tile an image."""
     corners = [(x, y) for y in range(0, height, side) for x in range(0, width, side)]
     return [(x, y, min(x + side, width), min(y + side, height)) for x, y in corners]
 
 
 def box_of(layout, view):
-    """The pixels of the picture that a DepthLayout decides; may be empty."""
+    """Box (left, lower, right, upper) in pixels: a DepthLayout's core, clipped to the image; may be empty."""
     left, lower, right, upper = layout.core
     return max(int(left), 0), max(int(lower), 0), min(int(right), view.width), min(int(upper), view.height)
 
 
 class Picture:
-    """(height, width, 4) float32, put together from boxes."""
+    """An image (height, width, 4) float32, assembled from boxes."""
 
     def __init__(self, view):
         self.pixels = np.zeros((view.height, view.width, 4), np.float32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Textures and targets: numpy in, numpy out."""
+"""Textures and render targets, to and from NumPy arrays."""
 
 from contextlib import contextmanager
 
@@ -12,17 +12,17 @@ _FORMATS = {1: "R32F", 2: "RG32F", 4: "RGBA32F"}
 
 
 def size_limit():
-    """Most texels a texture has along an axis."""
+    """The GPU's limit on texture size along an axis, in texels."""
     return gpu.capabilities.max_texture_size_get()
 
 
 def row_width():
-    """Texels of a row of a table that is one long row."""
+    """Width in texels at which one-dimensional tables wrap into texture rows."""
     return native.load().AtlasBatch.ROW_WIDTH
 
 
 def upload(pixels, format=None):
-    """Texture of an array (height, width) or (height, width, channels), float32, first row at the bottom."""
+    """Texture from an array (height, width) or (height, width, channels), float32, bottom row first."""
     height, width = pixels.shape[:2]
     channels = pixels.shape[2] if pixels.ndim == 3 else 1
     flat = np.ascontiguousarray(pixels, dtype=np.float32).reshape(-1)
@@ -31,7 +31,7 @@ def upload(pixels, format=None):
 
 
 def upload_row(entries):
-    """Texture of one long row of entries, (n,) or (n, channels), wrapped over rows of row_width()."""
+    """Texture from a table (n,) or (n, channels), wrapped into rows of row_width() texels and padded with 0."""
     channels = entries.shape[1] if entries.ndim == 2 else 1
     width = row_width()
     rows = max(1, -(-len(entries) // width))
@@ -41,10 +41,11 @@ def upload_row(entries):
 
 
 class Target:
-    """Something to draw into: one color texture, with a second where asked for, and with a depth texture, a new one (True)
-    or one that is given.
+    """A framebuffer of width x height texels with a color texture of a `format`, optionally a `second` color texture of
+    that format, and a depth texture (True: a new one; or an existing GPUTexture).
 
-    The textures live as long as this object; framebuffers alone do not keep them."""
+    References the textures, because a GPUFrameBuffer does not keep them alive. ValueError above the GPU's size limit.
+    """
 
     def __init__(self, width, height, format, second=None, depth=False):
         if max(width, height) > size_limit():
@@ -63,7 +64,7 @@ class Target:
 
     @contextmanager
     def bind(self):
-        """Draws inside go into the target; state and framebuffer are as before afterwards."""
+        """Context in which draws go into this target; restores the framebuffer, depth and blend state afterwards."""
         depth_test, depth_mask, blend = gpu.state.depth_test_get(), gpu.state.depth_mask_get(), gpu.state.blend_get()
         try:
             with self._framebuffer.bind():
@@ -79,12 +80,12 @@ class Target:
             gpu.state.face_culling_set("NONE")
 
     def wait(self):
-        """Returns when everything is drawn."""
+        """Blocks until all draws into it are finished, by reading back one pixel."""
         with self._framebuffer.bind():
             self._framebuffer.read_color(0, 0, 1, 1, 1, 0, self._numbers)
 
     def read(self, channels, slot=0):
-        """(height, width, channels) float32 of the first (0) or second (1) texture; waits until everything is drawn."""
+        """(height, width, channels) float32 of the first (0) or second (1) color texture; blocks until draws finish."""
         count = self.width * self.height * channels
         with self._framebuffer.bind():
             data = self._framebuffer.read_color(0, 0, self.width, self.height, channels, slot, "FLOAT")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows a picture in the 3D viewport that Blender is drawing."""
+"""Draws an image into the 3D viewport that Blender is drawing."""
 
 import gpu
 from gpu_extras.presets import draw_texture_2d
@@ -8,13 +8,14 @@ from .texture import upload
 
 
 class Picture:
-    """Scene-linear, premultiplied RGBA, (H, W, 4) float32, bottom row first, in a texture."""
+    """A texture from (H, W, 4) float32: scene-linear, premultiplied RGBA, bottom row first."""
 
     def __init__(self, pixels):
         self._texture = upload(pixels, "RGBA16F")
 
     def show(self, programs, engine, scene, width, height):
-        """Fills a region of that size, in the scene's display space; `programs`: a gpu_program.Programs."""
+        """Draws it over a region of width x height pixels: in the scene's display space if the texture has that size,
+        else interpolated linearly by the program `magnify`. `programs`: a program.Programs."""
         gpu.state.blend_set("ALPHA_PREMULT")
         if (self._texture.width, self._texture.height) == (width, height):
             engine.bind_display_space_shader(scene)
@@ -26,5 +27,5 @@ class Picture:
 
 
 def is_software():
-    """Whether OpenGL runs on the CPU here."""
+    """Whether OpenGL is a software implementation on the CPU."""
     return gpu.platform.device_type_get() == "SOFTWARE"

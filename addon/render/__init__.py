@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of Blender's scenes: the render engine, viewports, backends, and what operators make of drawn lines.
-`session` is what renders and viewports share."""
+"""Rendering of Blender scenes: the render engine, viewports, choice of the backend, and operators that output lines.
+`session` is shared by final renders and viewports."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a final render sees, for operators.
+"""Access to the depsgraph of a final render, for operators.
 
-Only a render has a depsgraph with what is made for renders: levels of subdivision, visibility, particles. So Blender's
-render is run for one view layer of a copy of the scene, of the same objects, with Fovea as the engine, which hands the
-depsgraph over and draws nothing. Handlers of renders are called, as Blender does; compositing and sequencing are left
-out. What has been rendered before is kept, as each scene has a result of its own.
+Only a render evaluates a depsgraph with render settings: levels of subdivision, visibility, particles. So Blender
+renders one view layer of a linked copy of the scene with Fovea as the engine, which passes the depsgraph to a callback
+and draws nothing. Blender calls the render handlers as usual; compositing and sequencing are off. The original scene's
+render result stays, because each scene has its own.
 """
 
 from concurrent.futures import Future
@@ -14,26 +14,26 @@ import bpy
 
 from ..scene.problem import CannotDraw
 
-_look = None  # what the render that is under way is for: the Future of its result, `take`, the name of the view layer
+_look = None  # of the render in progress, if `look` started it: (Future of the result, `take`, name of the view layer)
 
 
 def looked(engine, depsgraph):
-    """Whether a render is not for a picture; then what it is for has been done."""
+    """Whether `look` started this render, so that nothing is to be drawn; calls its `take` once, for its view layer."""
     if _look is None:
         return False
     outcome, take, layer = _look
-    # Without a window Blender renders all view layers; and of a stereo pair the other eye comes, too.
+    # In background mode Blender renders all view layers, and with stereo once per eye: take only the first match.
     if depsgraph.view_layer.name == layer and not outcome.done():
         try:
             outcome.set_result(take(engine, depsgraph))
-        except Exception as error:  # raised again where the render was asked for
+        except Exception as error:  # raised again in `look`
             outcome.set_exception(error)
     return True
 
 
 def look(context, take):
-    """take(engine, depsgraph), called where a render of the context's view layer would be drawn, at the current frame.
-    The scene must have a camera. CannotDraw where Blender does not render."""
+    """Returns take(engine, depsgraph), called from a final render of the context's view layer at the current frame.
+    The scene must have a camera. CannotDraw if Blender does not render."""
     global _look
     layer, outcome = context.view_layer, Future()
     with _copy(context.scene) as scene:
@@ -41,7 +41,7 @@ def look(context, take):
         _look = outcome, take, layer.name
         try:
             bpy.ops.render.render(scene=scene.name, layer=layer.name)
-        except RuntimeError as error:  # Blender's own words
+        except RuntimeError as error:  # with Blender's message
             raise CannotDraw(str(error).removeprefix("Error: ").strip()) from error
         finally:
             _look = None
@@ -52,7 +52,7 @@ def look(context, take):
 
 @contextmanager
 def _copy(scene):
-    """A scene of the same objects, for a while."""
+    """Context with a linked copy of a scene (same objects), set up for `look`; removed afterwards."""
     made = scene.copy()
     render = made.render
     render.engine, render.use_freestyle = "FOVEA", False

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawn lines as objects of Blender: meshes of edges, or Grease Pencil strokes."""
+"""Converts DrawnLines to Blender objects: meshes of edges, or Grease Pencil strokes."""
 
 import bpy
 import numpy as np
 
-# Attribute -> type, of points.
+# Point attributes: name -> type.
 NUMBERS = {"strength": "FLOAT", "opacity": "FLOAT", "radius": "FLOAT", "kinds": "INT", "invisibility": "INT"}
 
 
 def parts(lines, index):
     """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, NUMBERS (M,), and per polyline size,
-    closed and pen. The point at which a closed one ends is not there twice."""
+    closed and pen. The last point of a closed polyline, which repeats the first, is dropped."""
     size = np.diff(lines.offsets)
     wanted = lines.line_set == index
     last = np.zeros(len(lines.points), bool)
@@ -25,7 +25,7 @@ def parts(lines, index):
 
 
 def mesh(name, found):
-    """A mesh of edges."""
+    """A mesh of edges from the arrays of `parts`, with NUMBERS as point attributes."""
     data, count = bpy.data.meshes.new(name), len(found["points"])
     edges = _edges(found["size"], found["closed"])
     data.vertices.add(count)
@@ -39,7 +39,7 @@ def mesh(name, found):
 
 
 def _edges(size, closed):
-    """(E, 2) int32 between the points of polylines, one after the other."""
+    """(E, 2) int32 edges of consecutive polylines of `size` points; a closed one has an edge back to its start."""
     start = np.cumsum(size) - size
     following = np.arange(size.sum()) + 1
     ends = start + size - 1
@@ -49,7 +49,7 @@ def _edges(size, closed):
 
 
 def grease_pencil(name, found, pens, frame):
-    """Grease Pencil strokes, on one layer, at a frame; a material per pen."""
+    """Grease Pencil data from the arrays of `parts`: strokes on one layer at a frame, one material per pen."""
     kept = bpy.data.grease_pencils_v3 if hasattr(bpy.data, "grease_pencils_v3") else bpy.data.grease_pencils
     data = kept.new(name)
     used = np.unique(found["pen"])
@@ -79,7 +79,7 @@ def _material(name, pen):
 
 
 def objects(lines, chosen, kind, frame):
-    """New objects, one per line set that draws something, in no collection yet."""
+    """New objects of `kind` MESH or GREASE_PENCIL, one per line set with lines, not yet linked to a collection."""
     made = []
     for index, line_set in enumerate(chosen.line_sets):
         found = parts(lines, index)
@@ -91,5 +91,5 @@ def objects(lines, chosen, kind, frame):
         else:
             data = grease_pencil(name, found, chosen.pens(), frame)
         made.append(bpy.data.objects.new(name, data))
-        made[-1].fovea.usage = "IGNORE"  # the drawing is not drawn again
+        made[-1].fovea.usage = "IGNORE"  # so that baked lines do not get lines themselves
     return made

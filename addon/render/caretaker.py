@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Looks after viewports between their draws, by a timer that is there only while something is under way."""
+"""Timer that updates viewports between their draws; registered only while a viewport has pending work."""
 
 import time
 
 import bpy
 
 REST = 0.2  # seconds without a change after which pictures are refined
-MOVEMENT = 1.0  # most seconds between two changes of one movement
-TICK = 0.02  # seconds between looks
+MOVEMENT = 1.0  # changes less than this many seconds apart belong to one movement
+TICK = 0.02  # seconds between ticks of the timer
 
-_pending = {}  # Viewport that has something under way -> its engine
+_pending = {}  # Viewport with pending work -> its engine
 
 
 class Movement:
-    """Changes that follow each other, and whether they have come to an end."""
+    """Detects when a series of changes has ended."""
 
     def __init__(self):
         self._changed_at = 0.0
-        self._rest = REST  # longer where changes come slowly
+        self._rest = REST  # seconds; longer if the changes are far apart
 
     def note_change(self):
         gap, self._changed_at = time.monotonic() - self._changed_at, time.monotonic()
@@ -27,14 +27,14 @@ class Movement:
         return time.monotonic() > self._changed_at + self._rest
 
 
-_movement = Movement()  # of all viewports
-note_change = _movement.note_change  # a viewport has to show something else
-rests = _movement.rests  # whether nothing changes in any viewport
+_movement = Movement()  # shared by all viewports
+note_change = _movement.note_change  # call it when a viewport has to show something else
+rests = _movement.rests  # whether no viewport has changed recently
 
 
 def look_after(viewport, engine):
-    """Calls `viewport.look_after(engine)` again and again while it returns True; `viewport.stop()` if Blender lets go
-    of the engine before."""
+    """Calls `viewport.look_after(engine)` every TICK while it returns True; `viewport.stop()` if Blender frees the
+    engine first."""
     _pending[viewport] = engine
     if not bpy.app.timers.is_registered(tick):
         bpy.app.timers.register(tick, first_interval=TICK)
@@ -57,7 +57,7 @@ def stop():
 
 
 def _exists(engine):
-    """Whether Blender still has the engine of a viewport."""
+    """Whether Blender has not freed a viewport's engine."""
     try:
         return engine.is_preview is not None
     except ReferenceError:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a viewport knows of the scene, and whether it has to read it again.
+"""Decides when a viewport must read the scene again.
 
-Blender reports which of its data changed. Selections, cameras and styles change nothing that is read of the scene; but
-what hides an object may be reported in the same way, so that what is placed where is compared.
+Blender reports which datablocks were updated. Updates of selections, cameras and styles do not change the geometry read
+from the scene, but hiding an object may be reported in the same way; so the placements are compared as well.
 """
 
 from dataclasses import dataclass
@@ -13,13 +13,13 @@ from .. import catalogue
 from ..scene import notes, scene, subdivision
 from . import properties, reading, session, worker
 
-# What an update of these alone leaves as it was, unless what is placed where tells otherwise.
+# Updates of these types alone need no new reading, unless the placements differ.
 HARMLESS = (bpy.types.Scene, bpy.types.Camera, bpy.types.NodeTree, bpy.types.WindowManager, bpy.types.Screen)
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What was read; another version may look otherwise."""
+    """The scene as read; `version` increases whenever the picture may look different."""
 
     version: int
     style: object
@@ -27,22 +27,22 @@ class Scene:
 
 
 class Changes:
-    """One viewport's."""
+    """The state of one viewport."""
 
     def __init__(self):
         self._scene = None
-        self._told = self._must_read = True  # since the last time: there were updates; and not just harmless ones
+        self._told = self._must_read = True  # since the last read: any updates; any that are not harmless
         self._placements = self._needs = self._space = None
 
     def note(self, updates):
-        """Blender has updated its scene. Our own reading of a cage (subdivision.py) changes nothing."""
+        """Records the depsgraph's updates, except those caused by reading a cage (subdivision.py)."""
         if subdivision.is_echo(updates):
             return
         self._told = True
         self._must_read = self._must_read or not are_harmless(list(updates))
 
     def read(self, engine, depsgraph, space):
-        """The Scene as it is now, for a SpaceView3D."""
+        """The current Scene for a SpaceView3D, read again only if something has changed."""
         shows = _shows(space)
         if self._scene is not None and not self._told and shows == self._space:
             return self._scene
@@ -51,7 +51,7 @@ class Changes:
         placements = scene.placements(depsgraph, space)
         found, version = self._scene and self._scene.gathered, self._scene.version if self._scene else 0
         if self._scene is None or self._must_read or (needs, placements) != (self._needs, self._placements):
-            worker.stop()  # it looks at surfaces that may change now
+            worker.stop()  # its thread reads surfaces that are modified here
             found = session.gather(engine, depsgraph, style, space)
             version += 1
         elif style != self._scene.style:
@@ -63,7 +63,8 @@ class Changes:
 
 
 def are_harmless(updates):
-    """Whether updates leave alone what is read of the scene. With a scene its objects are reported, as shaded anew."""
+    """Whether depsgraph updates do not affect what is read of the scene. An update of a Scene also reports its objects
+    as shading updates; these are ignored."""
     of_scene = any(isinstance(update.id, bpy.types.Scene) for update in updates)
     return bool(updates) and all(_is_harmless(update, of_scene) for update in updates)
 
@@ -77,13 +78,13 @@ def _is_harmless(update, of_scene):
 
 
 def _needs(style, density_map):
-    """What a style asks of the scene besides its shapes."""
+    """What must be read for a style besides geometry: (edge marks, colors, attributes and filters); to be compared."""
     marks = catalogue.read_edge_marks(style.line_sets)
     return marks, style.has_color(), notes.asked(style, density_map)
 
 
 def _shows(space):
-    """What of the scene a 3D view shows is in part its own."""
+    """The visibility settings of a 3D view itself (local view, local collections, object types); to be compared."""
     switches = [name for name in space.bl_rna.properties.keys() if name.startswith("show_object_viewport_")]
     own = space.local_view is not None, space.use_local_collections
     return *own, *(getattr(space, name) for name in switches)

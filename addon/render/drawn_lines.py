@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lines of a picture as polylines in space: what the pens draw of them, visible and hidden."""
+"""The drawn lines of a picture, visible and hidden, as polylines in world space."""
 
 from dataclasses import dataclass
 
@@ -8,28 +8,28 @@ import numpy as np
 from .. import line_arrays, native, pipeline
 from ..scene import scene
 
-_LEAST = 0.02  # share of a line that elision must leave
+_LEAST = 0.02  # runs with at most this opacity factor of elision are dropped
 
 
 @dataclass(frozen=True)
 class DrawnLines:
-    """R polylines of M points: those of polyline i are offsets[i] to offsets[i + 1]."""
+    """R polylines of M points: polyline i has the points offsets[i] to offsets[i + 1] - 1."""
 
     offsets: np.ndarray  # (R + 1,) int64
     points: np.ndarray  # (M, 3) float64, world space
     strength: np.ndarray  # (M,) float32 in [0, 1]
-    opacity: np.ndarray  # (M,) float32 in [0, 1], of the pen and of what elision leaves of the polyline
-    radius: np.ndarray  # (M,) float32, units of the scene: half the pen's width, as the camera sees it there
-    kinds: np.ndarray  # (M,) uint32, bit i: the registry's definition i, of the segment from the point
-    closed: np.ndarray  # (R,) bool, the last point is the first again
-    invisibility: np.ndarray  # (R,) uint8, how many surfaces hide it
-    line_set: np.ndarray  # (R,) uint8, index into the style's
-    pen: np.ndarray  # (R,) uint32, index into the style's `pens`
+    opacity: np.ndarray  # (M,) float32 in [0, 1], the pen's opacity times the polyline's opacity factor of elision
+    radius: np.ndarray  # (M,) float32, scene units: half the pen's width in pixels, unprojected at the point's depth
+    kinds: np.ndarray  # (M,) uint32 of the segment that starts at the point, bit i: the registry's definition i
+    closed: np.ndarray  # (R,) bool, the last point repeats the first
+    invisibility: np.ndarray  # (R,) uint8, quantitative invisibility: number of surfaces that hide it
+    line_set: np.ndarray  # (R,) uint8, index into the style's line sets
+    pen: np.ndarray  # (R,) uint32, index into the style's `pens()`
 
 
 def of(read, view, style, options, near=None):
-    """DrawnLines of what was Read, as a Style draws them in a View; without haloes and overshoot. `near`: the lines of
-    the frames around it, for elision smoothed in time."""
+    """DrawnLines of a Read scene for a Style and a View, without haloes and overshoot. `near`: {frame offset:
+    ShownLines} of neighboring frames, for elision smoothed in time."""
     core = native.load()
     seen = scene.seen(core, view)
     frame = pipeline.frame(read.placed, seen, style, core.CpuBackend(), options, notes=read.notes, near=near)
@@ -37,7 +37,7 @@ def of(read, view, style, options, near=None):
 
 
 def _drawn(found, view, style):
-    """DrawnLines of those of native Polylines that a pen draws and elision leaves."""
+    """DrawnLines of the native Polylines that have a pen and are not elided."""
     count, pen, left = np.diff(found.offsets.astype(np.int64)), found.pen, found.shown
     kept = (pen != native.UNSET) & (left > _LEAST)
     at = np.repeat(kept, count)
@@ -60,6 +60,6 @@ def _drawn(found, view, style):
 
 
 def _unit(view, position):
-    """(M,) units of the scene that a pixel covers at places in view space."""
+    """(M,) scene units per pixel at points (M, 3) in view space."""
     across = 2 / (view.view_to_clip[1, 1] * view.height)
     return np.full(len(position), across) if view.orthographic else across * -position[:, 2]

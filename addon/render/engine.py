@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The render engine: Blender's callbacks, each one call into the session or a viewport."""
+"""The render engine: Blender's callbacks, which forward to session.py and viewport.py."""
 
 import bpy
 from bpy.app.handlers import persistent
@@ -14,8 +14,8 @@ class FoveaEngine(bpy.types.RenderEngine):
     bl_use_eevee_viewport = True  # the material preview is EEVEE's
     bl_use_shading_nodes_custom = False
 
-    backend = None  # made when first needed
-    viewport = None  # what is kept for the viewport that this draws
+    backend = None  # created on first use
+    viewport = None  # viewport.Viewport, the state of the viewport that this engine draws
 
     def update_render_passes(self, scene=None, renderlayer=None):
         session.register_passes(self, scene, renderlayer)
@@ -33,7 +33,7 @@ class FoveaEngine(bpy.types.RenderEngine):
 
 @persistent
 def _forget(*_arguments):
-    """Another file comes, or the add-on goes."""
+    """Drops all state when another file is loaded or the add-on is unregistered."""
     viewport.stop()
     session.forget()
 

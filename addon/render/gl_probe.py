@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run by itself in a child process: makes an OpenGL 4.3 context as Blender without a window does, prints its renderer.
+"""Script for a child process: creates an OpenGL 4.3 context as Blender does in background mode, prints its renderer.
 
-Where that fails Blender would abort, so it is tried where nothing is lost. Exit code 0: usable.
+Blender aborts if this fails, so it is tried in a separate process first. Exit code 0: usable.
 """
 
 import ctypes
@@ -13,7 +13,7 @@ OPENGL_API = 0x30A2
 RENDERER = 0x1F01
 ATTRIBUTES = (0x3033, 0x0001, 0x3040, 0x0008, 0x3024, 8, 0x3023, 8, 0x3022, 8, 0x3038)  # pbuffer, OpenGL, RGB 8
 CORE_4_3 = (0x3098, 4, 0x30FB, 3, 0x30FD, 1, 0x3038)
-SURFACE = (0x3057, 1, 0x3056, 1, 0x3038)  # one pixel
+SURFACE = (0x3057, 1, 0x3056, 1, 0x3038)  # width and height 1 pixel
 
 
 def _ints(values):
@@ -28,7 +28,7 @@ def _function(library, name, result, *arguments):
 
 
 def renderer():
-    """Name of the OpenGL renderer of a fresh context; raises OSError where there is none."""
+    """GL_RENDERER of a new context; OSError if no context can be created."""
     egl = ctypes.CDLL("libEGL.so.1")
     address = _function(egl, "eglGetProcAddress", c_void_p, c_char_p)
     platform_display = address(b"eglGetPlatformDisplayEXT")

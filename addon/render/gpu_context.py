@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether renders get a GPU context. Blender reads that when it registers the engine: asking for one registers it anew.
+"""Decides whether renders get a GPU context. Blender reads `bl_use_gpu_context` when the engine class is registered, so
+requesting a context later registers the class again.
 
-A context costs memory and time, in software OpenGL (which runs on the CPU) more than it is worth: there only a scene
-that wants the GPU, or FOVEA_BACKEND=gpu, brings one.
+A context costs memory and time. With software OpenGL (on the CPU) that does not pay off; there only a scene with the
+device GPU, or FOVEA_BACKEND=gpu, requests one.
 """
 
 import functools
@@ -16,19 +17,19 @@ from bpy.app.handlers import persistent
 
 from ..scene.own_preferences import own
 
-SEEN = "FOVEA_GL_RENDERER"  # set for child processes: what the probe found, empty for nothing usable
+SEEN = "FOVEA_GL_RENDERER"  # environment variable that passes the probe's result to child processes; empty: unusable
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software")
 
-_engine = None  # the registered class
+_engine = None  # the registered engine class
 
 
 def available():
-    """Whether renders of this process get a context."""
+    """Whether renders of this process get a GPU context."""
     return bool(_engine and _engine.bl_use_gpu_context)
 
 
 def demand():
-    """A scene wants the GPU: renders get a context from now on, where one can be made."""
+    """Requests a GPU context for all further renders, if one can be created."""
     if _engine and not available() and gl_renderer() is not None:
         bpy.utils.unregister_class(_engine)
         _engine.bl_use_gpu_context = True
@@ -37,15 +38,16 @@ def demand():
 
 @functools.cache
 def gl_renderer():
-    """Name of the OpenGL renderer that a render in this process would get; None where it must not ask for one.
+    """Name of the OpenGL renderer that renders of this process would get ("window" with a window); None if no context
+    may be requested.
 
-    Blender without a window aborts when it is asked for a context that it cannot make, so a child process tries first.
+    In background mode Blender aborts if a requested context cannot be created, so a child process tries first.
     """
     if os.environ.get("FOVEA_BACKEND", "").lower() == "cpu":
         return None
     if not bpy.app.background:
         return "window"
-    # Elsewhere than on Linux there is no cheap way to know.
+    # The probe works on Linux only.
     if not sys.platform.startswith("linux") or (own() and not own().background_gpu):
         return None
     if SEEN not in os.environ:
@@ -70,7 +72,7 @@ def _file_loaded(*_arguments):
 
 
 def register(engine):
-    """Registers the engine class."""
+    """Registers the engine class, with a GPU context on hardware OpenGL or if FOVEA_BACKEND=gpu."""
     global _engine
     _engine = engine
     renderer = gl_renderer()

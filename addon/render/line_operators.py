@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a final render has of lines: as an image with alpha, and as objects."""
+"""Operators that output the lines of a final render: as an image with alpha, or as objects."""
 
 from contextlib import contextmanager
 from functools import partial
@@ -29,7 +29,7 @@ class _OfRender(Operator):
 
 @contextmanager
 def progress(context):
-    """A function to tell shares of the work to, shown at the pointer."""
+    """Context with a function progress(share, text) that shows the share in [0, 1] at the pointer."""
     manager = context.window_manager
     manager.progress_begin(0.0, 1.0)
     try:
@@ -57,7 +57,7 @@ class FOVEA_OT_render_lines(_OfRender, bpy.types.Operator):
 
 
 def image_of(name, pixels):
-    """A new image of (H, W, 4) float32, scene-linear, premultiplied; packed, so that it is saved and undone."""
+    """A new image from (H, W, 4) float32, scene-linear, premultiplied; packed, so that saving and undo include it."""
     height, width = pixels.shape[:2]
     image = bpy.data.images.new(name, width, height, alpha=True, float_buffer=True)
     image.alpha_mode = "PREMUL"
@@ -92,13 +92,13 @@ class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
         scene.collection.children.link(collection)
         for obj in made:
             collection.objects.link(obj)
-            # It is decided what is hidden, and lines of surfaces would be lost in them.
+            # Visibility is already resolved, and lines on surfaces would z-fight with them.
             obj.show_in_front = True
         self.report({"INFO"}, f"{len(lines.closed)} strokes in {len(made)} objects")
 
 
 def _lines(engine, depsgraph):
-    """DrawnLines of a final render's depsgraph, and the Style that draws them."""
+    """(DrawnLines, Style) for a final render's depsgraph."""
     chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.options()
     near = session.lines_near(engine, depsgraph, chosen, native.load().CpuBackend(), options)
     found = reading.Reader().read(depsgraph, chosen)

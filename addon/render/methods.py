@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which backend draws, and how it is decided what is hidden: the scene's properties, and what they come to."""
+"""The scene's settings for the backend and the visibility method, and how they are resolved."""
 
 import os
 
@@ -21,12 +21,12 @@ QUALITY = {
     "ATLAS": LOOKS,
     "SPINE": LOOKS,
     "ITEM_BUFFER": ("layers", "depth_scale"),
-}  # what can be chosen
+}  # visibility method -> settings of quality that it uses
 PROBES = [(str(n), str(n), "", n) for n in (1, 4, 9, 16)]
 
 
 def properties():
-    """Annotations of the scene's settings."""
+    """Property annotations for the scene's settings."""
     probes = "How often the depth buffer is looked into for every sample: more is smoother and slower"
     scale = "Texels of the depth buffer to a pixel, along each axis: more is more precise and slower"
     layers = "Lines that a texel of the item buffer holds"
@@ -39,17 +39,17 @@ def properties():
 
 
 def quality(settings):
-    """The part of the native Options that sampled methods heed."""
+    """The native Options that set the quality of sampled visibility, as a dict."""
     return {"probes": int(settings.probes), "depth_scale": settings.depth_scale, "layers": settings.layers}
 
 
 def choose(engine, settings, *, in_viewport):
-    """(backend, name of the visibility method) for a scene's settings. Call it where a picture is drawn: only there is
-    a GPU context.
+    """(backend, name of the visibility method) for a scene's settings. Call it only while drawing, when Blender's GPU
+    context is bound.
 
-    The environment's FOVEA_BACKEND goes before the scene's choice. Renders are exact unless they are told otherwise, so
-    that frames drawn on different machines do not differ; viewports are quick where the GPU is. The backend stays with
-    the engine, which lives as long as the context: through an animation, or while a viewport is open.
+    The environment variable FOVEA_BACKEND overrides the scene's setting. AUTO visibility is exact in renders, so that
+    frames from different machines agree, and the segment atlas in viewports with a hardware GPU. The backend is stored
+    in the engine, which lives as long as the context: through an animation, or while a viewport is open.
     """
     wanted = os.environ.get("FOVEA_BACKEND", settings.backend).upper()
     usable = wanted != "CPU" and gpu_context.available()
@@ -66,6 +66,6 @@ def choose(engine, settings, *, in_viewport):
 def _backend(name):
     if name == "cpu":
         return native.load().CpuBackend()
-    from ..gpu.backend import Backend  # loaded only where there is a GPU
+    from ..gpu.backend import Backend  # imported only if a GPU is used
 
     return Backend()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The frames before and after the one that is rendered, for elision smoothed in time.
+"""Neighboring frames of the rendered one, for elision smoothed in time.
 
-They are evaluated in the render's own depsgraph, as engines do for motion blur, also beyond the scene's range: so a
-frame rendered alone is that of the animation (simulations must be baked, as there). Nothing is kept from one frame to
-the next. Renders only."""
+They are evaluated in the render's depsgraph, as engines do for motion blur, also outside the scene's frame range: so a
+frame rendered alone equals that of the animation (simulations must be baked). Nothing is cached between frames. Final
+renders only."""
 
 from contextlib import contextmanager
 
@@ -11,8 +11,8 @@ from ..scene import camera
 
 
 def shown_lines(engine, depsgraph, frames, look):
-    """{how many frames later another is: look() there}, over so many frames to each side. Frames at which look is None
-    do not count, nor those that another camera sees: there is a cut between."""
+    """{frame offset: look()} for the offsets -frames .. frames except 0, with the depsgraph evaluated at that frame.
+    Left out are frames where look() is None and those with another active camera, which are beyond a cut."""
     found, seen_by = {}, camera.chosen(engine, depsgraph).name_full
     with _other_frames(engine, depsgraph.scene) as go:
         for away in range(-frames, frames + 1):
@@ -26,7 +26,7 @@ def shown_lines(engine, depsgraph, frames, look):
 
 @contextmanager
 def _other_frames(engine, scene):
-    """A function that evaluates an engine's depsgraph so many frames later; afterwards it is where it was."""
+    """Context with a function go(offset) that evaluates the engine's depsgraph at another frame; restores it after."""
     frame, subframe = scene.frame_current, scene.frame_subframe
     try:
         yield lambda away: engine.frame_set(frame + away, subframe=subframe)

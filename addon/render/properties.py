@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings on scenes, objects and materials. A scene says where to look, how to draw, and which style it draws with.
+"""Settings of scenes, objects and materials. A scene has the focus, the method of drawing and a pointer to its style.
 
-Styles are datablocks of their own: style_data.py.
+Styles are separate datablocks: style_data.py.
 """
 
 import bpy
@@ -15,9 +15,9 @@ from . import gpu_context, methods
 
 
 def style_of(scene):
-    """The Style a scene draws with, and where it looks; an evaluated scene's numbers are those of its frame.
+    """The Style of a scene, with focus and mix applied; of an evaluated scene, with the animated values of its frame.
 
-    Nothing is made here: scenes without a style draw the default one."""
+    Creates no datablocks: scenes without a style draw the default one."""
     tree, other = style_data.of(scene), scene.fovea.mixed_style
     chosen = style_read.read(tree) if tree else style_data.default()
     if scene.fovea.mix > 0.0 and style_data.is_style(other):
@@ -28,7 +28,7 @@ def style_of(scene):
 
 
 def density_map(scene):
-    """The image that says how dense lines may be in a scene, or None."""
+    """The image that controls the density of lines in elision, or None."""
     tree = style_data.of(scene)
     return tree.fovea.elision.density_image if tree else None
 
@@ -114,7 +114,7 @@ def _material_group():
 
 
 def _shape_properties():
-    """What is done to an object's mesh before it is drawn: subdivision.py and repair.py."""
+    """Settings for processing an object's mesh before drawing: subdivision.py and repair.py."""
     refine = "Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give"
     level = "Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end"
     length = {"subtype": "DISTANCE", "min": 0.0, "soft_max": 10.0, "step": 0.1, "precision": 4}
@@ -127,7 +127,7 @@ def _shape_properties():
     }
 
 
-_registered = []  # (type that has the settings, or None, group)
+_registered = []  # (Blender type that gets the settings, or None for a nested group; PropertyGroup)
 
 
 def register():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A scene read for pictures, operators and overlays, as the depsgraph that they have holds it."""
+"""Reads the scene of a depsgraph for pictures, operators and overlays."""
 
 import time
 from dataclasses import dataclass
@@ -11,27 +11,27 @@ from . import properties
 
 @dataclass(frozen=True)
 class Read:
-    """What a Style draws of a scene, whatever the view; nothing in it is Blender's."""
+    """Everything that a Style draws of a scene, independent of the view; references no Blender data."""
 
     snapshot: scene.Snapshot
     placed: object  # native Scene
-    colors: object  # native ColorSources, or None where there is no color layer to draw
+    colors: object  # native ColorSources, or None without a color layer
     notes: object  # native Overrides
-    built: tuple  # native Surfaces that were made for it
-    changed: bool  # surfaces were made or moved for it
-    remarks: tuple  # sentences about what could not be taken as it is
-    seconds: float  # that reading it took
+    built: tuple  # native Surfaces built in this read
+    changed: bool  # whether surfaces were built or moved in this read
+    remarks: tuple  # sentences about data that could not be used as it is
+    seconds: float  # duration of the read
 
 
 class Reader:
-    """Reads scenes; keeps what has not changed from one time to the next. `refit` as for a SurfaceCache."""
+    """Reads scenes and caches surfaces and colors between reads. `refit` as for a SurfaceCache."""
 
     def __init__(self, *, refit=False):
         core = native.load()
         self.surfaces, self.colors = surfaces.SurfaceCache(core, refit=refit), color_sources.ColorCache(core)
 
     def read(self, depsgraph, chosen, viewport=None, with_colors=False):
-        """What a Style draws. `viewport`: the SpaceView3D whose local view counts, or None."""
+        """The Read of a depsgraph for a Style. `viewport`: the SpaceView3D whose local view applies, or None."""
         start, core, cache = time.perf_counter(), native.load(), self.surfaces
         with_marks = catalogue.read_edge_marks(chosen.line_sets)
         colors = color_sources.Gathering(core, self.colors) if with_colors and chosen.has_color() else None
@@ -47,8 +47,8 @@ class Reader:
 
 
 def focus_of_pixels(read, view, focus, scale):
-    """(H, W) float32 in [0, 1]: focus of what each pixel of a View shows, at `scale` of its size; or None: all is in
-    focus. `read`: what was Read, None where focus is a place in the image."""
+    """(H, W) float32 in [0, 1]: focus (0: in focus) of the surface at each pixel of a View, at `scale` times its
+    resolution; None if everything is in focus. `read`: the Read scene; None if the focus is a place in the image."""
     seen = scene.seen(native.load(), view).smaller(scale)
     placed, noted = (read.placed, read.notes) if read else (None, None)
     chosen = style.Style(focus=focus)

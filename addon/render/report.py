@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Report: what of the scene a final render leaves out and why, how long the last picture took, and memory."""
+"""Report: objects that a final render leaves out and why, times of the last picture, and memory."""
 
 import sys
 from collections import Counter
@@ -14,11 +14,11 @@ from . import as_rendered, properties, reading, session
 
 TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
-USAGES = {  # of objects without lines, and what that means
+USAGES = {  # usages of objects that have no lines, explained
     "IGNORE": "is ignored, as its line drawing setting says",
     "OCCLUDE": "only hides what lies behind it, as its line drawing setting says",
 }
-STAGES = {  # of a picture, in words
+STAGES = {  # stages of a picture, with labels
     "near_frames": "frames around it",
     "ingest": "reading the scene",
     "bvh": "preparing rays",
@@ -34,12 +34,12 @@ STAGES = {  # of a picture, in words
     "paper": "paper",
     "depth": "depth pass",
 }
-_IN_POPUP = 24  # lines that a popup shows
-_NAMED = 3  # objects of many that have the same to be said of them
+_IN_POPUP = 24  # most lines in the popup
+_NAMED = 3  # most objects listed by name for the same reason
 
 
 def skipped(read, depsgraph):
-    """Sentences about what is not drawn, or not as it is."""
+    """Sentences about objects and mesh elements that are left out or altered."""
     told = list(read.remarks)
     for surface in read.snapshot.surfaces:
         if found := surfaces.remark(surface.name, surface.report):
@@ -49,7 +49,7 @@ def skipped(read, depsgraph):
 
 
 def _why_not(obj, read, depsgraph):
-    """Why an object has no lines; None where it has some, or where nobody would expect any."""
+    """Why an object has no lines; None if it has lines, or is of a type that has none (lights, say)."""
     if obj.type not in {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD", "VOLUME"}:
         return None
     if obj.fovea.usage in USAGES:
@@ -68,7 +68,7 @@ def _why_not(obj, read, depsgraph):
 
 
 def _hidden(obj, depsgraph):
-    """What hides an object from renders, or from viewports if that is what is read; None: nothing does."""
+    """Why an object is hidden in renders, or in viewports for a viewport depsgraph; None if it is not."""
     layer = depsgraph.view_layer
     if obj.name not in layer.objects:
         return f"is not in the view layer '{layer.name}'"
@@ -82,7 +82,7 @@ def _hidden(obj, depsgraph):
 
 
 def drawn(read):
-    """Lines about what is drawn."""
+    """Text lines on what is drawn: counts of placements, meshes and triangles."""
     surfaces, placed = read.snapshot.surfaces, Counter(read.snapshot.surface_of_placement.tolist())
     triangles = sum(len(surfaces[i].triangles) * count for i, count in placed.items())
     if not surfaces:
@@ -92,13 +92,13 @@ def drawn(read):
 
 
 def transparency(read):
-    """Lines about materials that hide nothing, or hide although something shows through them."""
+    """Text lines on materials that do not occlude, or occlude although they are partly transparent."""
     remarks = {slot.name: slot.remark for slots in read.snapshot.slots for slot in slots if slot.remark}
     yield from (f"'{name}' {remark}" for name, remark in sorted(remarks.items()))
 
 
 def times(statistics):
-    """Lines about the last picture's stages; `statistics` as of session.last_statistics."""
+    """Text lines on the last picture's stages; `statistics` as of session.last_statistics."""
     if not statistics:
         yield "No picture has been drawn yet"
         return
@@ -110,13 +110,13 @@ def times(statistics):
 
 
 def memory():
-    """Lines about this process: MB that it has, and has had at most, as far as the system tells."""
+    """Text lines on this process's memory: current and peak resident MB, as far as the system reports them."""
     status = Path("/proc/self/status")
     if status.exists():
         found = dict(line.split(":", 1) for line in status.read_text().splitlines() if ":" in line)
         yield f"Blender uses {_megabytes(found['VmRSS'])} MB, and has used {_megabytes(found['VmHWM'])} MB at most"
     elif sys.platform == "darwin":
-        import resource  # not there on Windows
+        import resource  # not available on Windows
 
         yield f"Blender has used {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 20} MB at most"
     else:
@@ -128,7 +128,7 @@ def _megabytes(text):
 
 
 def report(read, depsgraph, note=""):
-    """The whole report, in lines; a `note` goes before all."""
+    """The whole report as text lines, preceded by `note`."""
     curvature = session.last_statistics().get("curvature", {})
     parts = {
         "Drawn": list(drawn(read)),
@@ -147,7 +147,7 @@ def report(read, depsgraph, note=""):
 
 
 def grouped(reasons):
-    """Lines that say each of the reasons {name: reason} once."""
+    """Text lines for {name: reason}, with one line per reason and the names that share it."""
     names = {}
     for name, reason in reasons.items():
         names.setdefault(reason, []).append(f"'{name}'")
@@ -157,7 +157,7 @@ def grouped(reasons):
 
 
 def _lines(_engine, depsgraph, note=""):
-    """The report on a depsgraph's scene."""
+    """The report on a depsgraph's scene, as a list of text lines."""
     return list(report(reading.Reader().read(depsgraph, properties.style_of(depsgraph.scene_eval)), depsgraph, note))
 
 

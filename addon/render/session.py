@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Renders, and what they share with viewports: what is kept between pictures, and what the user hears when one cannot
-be drawn.
+"""Final renders, and what they share with viewports: caches between pictures, statistics, and error messages.
 
-Surfaces are kept per kind of depsgraph (final renders and viewports may hold different meshes and run side by side) and
-told apart by content.
+Surfaces are cached per depsgraph mode (final renders and viewports may have different meshes and run concurrently) and
+identified by content.
 """
 
 import logging
@@ -23,9 +22,9 @@ from . import methods, near_frames, properties, reading
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
 _statistics = {}
-_remarked = set()  # what has been said of styles
+_remarked = set()  # remarks on styles that were reported already
 
-PASSES = {  # besides the picture: channels, their names and kind
+PASSES = {  # besides Combined: number of channels, their names, type
     "Lines": (4, "RGBA", "COLOR"),
     "Color": (4, "RGBA", "COLOR"),
     "Focus": (1, "X", "VALUE"),
@@ -34,9 +33,9 @@ PASSES = {  # besides the picture: channels, their names and kind
 
 
 def last_statistics():
-    """Of the last picture: stages {name: ms}, backend, visibility (the method in words), strokes, triangles, curvature
-    {object: how it was estimated, and why; where a line needed it}, and lines_s: the seconds from Blender's evaluated
-    meshes (reading them and building what rays need included) to visible runs."""
+    """Statistics of the last picture: stages {name: ms}; backend; visibility, the method in words; strokes and
+    triangles, counts; curvature {object: which estimator, and why}, only of objects whose curvature was needed; and
+    lines_s, seconds from Blender's evaluated meshes to visible runs, including reading them and building the BVH."""
     return dict(_statistics)
 
 
@@ -55,7 +54,7 @@ def register_passes(engine, scene_, layer):
 
 
 def _style_of(scene_):
-    """A scene's Style; None where there is none: drawing will say what is wrong."""
+    """A scene's Style; None on an error, which is reported when the scene is drawn."""
     try:
         return properties.style_of(scene_)
     except TOLD:
@@ -63,7 +62,7 @@ def _style_of(scene_):
 
 
 def render(engine, depsgraph):
-    """Draws one view layer of a final render. Without a result Blender writes no file."""
+    """Draws one view layer of a final render. On an error no result is passed on, so Blender writes no file."""
     what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
     with reported(lambda message: engine.report({"ERROR"}, message), what):
         image = final_image(engine, depsgraph)
@@ -77,7 +76,7 @@ def render(engine, depsgraph):
 
 @contextmanager
 def reported(tell, what="this view"):
-    """Turns what goes wrong while `what` is drawn into one sentence for the user."""
+    """Context that passes errors to tell(sentence) instead of raising them. `what`: what is drawn, for messages."""
     try:
         yield
     except TOLD as problem:
@@ -90,7 +89,8 @@ def reported(tell, what="this view"):
 
 
 def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
-    """What is Read of the depsgraph's scene for a Style. `viewport`: its SpaceView3D; None for a final render."""
+    """The Read of the depsgraph's scene for a Style, reported and cached. `viewport`: its SpaceView3D; None for a final
+    render. CannotDraw if the scene is empty."""
     if depsgraph.mode not in readers:
         readers[depsgraph.mode] = reading.Reader(refit=depsgraph.mode == "VIEWPORT")
     found = readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors)
@@ -103,14 +103,14 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
 
 
 def draw(found, seen, chosen, backend, options, progress, cancel, near=None):
-    """The Image of what was Read as a native View sees it; touches nothing of Blender's unless the backend does.
-    `near`: the lines of the frames around it, for elision smoothed in time."""
+    """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: {frame
+    offset: ShownLines} of neighboring frames, for elision smoothed in time."""
     beside = {"colors": found.colors, "notes": found.notes, "near": near}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
 def final_image(engine, depsgraph, **how):
-    """The Image of a final render of the depsgraph's scene, or None when the user stopped it; `how` as for `final`."""
+    """The Image of a final render of the depsgraph's scene, or None if the user canceled it; `how` as for `final`."""
     made = final(engine, depsgraph, **how)
     if made:
         note_statistics(*made)
@@ -118,9 +118,9 @@ def final_image(engine, depsgraph, **how):
 
 
 def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
-    """What is Read for a final render of the depsgraph's scene, what `make` makes of it (arguments as those of
-    `draw`), and the seconds that other frames took; or None when the user stopped it. `lines_alone`: without what is
-    under them, focus and depth. `tell(share, stage)` hears how far it is; None: Blender does."""
+    """(Read, result of `make`, seconds spent on neighboring frames) for a final render of the depsgraph's scene, or
+    None if the user canceled it. `make`: called with the arguments of `draw`. `lines_alone`: without colors and without
+    the focus and depth passes. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
@@ -132,7 +132,7 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
             start = time.perf_counter()
             near = lines_near(engine, depsgraph, chosen, backend, options, cancel)
             near_s = time.perf_counter() - start if near else 0.0
-            # After the others: surfaces that move are as they were gathered last.
+            # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
             found = gather(engine, depsgraph, chosen, with_colors=not lines_alone)
             return found, make(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near), near_s
         except core.Cancelled:
@@ -140,15 +140,15 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
 
 
 def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
-    """What elision smoothed in time needs to know of the frames around a final render's, if the Style wants it."""
+    """{frame offset: ShownLines} of a final render's neighboring frames, for elision smoothed in time; else {}."""
     frames = pipeline.frames_near(chosen, options)
     look = partial(_shown_lines, engine, depsgraph, backend, options, cancel)
     return near_frames.shown_lines(engine, depsgraph, frames, look) if frames else {}
 
 
 def _shown_lines(engine, depsgraph, backend, options, cancel):
-    """What elision leaves of the lines of the frame at which a final render's depsgraph is now, in its own style."""
-    chosen = properties.style_of(depsgraph.scene_eval)  # only this has what is keyed as it is at that frame
+    """ShownLines of the frame that a final render's depsgraph is evaluated at; None if nothing is elided there."""
+    chosen = properties.style_of(depsgraph.scene_eval)  # the evaluated scene has the animated values of that frame
     found = gather(engine, depsgraph, chosen, with_colors=False)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
@@ -162,7 +162,7 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
 
 @contextmanager
 def watched(engine, cancel):
-    """Stops what runs natively soon after the user asks for it."""
+    """Context that cancels native work when the user cancels the render; polls every 50 ms in a thread."""
     done = threading.Event()
 
     def watch():
@@ -186,7 +186,7 @@ def _progress(engine, share, text):
 
 
 def report_skipped(engine, built, remarks=()):
-    """Says once per mesh what of it was left out or looks wrong."""
+    """Reports remarks and, once per newly built surface, what of its mesh was left out or looks wrong."""
     for sentence in remarks:
         engine.report({"INFO"}, sentence)
     for surface in built:
@@ -195,7 +195,7 @@ def report_skipped(engine, built, remarks=()):
 
 
 def report_unknown(engine, chosen):
-    """Says once what a style has that nothing here reads."""
+    """Reports unknown fields of a style, once."""
     remark = style.remark(chosen)
     if remark and remark not in _remarked:
         _remarked.add(remark)
@@ -203,8 +203,7 @@ def report_unknown(engine, chosen):
 
 
 def note_statistics(found, image, near_s=0.0):
-    """Keeps what `last_statistics` tells of the Image of what was Read. `near_s`: the seconds that other frames
-    took, if any were asked."""
+    """Stores the `last_statistics` of an Image and its Read. `near_s`: seconds spent on neighboring frames, or 0."""
     snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}
     if near_s:
         stages["near_frames"] = 1000 * near_s
@@ -225,8 +224,8 @@ def note_statistics(found, image, near_s=0.0):
 
 
 def _hand_over(engine, layer, passes):
-    """Gives the passes {name: (H, W) or (H, W, 4)} of one view layer to Blender. Empties the dict as it goes: Blender
-    holds each pass twice until it has merged them."""
+    """Passes {name: (H, W) or (H, W, 4)} of one view layer to Blender. Empties the dict to save memory: Blender holds
+    each pass twice until it has merged them."""
     for name, (count, channels, _) in PASSES.items():
         if passes[name] is not None:
             engine.add_pass(name, count, channels, layer=layer.name)
@@ -241,7 +240,7 @@ def _hand_over(engine, layer, passes):
 
 
 def forget():
-    """Another file: nothing that is kept belongs to it."""
+    """Clears all caches, as another file is loaded."""
     readers.clear()
     _statistics.clear()
     _remarked.clear()

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A 3D viewport in Rendered shading: drawn within a budget while something changes, refined when it rests.
+"""A 3D viewport in Rendered shading: drawn within a time budget while something changes, refined when it rests.
 
-Pictures are drawn beside the interface (worker.py) from what was read of the scene, which is read again only when
-Blender reports that something of it has changed (changes.py). A draw of the region waits a little for its picture, then
-shows the last one there is; the rest is up to caretaker.py. The gpu backend needs Blender's context, so it draws while
-the region is drawn.
+The cpu backend draws in a thread (worker.py) from the scene as read, which is read again only when Blender reports a
+relevant change (changes.py). A draw of the region waits up to PATIENCE for its picture, then shows the last one;
+caretaker.py redraws the region later. The gpu backend needs Blender's GPU context, so it draws synchronously.
 """
 
 import time
@@ -19,15 +18,15 @@ from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
 from . import caretaker, changes, methods, session, worker
 
-PATIENCE = 0.25  # seconds that draws of the region wait for a picture
-WORD = 0.3  # seconds between words in the header about what is under way
+PATIENCE = 0.25  # seconds that a draw of the region waits for its picture
+WORD = 0.3  # seconds between progress messages in the header
 
-_of_region = weakref.WeakValueDictionary()  # region's address -> Viewport
+_of_region = weakref.WeakValueDictionary()  # address of a region -> its Viewport
 
 
 @dataclass(frozen=True)
 class _Wanted:
-    """What a viewport is to show; with equal keys it looks the same."""
+    """What a viewport should show; equal keys give equal pictures."""
 
     key: tuple
     view: object  # stages.View
@@ -38,7 +37,7 @@ class _Wanted:
 
 @dataclass(frozen=True)
 class _Picture:
-    """What it shows, or is about to."""
+    """A picture that is shown or about to be."""
 
     wanted: _Wanted
     quality: int  # index of budget.QUALITIES
@@ -46,12 +45,12 @@ class _Picture:
 
 
 def update(engine, depsgraph):
-    """Blender has updated the scene that a viewport shows."""
+    """Callback: Blender has updated the depsgraph of a viewport."""
     _viewport(engine).changes.note(depsgraph.updates)
 
 
 def draw(engine, context, depsgraph):
-    """Blender draws the region of a viewport."""
+    """Callback: Blender draws the region of a viewport."""
     viewport = _of_region[context.region.as_pointer()] = _viewport(engine)
     with session.reported(lambda message: engine.update_stats("Fovea", message)):
         try:
@@ -62,8 +61,7 @@ def draw(engine, context, depsgraph):
 
 
 def gathered(context):
-    """What the context's viewport shows, as it was Read for the picture that was drawn last; None where Fovea draws
-    none there."""
+    """The Read scene of the picture that the context's viewport wants now; None if Fovea does not draw there."""
     if context.engine != "FOVEA" or context.space_data.shading.type != "RENDERED":
         return None
     viewport = _of_region.get(context.region.as_pointer())
@@ -77,21 +75,21 @@ def _viewport(engine):
 
 
 class Viewport:
-    """What is kept for one viewport."""
+    """State of one viewport."""
 
     def __init__(self):
         self.changes = changes.Changes()
         self.budget = budget.Budget()
         self._programs = gpu_program.Programs()
         self.wanted = self.shown = self.job = None
-        self._warm = None  # what was Read for the picture that was made last
+        self._warm = None  # Read scene of the last finished picture
         self.playing = False
         self._said_at = 0.0
 
     def draw(self, engine, context, depsgraph):
         """Draws the region."""
         view, job, start = camera.of_region(context, depsgraph), worker.running(), time.monotonic()
-        # A draft that takes its time is let finish: else nothing new would be seen before all comes to rest.
+        # A slow draft is finished, not restarted: else nothing new would be shown until the view rests.
         if job is None or not job.draft or job.wait(job.started + PATIENCE - start):
             self._take(engine)
             before = self.wanted
@@ -106,18 +104,18 @@ class Viewport:
             self.shown.image.show(self._programs, engine, depsgraph.scene, *size)
 
     def is_final(self):
-        """Whether nothing better can be shown for now."""
+        """Whether the picture shown is current and needs no refinement now."""
         return self._is_current() and (self.playing or self.shown.quality == 0)
 
     def forget(self):
-        """Lets go of what is shown and wanted."""
+        """Drops the wanted and the shown picture."""
         self.wanted = self.shown = None
 
     def _is_current(self):
         return self.shown is not None and self.wanted is not None and self.shown.wanted.key == self.wanted.key
 
     def _want(self, engine, context, depsgraph, view):
-        """Finds out what is to be seen."""
+        """Updates `wanted` and `playing` from the context."""
         self.playing = context.screen.is_animation_playing
         scene = self.changes.read(engine, depsgraph, context.space_data)
         backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
@@ -127,7 +125,7 @@ class Viewport:
             self.wanted = _Wanted(key, view, scene, options, backend)
 
     def _draw(self, engine, budget_ms, deadline):
-        """Begins what is to be drawn next, and takes it if it is made before the deadline."""
+        """Starts the next draft or refinement, if any, and shows it if it is done before the deadline (monotonic s)."""
         if not self._is_current():
             cold = self._is_cold(self.wanted)
             self._start(self.budget.choose(budget_ms, self.shown and self.shown.quality, cold=cold), draft=True)
@@ -138,7 +136,7 @@ class Viewport:
             self._take(engine)
 
     def _is_cold(self, wanted):
-        """Whether a picture is the first one of a scene that has changed."""
+        """Whether a picture is the first one of a changed scene."""
         return wanted.scene.gathered.changed and wanted.scene.gathered is not self._warm
 
     def _in_thread(self):
@@ -155,7 +153,7 @@ class Viewport:
             self.job.run()
 
     def _take(self, engine):
-        """Shows what the job has made, if it is done."""
+        """Shows the result of the job if it is done; raises its error."""
         if self.job is None or not self.job.done:
             return
         job, self.job = self.job, None
@@ -172,7 +170,8 @@ class Viewport:
             engine.update_stats("", "")
 
     def look_after(self, engine):
-        """What is to be done between draws of the region; whether to come again."""
+        """Timer callback between draws of the region: starts refinements and requests redraws. Returns whether to call
+        it again."""
         job = self.job
         if job is None:
             if self.is_final():
@@ -186,13 +185,13 @@ class Viewport:
             self.tell(engine, job)
             return True
         elif job.result is None and job.error is None:
-            self.job = None  # stopped
+            self.job = None  # canceled
             return True
         engine.tag_redraw()
         return False
 
     def tell(self, engine, job):
-        """A word to the user now and then."""
+        """Shows a job's progress in the header, at most every WORD seconds."""
         now = time.monotonic()
         if now > max(job.started, self._said_at) + WORD:
             share, text = job.told
@@ -201,13 +200,13 @@ class Viewport:
             self._said_at = now
 
     def stop(self):
-        """The viewport is no more."""
+        """Cancels its job when the viewport is closed."""
         if self.job:
             self.job.stop()
 
 
 def _made(wanted, quality, tell, cancel):
-    """The _Picture that is wanted, in this quality."""
+    """Draws the _Picture for a _Wanted in a quality (index)."""
     chosen = budget.QUALITIES[quality]
     style = budget.simplified(wanted.scene.style, chosen)
     outlines = budget.outlines(wanted.scene.style, chosen)
@@ -218,11 +217,11 @@ def _made(wanted, quality, tell, cancel):
 
 
 def _seen(view):
-    """A View, to be compared."""
+    """A View as a tuple that can be compared."""
     return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in vars(view).values())
 
 
 def stop():
-    """Ends all that is under way: another file comes, or the add-on goes."""
+    """Cancels all jobs and timers, before another file is loaded or the add-on is unregistered."""
     worker.stop()
     caretaker.stop()

@@ -1,35 +1,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws beside the interface: one picture at a time, in a thread that touches nothing of Blender's.
+"""Draws pictures in a background thread, one at a time, without access to Blender data.
 
-Native calls let go of Python's lock, so Blender goes on meanwhile. Surfaces are shared between pictures, so whoever
-changes one (reads a mesh that has changed) stops the drawing first.
+Native calls release Python's global interpreter lock, so Blender stays responsive. Pictures share surfaces, so code
+that modifies one (by reading a changed mesh) must stop the worker first.
 """
 
 import threading
 import time
 
-_current = None  # the Job that runs, or ran last
+_current = None  # the Job that is running, or ran last
 
 
 class Job:
-    """One picture on its way. `work(progress)` makes it, raising `cancelled` soon after `cancel.cancel()`."""
+    """The drawing of one picture. `work(progress)` returns it, and raises `cancelled` soon after `cancel.cancel()`."""
 
     def __init__(self, work, cancel, cancelled, *, draft):
-        self.draft = draft  # to be shown though the view has moved on meanwhile
+        self.draft = draft  # shown even if the view has changed meanwhile
         self.result = self.error = None
-        self.told = (0.0, "")  # share that is done, and what is being done
+        self.told = (0.0, "")  # progress: share in [0, 1], stage
         self.started = time.monotonic()
         self._work, self._cancel, self._cancelled = work, cancel, cancelled
         self._done = threading.Event()
         self._thread = threading.Thread(target=self.run, name="Fovea viewport", daemon=True)
 
     def run(self):
-        """Makes the picture, here and now."""
+        """Draws the picture in the calling thread."""
         try:
             self.result = self._work(self._progress)
         except self._cancelled:
             pass
-        except Exception as error:  # told by whoever asked for the picture
+        except Exception as error:  # raised again by the Viewport
             self.error = error
         finally:
             self._done.set()
@@ -42,21 +42,21 @@ class Job:
         return self._done.is_set()
 
     def wait(self, seconds):
-        """Whether it is done within this time."""
+        """Waits up to this many seconds; returns whether it is done."""
         return self._done.wait(max(0.0, seconds))
 
     def start(self):
         self._thread.start()
 
     def stop(self):
-        """Returns when it has stopped."""
+        """Cancels it and blocks until its thread has ended."""
         self._cancel.cancel()
         if self._thread.ident is not None:
             self._thread.join()
 
 
 def start(job):
-    """Starts a job, in place of one that still runs."""
+    """Starts a job after canceling the running one."""
     global _current
     stop()
     _current = job
@@ -64,12 +64,12 @@ def start(job):
 
 
 def running():
-    """The Job that runs, or None."""
+    """The running Job, or None."""
     return _current if _current and not _current.done else None
 
 
 def stop():
-    """Stops what runs, and returns when it has stopped."""
+    """Cancels the running job and blocks until it has ended."""
     global _current
     if _current:
         _current.stop()

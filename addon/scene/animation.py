@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keyed and driven numbers of what stands in lists, line sets and places to look at: their paths say the place in the
-list, so they follow it when it moves."""
+"""Keeps F-curves and drivers of list elements (line sets, focus points) on their elements when a list is reordered: RNA
+paths contain the index."""
 
 import re
 
@@ -9,7 +9,8 @@ FOCUS_POINT = re.compile(r"(fovea\.focus_points\[)(\d+)(\].*)")
 
 
 def follow(animated, places, path=LINE_SET):
-    """Element i of a list of a style, or of a scene, is now at places[i]; None: it is gone, and what animates it."""
+    """Updates the animation of an ID after a list was edited: element i is now at places[i]; None: it was removed, so
+    its F-curves and drivers are, too. `path`: pattern of RNA paths into the list, with the index as group 2."""
     data = animated.animation_data
     for owner in (data.drivers, *curves(animated)) if data else ():
         for channel in list(owner):
@@ -24,7 +25,7 @@ def follow(animated, places, path=LINE_SET):
 
 
 def own_action(tree):
-    """A copy of a style shall be animated by itself."""
+    """Gives a copied style its own copy of the action, keeping the assigned slot."""
     data = tree.animation_data
     if data and data.action:
         slot = getattr(data, "action_slot", None)
@@ -35,7 +36,7 @@ def own_action(tree):
 
 
 def curves(animated):
-    """The collections of F-curves of an ID that has animation data; their home moved when actions got layers."""
+    """Yields the F-curve collections of an ID with animation data, for legacy and for layered actions."""
     data = animated.animation_data
     if data.action is None:
         return

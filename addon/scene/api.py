@@ -8,9 +8,9 @@
     fovea.lines("suggestive_contour")["points"]                     # as the scene's camera sees it
     fovea.lines("crease", [bpy.context.object], visible=True, angle=30)["px"]
 
-All is that of the evaluated scene, modifiers included: as viewports show it, unless a depsgraph is given, as
-as_rendered.look does with that of a final render. Arrays may be views of native memory: copy before you write.
-What cannot be done raises ValueError, CannotDraw, or native.Unavailable with one sentence that says why.
+Everything is read from the evaluated scene with modifiers: as in viewports, unless a depsgraph is given (that of a
+final render comes from as_rendered.look). Arrays may be views of native memory: copy them before writing. Errors are
+ValueError, CannotDraw or native.Unavailable, with a one-sentence message.
 """
 
 import bpy
@@ -29,17 +29,17 @@ def definitions():
 
 
 def surfaces(depsgraph=None):
-    """{object name: native Surface} of all that is drawn, in the objects' own space.
+    """{object name: native Surface} of all objects that are drawn, in object space.
 
-    A Surface has positions (V, 3) float32, triangles (T, 3) uint32, edges (E, 2), and report: {what: how many elements
-    were left out or look wrong}.
+    A Surface has positions (V, 3) float32, triangles (T, 3) uint32, edges (E, 2), and report: counts of elements that
+    were left out or look wrong.
     """
     snapshot = _snapshot(depsgraph or bpy.context.evaluated_depsgraph_get())
     return {name: snapshot.surfaces[i] for name, i in zip(snapshot.objects, snapshot.surface_of_placement)}
 
 
 def surface(obj, depsgraph=None):
-    """The native Surface of an object; refined and repaired as its settings say. ValueError where it has none."""
+    """The native Surface of an object, refined and repaired according to its settings. ValueError if it has none."""
     found = surfaces(depsgraph).get(obj.name)
     if found is None:
         raise ValueError(f"'{obj.name}' has no surface in this scene: it is no mesh, hidden, or set to be ignored")
@@ -49,10 +49,10 @@ def surface(obj, depsgraph=None):
 def fields(of, estimator="automatic", degree=0, rings=0):
     """Curvature at the vertices of a native Surface or an object: a dict of normal (V, 3), k1, k2 (V,) float32 with
     |k1| >= |k2|, in 1 / object units and positive where the surface curves away from the normal; feature_size, the
-    length that thresholds are relative to; reason: which estimator was taken, and why.
+    length that thresholds are relative to; reason: which estimator was used, and why.
 
-    estimator: automatic, jets (Cazals & Pouget 2003; degree 2 to 4 over so many rings, 0: by how noisy the mesh is) or
-    one_ring (Rusinkiewicz 2004).
+    estimator: automatic, jets (Cazals & Pouget 2003; degree 2 to 4 over that many rings; 0: chosen from the mesh's
+    noise) or one_ring (Rusinkiewicz 2004).
     """
     of = surface(of) if isinstance(of, bpy.types.Object) else of
     found = of.fields(estimator, degree, rings)
@@ -70,13 +70,13 @@ def lines(
     corner_angle=60.0,
     **parameters,
 ):
-    """Lines of one definition as polylines in world space: the dict of arrays that line_arrays.whole gives, and with
-    `visible` that of line_arrays.seen (with `hidden`, what surfaces hide, too); beside these object: (R,) names of the
-    objects that the polylines are of, empty for lines of the image.
+    """Lines of one definition as polylines in world space: the dict of line_arrays.whole (all paths) or, with
+    `visible`, of line_arrays.seen (visible runs; with `hidden`, hidden ones as well), plus object: (R,) name of each
+    polyline's object, "" for image-space lines.
 
-    definition: a name of `definitions()`; its parameters by name, in the registry's units (angles in degrees).
-    objects: whose lines; None: all. Others still hide lines. camera: an object, None: the scene's. Paths end at corners
-    sharper than corner_angle (degrees).
+    definition: a name in `definitions()`; its parameters by name, in the registry's units (angles in degrees).
+    objects: the objects whose lines are returned, None: all; the others still occlude. camera: an object, None: the
+    scene's. Paths are split at corners sharper than corner_angle (degrees).
     """
     core = native.load()
     kinds = {definition: style.parameters(definition, parameters, "lines")}
@@ -102,7 +102,7 @@ def lines(
 
 
 def _to_world(found, placement, object_to_world):
-    """Moves whole paths, but those of the image, from the objects' spaces."""
+    """Transforms whole paths in place from object to world space, except image-space lines, which are there already."""
     of_point = np.repeat(placement.astype(np.int64), np.diff(found["offsets"]))
     placed = of_point != native.UNSET
     found["points"][placed] = line_arrays.placed(found["points"][placed], object_to_world[of_point[placed]])

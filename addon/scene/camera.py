@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cameras as the pipeline takes them: a world-to-view and a view-to-clip matrix, in float64, and the drawn region.
+"""Converts Blender's cameras to Views: world-to-view and view-to-clip matrices in float64, and the drawn region.
 
-As in Blender any object may be the scene's camera: `calc_matrix_camera` gives those that are none a projection, too (a
-light's is as wide as its spot)."""
+As in Blender, an object of any type may be the scene's camera: `calc_matrix_camera` returns a projection for it, too (a
+spot light's has the width of its cone)."""
 
 import numpy as np
 
 from ..stages import REFERENCE_HEIGHT, View
 from .problem import CannotDraw
 
-LEAST_VOLUME = 1e-6  # that a camera's normalized axes span
-OBJECT_CLIP = 0.1, 100.0  # near and far of Blender's projection for objects that are no cameras
+LEAST_VOLUME = 1e-6  # smallest |determinant| accepted for a camera's normalized axes
+OBJECT_CLIP = 0.1, 100.0  # near and far of Blender's projection for objects that are not cameras
 
 
 def of_render(engine, depsgraph):
-    """The View of a final render, border and resolution percentage included."""
+    """The View of a final render, including its border and resolution percentage."""
     camera = chosen(engine, depsgraph).evaluated_get(depsgraph)
     return _of_frame(camera, engine_matrix(engine, camera), depsgraph, engine.resolution_x, engine.resolution_y)
 
 
 def of_scene(depsgraph, camera=None):
-    """The View of what a final render would show from a camera, the scene's where none is named."""
+    """The View of a final render from `camera`; None: the scene's."""
     render = depsgraph.scene.render
     camera = _checked(camera or depsgraph.scene.camera).evaluated_get(depsgraph)
     size = (render.resolution_x, render.resolution_y)
@@ -46,17 +46,17 @@ def _of_frame(camera, camera_to_world, depsgraph, width, height):
 
 
 def chosen(engine, depsgraph):
-    """The camera of a final render."""
+    """The camera object of a final render."""
     return _checked(engine.camera_override or depsgraph.scene.camera)
 
 
 def engine_matrix(engine, camera):
-    """Camera to world without scale, as Blender renders it (for the eye of a stereo pair, if that is rendered)."""
+    """Camera-to-world matrix without scale, as Blender renders it; of the eye being rendered in stereo."""
     return engine.camera_model_matrix(camera, use_spherical_stereo=False)
 
 
 def in_frame(depsgraph, at):
-    """(x, y) where the scene camera's frame shows a place in world coordinates: from 0 to 1, from the lower left."""
+    """Projects world coordinates into the scene camera's frame: (x, y), 0 to 1 from the lower left corner."""
     camera, render = depsgraph.scene.camera.evaluated_get(depsgraph), depsgraph.scene.render
     full = _projection(camera, depsgraph, render.resolution_x, render.resolution_y)
     clip = full @ _world_to_view(camera, camera.matrix_world.normalized()) @ (*at, 1.0)
@@ -73,7 +73,7 @@ def of_region(context, depsgraph):
     scale, frame = region.height / REFERENCE_HEIGHT, (0, 0, region.width, region.height)
     if region_3d.view_perspective == "CAMERA":
         camera = _checked(space.camera or depsgraph.scene.camera).evaluated_get(depsgraph)
-        _world_to_view(camera, camera.matrix_world.normalized())  # the region's own is no inverse where there is none
+        _world_to_view(camera, camera.matrix_world.normalized())  # raises if singular; view_matrix would be invalid
         near, far = _clip_distances(camera, (near, far))
         frame = _frame(camera, depsgraph, view_to_clip, region)
         scale = frame[3] / REFERENCE_HEIGHT
@@ -83,7 +83,7 @@ def of_region(context, depsgraph):
 
 
 def _checked(camera):
-    """The camera, when it is one that can be drawn with."""
+    """The camera. CannotDraw if it is None or its type is not supported."""
     if camera is None:
         raise CannotDraw("The scene has no camera: add one, or make one the scene's active camera")
     if camera.type == "CAMERA" and camera.data.type not in {"PERSP", "ORTHO"}:
@@ -95,7 +95,7 @@ def _checked(camera):
 
 
 def _projection(camera, depsgraph, width, height):
-    """(4, 4) view to clip space of the full frame, width x height pixels."""
+    """(4, 4) view-to-clip matrix of the full frame of width x height pixels. CannotDraw if it is degenerate."""
     render = depsgraph.scene.render
     aspect = {"scale_x": render.pixel_aspect_x, "scale_y": render.pixel_aspect_y}
     found = np.array(camera.calc_matrix_camera(depsgraph, x=width, y=height, **aspect), np.float64)
@@ -107,7 +107,7 @@ def _projection(camera, depsgraph, width, height):
 
 
 def _clip_distances(camera, otherwise):
-    """Near and far, in units of the scene; `otherwise`: those of objects that are no cameras."""
+    """(near, far) in scene units; `otherwise`: returned for objects that are not cameras. CannotDraw if near >= far."""
     if camera.type != "CAMERA":
         return otherwise
     near, far = camera.data.clip_start, camera.data.clip_end
@@ -120,7 +120,7 @@ def _clip_distances(camera, otherwise):
 
 
 def _world_to_view(camera, camera_to_world):
-    """(4, 4) inverse of where a camera is."""
+    """(4, 4) inverse of a camera-to-world matrix. CannotDraw if it is singular."""
     matrix = np.array(camera_to_world, np.float64)
     if not (np.isfinite(matrix).all() and abs(np.linalg.det(matrix[:3, :3])) > LEAST_VOLUME):
         raise CannotDraw(
@@ -138,7 +138,7 @@ def _border(render, width, height):
 
 
 def _crop(width, height, left, bottom, right, top):
-    """(4, 4) matrix on clip space that makes a part of the frame the whole."""
+    """(4, 4) matrix on clip space that maps a part of the frame (pixels) to the whole clip range."""
     crop = np.eye(4)
     crop[0, 0], crop[1, 1] = width / (right - left), height / (top - bottom)
     crop[0, 3] = (width - left - right) / (right - left)
@@ -147,10 +147,10 @@ def _crop(width, height, left, bottom, right, top):
 
 
 def _frame(camera, depsgraph, view_to_clip, region):
-    """Left, lower, width and height of the camera's frame in pixels of the viewport that shows it."""
+    """(left, lower, width, height) of the camera's frame in pixels of the viewport's region."""
     render = depsgraph.scene.render
     full = _projection(camera, depsgraph, render.resolution_x, render.resolution_y)
-    # From the frame to the viewport, both from -1 to 1: a zoom and a shift.
+    # Maps clip space of the frame to that of the viewport: a scale and a translation.
     placed = view_to_clip @ np.linalg.inv(full)
     size, middle = np.diag(placed)[:2] / placed[3, 3], placed[:2, 3] / placed[3, 3]
     region_size = np.array((region.width, region.height))
@@ -159,7 +159,8 @@ def _frame(camera, depsgraph, view_to_clip, region):
 
 
 def _in_front(world_to_view, view_to_clip):
-    """An orthographic viewport sees behind its eye, too: moves the eye back, so that near becomes positive."""
+    """Moves the eye of an orthographic viewport, whose clip range extends behind it, back so that near is positive.
+    Returns (world_to_view, view_to_clip, near, far)."""
     depth, offset = view_to_clip[2, 2], view_to_clip[2, 3]
     near, far = (offset + 1.0) / depth, (offset - 1.0) / depth
     start = 1e-3 * (far - near)

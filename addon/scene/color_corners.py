@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Attributes of a mesh at the corners of its native surface."""
+"""UV maps and attributes of a mesh, as arrays over the corners of its native surface."""
 
 import weakref
 
@@ -11,9 +11,10 @@ COLORS = {"FLOAT_COLOR", "BYTE_COLOR"}
 
 
 class Corners:
-    """Read when first asked for; `uvs` and `attributes` hold what was. `cage()`: a context with the mesh whose corners
-    were refined, where the surface is a refined one; else the mesh's are the surface's own. `known`: what is kept from
-    picture to picture of refined ones, for evaluating a cage takes as long as evaluating the object."""
+    """Reads arrays over the C corners on demand and collects them in `uvs` and `attributes`. If the surface is a
+    refined one, values are read from the mesh in the context `cage()` and interpolated to the refined corners; else the
+    corners are those of `mesh`. `known`: dict that caches refined arrays between pictures, because evaluating a cage
+    takes as long as evaluating the object."""
 
     def __init__(self, core, obj, mesh, surface, cage, known):
         self._core, self._name, self._mesh = core, obj.name_full, mesh
@@ -23,11 +24,11 @@ class Corners:
         self.uvs, self.attributes = [], []
 
     def normals(self):
-        """(C, 3) as Blender shades; None: those of the limit surface."""
+        """(C, 3) Blender's corner normals; None for a refined surface, which uses limit normals."""
         return None if self._cage else _read(self._mesh.corner_normals, "vector", 3)
 
     def uv(self, name, place):
-        """Which of `uvs` holds a UV map, mapped; None where there is none."""
+        """Index into `uvs` of a UV map transformed by `place` (two rows, see color_nodes.Source); None if missing."""
         if name == color_nodes.ACTIVE:
             name = next((layer.name for layer in self._mesh.uv_layers if layer.active_render), None)
         found = self._mesh.attributes.get(name) if name else None
@@ -36,7 +37,7 @@ class Corners:
         return self._index(self.uvs, (name, place), lambda: _mapped(self._refined(name, _uvs), place))
 
     def attribute(self, name):
-        """Which of `attributes` holds a color attribute; None where there is none."""
+        """Index into `attributes` of a color attribute; None if missing."""
         colors = self._mesh.color_attributes
         if name == color_nodes.ACTIVE:
             index = colors.render_color_index
@@ -46,7 +47,7 @@ class Corners:
         return self._index(self.attributes, name, lambda: self._refined(name, _colors))
 
     def values(self, name):
-        """(C,) float32 of an attribute of numbers, or the mean of a color's channels; None where there is none."""
+        """(C,) float32 of a float attribute, or the mean of a color attribute's channels; None if missing."""
         found = self._mesh.attributes.get(name)
         if found is None or found.data_type not in COLORS | {"FLOAT"} or found.domain not in {"POINT", "CORNER"}:
             return None
@@ -59,11 +60,11 @@ class Corners:
         return self._index_of[id(arrays), name]
 
     def _refined(self, name, read):
-        """What `read` gives of an attribute, at the surface's corners."""
+        """read(mesh, name) as an array over the surface's corners."""
         values = read(self._mesh, name)
         if self._cage is None:
             return values
-        # What Blender made of the cage tells whether it has changed.
+        # Blender's subdivided mesh shows whether the cage has changed, without evaluating the cage.
         key, seen = (self._name, self._mesh.name_full, name, read), self._core.content_hash(values)
         entry = self._known.get(key)
         if entry is None or entry[0] != seen or entry[1]() is not self._surface:
@@ -83,7 +84,7 @@ def _colors(mesh, name):
 
 
 def _values(mesh, name):
-    """(C, 1) numbers, or means of scene-linear colors."""
+    """(C, 1) floats, or means of scene-linear colors."""
     attribute = mesh.attributes[name]
     if attribute.data_type in COLORS:
         return _at_corners(mesh, attribute, "color", 4)[:, :3].mean(axis=1, keepdims=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's images as native textures, kept as long as their pixels stay the same."""
+"""Native textures of Blender's images, cached until their pixels change."""
 
 import os
 
@@ -8,22 +8,22 @@ import numpy as np
 
 
 class ImageCache:
-    """Textures by image. One that is read from a file is read again when the file, its size or how it is to be read
-    changes; painted and generated ones are looked at every time, and told apart by content."""
+    """Textures by image. An image file is read again when the file, its size or its read settings change; the pixels of
+    painted and generated images are hashed each time."""
 
     def __init__(self, core):
         self._core = core
-        self._entries = {}  # name -> (how it is read, content hash, texture)
+        self._entries = {}  # name -> (result of _how, content hash, texture)
 
     def size(self):
-        """Bytes of all textures: four a texel, and smaller copies."""
+        """Bytes of all textures: four per texel, and mipmaps."""
         return sum(4 * width * height * 4 // 3 for (width, height, *_), _, _ in self._entries.values())
 
     def clear(self):
         self._entries.clear()
 
     def texture(self, image):
-        """The native ColorTexture of an image, or None where it has no pixels (a missing file, say)."""
+        """The native ColorTexture of an image, or None if it has no pixels (a missing file, for example)."""
         if not all(image.size):
             return None
         how, known = _how(image), self._entries.get(image.name_full)
@@ -41,7 +41,7 @@ class ImageCache:
 
 
 def _how(image):
-    """Everything that says what an image's pixels are, but the pixels."""
+    """Key of everything that determines an image's pixels: size, file, modification time, read settings."""
     file, written = bpy.path.abspath(image.filepath, library=image.library), None
     if image.source == "FILE" and not image.packed_file and os.path.exists(file):
         written = os.stat(file).st_mtime_ns
@@ -51,7 +51,7 @@ def _how(image):
 
 
 def _pixels(image):
-    """(H, W, channels) float32, bottom row first, alpha straight."""
+    """(H, W, channels) float32, bottom row first, straight alpha; None if unreadable."""
     width, height = image.size
     channels = image.channels
     if not 1 <= channels <= 4 or len(image.pixels) != width * height * channels:
@@ -66,6 +66,6 @@ def _pixels(image):
 
 
 def _is_encoded(image):
-    """Whether pixels are as sRGB has them: floats are scene-linear, bytes as their color space says."""
+    """Whether the pixels are sRGB-encoded: float images are scene-linear, byte images follow their color space."""
     space = image.colorspace_settings
     return not (image.is_float or space.is_data or space.name.startswith("Linear"))

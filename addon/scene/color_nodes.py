@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a material's nodes say about its base color, where that can be told without running them."""
+"""Derives a material's base color from its nodes, as far as possible without evaluating them."""
 
 import math
 from dataclasses import dataclass, replace
 
 from . import shader_links
 
-# Shader node -> the input that is its color.
+# Type of shader node -> name of its color input.
 COLOR_INPUTS = {
     "BSDF_PRINCIPLED": "Base Color",
     "BSDF_DIFFUSE": "Color",
@@ -18,38 +18,38 @@ COLOR_INPUTS = {
     "SUBSURFACE_SCATTERING": "Color",
     "EMISSION": "Color",
 }
-ACTIVE = ""  # the mesh's own choice of a UV map or a color attribute
+ACTIVE = ""  # stands for the mesh's active UV map or color attribute for rendering
 
 
 @dataclass(frozen=True)
 class Source:
-    """A color, times an image, times an attribute of the mesh."""
+    """A constant color multiplied by an image and by a color attribute of the mesh."""
 
     color: tuple = (0.8, 0.8, 0.8)  # scene-linear
-    image: object | None = None  # Blender's
+    image: object | None = None  # bpy.types.Image
     uv: str = ACTIVE
-    place: tuple = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)  # two rows that map the UVs to the image
+    place: tuple = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)  # 2 x 3 affine matrix by rows, from UVs to image coordinates
     attribute: str | None = None
     unlit: bool = False
-    viewport: tuple = (0.8, 0.8, 0.8)  # stands for what is not there: an image or an attribute
-    followed: bool = True  # False: nodes that cannot be told beforehand; the viewport color stands for them
+    viewport: tuple = (0.8, 0.8, 0.8)  # replaces the color if the image or the attribute is missing
+    followed: bool = True  # False: nodes that cannot be resolved statically; the viewport color replaces them
 
 
 def source(material):
-    """The Source of a material; an empty slot shows the mesh's active colors, if it has any."""
+    """The Source of a material; for an empty slot (None), the mesh's active color attribute."""
     if material is None:
         return Source(attribute=ACTIVE)
     viewport = tuple(material.diffuse_color)[:3]
     shader = _colored(shader_links.surface_shader(material))
     if shader is None:
-        # No surface at all looks as in the viewport; a shader without a color is one that is not followed.
+        # Without a surface shader the viewport color is correct; a shader without a color input is not followed.
         return Source(viewport, viewport=viewport, followed=shader_links.surface_shader(material) is None)
     found = _of_socket(shader.inputs[COLOR_INPUTS[shader.type]], shader.type == "EMISSION")
     return replace(found or Source(viewport, followed=False), viewport=viewport)
 
 
 def _colored(shader):
-    """The first shader of a mix that has a color of its own, or None."""
+    """The shader itself if it has a color input, or the first such in a tree of mixed or added shaders; else None."""
     if shader is None or shader.type in COLOR_INPUTS:
         return shader
     if shader.type in {"MIX_SHADER", "ADD_SHADER"}:
@@ -75,7 +75,7 @@ def _of_socket(socket, unlit):
 
 
 def _where(socket):
-    """(UV map, rows of the mapping) of an image's vector, or None where it is something else than a UV map."""
+    """(UV map, 2 x 3 rows of the mapping) of an image node's vector input; None if it is not a UV map."""
     node = shader_links.source(socket)
     if node is None:
         return ACTIVE, Source.place

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the colors of a scene come from: materials, images, attributes, lights and the world, as plain arrays."""
+"""Reads the colors of a scene for native ColorSources: materials, images, attributes, lights and the world."""
 
 import math
 import weakref
@@ -12,17 +12,17 @@ from .color_images import ImageCache
 
 
 class ColorCache:
-    """What is kept from picture to picture."""
+    """Cache of textures and refined attributes between pictures."""
 
     def __init__(self, core):
         self.images = ImageCache(core)
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
         self.used = 0
-        self.shown = weakref.WeakValueDictionary()  # ColorSources that were made with it, by their ids
+        self.shown = weakref.WeakValueDictionary()  # id -> living ColorSources that use this cache
         kept.add_cache(self)
 
     def items(self, _needed):
-        """The kept.Item: all of it, which stays while a scene is there that was read with it."""
+        """The whole cache as one kept.Item, pinned while any ColorSources made with it are alive."""
         read = [entry[-1].nbytes for entry in self.refined.values()]
         return [kept.Item(self.used, self.images.size() + sum(read), None if self.shown else self._clear)]
 
@@ -32,7 +32,7 @@ class ColorCache:
 
 
 class Gathering:
-    """Colors as a scene is walked over: one entry per native surface, in the scene's order."""
+    """Collects colors during the traversal of a scene: one entry per native surface, in order."""
 
     def __init__(self, core, cache):
         self._core, self._cache = core, cache
@@ -42,8 +42,9 @@ class Gathering:
         self.unfollowed = set()  # materials whose nodes were not followed
 
     def add_surface(self, obj, mesh, surface, cage, repaired):
-        """The colors of an evaluated mesh whose native surface is given; `cage()`: a context with what a refined one
-        was made from. Of a repaired one only the materials count: its corners are no longer the mesh's."""
+        """Adds the colors of an evaluated mesh and its native surface. `cage()`: a context with the mesh that a refined
+        surface was made from. For a repaired surface only material colors are used, as its corners are not the mesh's.
+        """
         found = materials.of(obj, mesh)
         if repaired or not len(mesh.loops):
             sources = [self._source(material) for material in found]
@@ -56,10 +57,10 @@ class Gathering:
         self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))
 
     def add_light(self, instance):
-        """An instance of a light."""
+        """Adds an instance of a light."""
         data, matrix = instance.object.data, np.array(instance.matrix_world)
         strength = data.energy * 2.0 ** getattr(data, "exposure", 0.0)
-        # Blender's watts: those of points and spots go out all around, those of areas to one side.
+        # Blender's watts to intensity: point and spot lights radiate into 4 pi, area lights into a hemisphere (pi).
         spread = {"SUN": 1.0, "POINT": 4 * math.pi, "SPOT": 4 * math.pi, "AREA": math.pi}[data.type]
         cone = ()
         if data.type == "SPOT":
@@ -69,14 +70,14 @@ class Gathering:
         self.lights.append(self._core.Light(data.type.lower(), matrix[:3, 3], -matrix[:3, 2], shade, *cone))
 
     def sources(self, scene, surface_of_placement):
-        """The ColorSources of a scene whose placements have these surfaces."""
+        """The native ColorSources; `surface_of_placement`: (n,) index of each placement's surface."""
         surfaces = [self.surfaces[i] for i in surface_of_placement]
         made = self._core.ColorSources(surfaces, self.lights, _world(scene))
         self._cache.shown[id(made)] = made
         return made
 
     def remarks(self):
-        """A sentence about what could not be followed, if anything."""
+        """A list with one sentence on materials whose nodes were not followed; [] if there are none."""
         names = sorted(self.unfollowed)
         shown = ", ".join(f"'{name}'" for name in names[:3]) + (f" and {len(names) - 3} more" if names[3:] else "")
         return [f"Colors of nodes that are not followed are drawn as in the viewport: {shown}"] if names else []
@@ -90,7 +91,7 @@ class Gathering:
         return self._sources[name]
 
     def _slot(self, material, corners):
-        """The native slot; where an image, a UV map or an attribute is missing the viewport color stands for it."""
+        """The native ColorSlot; the viewport color if an image, a UV map or an attribute is missing."""
         source = self._source(material)
         texture = source.image and self._cache.images.texture(source.image)
         uv = corners.uv(source.uv, source.place) if texture else None
@@ -103,7 +104,8 @@ class Gathering:
 
 
 def _world(scene):
-    """Radiance of the sky: the background's color, or the world's own where nodes make it."""
+    """RGB radiance of the sky: the Background node's color times its strength, or the world's viewport color if that is
+    linked; black without a world."""
     world = scene.world
     if world is None:
         return (0.0, 0.0, 0.0)

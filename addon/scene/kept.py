@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is kept between pictures, and the bound that preferences give to it.
+"""The memory limit of the caches between pictures, which the preferences set.
 
-Caches of surfaces (with what was found on them: fields, lines, BVHs) and of colors are registered here. When they
-hold more than the limit, what was unused longest is let go, until it is enough or only what a snapshot of a scene still
-needs is left: what viewports show, what is being drawn. It is made again when it is needed, so that pictures do not
-depend on it. What allocates memory for Blender holds on to some of it for what comes next.
+Caches of surfaces (with their fields, lines and BVHs) and of colors are registered here. Above the limit, items are
+evicted in the order of their last use, until the total is below it or all items left are pinned by a living Snapshot:
+one that a viewport shows or that is being drawn. Evicted items are built again on demand, so pictures do not depend on
+the limit. The process's memory may shrink by less, because the allocator keeps freed pages.
 """
 
 import itertools
@@ -14,39 +14,40 @@ from dataclasses import dataclass
 MEGABYTE = 1 << 20
 
 _caches = weakref.WeakSet()
-_snapshots = weakref.WeakValueDictionary()  # by their ids
-limit = 0  # bytes; 0: none
+_snapshots = weakref.WeakValueDictionary()  # id -> living Snapshot
+limit = 0  # bytes; 0: no limit
 _times = itertools.count(1)
 
 
 @dataclass(frozen=True)
 class Item:
-    """Something that a cache holds."""
+    """An entry of a cache."""
 
-    used: int  # when it was last asked for, as `now` says it
-    size: int  # bytes, about
-    let_go: object  # does that; None: it is still needed
+    used: int  # time of its last use, from `now`
+    size: int  # bytes, estimated
+    let_go: object  # function that evicts it; None: it is pinned
 
 
 def now():
-    """A number that is higher every time."""
+    """Logical time: a counter that increases with each call."""
     return next(_times)
 
 
 def set_limit(megabytes):
-    """From now on; 0: no limit."""
+    """Sets the limit (0: none) and trims."""
     global limit
     limit = megabytes * MEGABYTE
     trim()
 
 
 def add_cache(cache):
-    """A cache has `items(needed)`; `needed`: ids of the surfaces that snapshots have."""
+    """Registers a cache (weakly). It has a method items(needed) -> Items; `needed`: ids of surfaces in living
+    Snapshots."""
     _caches.add(cache)
 
 
 def add_snapshot(snapshot):
-    """Its surfaces are needed as long as it is there."""
+    """Pins a Snapshot's surfaces while it is alive."""
     _snapshots[id(snapshot)] = snapshot
 
 
@@ -57,7 +58,7 @@ def held():
 
 
 def trim():
-    """Lets go of what is beyond the limit."""
+    """Evicts items, least recently used first, until the total is within the limit."""
     if not limit:
         return
     items = held()

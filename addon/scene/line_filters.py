@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which lines a scene's placements have: as the line sets of a style, objects and materials say."""
+"""Filters of lines per placement, from line sets, objects and materials."""
 
 import bpy
 import numpy as np
@@ -9,7 +9,8 @@ from . import own_lines
 
 
 def of(core, line_sets, snapshot):
-    """What native Overrides say of a style's line sets on a Snapshot's placements, by name."""
+    """The keyword arguments of native Overrides that filter the lines of a style's line sets on a Snapshot's
+    placements."""
     shown = snapshot.shown
     by_material = [_slots_of(line_set, snapshot.slots) for line_set in line_sets]
 
@@ -26,7 +27,7 @@ def of(core, line_sets, snapshot):
 
 
 def _own_parameters(own_values):
-    """{definition: {parameter: (n,) values}} of those that some placement has of its own."""
+    """{definition: {parameter: (n,) values, NaN: not overridden}} of the parameters that any placement overrides."""
     found = {}
     for (definition, parameter), values in zip(own_lines.parameters(), own_values):
         if not np.isnan(values).all():
@@ -35,13 +36,14 @@ def _own_parameters(own_values):
 
 
 def asked(line_sets):
-    """What line sets ask of objects and materials; where this is the same, so is what `of` gives for a Snapshot."""
+    """The filters of line sets, to be compared: while they are equal, `of` gives the same for the same Snapshot."""
     return [[(getattr(s, name), getattr(s, others)) for name, others in FILTERS.items()] for s in line_sets]
 
 
 def _placements(line_set, by_material, snapshot):
-    """(n,) uint8 whether a LineSet is for each placement: its object, or what made an instance of it, and some of its
-    materials must be what the set draws; None: it is for all. Names that nothing has are of nothing."""
+    """(n,) uint8 mask of the placements that a LineSet applies to; None: all. The placement's object or its instancer
+    must pass the collection and object filters, and any of its materials the material filter. A filter by a name that
+    does not exist matches nothing."""
     chosen = np.ones(len(snapshot.owners), np.uint8)
     if line_set.collection:
         collection = bpy.data.collections.get(line_set.collection)
@@ -57,12 +59,12 @@ def _placements(line_set, by_material, snapshot):
 
 
 def _owned(names, owners):
-    """(n,) bool whether placements are of objects of these full names."""
+    """(n,) bool: whether any owner of each placement has one of these full names."""
     return np.array([not names.isdisjoint(of_placement) for of_placement in owners], bool)
 
 
 def _slots_of(line_set, slots):
-    """Per surface the mask of the materials that a LineSet is for; None: it is for all."""
+    """Per surface, a uint8 mask of the material slots that a LineSet applies to; None: all."""
     if not line_set.material:
         return None
     material = bpy.data.materials.get(line_set.material)
@@ -71,6 +73,6 @@ def _slots_of(line_set, slots):
 
 
 def _lined(snapshot):
-    """Per surface the mask of the materials that have lines; None where all have."""
+    """Per surface, a uint8 mask of the material slots that have lines; None if all have."""
     masks = [np.array([slot.lines for slot in of_surface], np.uint8) for of_surface in snapshot.slots]
     return None if all(mask.all() for mask in masks) else masks

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The kinds of lines of a line set, as properties made from the native registry, which declares them.
+"""The kinds of lines of a line set, as Blender properties generated from the native registry.
 
-Per line definition a switch named as it, and its parameters as `<definition>_<parameter>`; angles are stored in
-radians, as Blender shows them.
+Each line definition has a switch of its name, and its parameters are `<definition>_<parameter>`. Angles are stored in
+radians, as Blender's angle properties expect.
 """
 
 import math
@@ -10,11 +10,11 @@ import math
 from .. import catalogue, native
 from .property_kinds import neat, new_group, number, switch
 
-SLIDE = 20  # how many times the default a parameter is dragged to
+SLIDE = 20  # soft maximum of a parameter, in multiples of its default
 
 
 def definitions():
-    """The line definitions; none where the native module is missing, so that files keep their other settings."""
+    """The line definitions; () without the native module, so that files still keep their other settings."""
     try:
         return catalogue.definitions()
     except native.Unavailable:
@@ -22,12 +22,12 @@ def definitions():
 
 
 def read(kinds):
-    """{definition: {parameter: value in the registry's unit}} of the kinds that are on."""
+    """{definition: {parameter: value in the registry's unit}} of the kinds that are switched on."""
     return {d["name"]: _values(kinds, d) for d in definitions() if getattr(kinds, d["name"])}
 
 
 def write(kinds, wanted):
-    """Switches on what `wanted` has, as `read` gives it, with the registry's defaults where it says nothing."""
+    """Switches on exactly the kinds in `wanted` (as of `read`); parameters not given get the registry's defaults."""
     for definition in definitions():
         name = definition["name"]
         defaults = {parameter["name"]: parameter["default"] for parameter in definition["parameters"]}
@@ -47,7 +47,7 @@ def _values(kinds, definition):
 
 
 def value_of(settings, definition, parameter):
-    """A parameter of a definition in the registry's unit, as a group's property of it has it."""
+    """Value of a definition's parameter in a property group, in the registry's unit."""
     value = float(getattr(settings, property_name(definition, parameter)))
     return neat(math.degrees(value) if parameter["unit"] == "degrees" else value)
 
@@ -57,14 +57,14 @@ def property_name(definition, parameter):
 
 
 def _stored(value, unit):
-    """A parameter's value as its property keeps it."""
+    """A parameter's value as its property stores it: bool, radians for degrees, else unchanged."""
     if unit == "bool":
         return bool(value)
     return math.radians(value) if unit == "degrees" else value
 
 
 def parameter_property(parameter, name=""):
-    """A property for a parameter, called as in the registry where it has no other name."""
+    """A Blender property for a registry parameter; `name`: its label, "": the registry's."""
     words = name or parameter["label"], parameter["meaning"]
     if parameter["unit"] == "bool":
         return switch(*words, default=bool(parameter["default"]))
@@ -76,14 +76,14 @@ def parameter_property(parameter, name=""):
         return number(*words, precision=0, step=100, **options)
     if (low, high) == (0, 1):
         return number(*words, subtype="FACTOR", **options)
-    # Limits are far out, for models of all kinds; what a hand wants is near the default.
+    # Hard limits are wide, to suit models of all kinds; the soft range for dragging is near the default.
     fine = {"precision": 4, "step": 0.1} if 0 < default < 0.1 else {}
     soft = {"soft_max": min(high, SLIDE * default)} if default > 0 else {}
     return number(*words, **fine, **soft, **options)
 
 
 def group():
-    """The PropertyGroup, by the registry."""
+    """The PropertyGroup class generated from the registry."""
     found = {}
     for definition in definitions():
         name = definition["name"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What materials mean for lines: which polygons share one, and which hide what lies behind them."""
+"""Material slots as far as lines depend on them: identity, color, and whether they occlude."""
 
 from dataclasses import dataclass, field
 
@@ -8,23 +8,24 @@ from . import see_through, shader_links
 
 @dataclass(frozen=True)
 class Slot:
-    """A material as a surface needs it."""
+    """The properties of a material slot that a surface needs."""
 
     name: str  # "" for an empty slot
     color: tuple = (0.8, 0.8, 0.8, 1.0)  # viewport display color, scene-linear
-    hides: bool = True
+    hides: bool = True  # occludes
     holdout: bool = False
-    lines: bool = field(default=True, compare=False)  # whether its faces have lines; the surface is the same without
-    remark: str = field(default="", compare=False)  # whether it hides, and why, where it might be otherwise
+    lines: bool = field(default=True, compare=False)  # whether its faces have lines; does not affect the surface
+    remark: str = field(default="", compare=False)  # phrase on whether it occludes and why, if that is not obvious
 
 
 def slots(obj, mesh, known):
-    """The slots of an evaluated object's mesh, object-linked ones included. `known`: dict reused for one frame."""
+    """The Slots of an evaluated object's mesh, including object-linked ones. `known`: {name: Slot} cache for a
+    frame."""
     return tuple(_slot(material, known) for material in of(obj, mesh))
 
 
 def of(obj, mesh):
-    """The materials in the slots of an evaluated object's mesh, at least one slot; None for an empty one."""
+    """The materials in the slots of an evaluated object's mesh, None for an empty slot; at least one entry."""
     linked = {i: slot.material for i, slot in enumerate(obj.material_slots) if slot.link == "OBJECT"}
     return [linked.get(i, material) for i, material in enumerate(mesh.materials)] or [linked.get(0)]
 
@@ -42,7 +43,7 @@ def _slot(material, known):
 
 
 def _hides(material):
-    """(whether a material hides what lies behind it, the Slot's remark)."""
+    """(whether a material occludes, the Slot's remark)."""
     choice, found = material.fovea.occlusion, see_through.through(material)
     hides = choice == "ALWAYS" or (choice == "AUTOMATIC" and not found.is_enough)
     what = "hides what lies behind it as a whole" if hides else "hides nothing"

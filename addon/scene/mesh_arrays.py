@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's mesh arrays as numpy arrays: whole attributes at once into buffers that are used again for every mesh."""
+"""Reads Blender's mesh attributes into NumPy arrays, in buffers that are reused for every mesh."""
 
 import math
 from dataclasses import dataclass
@@ -10,27 +10,27 @@ import numpy as np
 
 @dataclass(frozen=True)
 class MeshArrays:
-    """V vertices, E edges, C corners, F polygons. Views into shared buffers: good until the next mesh is read."""
+    """V vertices, E edges, C corners, F polygons. Views into shared buffers: valid until the next mesh is read."""
 
     positions: np.ndarray  # (V, 3) float32, object space
     edge_verts: np.ndarray  # (E, 2) int32
     corner_verts: np.ndarray  # (C,) int32
     corner_edges: np.ndarray  # (C,) int32, the edge to the polygon's next corner
     polygon_offsets: np.ndarray  # (F + 1,) int32, first corner of each polygon
-    material: np.ndarray | None  # (F,) int32, slot; None: all in the first
+    material: np.ndarray | None  # (F,) int32 index of the material slot; None: all in the first
     sharp_edges: np.ndarray | None  # (E,) bool; None: none
-    seams: np.ndarray | None  # (E,) bool
-    edge_marks: np.ndarray | None  # (E,) bool, Freestyle's
+    seams: np.ndarray | None  # (E,) bool; None: none
+    edge_marks: np.ndarray | None  # (E,) bool, Freestyle's edge marks; None: none, or not read
 
 
 class Buffers:
-    """Arrays by name that only grow: fresh memory costs more than reading the mesh does."""
+    """Named arrays that only grow, because allocating new memory is slower than reading the mesh."""
 
     def __init__(self):
         self._arrays = {}
 
     def take(self, name, shape, dtype):
-        """An uninitialized array of that shape; the one taken last under the name is void."""
+        """An uninitialized array of that shape; invalidates the array taken before under the name."""
         size = math.prod(shape)
         array = self._arrays.get(name)
         if array is None or array.size < size:
@@ -39,13 +39,13 @@ class Buffers:
 
 
 def is_edited(obj):
-    """Whether an evaluated object's mesh is in edit mode, be it in that of another object: then its arrays may be
-    missing, and `to_mesh` makes them."""
+    """Whether an evaluated object's mesh is in edit mode, possibly through another object that shares it. Then its
+    arrays may be missing, and `to_mesh` creates them."""
     return obj.mode == "EDIT" or obj.data.is_editmode
 
 
 def read(mesh, buffers, *, with_marks):
-    """The arrays of an evaluated mesh. Freestyle marks are slow to read before Blender 5.0: only `with_marks`."""
+    """The arrays of an evaluated mesh. `with_marks`: also Freestyle's edge marks, slow to read before Blender 5.0."""
     vertices, edges, corners = len(mesh.vertices), len(mesh.edges), len(mesh.loops)
     polygons = len(mesh.polygons)
     offsets = buffers.take("offsets", (polygons + 1,), np.int32)
@@ -67,14 +67,14 @@ def read(mesh, buffers, *, with_marks):
 
 
 def creases(mesh, buffers):
-    """Crease weights of edges (E,) and vertices (V,) float32 from 0 to 1; None where there are none."""
+    """Crease weights in [0, 1] of edges (E,) and vertices (V,), float32; each None if there are none."""
     of_edges = _optional(mesh, "crease_edge", buffers, (len(mesh.edges),), np.float32)
     return of_edges, _optional(mesh, "crease_vert", buffers, (len(mesh.vertices),), np.float32)
 
 
 def ngon_triangles(mesh, polygon_offsets, buffers):
-    """Blender's triangles of the polygons with more than four corners, by their names in a native Mesh: (T, 3) int32
-    vertices, and (T,) int32 ascending polygons; none where there are no such polygons.
+    """Blender's triangulation of polygons with more than four corners, as keyword arguments of a native Mesh: (T, 3)
+    int32 vertices, and (T,) int32 polygon of each, ascending; {} if there are no such polygons.
     """
     is_ngon = np.diff(polygon_offsets) > 4
     if not is_ngon.any():
@@ -107,7 +107,7 @@ def _optional(mesh, name, buffers, shape, dtype):
 
 
 def _freestyle_marks(mesh, buffers):
-    """Freestyle's edge marks: an edge property up to Blender 4.5, an attribute from 5.0."""
+    """(E,) bool Freestyle edge marks or None; an edge property up to Blender 4.5, an attribute from 5.0."""
     if "use_freestyle_mark" not in bpy.types.MeshEdge.bl_rna.properties:
         return _optional(mesh, "freestyle_edge", buffers, (len(mesh.edges),), np.bool_)
     array = buffers.take("freestyle_edge", (len(mesh.edges),), np.bool_)

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the add-on's operators have in common."""
+"""Base class of the add-on's operators."""
 
 from .. import native, style
 from .problem import CannotDraw
 
-TOLD = (CannotDraw, native.Unavailable, style.StyleError)  # errors whose words are for the user
+TOLD = (CannotDraw, native.Unavailable, style.StyleError)  # errors whose messages are for the user
 
 
 class Operator:
-    """One that can be undone, says why it cannot be called now, and reports errors as one sentence."""
+    """An operator with undo that explains why it is unavailable, and reports errors of `act` as one sentence."""
 
     bl_options = {"REGISTER", "UNDO"}
-    errors, level = TOLD, "ERROR"  # those that `act` may raise, and how grave they are
+    errors, level = TOLD, "ERROR"  # exceptions from `act` that are reported, and the report's level
 
     @classmethod
     def poll(cls, context):
@@ -22,7 +22,7 @@ class Operator:
 
     @classmethod
     def hindrance(cls, context):
-        """Why it cannot be called in a context, or None."""
+        """Why the operator is unavailable in a context, for the poll message; None if it is available."""
 
     def execute(self, context):
         try:

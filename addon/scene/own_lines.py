@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which lines an object has of its own accord, whatever the line sets say: its kinds, and the parameters of which the
-registry says that objects may have values of their own."""
+"""Per-object overrides of line sets: the kinds of lines that an object shows, and values of those parameters that the
+registry marks as per object."""
 
 import math
 
@@ -10,12 +10,12 @@ from .. import catalogue
 from .line_kinds import definitions, parameter_property, property_name, value_of
 from .property_kinds import new_group, switch
 
-ALL_KINDS = 0xFFFFFFFF  # bits of the registry
+ALL_KINDS = 0xFFFFFFFF  # bit i: the registry's definition i
 AS_THE_SET_SAYS = math.nan
 
 
 def of(settings):
-    """(bits of the registry that an object shows, its value of each of `parameters()` or NaN, ...) of its settings."""
+    """(bits of the kinds that an object shows, then its value of each of `parameters()`, NaN: not overridden)."""
     kinds = ALL_KINDS
     if settings.own_kinds:
         for bit, definition in enumerate(definitions()):
@@ -30,12 +30,12 @@ def _own_value(settings, definition, parameter):
 
 
 def parameters():
-    """(definition, parameter) of which an object may have a value of its own; none without the native module."""
+    """The (definition, parameter) that an object may override; () without the native module."""
     return catalogue.per_object() if definitions() else ()
 
 
 def switch_name(definition, parameter):
-    """The property that says whether an object has a value of its own."""
+    """Name of the property that switches an object's override of a parameter on."""
     return f"own_{property_name(definition, parameter)}"
 
 
@@ -44,12 +44,12 @@ def label(definition, parameter):
 
 
 def switchable():
-    """Definitions that an object may do without: lines found in the picture are of no object."""
+    """Definitions that can be switched off per object: all but image-space lines, which belong to no object."""
     return [definition for definition in definitions() if not definition["in_image"]]
 
 
 def kinds():
-    """The PropertyGroup of switches, by the registry. All are on: what the line sets draw is shown."""
+    """The PropertyGroup class of switches, generated from the registry; all are on by default."""
     found = {}
     for definition in switchable():
         told = f"{definition['description']}.\nOff: this object does not have them, whichever line set draws them"
@@ -58,7 +58,7 @@ def kinds():
 
 
 def annotations(kinds):
-    """Of an object's settings; `kinds`: the registered group."""
+    """Property annotations for an object's settings; `kinds`: the registered group of `kinds()`."""
     told = "Of the lines that the line sets draw, this object and instances of it have only these kinds"
     found = {"own_kinds": switch("Own Line Kinds", told), "kinds": PointerProperty(type=kinds)}
     for known in parameters():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the user prefers, for whoever asks: ui/preferences.py declares it."""
+"""Access to the add-on's preferences, which ui/preferences.py declares."""
 
 import bpy
 
@@ -7,6 +7,6 @@ ADDON = __package__.rpartition(".")[0]
 
 
 def own():
-    """The add-on's preferences; None where Blender has none for it (scripts that register it by hand)."""
+    """The add-on's preferences; None if Blender has none for it (a script registered it directly)."""
     entry = bpy.context.preferences.addons.get(ADDON)
     return entry.preferences if entry else None

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What keeps a picture from being drawn and the user can mend."""
+"""The error for problems in a scene that the user can fix."""
 
 
 class CannotDraw(Exception):
-    """Says what is wrong and what to do about it, in a sentence for the user."""
+    """A picture cannot be drawn; the message is one sentence for the user on the problem and its solution."""

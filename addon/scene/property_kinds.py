@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Properties of what is drawn, groups of them, and numbers as they come back from them.
+"""Helpers to declare Blender properties and property groups.
 
-`switch`, `number` and so on are Blender's functions with a name, a description and their keywords; what changes is drawn
-anew.
+`switch`, `number` and so on wrap the functions of bpy.props: they take a name, a description and the function's
+keywords, and by default redraw on a change.
 """
 
 import zlib
@@ -14,7 +14,7 @@ SHARE = {"subtype": "FACTOR", "min": 0.0, "max": 1.0}
 
 
 def redraw(settings, _context):
-    # Properties of add-ons do not tag what they belong to.
+    # Blender does not tag the owner of an add-on's property for an update.
     settings.id_data.update_tag()
 
 
@@ -28,16 +28,17 @@ vector = _redrawn(props.FloatVectorProperty)
 
 
 def new_group(name, told, annotations, **others):
-    """A new class of PropertyGroups; `others`: more of its attributes."""
+    """A new subclass of PropertyGroup. `told`: its docstring; `others`: further attributes."""
     contents = {"__annotations__": annotations, "__module__": __name__, "__doc__": told, **others}
     return type(name, (bpy.types.PropertyGroup,), contents)
 
 
 def file_names(stems):
-    """Items of an enum over file names, numbered by name so that saved files survive new ones."""
+    """Enum items for file names. Their numbers are hashes of the names, so that saved .blend files stay valid when
+    files are added."""
     return [(n, n.replace("_", " ").title(), "", "NONE", zlib.crc32(n.encode()) & 0x7FFFFFFF) for n in stems]
 
 
 def neat(value):
-    """The short number that a property, of single precision, was set to."""
+    """A single-precision value rounded to 7 digits, to recover the decimal number it was set to."""
     return float(f"{value:.7g}")

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What of an object's mesh is put in order before it is drawn: what no modifier of Blender's does."""
+"""Settings for repairing an object's mesh before drawing, as far as Blender has no modifier for it."""
 
 from dataclasses import asdict, dataclass
 
 
 @dataclass(frozen=True)
 class Repair:
-    """native/fovea/repair/repair.h; everything off."""
+    """As in native/fovea/repair/repair.h; the defaults repair nothing."""
 
     orient: bool = False
     resample: int = 0
     edge_length: float = 0.0
 
     def words(self):
-        """As the native module takes them."""
+        """As keyword arguments of the native RepairedMesh."""
         return asdict(self)
 
 
 NOTHING = Repair()
-REMARKS = {  # what a RepairReport counts
+REMARKS = {  # counts of a native RepairReport -> text
     "turned_polygons": "faces were turned around",
     "refused_polygons": "faces are not manifold and were left as they are",
 }
@@ -26,7 +26,7 @@ REMOVED = {"repair_weld": "Weld", "repair_smooth": "Smooth"}  # settings of old 
 
 
 def of(obj, depsgraph):
-    """The Repair that the user wants for an instance's object, or None."""
+    """The Repair in the settings of an instance's object; None if it does nothing."""
     settings = obj.original.evaluated_get(depsgraph).fovea
     length = settings.repair_edge_length if settings.repair_resample else 0.0
     wanted = Repair(settings.repair_orient, settings.repair_resample, length)
@@ -34,7 +34,7 @@ def of(obj, depsgraph):
 
 
 def remarks_of_removed(obj):
-    """Sentences about settings that an object has from a file of an earlier version, and that are not there anymore."""
+    """Sentences about removed settings that an object still has from a file of an earlier version."""
     stored = obj.original.fovea
     return [
         f"'{obj.name}': {modifier} is not a setting of the object anymore: add the modifier {modifier}"
@@ -44,7 +44,7 @@ def remarks_of_removed(obj):
 
 
 def removed_attributes():
-    """Attributes of an object's settings, by name, that tell a script which modifier to use instead."""
+    """{removed setting: property} for an object's settings; access raises AttributeError with the modifier to use."""
 
     def refusing(setting, modifier):
         def refuse(_settings, *_value):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Blender's evaluated scene holds for a drawing: one native surface per mesh, and where each is placed."""
+"""Reads an evaluated depsgraph into a Snapshot: one native surface per mesh, and its placements."""
 
 import hashlib
 from dataclasses import dataclass
@@ -12,29 +12,30 @@ from . import kept, materials, own_lines, repair, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
-VIEWPORTS = 4  # that keep what only they show
+VIEWPORTS = 4  # factor on the number of passes after which unused surfaces are dropped, as viewports take turns
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
-    """A scene as the native side takes it; n placements of m surfaces."""
+    """A scene as the native module takes it: n placements of m surfaces."""
 
     surfaces: list  # m native surfaces
     slots: list  # m tuples of materials.Slot
     surface_of_placement: np.ndarray  # (n,) int32
     object_to_world: np.ndarray  # (n, 4, 4) float64
     persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
-    usage: np.ndarray  # (n,) uint8, bits as above
+    usage: np.ndarray  # (n,) uint8, bits DRAW, OCCLUDE, HOLDOUT
     objects: list  # n object names
-    owners: list  # n tuples of full names: the object's, and that of what made an instance of it
+    owners: list  # n tuples of full names: the object's and, for an instance, its instancer's
     importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
-    shown: np.ndarray  # (n,) uint32, bits of the registry: the kinds of lines that the objects show
-    own_values: list  # per parameter of own_lines.parameters(): (n,) float64 of the objects' own, NaN: none
+    shown: np.ndarray  # (n,) uint32, kinds of lines that the objects show, bit i: the registry's definition i
+    own_values: list  # per parameter of own_lines.parameters(): (n,) float64 per-object value, NaN: not overridden
 
 
 class _Gathering:
-    """Placements as they are met; one surface per evaluated mesh, choice of materials and settings."""
+    """Collects placements during the traversal of a depsgraph; one surface per distinct (evaluated mesh, materials,
+    subdivision plan, repair, curvature settings). `beside`: further Gatherings that get each surface."""
 
     def __init__(self, cache, depsgraph, viewport, with_marks, beside):
         self.beside = beside
@@ -43,10 +44,11 @@ class _Gathering:
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
         self.known_own = {}
-        self.rows = []  # (step of the walk, surface, hash of names, usage, object, owners, *own) per placement
+        self.rows = []  # per placement: (index of the instance, surface, hash of names, usage, object, owners, *own)
 
     def usage(self, instance):
-        """Usage bits of an instance; what made it (a collection's instancer, say) can only take away."""
+        """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
+        and."""
         obj = instance.object
         owner = (instance.parent if instance.is_instance else None) or obj
         identity = (obj.name_full, owner.name_full, instance.show_self)
@@ -55,8 +57,8 @@ class _Gathering:
         return self.known_usage[identity]
 
     def _usage(self, obj, owner):
-        # Instances are short-lived copies, and so are objects shown as the mesh Blender made of them: settings are
-        # those of what they are copies of (asking a copy for them leaks memory).
+        # Instances are temporary copies, and so are objects that Blender converted to meshes. Settings are read from
+        # the evaluated originals (reading them from a copy leaks memory).
         same = obj == owner
         obj = obj.original.evaluated_get(self.depsgraph)
         owner = obj if same else owner.original.evaluated_get(self.depsgraph)
@@ -69,14 +71,14 @@ class _Gathering:
         return OCCLUDE | HOLDOUT if holdout and usage & OCCLUDE else usage
 
     def curvature(self, obj):
-        """How the curvature of an object's surface is to be estimated, as its native surface takes it."""
+        """Curvature settings of an object, as arguments of the native Surface.set_field_options."""
         settings = obj.original.evaluated_get(self.depsgraph).fovea
         rings = settings.curvature_rings if settings.curvature_estimator == "JETS" else 0
         return settings.curvature_estimator.lower(), 0, rings, settings.curvature_smoothing
 
     def surface_index(self, obj, mesh):
-        # Meshes stay where they are while one depsgraph is walked over, so here a pointer may name one (but not one
-        # that is thrown away at once). The object counts because it may bring its own materials.
+        # Evaluated meshes keep their addresses during one traversal of a depsgraph, so a pointer identifies one, except
+        # the temporary mesh of edit mode. The object is part of the key because it may have its own materials.
         place = obj.name_full if is_edited(obj) else mesh.as_pointer()
         met = (place, obj.name_full)
         if met not in self.index_of:
@@ -99,7 +101,7 @@ class _Gathering:
         return self.index_of[met]
 
     def surface(self, obj, mesh, slots, plan, mend):
-        """The native surface of an evaluated mesh, refined and repaired as the user wants it."""
+        """The native surface of an evaluated mesh, refined by `plan` and repaired by `mend`, either may be None."""
         key, found = (obj.name_full, mesh.name_full, slots), None
         if plan is not None:
             cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
@@ -109,7 +111,7 @@ class _Gathering:
         return found
 
     def add(self, step, obj, mesh, instance, usage):
-        """One placement of an evaluated mesh; `step` counts the depsgraph's instances."""
+        """Adds a placement of an evaluated mesh; `step`: index of the instance in the depsgraph. Skips empty meshes."""
         if not len(mesh.edges):
             return
         index = self.surface_index(obj, mesh)
@@ -120,7 +122,7 @@ class _Gathering:
         self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, *self.own(obj)))
 
     def own(self, obj):
-        """An object's priority, and lines of its own accord, asked of what it is a copy of (see `_usage`)."""
+        """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""
         if obj.name_full not in self.known_own:
             settings = obj.original.evaluated_get(self.depsgraph).fovea
             self.known_own[obj.name_full] = (settings.priority, *own_lines.of(settings))
@@ -133,7 +135,7 @@ class _Gathering:
         return self.known_names[names]
 
     def snapshot(self, matrices, persistent):
-        """`matrices` (k, 4, 4) and `persistent` (k, 8) of all k instances of the depsgraph."""
+        """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8): of all k instances of the depsgraph."""
         columns = zip(*self.rows) if self.rows else ((),) * 8
         steps, surface, names, usage, objects, owners, importance, shown, *own_values = columns
         chosen = np.array(steps, np.intp)
@@ -154,10 +156,10 @@ class _Gathering:
 
 def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, notes=None):
     """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `colors`: a
-    color_sources.Gathering to fill on the way, or None; `notes`: the same of notes.
+    color_sources.Gathering to fill, or None; `notes`: a notes.Gathering to fill, or None.
 
-    Curves, text, surfaces and metaballs come as the meshes Blender makes of them. Objects and collections that are
-    hidden are not among the depsgraph's instances.
+    Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to. Hidden objects and
+    collections are not among the depsgraph's instances.
     """
     gathering = _Gathering(cache, depsgraph, viewport, with_marks, [beside for beside in (colors, notes) if beside])
     cache.begin()
@@ -165,17 +167,17 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
         obj = instance.object
         if colors and obj.type == "LIGHT" and instance.show_self:
             colors.add_light(instance)
-        # What Blender converts to a mesh appears twice, as itself and as the mesh.
+        # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh.
         if not isinstance(obj.data, bpy.types.Mesh):
             continue
         usage = gathering.usage(instance)
         if usage and is_edited(obj):
-            # Its arrays are empty until Blender is asked for them.
+            # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
             gathering.add(step, obj, obj.to_mesh(), instance, usage)
             obj.to_mesh_clear()
         elif usage:
             gathering.add(step, obj, obj.data, instance, usage)
-    # View layers and viewports may show different parts of a scene, and take turns.
+    # View layers and viewports may show different parts of a scene in alternating passes.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
     found = gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
     kept.add_snapshot(found)
@@ -183,7 +185,8 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
 
 
 def placements(depsgraph, viewport):
-    """What is placed where in a viewport (its SpaceView3D), of which material, cameras aside; to be compared."""
+    """Objects, materials, visibility and matrices of all instances in a viewport (its SpaceView3D), without cameras; to
+    be compared."""
     shown = []
     for instance in depsgraph.object_instances:
         obj = instance.object
@@ -200,7 +203,7 @@ def placements(depsgraph, viewport):
 
 
 def _instance_arrays(instances):
-    """(k, 4, 4) float64 object to world and (k, 8) int32 persistent ids, in the order they are walked over."""
+    """(k, 4, 4) float64 object-to-world matrices and (k, 8) int32 persistent ids of all instances, in order."""
     count = len(instances)
     matrices, persistent = np.empty((count, 4, 4), np.float32), np.empty((count, 8), np.int32)
     instances.foreach_get("matrix_world", matrices.ravel())
@@ -209,7 +212,7 @@ def _instance_arrays(instances):
 
 
 def _mixed(names, persistent):
-    """(n,) uint64 ids from (n,) hashes of names and (n, 8) persistent ids: neither changes from frame to frame."""
+    """(n,) uint64 hashes of (n,) name hashes and (n, 8) persistent ids, which are both constant over frames."""
     mixed = names
     for column in persistent.T.astype(np.uint32):
         mixed = (mixed ^ column) * np.uint64(0x9E3779B97F4A7C15)
@@ -231,6 +234,6 @@ def seen(core, view):
 
 
 def has_anything(scene):
-    """Whether some object of the scene, hidden or not, could ever have lines."""
+    """Whether any object of the scene, hidden or not, is of a type that can have lines."""
     kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD"}
     return any(obj.type in kinds or obj.instance_type != "NONE" for obj in scene.objects)

@@ -1,28 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much of what lies behind a material shows through it, as far as its nodes tell without being run.
+"""Estimates the transparency of a material from its nodes, without evaluating them.
 
-Lines have no half tones of hiding, and alpha is not sampled from place to place: a material hides what lies behind it
-as a whole, unless it is see-through as a whole. So leaves and hair cut out of cards by an image hide, and glass does not.
+Occlusion is binary per material, and alpha is not sampled over the surface: a material occludes unless it is
+transparent as a whole. So alpha-mapped cards of leaves or hair occlude, and glass does not.
 """
 
 from dataclasses import dataclass
 
 from . import shader_links
 
-ENOUGH = 0.5  # a material is see-through where more than this shows through it
+ENOUGH = 0.5  # a material with a transparency above this does not occlude
 
-# Factors of a Mix Shader as a camera ray meets a surface head-on: how panes of glass are made of other shaders.
+# Values of nodes that drive a Mix Shader's factor, for a camera ray at normal incidence; such mixes imitate glass.
 FACTORS = {"FRESNEL": 0.0, "LAYER_WEIGHT": 0.0, "LIGHT_PATH": 0.0}
 CAMERA_RAY = "Is Camera Ray"
 
 
 @dataclass(frozen=True)
 class Through:
-    """The share of what lies behind that shows through a shader, in [0, 1]."""
+    """Bounds of a shader's transparency, in [0, 1]."""
 
     least: float = 0.0
-    most: float = 0.0  # more than the least where it changes from place to place, or nodes were not followed
-    why: tuple = ()  # phrases, of what lets anything through
+    most: float = 0.0  # above `least` if it varies over the surface or nodes could not be followed
+    why: tuple = ()  # phrases on the reasons for transparency
 
     @property
     def is_enough(self):
@@ -30,7 +30,7 @@ class Through:
 
 
 OPAQUE = Through()
-CLEAR = {  # by type of shader
+CLEAR = {  # by type of shader node
     "BSDF_TRANSPARENT": Through(1.0, 1.0, ("it has a Transparent BSDF",)),
     "BSDF_GLASS": Through(1.0, 1.0, ("it is glass",)),
     "BSDF_REFRACTION": Through(1.0, 1.0, ("it is glass",)),
@@ -38,7 +38,7 @@ CLEAR = {  # by type of shader
 
 
 def through(material):
-    """What shows Through a material."""
+    """The Through of a material."""
     output = shader_links.output_of(material)
     if output is not None:
         if output.inputs["Volume"].links and not output.inputs["Surface"].links:
@@ -52,7 +52,7 @@ def through(material):
 
 
 def _of_socket(socket, groups):
-    """What shows Through the shader at a socket; nothing where there is none: that is black."""
+    """The Through of the shader linked to a socket; OPAQUE without one, which renders black."""
     link, _, groups = shader_links.origin(socket, groups)
     if link is None:
         return OPAQUE
@@ -67,8 +67,8 @@ def _of_socket(socket, groups):
 
 
 def _of_principled(shader, groups):
-    """Where alpha is linked, it cuts leaves or hair out of cards, and transmission is the light that they let through:
-    they hide."""
+    """Through of a Principled BSDF from its alpha and transmission. If alpha is linked, it is taken to cut out leaves
+    or hair and transmission to be their translucency: least = 0, so they occlude."""
     a0, a1, why_alpha = _value(shader.inputs["Alpha"], groups, "its alpha")
     t0, t1, why_transmission = _value(shader.inputs["Transmission Weight"], groups, "its transmission")
     why = (*(why_alpha if a0 < 1.0 else ()), *(why_transmission if t1 > 0.0 else ()))
@@ -76,7 +76,7 @@ def _of_principled(shader, groups):
 
 
 def _of_mix(shader, groups):
-    """Both shaders by their weights."""
+    """Through of a Mix Shader: bounds of the weighted mean."""
     low, high, why = _value(shader.inputs[0], groups, "its mix factor")
     first, second = (_of_socket(socket, groups) for socket in shader.inputs[1:3])
     used = [part for part, weight in ((first, 1.0 - low), (second, high)) if weight > 0.0]
@@ -88,8 +88,8 @@ def _of_mix(shader, groups):
 
 
 def _of_sum(shader, groups):
-    """Of added shaders what hides hides: leaves, say, are lit through by a Transparent BSDF that is added to their
-    surface. Emission only adds light: a glow is as clear as the other shader."""
+    """Through of an Add Shader: the minimum of its parts, so the more opaque one decides. (Leaves, for example, add a
+    Transparent BSDF for translucency.) Emission is ignored, because it only adds light."""
     parts = []
     for socket in shader.inputs:
         link, _, _ = shader_links.origin(socket, groups)
@@ -103,7 +103,7 @@ def _of_sum(shader, groups):
 
 
 def _value(socket, groups, name):
-    """(least, most, phrases about it) of the number in [0, 1] at a socket."""
+    """(least, most, phrases about it) of a value clamped to [0, 1] at a socket; (0, 1) if linked to unknown nodes."""
     link, socket, _ = shader_links.origin(socket, groups)
     if link is None:
         value = socket.default_value

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What feeds the sockets of shader nodes: links followed, not run."""
+"""Follows links between the sockets of shader nodes, without evaluating nodes."""
 
 
 def output_of(material):
-    """The node of the material's output, or None where it has no nodes."""
-    # From Blender 5 on every material uses nodes, and the switch is going away.
+    """The material's output node, or None if it has no nodes."""
+    # From Blender 5 on every material uses nodes, and use_nodes is deprecated.
     if material.node_tree is None or not getattr(material, "use_nodes", True):
         return None
     return material.node_tree.get_output_node("ALL")
@@ -17,7 +17,7 @@ def surface_shader(material):
 
 
 def link_to(socket):
-    """The link that feeds a socket, reroutes skipped, or None."""
+    """The valid, unmuted link into a socket, with reroutes skipped; or None."""
     while link := next((link for link in socket.links if link.is_valid and not link.is_muted), None):
         if link.from_node.type != "REROUTE":
             return link
@@ -26,14 +26,14 @@ def link_to(socket):
 
 
 def source(socket):
-    """The node that feeds a socket, reroutes skipped, or None."""
+    """The node linked to a socket, with reroutes skipped; or None."""
     link = link_to(socket)
     return link and link.from_node
 
 
 def origin(socket, groups):
-    """(link, socket, groups): what feeds a socket, followed into node groups and out of them; the link is None where
-    the value is that of the socket itself. `groups`: the group nodes that one is in, the innermost last."""
+    """(link, socket, groups): the origin of a socket's value, followed into and out of node groups; link is None if the
+    value is the default of the returned socket. `groups`: the enclosing group nodes, innermost last."""
     while link := link_to(socket):
         node, identifier = link.from_node, link.from_socket.identifier
         if node.type == "GROUP" and (inside := _group_output(node)):

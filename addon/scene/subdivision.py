@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which objects are drawn on the limit surface of their subdivision, and the cages that it is the limit of."""
+"""Decides which objects are drawn on the limit surface of a Catmull-Clark subdivision, and evaluates their cages."""
 
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -19,17 +19,17 @@ class Plan:
     level: int
     round_corners: bool = True
     use_creases: bool = True
-    modifier: int | None = None  # of the object, whose place the limit surface takes; None: the mesh itself is the cage
+    modifier: int | None = None  # index of the modifier that the limit surface replaces; None: the mesh is the cage
 
 
 def plan(obj, mesh, depsgraph):
-    """The Plan for an instance's evaluated mesh, or None when it is drawn as it is.
+    """The Plan for an instance's evaluated mesh, or None if it is drawn as it is.
 
-    An object whose last modifier is a Catmull-Clark subdivision is refined from what comes before it, any other one
-    only where the user wants it. A modifier that is not to place vertices on the limit surface, and one in edit mode,
-    are left to Blender.
+    If the last active modifier is a Catmull-Clark subdivision, the mesh before it is the cage. Other objects are
+    refined only if their setting Refine is on. Modifiers with Use Limit Surface off, and objects in edit mode, are left
+    to Blender.
     """
-    real = obj.original.evaluated_get(depsgraph)  # instances are short-lived copies
+    real = obj.original.evaluated_get(depsgraph)  # instances are temporary copies
     wanted = real.fovea.refine_level if real.fovea.refine else 0
     if real.data == mesh and not is_edited(real):
         index = _last_modifier(real, depsgraph.mode)
@@ -44,11 +44,11 @@ def plan(obj, mesh, depsgraph):
 
 @contextmanager
 def cage(obj, mesh, chosen, depsgraph):
-    """The mesh that a Plan refines, good inside the `with`.
+    """Context with the mesh that a Plan refines, valid inside the `with`.
 
-    Blender evaluates the object's modifiers once more without the last. It is switched off on Blender's evaluated copy
-    of the object, and on again before anyone else looks: the user's object is never touched. Blender reports an update
-    of the object all the same, of which nothing has changed (`is_echo`).
+    Blender evaluates the object's modifiers again without the last one, which is switched off temporarily on the
+    evaluated copy of the object; the user's object is not modified. Blender still reports an update of the object, with
+    no changed parts (`is_echo`).
     """
     if chosen.modifier is None:
         yield mesh
@@ -56,7 +56,7 @@ def cage(obj, mesh, chosen, depsgraph):
     real = obj.original.evaluated_get(depsgraph)
     switches = _switched_off(real.modifiers, chosen.modifier)
     try:
-        # Only with all layers does Blender evaluate anew instead of copying what it has.
+        # Only with preserve_all_data_layers does Blender evaluate again instead of copying the result it has.
         result = real.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
     finally:
         _switch(real.modifiers, switches)
@@ -67,20 +67,20 @@ def cage(obj, mesh, chosen, depsgraph):
 
 
 def is_echo(updates):
-    """Whether a depsgraph's updates come from nothing but a `cage` that was read."""
+    """Whether a depsgraph's updates were all caused by reading a `cage`: objects without changed parts."""
     parts = ("is_updated_geometry", "is_updated_transform", "is_updated_shading")
     found = [isinstance(u.id, bpy.types.Object) and not any(getattr(u, part) for part in parts) for u in updates]
     return bool(found) and all(found)
 
 
 def _last_modifier(obj, mode):
-    """Index of the last modifier that is on, or None."""
+    """Index of the last modifier that is enabled in the depsgraph's mode, or None."""
     shown = "show_render" if mode == "RENDER" else "show_viewport"
     return next((i for i in reversed(range(len(obj.modifiers))) if getattr(obj.modifiers[i], shown)), None)
 
 
 def _level(modifier, depsgraph):
-    """The modifier's level as Blender evaluates it."""
+    """The modifier's subdivision level as Blender evaluates it, including the scene's Simplify."""
     in_render = depsgraph.mode == "RENDER"
     level = modifier.render_levels if in_render else modifier.levels
     settings = depsgraph.scene.render
@@ -90,7 +90,7 @@ def _level(modifier, depsgraph):
 
 
 def _switched_off(modifiers, index):
-    """Switches one modifier off; what `_switch` takes to restore all."""
+    """Switches one modifier off; returns the previous switches of all modifiers, for `_switch`."""
     before = {}
     for name in ("show_viewport", "show_render"):
         before[name] = np.empty(len(modifiers), np.bool_)
@@ -103,6 +103,6 @@ def _switched_off(modifiers, index):
 
 
 def _switch(modifiers, switches):
-    """Sets {switch: (n,) bool}."""
+    """Sets switches of all n modifiers: {property: (n,) bool}."""
     for name, values in switches.items():
         modifiers.foreach_set(name, values)

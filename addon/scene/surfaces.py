@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Native surfaces of meshes, kept from frame to frame; content tells them apart, never a pointer or an update flag."""
+"""Cache of native surfaces between frames; validated by content hashes, never by pointers or update flags."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -12,7 +12,7 @@ from . import repair as repairs
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 
 
-REMARKS = {  # what a surface's report counts
+REMARKS = {  # counts of a surface's report -> text
     "non_finite_vertices": "vertices have no position and were left out",
     "degenerate_polygons": "faces have no area and were left out",
     "duplicate_polygons": "faces repeat others and were left out",
@@ -23,28 +23,28 @@ REMARKS = {  # what a surface's report counts
 
 @dataclass
 class _Entry:
-    surface: object  # None: a cage without a limit surface
-    topology: tuple  # content hashes of everything but the positions
-    positions: int
-    ngons: tuple
-    seen: tuple = ()  # of a refined one: content hashes of what Blender made of the cage
-    age: int = 0  # passes since it was last asked for
-    used: int = 0  # when it was last asked for
+    surface: object  # native Surface; None: a cage without a limit surface
+    topology: tuple  # number of vertices, and content hashes of all arrays but the positions
+    positions: int  # content hash
+    ngons: tuple  # content hashes of the n-gons' triangulation
+    seen: tuple = ()  # for a refined surface: content hashes of Blender's subdivided mesh
+    age: int = 0  # passes since its last use
+    used: int = 0  # logical time of its last use (kept.now)
 
 
 class SurfaceCache:
-    """Surfaces by a key that names where a mesh comes from; the content decides whether one is still good."""
+    """Surfaces by a key that identifies the mesh's source; content hashes decide whether an entry is valid."""
 
     def __init__(self, core, *, refit=False):
-        """`refit`: what moves is followed faster, by rays whose last bits depend on where it was before. Not for final
-        renders, whose frames depend on nothing but themselves."""
-        self._core, self._refit = core, refit  # the native module
+        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but the
+        last bits of ray hits then depend on earlier frames. Not for final renders, whose frames must be independent."""
+        self._core, self._refit = core, refit
         self.entries = {}
-        self._asked = {}  # how often each key came up in this pass
+        self._asked = {}  # key -> number of its uses in this pass
         self._buffers = mesh_arrays.Buffers()
         self.rebuilt = []  # surfaces built in this pass
         self.moved = []  # surfaces whose positions changed in this pass
-        self.remarks = []  # sentences for the user about what was built in this pass
+        self.remarks = []  # sentences for the user about surfaces built in this pass
         kept.add_cache(self)
 
     def begin(self):
@@ -54,11 +54,11 @@ class SurfaceCache:
             entry.age += 1
 
     def end(self, kept_passes):
-        """Ends it: lets go of surfaces that none of the last `kept_passes` passes asked for."""
+        """Ends a pass: drops surfaces that were not used in the last `kept_passes` passes."""
         self.entries = {key: entry for key, entry in self.entries.items() if entry.age < kept_passes}
 
     def items(self, needed):
-        """The kept.Items: surfaces; those that are needed, by their ids, stay."""
+        """The surfaces as kept.Items; those whose id is in `needed` are pinned."""
         found = []
         for key, entry in self.entries.items():
             let_go = None if id(entry.surface) in needed else partial(self._drop, key)
@@ -71,7 +71,8 @@ class SurfaceCache:
         self.moved = [surface for surface in self.moved if surface is not gone]
 
     def surface(self, key, name, mesh, slots, repair=None, *, with_marks):
-        """The native surface of an evaluated mesh. `slots`: its materials; `name` is for messages."""
+        """The native surface of an evaluated mesh: cached, or with new positions, or built. `slots`: its materials;
+        `name`: for messages."""
         key = self._ordered((key, repair))
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
         entry = self.entries.get(key)
@@ -89,9 +90,10 @@ class SurfaceCache:
         return entry.surface
 
     def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks):
-        """The native surface on the limit of a cage's subdivision; None where it has no limit surface, said once.
+        """The native surface on the limit of a cage's subdivision; None if it has no limit surface, with one remark.
 
-        `mesh`: what Blender made of the cage, which tells whether it has changed; `cage()`: a context with the cage.
+        `mesh`: Blender's subdivided mesh, whose hashes show whether the cage has changed; `cage()`: a context with the
+        cage.
         """
         key = self._ordered((key, plan, repair))
         _, _, topology, positions = self._read(mesh, slots, with_marks)
@@ -105,9 +107,9 @@ class SurfaceCache:
         return entry.surface
 
     def _refined(self, entry, name, cage, slots, plan, repair, with_marks):
-        """The entry for a cage: the one there is, moved when only positions differ, or a new one.
+        """The entry for a cage: `entry`, with new positions if only these differ, or a new one.
 
-        A repaired cage has other edges, and so no creases.
+        A repaired cage has different edges, so creases are dropped.
         """
         arrays, static, topology, positions = self._read(cage, slots, with_marks)
         creases = mesh_arrays.creases(cage, self._buffers) if plan.use_creases and not repair else (None, None)
@@ -115,7 +117,7 @@ class SurfaceCache:
         moved = entry is not None and entry.positions != positions
         if entry is None or entry.topology != topology or (moved and repair):
             entry = _Entry(None, topology, positions, ())
-            # OpenSubdiv needs no triangles, a repair does.
+            # OpenSubdiv needs no triangulation, but a repair does.
             triangles = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers) if repair else {}
             whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
             whole = self._repaired(name, whole, repair)
@@ -129,13 +131,13 @@ class SurfaceCache:
         return entry
 
     def _move(self, entry, arrays, positions):
-        """Gives the surface of an entry the positions of a mesh, whose content hash is given."""
+        """Sets the positions of an entry's surface; `positions`: their content hash."""
         entry.surface.set_positions(arrays.positions, refit=self._refit)
         entry.positions = positions
         self.moved.append(entry.surface)
 
     def _repaired(self, name, mesh, repair):
-        """A native Mesh, repaired where the user wants it."""
+        """A native Mesh, repaired if `repair` is not None; adds a remark on what was repaired."""
         if not repair:
             return mesh
         repaired = self._core.RepairedMesh(name, mesh, **repair.words())
@@ -144,13 +146,13 @@ class SurfaceCache:
         return repaired.mesh
 
     def _ordered(self, key):
-        """The key, and which of those with it in this pass it is."""
+        """(key, n): the n-th use of this key in the current pass."""
         self._asked[key] = self._asked.get(key, 0) + 1
         return key, self._asked[key]
 
     def _read(self, mesh, slots, with_marks):
-        """The mesh's arrays, those that do not move by their names in a native Mesh, and content hashes of the latter and
-        of the positions."""
+        """(MeshArrays, keyword arguments of a native Mesh without the positions, topology hashes of these, content hash
+        of the positions)."""
         arrays = mesh_arrays.read(mesh, self._buffers, with_marks=with_marks)
         material, occluding = _per_polygon(arrays, slots)
         static = {**vars(arrays), "material": material, "occluding": occluding}
@@ -166,22 +168,22 @@ class SurfaceCache:
 
 
 def remark(name, report, words=REMARKS):
-    """One sentence about what a native report counts (what of a Surface was left out or looks wrong), or None."""
+    """One sentence about the nonzero counts of a native report (elements left out or wrong), or None."""
     found = [f"{count} {told}" for what, told in words.items() if (count := getattr(report, what))]
     return f"'{name}': {'; '.join(found)}" if found else None
 
 
 def _size(surface):
-    """Bytes that a surface takes with what was found on it, about; measured of quads."""
+    """Estimated bytes of a surface with its fields and lines; measured on meshes of quads."""
     if surface is None:
         return 0
     return len(surface.triangles) * (BYTES_WITH_CURVATURE if surface.fields_reason else BYTES)
 
 
 def _per_polygon(arrays, slots):
-    """(F,) int32 material and (F,) bool whether it hides what lies behind; None where all polygons are alike.
+    """((F,) int32 material, (F,) bool whether it occludes); each None if it is the same (or True) for all polygons.
 
-    Slots that hold the same material count as one.
+    Slots with the same material count as one.
     """
     names = [slot.name for slot in slots]
     if arrays.material is None or len(slots) == 1:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Styles and their files, without Blender: JSON of the folder `styles`, each named as its style. The other modules of
-this folder hold styles in Blender: as node trees with properties and curves, as files of the user, as assets.
+"""Styles and their JSON files, independent of bpy. The bundled files are in the folder `styles`, named after the style.
+The other modules of this package represent styles in Blender: as node trees with properties and curves, as user files,
+as assets.
 
-What a style is made of, what each part may be and how files are read and written is the core's (native/fovea/style):
-`Style`, `LineSet`, `Pen` and the other records are names of this module. What has a wrong type or value is refused with
-a sentence that names it. What this version does not know is kept, and written again; `remark` says what it is, so that
-a misspelt key does not go unnoticed.
+The records (`Style`, `LineSet`, `Pen` and so on, available as names of this module), their validation and the file
+format are defined by the core (native/fovea/style). A wrong type or value is rejected with a message that names it.
+Unknown fields are preserved and written back; `remark` lists them, so that misspelled keys are noticed.
 """
 
 import json
@@ -18,16 +18,16 @@ from .. import catalogue, native
 _PACKAGE = Path(__file__).parents[1]
 FOLDER, TEXTURES, PAPERS = _PACKAGE / "styles", _PACKAGE / "textures", _PACKAGE / "papers"
 DEFAULT = "pen_and_ink"
-LARGEST = 1 << 20  # bytes that are read of a file: the core takes no more
-MOST_TOLD = 8  # unknown fields that are named
-MOST_WORDS = 500  # characters of what is told about a style: files may hold anything
+LARGEST = 1 << 20  # bytes: the core's limit on the size of a style file
+MOST_TOLD = 8  # most unknown fields that `remark` names
+MOST_WORDS = 500  # most characters of an error message, as files may contain anything
 
-# Of a LineSet: what each is called where it is turned round.
+# Filters of a LineSet -> name of the switch that inverts each.
 FILTERS = {"collection": "outside", "object": "other_objects", "material": "other_materials"}
 
 
 class StyleError(ValueError):
-    """What is wrong with a style, in one sentence for its author."""
+    """An invalid style; the message is one sentence for its author, shortened and without unprintable characters."""
 
     def __init__(self, text):
         short = text if len(text) <= MOST_WORDS else f"{text[: MOST_WORDS - 100]} ... {text[-90:]}"
@@ -35,39 +35,39 @@ class StyleError(ValueError):
 
 
 def __getattr__(name):
-    """The core's records of styles, and its limits. native.Unavailable where there is no core."""
-    if not name[0].isupper():  # as the modules of this folder, which need no core to be imported
+    """The core's style records and limits, as attributes of this module. native.Unavailable without the core."""
+    if not name[0].isupper():  # lower case: modules of this package, which can be imported without the core
         raise AttributeError(name)
     return getattr(native.load().style, name)
 
 
 def names():
-    """The styles that ship, the default first."""
+    """Names of the bundled styles, the default first."""
     return sorted((path.stem for path in FOLDER.glob("*.json")), key=lambda name: (name != DEFAULT, name))
 
 
 @lru_cache(maxsize=1)
 def textures():
-    """The pen textures that ship; `solid` needs no file."""
+    """Names of the bundled pen textures; `solid` needs no file."""
     found = {"solid"} | {path.stem for path in TEXTURES.glob("*.png")}
     return tuple(sorted(found, key=lambda name: (name != "solid", name)))
 
 
 @lru_cache(maxsize=1)
 def papers():
-    """The papers that ship; `none` is smooth."""
+    """Names of the bundled papers; `none` is smooth."""
     return ("none", *sorted(path.stem for path in PAPERS.glob("*.png")))
 
 
 def load(name):
-    """The style of that name."""
+    """The bundled style of that name."""
     if name not in names():
         raise StyleError(f"there is no style '{name}'; there are: {', '.join(names())}")
     return read(FOLDER / f"{name}.json")
 
 
 def read(path):
-    """The style in a file, which may be anyone's."""
+    """The style in a file, which may be untrusted. StyleError if it cannot be read or is invalid."""
     try:
         with open(path, "rb") as file:
             data = file.read(LARGEST + 4)  # a byte order mark does not count
@@ -82,9 +82,9 @@ def read(path):
 
 
 def parse(text, _definitions=None):
-    """A style from JSON. What older scripts say beside it, which line definitions there are, is known to the core."""
+    """A style from JSON. `_definitions` is ignored; older scripts pass the line definitions, which the core knows."""
     try:
-        # Half a character is no UTF-8, and refused as such.
+        # Lone surrogates are encoded to invalid UTF-8, which the core rejects.
         return native.load().style.Style.read(text.encode("utf-8", "surrogatepass"), textures(), papers())
     except ValueError as error:
         raise StyleError(str(error)) from error
@@ -96,7 +96,7 @@ def dump(style):
 
 
 def parameters(definition, values, where):
-    """{parameter: value} of one line definition, checked. StyleError says what is wrong; `where` is what it calls it."""
+    """{parameter: value} of one line definition, validated. StyleError if invalid; `where`: its name in the message."""
     try:
         return native.load().style.parameters(definition, values, where)
     except ValueError as error:
@@ -104,12 +104,12 @@ def parameters(definition, values, where):
 
 
 def field(record, name):
-    """What is declared of a member of one of the core's records: a dict, see native/bindings/bind_style.cpp."""
+    """The declaration of a member of one of the core's records: a dict, see native/bindings/bind_style.cpp."""
     return next(field for field in record.fields if field["name"] == name)
 
 
 def check(record, name, value, where):
-    """StyleError where a number cannot be that of a member of one of the core's records; `where` is what it is called."""
+    """StyleError if a number is outside the range of a record's member; `where`: its name in the message."""
     declared = field(record, name)
     least, most = declared["min"], declared["max"]
     if not least <= value <= most:
@@ -117,12 +117,12 @@ def check(record, name, value, where):
 
 
 def unknown(style):
-    """The dotted names of what is kept without being known."""
+    """Dotted names of the unknown fields that are preserved."""
     return tuple(_dotted(path) for path, _ in style.kept)
 
 
 def remark(style):
-    """A sentence about what a style has that is not known, each with the known name it resembles; None: nothing."""
+    """A sentence that lists a style's unknown fields, each with the most similar known name; None if there are none."""
     if not style.kept:
         return None
     plain, told = json.loads(dump(style.replace(kept=()))), []
@@ -139,7 +139,7 @@ def remark(style):
 
 
 def _at(data, path):
-    """What is at a path, or nothing."""
+    """The value at a path in nested data; () if it is empty or missing."""
     try:
         for step in path:
             data = data[step]
@@ -149,12 +149,12 @@ def _at(data, path):
 
 
 def _dotted(path):
-    """A path as a reader of the file would write it: line_sets[0].pen.width."""
+    """A path in dotted form: line_sets[0].pen.width."""
     return "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path).removeprefix(".")
 
 
 def dashed(pen):
-    """A pen for hidden parts of the lines that `pen` draws."""
+    """A dashed pen derived from `pen`, thinner and fainter, for the hidden runs of its lines."""
     least = 0.1 if pen.width_unit == "millimetres" else 1.0
     shape = {"texture": "dashes", "length_scale": 1.5, "cap": "butt"}
     width = max(0.6 * pen.width, least)

@@ -11,7 +11,7 @@ from ..scene.operator import Operator
 from ..stages import REFERENCE_HEIGHT
 from . import style_data
 
-# Freestyle's word for an edge type -> our lines.
+# Freestyle's edge type -> line definitions.
 KINDS = {
     "silhouette": ("contour", "border"),
     "border": ("border",),
@@ -23,15 +23,15 @@ KINDS = {
     "external_contour": ("silhouette",),
     "edge_mark": ("edge_mark",),
 }
-# Of our lines, one that has all of the other.
+# Line definition -> another that it contains.
 HAS = {"contour": "silhouette"}
-# Our parameters, of Freestyle's settings: its crease angle is that between faces, ours between normals.
+# Line definition -> its parameters from Freestyle's settings, whose crease angle is between faces, not normals.
 PARAMETERS = {"crease": lambda settings: {"angle": 180 - math.degrees(settings.crease_angle)}}
-_RELATIVE_HEIGHT = 480  # Freestyle's relative thickness is in pixels of an image so high
+_RELATIVE_HEIGHT = 480  # image height in pixels that Freestyle's relative thickness refers to
 
 
 def style_of(scene, layer):
-    """(Style, sentences about what it cannot tell) of a view layer's Freestyle settings."""
+    """(Style, sentences about settings that could not be converted) from a view layer's Freestyle settings."""
     settings, told, sets = layer.freestyle_settings, [], []
     for line_set in settings.linesets:
         if not line_set.show_render:
@@ -44,7 +44,7 @@ def style_of(scene, layer):
 
 
 def _kinds(line_set, settings):
-    """{definition: parameters} of a line set."""
+    """{definition: parameters} for a Freestyle line set."""
     wanted = [word for word in KINDS if getattr(line_set, f"select_{word}") or not line_set.select_by_edge_types]
     names = dict.fromkeys(name for word in wanted for name in KINDS[word])
     had = {HAS.get(name) for name in names}
@@ -67,7 +67,7 @@ def _line_set(line_set, kinds, scene):
 
 
 def _range(line_set):
-    """Least and most surfaces (None: any number) that hide what a line set draws."""
+    """(first, last) quantitative invisibility of a Freestyle line set; last None: unlimited."""
     if not line_set.select_by_visibility or line_set.visibility == "VISIBLE":
         return (0, 0) if line_set.select_by_visibility else (0, None)
     if line_set.visibility == "HIDDEN":
@@ -89,12 +89,12 @@ def _pen(chosen, scene):
 
 
 def _pixel(scene):
-    """Reference pixels of a pixel of the scene's image."""
+    """Reference pixels per pixel of the scene's image."""
     return REFERENCE_HEIGHT / (scene.render.resolution_y * scene.render.resolution_percentage / 100)
 
 
 def _unmatched(line_set):
-    """What a line set has that is not taken over."""
+    """Yields phrases on settings of a Freestyle line set that are not converted."""
     chosen = line_set.linestyle
     if line_set.select_by_edge_types and line_set.edge_type_negation == "EXCLUSIVE":
         yield "lines that are not of its edge types"
@@ -107,7 +107,7 @@ def _unmatched(line_set):
     if line_set.select_by_face_marks:
         yield "face marks"
     for words in ("color", "alpha", "thickness", "geometry"):
-        # Every new line style samples its lines.
+        # Every new line style has a Sampling modifier.
         if any(modifier.use and modifier.type != "SAMPLING" for modifier in getattr(chosen, f"{words}_modifiers")):
             yield f"{words} modifiers"
     if chosen.use_length_max:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on the line sets of the scene's style, and on the hidden pens of the one that is edited."""
+"""Operators on the line sets of the scene's style, and on the hidden pens of the selected line set."""
 
 import bpy
 from bpy.props import EnumProperty
@@ -9,23 +9,23 @@ from ..scene import animation
 from . import FILTERS, style_data, style_read, style_write
 from .style_operators import OnStyle
 
-MOST = 64  # line sets of a style
-_FOR_ALL = dict.fromkeys(FILTERS, "") | dict.fromkeys(FILTERS.values(), False)  # as without filters
+MOST = 64  # most line sets of a style
+_FOR_ALL = dict.fromkeys(FILTERS, "") | dict.fromkeys(FILTERS.values(), False)  # members of a LineSet without filters
 DIRECTIONS = (("UP", "Up", "Draws its lines before"), ("DOWN", "Down", "Draws what is left after"))
 
 
 def edited(held):
-    """The line set of a style's properties that is edited, or None."""
+    """The selected line set in a style's properties, or None."""
     return held.line_sets[held.line_set_index] if held.line_set_index < len(held.line_sets) else None
 
 
 def edited_hidden(line_set):
-    """The hidden pen of a line set that is edited, or None."""
+    """The selected hidden pen of a line set, or None."""
     return line_set.hidden[line_set.hidden_index] if line_set.hidden_index < len(line_set.hidden) else None
 
 
 class _Edit(OnStyle):
-    """Of the style's properties."""
+    """Base of operators that edit the style's properties in `edit(held)`."""
 
     @classmethod
     def hindrance_of(cls, tree):
@@ -35,7 +35,7 @@ class _Edit(OnStyle):
 
     @classmethod
     def lacks(cls, held):
-        """Why it cannot be done to a style's properties, or None."""
+        """Why the operator is unavailable for a style's properties, or None."""
         return None if edited(held) else "No line set is chosen"
 
     def act(self, context):
@@ -115,7 +115,7 @@ class FOVEA_OT_hidden_pen_add(_Edit, bpy.types.Operator):
         ends = [hidden.last or hidden.first for hidden in line_set.hidden]
         first = min(max(ends, default=0) + 1, style.MOST_SURFACES)
         for hidden in line_set.hidden:
-            hidden.last = hidden.last or hidden.first  # those that went on for ever end where the new one begins
+            hidden.last = hidden.last or hidden.first  # close unlimited ranges, so that the new one can follow
         style_write.write_hidden(line_set.hidden.add(), style.Hidden(pen=dashes, first=first))
         line_set.hidden_index = len(line_set.hidden) - 1
 
@@ -136,7 +136,7 @@ class FOVEA_OT_hidden_pen_remove(_Edit, bpy.types.Operator):
 
 
 def move(held, source, to):
-    """Moves a line set to another place, with what animates it."""
+    """Moves a line set to another index, together with its F-curves and drivers."""
     order = list(range(len(held.line_sets)))
     order.insert(to, order.pop(source))
     held.line_sets.move(source, to)
@@ -144,7 +144,7 @@ def move(held, source, to):
 
 
 def _insert(held, wanted, place):
-    """A new line set at a place among the others, to be edited."""
+    """Inserts a LineSet at an index and selects it."""
     style_write.write_line_set(held.line_sets.add(), wanted)
     move(held, len(held.line_sets) - 1, place)
     held.line_set_index = place

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Styles as assets: marked with a thumbnail that Fovea draws, found in the Asset Browser and in a shelf of the 3D view,
-and used from there."""
+"""Styles as assets: operators to mark them, with a thumbnail that Fovea renders, and to use them from the Asset Browser
+or the asset shelf of the 3D view."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from .. import native, style
 from . import style_data, style_picture, style_read
 from .style_operators import OnStyle, StyleOperator
 
-MARK = "fovea_style"  # what tells a style from other node groups before it is read
+MARK = "fovea_style"  # metadata key that identifies a style asset before its datablock is loaded
 TAG = "Fovea"
 IMPORTS = [
     ("FOLLOW", "As the Browser Says", "The import method of the Asset Browser or of the asset library"),
@@ -28,7 +28,7 @@ class FOVEA_OT_style_mark_asset(OnStyle, bpy.types.Operator):
 
     bl_idname, bl_label = "fovea.style_mark_asset", "Mark Style as Asset"
 
-    # Those of one style are not what the next begins with.
+    # SKIP_SAVE: the values for one style are not the defaults for the next.
     description: StringProperty(name="Description", description="What others read of the style", options={"SKIP_SAVE"})
     author: StringProperty(name="Author", description="Who made the style")
     tags: StringProperty(
@@ -90,7 +90,7 @@ class FOVEA_OT_style_use_asset(StyleOperator, bpy.types.Operator):
     method: EnumProperty(
         name="Import", description="How the style comes into this file", items=IMPORTS, options={"SKIP_SAVE"}
     )
-    # What a shelf says of the asset that is pressed.
+    # Set by an asset shelf for the asset that is clicked.
     asset_library_type: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
     asset_library_identifier: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
     relative_asset_identifier: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
@@ -121,7 +121,7 @@ def is_style_asset(asset):
 
 
 def show(data, pixels):
-    """Makes (H, W, 3) uint8, bottom row first, the picture that Blender shows of a datablock."""
+    """Sets the preview of a datablock from (H, W, 3) uint8, bottom row first."""
     height, width = pixels.shape[:2]
     opaque = np.full((height, width, 4), 1.0, np.float32)
     opaque[..., :3] = pixels / np.float32(255)
@@ -131,7 +131,7 @@ def show(data, pixels):
 
 
 def brought(filepath, name, method):
-    """The node tree of that name of another .blend file, as IMPORTS say; None where it has none."""
+    """The node tree of that name from another .blend file, imported by a method of IMPORTS; None if it has none."""
     path = str(Path(bpy.path.abspath(filepath)).resolve())
     if method == "APPEND_REUSE":
         return _appended(path, name) or brought(filepath, name, "APPEND")
@@ -142,19 +142,19 @@ def brought(filepath, name, method):
         wanted.node_groups = [name] if name in there.node_groups else []
     tree = wanted.node_groups[0] if wanted.node_groups else None
     if tree is not None and not how["link"]:
-        tree.asset_clear()  # a copy that is used is no other asset
+        tree.asset_clear()  # the appended copy is not an asset itself
         tree.fovea.brought = f"{path}\n{name}"
     return tree
 
 
 def _appended(path, name):
-    """The node tree that was appended from a file before, or None."""
+    """The node tree that was appended from a file earlier, or None."""
     trees = (tree for tree in bpy.data.node_groups if tree.library is None)
     return next((tree for tree in trees if tree.fovea.brought == f"{path}\n{name}"), None)
 
 
 def method_of(filepath):
-    """The import method that preferences give to the asset library in which a file is; APPEND outside of all."""
+    """The import method in the preferences of the asset library that contains a file; APPEND if none does."""
     for library in bpy.context.preferences.filepaths.asset_libraries:
         if library.path and Path(filepath).resolve().is_relative_to(Path(library.path).resolve()):
             return library.import_method
@@ -162,13 +162,13 @@ def method_of(filepath):
 
 
 def _browser_method(context):
-    """The import method that an Asset Browser is set to; None where it leaves it to the library."""
+    """The import method set in an Asset Browser; None if it follows the preferences of the library."""
     found = getattr(getattr(context.space_data, "params", None), "import_method", "FOLLOW_PREFS")
     return None if found == "FOLLOW_PREFS" else found
 
 
 def _in_shelf(pressed):
-    """The .blend file, none for this one, and the name of what a shelf speaks of: 'a/b.blend/NodeTree/Name'."""
+    """(.blend file, "" for the current one; name) of the asset clicked in a shelf, from 'a/b.blend/NodeTree/Name'."""
     file, _, rest = pressed.relative_asset_identifier.replace("\\", "/").rpartition("NodeTree/")
     if pressed.asset_library_type == "LOCAL" or not file:
         return "", rest
@@ -194,14 +194,14 @@ class VIEW3D_AST_fovea_styles(bpy.types.AssetShelf):
 
 
 def _in_browser(menu, context):
-    """In the context menu of the Asset Browser."""
+    """Entry in the context menu of the Asset Browser."""
     if is_style_asset(getattr(context, "asset", None)):
         menu.layout.separator()
         menu.layout.operator("fovea.style_use_asset", icon="BRUSH_DATA")
 
 
 def _in_menu(menu, _context):
-    """In Render > Fovea, where F3 finds them."""
+    """Entries in Render > Fovea, so that F3 (search) finds the operators."""
     menu.layout.separator()
     menu.layout.operator_context = "INVOKE_DEFAULT"
     for cls in OPERATORS[:2]:

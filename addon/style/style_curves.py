@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Response curves of transfer functions: Float Curve nodes in a style's node tree, each named by its part and effect.
+"""Response curves of transfer functions: Float Curve nodes in a style's node tree, named by part and effect.
 
-Fovea joins the points by a monotone cubic, which is what Blender shows of points whose handles are clamped. Of others,
-as vectors or such as overshoot, style files cannot say the handles: there the curve's points stay, and as many are put
-between them as keep what is drawn to what Blender shows. Two points are a straight line to both.
+Fovea interpolates the points by a monotone cubic, as Blender does for handles of type Auto Clamped. Style files cannot
+store other handle types (Vector, or Auto, which overshoots): there the curve's points are kept, and points are inserted
+until the monotone cubic matches Blender's curve. Two points are a straight line in both.
 """
 
 import math
@@ -13,13 +13,13 @@ from ..curve_fit import fewest
 from ..scene.property_kinds import neat
 
 STRAIGHT = ((0.0, 0.0), (1.0, 1.0))
-PLACES = 256  # steps at which a curve with other handles is looked at, as Blender itself does
-BESIDE = 1 / 2048  # of a corner, where points to both sides keep it sharp
-APART = 1e-6  # of points along x; nearer ones are one
+PLACES = 256  # samples of a curve with other handle types, the resolution of Blender's own table
+BESIDE = 1 / 2048  # distance along x of the points on both sides of a corner that keep it sharp
+APART = 1e-6  # points at most this far apart along x are merged
 
 
 def node_name(part, effect):
-    """Of an effect's curve, as "effects.width"."""
+    """Name of the node of an effect's curve, for example "effects.width"."""
     return f"{part}.{effect}"
 
 
@@ -30,7 +30,7 @@ def _node(tree, part, effect):
 
 
 def read(tree, part, effect):
-    """A Transfer's curve; straight where the node is missing."""
+    """The curve of a Transfer: (x, y) points in [0, 1]; () for a straight line or a missing node."""
     node = _node(tree, part, effect)
     if node is None:
         return ()
@@ -49,7 +49,7 @@ def read(tree, part, effect):
 
 
 def write(tree, part, effect, points):
-    """Makes the node if need be. A single point holds everywhere, as a pair does."""
+    """Writes points to the node of an effect's curve, created if missing. A single point becomes a constant curve."""
     node = _node(tree, part, effect)
     if node is None:
         node = tree.nodes.new("ShaderNodeFloatCurve")
@@ -66,7 +66,7 @@ def write(tree, part, effect, points):
     curve.points[0].location, curve.points[1].location = (-1.0, 0.0), (2.0, 0.0)
     for x, y in points[1:-1]:
         curve.points.new(x, y)
-    # The outermost come last: points are kept in the order of x.
+    # The end points are placed last, because Blender keeps points sorted by x.
     curve.points[0].location, curve.points[len(curve.points) - 1].location = points[0], points[-1]
     for point in curve.points:
         point.handle_type = "AUTO_CLAMPED"
@@ -74,7 +74,7 @@ def write(tree, part, effect, points):
 
 
 def _fitted(mapping, curve):
-    """Points that give back, within curve_fit.TOLERANCE, what Blender shows."""
+    """Points whose monotone cubic matches Blender's curve within curve_fit.TOLERANCE, if few enough points suffice."""
     mapping.initialize()
     own = {point.location[0]: point for point in curve.points if 0 <= point.location[0] <= 1}
     found = {x: point.location[1] for x, point in own.items()}

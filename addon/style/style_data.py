@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Styles as datablocks: node trees that hold a style's properties and its response curves. Scenes point to them.
+"""Styles as datablocks: node trees with a style's properties and response curves, to which scenes point.
 
-A scene that points to none draws the default style. Scripts say `use(scene, "charcoal")`, or a Style, and change what
-they get.
+A scene without one draws the default style. Scripts call `use(scene, "charcoal")`, or pass a Style, and modify the
+properties it returns.
 """
 
 import hashlib
@@ -21,13 +21,13 @@ def is_style(tree):
 
 
 def of(scene):
-    """The node tree of a scene's style; None: it draws the default."""
+    """The node tree of a scene's style; None if it draws the default."""
     tree = scene.fovea.style
     return tree if is_style(tree) else None
 
 
 def new(name, wanted):
-    """A node tree that holds a Style."""
+    """A new node tree with a Style."""
     tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
     style_write.write(tree, wanted)
     tree.fovea.untouched = fingerprint(tree)
@@ -35,12 +35,12 @@ def new(name, wanted):
 
 
 def default():
-    """The Style of scenes that point to none."""
+    """The Style of scenes without a style datablock."""
     return style.load(style.DEFAULT)
 
 
 def use(scene, wanted, name="Style"):
-    """Makes a scene draw with a Style, or with the shipped one of a name, in a datablock of its own: its properties."""
+    """Assigns a Style, or the bundled one of a name, to a scene as a new datablock; returns its properties."""
     if isinstance(wanted, str):
         wanted, name = style.load(wanted), title(wanted)
     assign(scene, new(name, wanted), wanted.focus)
@@ -48,13 +48,13 @@ def use(scene, wanted, name="Style"):
 
 
 def own(scene):
-    """The properties of the style that a scene draws with; a scene that has none gets the default as its own."""
+    """The properties of a scene's style; a scene without one gets a new datablock with the default style."""
     return of(scene).fovea if of(scene) else use(scene, style.DEFAULT)
 
 
 def assign(scene, tree, focus=None):
-    """Makes a scene draw with the style in a node tree, and look where a Focus says, if it says so. The one before goes
-    where it is as it was made, and nobody else has it."""
+    """Assigns the style in a node tree to a scene, and the Focus to its settings if it is active. Removes the previous
+    style if it is unmodified and has no other users."""
     old = of(scene)
     scene.fovea.style = tree
     if focus is not None and focus.active():
@@ -64,40 +64,40 @@ def assign(scene, tree, focus=None):
 
 
 def is_spare(tree):
-    """Whether nothing is lost with it."""
+    """Whether a style can be removed without loss: unused, local, unmodified, not animated and not an asset."""
     bare = not (tree.users or tree.library or tree.animation_data or tree.asset_data)
     return bare and tree.fovea.elision.density_image is None and tree.fovea.untouched == fingerprint(tree)
 
 
 def fingerprint(tree):
-    """Of all that its style says."""
+    """Hash of everything in a node tree's style."""
     return hashlib.sha256(style.dump(style_read.read(tree)).encode()).hexdigest()
 
 
 def note_source(tree, name):
-    """Remembers the saved style that a style came from, or was saved as; a linked one is its own file's."""
+    """Stores the name of the saved style that a style came from or was saved as; not for linked styles."""
     if tree.library is None:
         tree.fovea.source = name
 
 
 def follow_source(name, fresh):
-    """A saved style has another name: styles of this file that came from it know."""
+    """Updates the stored source in this file's styles after a saved style was renamed."""
     for tree in bpy.data.node_groups:
         if is_style(tree) and tree.fovea.source == name:
             note_source(tree, fresh)
 
 
-_WORDS = {"and": "and", "xray": "X-Ray"}  # of file names, as they are written
+_WORDS = {"and": "and", "xray": "X-Ray"}  # words of file names that are not simply capitalized
 
 
 def title(name):
-    """A style's file name in words."""
+    """A style's display name from its file name."""
     return " ".join(_WORDS.get(word, word.title()) for word in name.split("_"))
 
 
 def choose_lines(held, names):
-    """Makes a style, by its properties, draw the named kinds of lines and no others: each line set keeps those it has,
-    and the last one has the rest."""
+    """Restricts a style's properties to the named kinds of lines: each line set keeps its kinds among them, and the
+    last one gets the named kinds that no other set has."""
     *before, last = held.line_sets
     taken = set()
     for line_set in before:
@@ -111,6 +111,6 @@ def choose_lines(held, names):
 
 
 def drawn_kinds(held):
-    """Names of the kinds of lines that some line set of a style has."""
+    """Names of the kinds of lines that any line set of a style has."""
     kinds = (definition["name"] for definition in definitions())
     return {kind for kind in kinds if any(getattr(line_set.kinds, kind) for line_set in held.line_sets)}

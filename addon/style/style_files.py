@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Style files: those that ship, and the user's own, in the extension's folder for them. Their names differ."""
+"""Style files: the bundled ones, and the user's in the extension's user folder. User styles cannot have bundled
+names."""
 
 import logging
 import re
@@ -16,7 +17,7 @@ _log = logging.getLogger(__package__)
 
 
 def user_folder(create=False):
-    """Where the user's styles are. ValueError where the add-on was not installed as an extension."""
+    """Folder of the user's styles. ValueError if the add-on was not installed as an extension."""
     return Path(bpy.utils.extension_path_user(ADDON, path="styles", create=create))
 
 
@@ -33,14 +34,14 @@ def shipped_names():
 
 
 def names():
-    """The one that the user prefers, with which New begins, then those that ship, then the user's."""
+    """Names of all styles: first the default of the preferences, which New uses, then the bundled, then the user's."""
     found = [*shipped_names(), *(name for name in user_names() if name not in shipped_names())]
     wished = own().default_style if own() else style.DEFAULT
     return sorted(found, key=lambda name: name != wished)
 
 
 def load(name):
-    """The Style of that name; StyleError says what is wrong."""
+    """The Style of that name. StyleError if it does not exist or is invalid."""
     if name in shipped_names():
         return style.load(name)
     if name not in user_names():
@@ -49,7 +50,7 @@ def load(name):
 
 
 def file_name(title):
-    """A name for a user's style that is safe as that of a file. StyleError where there is none."""
+    """A safe file name for a user's style. StyleError if none is possible or it is that of a bundled style."""
     name = re.sub(r"\W+", "_", title, flags=re.ASCII).strip("_").lower()
     if not name:
         raise style.StyleError("a style's name needs letters or digits")
@@ -59,7 +60,7 @@ def file_name(title):
 
 
 def save(name, wanted):
-    """Writes a Style to the user's folder, over one that has the name, and its thumbnail beside it: its path."""
+    """Writes a Style and its thumbnail to the user's folder, replacing one of the same name; returns its path."""
     path = user_folder(create=True) / f"{name}.json"
     write(path, wanted)
     _draw(_picture_of(path), wanted)
@@ -67,12 +68,12 @@ def save(name, wanted):
 
 
 def write(path, wanted):
-    """All of the file or, where that fails, nothing of it."""
+    """Writes a Style to a file atomically: on an error the old file stays."""
     _write(Path(path), style.dump(wanted).encode())
 
 
 def rename(name, fresh):
-    """A user's style and its thumbnail have another name, which no style has."""
+    """Renames a user's style and its thumbnail. StyleError if the new name is taken."""
     if fresh in user_names():
         raise style.StyleError(f"there is a style '{fresh}' already")
     path, target = _of_user(name), user_folder() / f"{fresh}.json"
@@ -88,7 +89,7 @@ def delete(name):
 
 
 def picture(name):
-    """The thumbnail of a style, or None."""
+    """Path of a style's thumbnail, or None."""
     if name in shipped_names():
         path = style.FOLDER / f"{name}.jpg"
     else:
@@ -107,7 +108,7 @@ def _picture_of(path):
 
 
 def _draw(path, wanted):
-    """A style without a thumbnail is better than one with the thumbnail of another."""
+    """Writes a style's thumbnail; if that fails, removes the old one, which would be of another style."""
     try:
         _write(path, style_picture.png(style_picture.draw(wanted)))
     except (native.Unavailable, ValueError) as error:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The PropertyGroups that hold a style, in a node tree: one for each of the core's records, made from what is declared
-of their members (native/fovea/style).
+"""The PropertyGroups that store a style in a node tree: one per record of the core, generated from the declarations of
+the records' members (native/fovea/style).
 
-A number, word or switch that is added to a record is a property here, with its label, range and unit. What may be
-missing in a style (a pen out of focus, a background) has a switch beside it. Without the core there are none.
+A member added to a record becomes a property here, with its label, range and unit. An optional part of a style (a
+defocus pen, a background) has an extra switch. Without the native module there are no such groups.
 """
 
 import math
@@ -15,9 +15,9 @@ from .. import native, style
 from ..scene import line_kinds
 from ..scene.property_kinds import choice, file_names, new_group, number, pointer, switch, text, vector, whole_number
 
-PLAIN = ("switch", "number", "whole number", "choice", "text", "color")  # types of members that are one property
-ELSEWHERE = ("name", "first")  # members that are properties of another kind
-UNITS = {  # what of a property tells the unit
+PLAIN = ("switch", "number", "whole number", "choice", "text", "color")  # types of members that map to one property
+ELSEWHERE = ("name", "first")  # members whose properties are declared separately
+UNITS = {  # unit of a member -> keywords of its property
     "": {"step": 10},
     "share": {"subtype": "FACTOR"},
     "reference pixels": {"subtype": "PIXEL"},
@@ -29,29 +29,29 @@ UNITS = {  # what of a property tells the unit
 FILES = {"texture": style.textures, "paper": style.papers}
 AWAY = ("Pen out of Focus", "Lines out of focus are drawn with a pen of their own")
 
-_groups = {}  # the core's record: its group, once they are registered
-_registered = []  # groups, in order
+_groups = {}  # record class of the core -> its registered PropertyGroup
+_registered = []  # registered groups, in order
 
 
 def part(cls):
-    """The name of the property that holds a record of the core's, and of the group of curves of its effects."""
+    """Name of the property that stores a record, also the prefix of the names of its effects' curve nodes."""
     return cls.__name__.lower()
 
 
 def plain_fields(cls):
-    """What is declared of members of a record that are one property each, and never missing."""
+    """Declarations of the members of a record that map to one property each and are not optional."""
     fields = (f for f in cls.fields if f["type"] in PLAIN and f["default"] is not None)
     return [f for f in fields if f["name"] not in ELSEWHERE]
 
 
 def transfers(cls):
-    """{name: what is declared} of the members of a record that are transfer functions."""
+    """{name: declaration} of the members of a record that are transfer functions."""
     return {f["name"]: f for f in cls.fields if f["type"] == "transfer"}
 
 
 def grouped(cls):
-    """Names of the plain members of a record, by the groups that are declared, in their order; words that say what a
-    group's first is measured in or fixed to stand right after it."""
+    """Names of a record's plain members, as one list per declared group, in order. In a group, choices come right after
+    its first member, as they are its unit or what it is anchored to."""
     groups = {}
     for field in plain_fields(cls):
         groups.setdefault(field["group"], []).append(field)
@@ -62,7 +62,7 @@ def grouped(cls):
 
 
 def _property(field):
-    """The property for a member."""
+    """The Blender property for a member's declaration."""
     default, kind = field["default"], field["type"]
     words = field["label"], field["description"]
     limits = {"min": field["min"], "max": field["max"], "soft_max": field["soft_max"]}
@@ -90,7 +90,7 @@ def _plain(cls):
 
 
 def _optional(cls, name, default):
-    """The property for a member that may be missing, and is `default` then."""
+    """The property for an optional member; `default`: its value while the member is unset."""
     return _property(style.field(cls, name) | {"default": default})
 
 
@@ -159,11 +159,11 @@ def _add_parts():
 
 
 def register():
-    """Puts a style in every node tree; `schema` is 0 where there is none."""
+    """Registers the groups and adds `fovea` to all node trees; `schema` is 0 in trees that are not styles."""
     held = {
         "schema": IntProperty(options={"HIDDEN"}),
         "untouched": StringProperty(options={"HIDDEN"}),
-        "source": StringProperty(options={"HIDDEN"}),  # its file name, now or once, among those that ship or are saved
+        "source": StringProperty(options={"HIDDEN"}),  # name of the bundled or saved style that it came from
         "brought": StringProperty(options={"HIDDEN"}),  # the .blend file and the name that it was appended from
         "kept": StringProperty(options={"HIDDEN"}),
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on styles as wholes: made, applied, copied, read from files and written to them."""
+"""Operators on whole styles: create, apply, copy, import, export, save, rename and delete."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from ..scene import animation
 from ..scene.operator import Operator
 from . import style_data, style_files, style_read
 
-_items = {}  # kept for Blender, which does not keep what enums are made of
+_items = {}  # references to enum items, which Blender does not keep alive itself
 
 
 def _enum(key, names):
@@ -50,7 +50,7 @@ class OnStyle(StyleOperator):
 
     @classmethod
     def hindrance_of(cls, tree):
-        """The same of the style's node tree."""
+        """Why the operator is unavailable for the style's node tree, or None."""
 
 
 class FOVEA_OT_style_new(StyleOperator, bpy.types.Operator):
@@ -58,7 +58,7 @@ class FOVEA_OT_style_new(StyleOperator, bpy.types.Operator):
 
     bl_idname, bl_label = "fovea.style_new", "New Style"
 
-    # Without an own value it is the first of them.
+    # If unset, it is the first item.
     style: EnumProperty(name="From", description="The style it begins as", items=_all, options={"SKIP_SAVE"})
 
     def act(self, context):
@@ -131,7 +131,7 @@ class FOVEA_OT_style_save(OnStyle, bpy.types.Operator):
     """Keep the scene's style among your own, for other files. One of yours with that name is replaced"""
 
     bl_idname, bl_label = "fovea.style_save", "Save Style"
-    bl_options = {"UNDO"}  # the style knows what it was saved as; another name tried afterwards would be another file
+    bl_options = {"UNDO"}  # no REGISTER: changing the name in the redo panel would write another file
 
     name: StringProperty(name="Name", description="Of the style; none: as the scene's is named", maxlen=60)
 
@@ -196,7 +196,7 @@ class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
         return context.window_manager.invoke_props_dialog(self, confirm_text="Rename")
 
     def act(self, _context):
-        # Once it is renamed there is no style of the old name to be chosen.
+        # Read first: after renaming, the enum no longer has the old name.
         old, fresh = self.style, style_files.file_name(self.name)
         if fresh != old:
             style_files.rename(old, fresh)

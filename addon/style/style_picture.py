@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Thumbnails of styles: what each makes of a small scene of its own (still_life.py), drawn natively. Nothing of
-Blender's is touched, so that a thumbnail is the same whatever the file holds."""
+"""Thumbnails of styles: renders of a fixed small scene (still_life.py) by the native module. They use no Blender data,
+so they do not depend on the open file."""
 
 from functools import lru_cache
 
@@ -11,13 +11,13 @@ from ..scene import scene
 from ..stages import View
 
 SIZE = 256  # pixels along each side
-OVERSIZE = 2  # pixels that become one, along each axis: finer lines than so small a picture has room for
-HEIGHT = 480.0  # reference pixels that the picture is high: pens are as in a part of a whole picture
+OVERSIZE = 2  # supersampling factor along each axis
+HEIGHT = 480.0  # height of the thumbnail in reference pixels; sets the size of pens
 
 
 def draw(drawn):
-    """(SIZE, SIZE, 3) uint8 sRGB, bottom row first: the thumbnail of a Style. native.Unavailable where nothing can be
-    drawn."""
+    """The thumbnail of a Style: (SIZE, SIZE, 3) uint8 sRGB, bottom row first. native.Unavailable without the native
+    module."""
     core = native.load()
     placed, sources = _scene(core)
     world_to_view, clip, near, far = still_life.view()
@@ -35,13 +35,13 @@ def png(pixels):
 
 
 def _look():
-    """So that what answers to focus is seen."""
+    """The Focus of thumbnails, chosen so that effects of focus are visible."""
     return style.Focus(model="image", points=(style.FocusPlace(at=(0.4, 0.45, 0.0), near=0.1, far=0.75),))
 
 
 @lru_cache(maxsize=1)
 def _scene(core):
-    """The native Scene and its ColorSources."""
+    """(native Scene, native ColorSources) of the still life."""
     surfaces, colors = [], []
     for shape in still_life.shapes():
         edges = core.PolygonEdges(shape.offsets, shape.corners)
@@ -64,5 +64,5 @@ def _scene(core):
 
 
 def _encoded(linear):
-    """As sRGB has it."""
+    """Linear to sRGB encoding."""
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

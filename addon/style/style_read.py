@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A Style from the properties that hold it, in a node tree; see style_groups.py."""
+"""Reads a Style from the properties of a node tree; see style_groups.py."""
 
 import json
 import math
@@ -10,11 +10,12 @@ from ..scene.property_kinds import neat
 from . import style_curves
 from .style_groups import part, plain_fields, transfers
 
-LEAST_DEPTH = 1e-6  # between near and far
+LEAST_DEPTH = 1e-6  # smallest difference between near and far
 
 
 def read(tree, focus=None):
-    """The Style in a node tree; evaluated ones have the values of their frame. Where to look is the scene's."""
+    """The Style in a node tree; an evaluated tree has the animated values of its frame. The focus belongs to the scene
+    and is passed in; None: no focus."""
     held = tree.fovea
     return style.Style(
         paper=style.Paper(**_plain(held.paper, style.Paper)),
@@ -29,7 +30,7 @@ def read(tree, focus=None):
 
 
 def _plain(group, cls):
-    """{member: value} of what are plain properties."""
+    """{member: value} of a record's plain members."""
     return {field["name"]: _value(group, field) for field in plain_fields(cls)}
 
 
@@ -63,24 +64,24 @@ def _color(group):
 
 
 def _elision(group):
-    """Something must count: length does where nothing else would."""
+    """The Elision; if all priority weights are 0, length gets weight 1, because ranking needs one."""
     found = style.Elision(**_plain(group, style.Elision))
     return found if found.ranks() else found.replace(length=1.0)
 
 
 def pen(group):
-    """The Pen of a pen's properties."""
+    """The Pen in a pen's properties."""
     return style.Pen(**_plain(group, style.Pen))
 
 
 def _pens(group):
-    """The pen in focus, and the one out of it if that is another."""
+    """The pen and the defocus pen; the latter is None if it is off or equal."""
     near, away = pen(group.pen), pen(group.pen_away) if group.away else None
     return {"pen": near, "pen_away": None if away == near else away}
 
 
 def line_set(group):
-    """The LineSet of a line set's properties."""
+    """The LineSet in a line set's properties."""
     plain = _plain(group, style.LineSet)
     overshoot = neat(group.overshoot_away) if group.away else None
     return style.LineSet(
@@ -94,7 +95,8 @@ def line_set(group):
 
 
 def _apart(pens):
-    """The hidden pens in the order of their ranges; where ranges share numbers of surfaces, the later one has them."""
+    """The Hidden pens sorted by their ranges of quantitative invisibility; where ranges overlap, the later one has the
+    common numbers."""
     found = []
     for group in sorted(pens, key=lambda g: g.first):
         last = max(group.last, group.first) if group.last else None
@@ -107,7 +109,7 @@ def _apart(pens):
 
 
 def _kept(held):
-    """What the style's file said that nobody here knew."""
+    """The unknown fields of the style's file, as (path, value) pairs."""
     found = [(tuple(path), value) for path, value in json.loads(held.kept or "[]")]
     for i, line_set in enumerate(held.line_sets):
         found += [(("line_sets", i, *path), value) for path, value in json.loads(line_set.kept or "[]")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Puts a Style into the properties that hold it, in a node tree; see style_groups.py."""
+"""Writes a Style to the properties of a node tree; see style_groups.py."""
 
 import json
 import math
@@ -11,7 +11,7 @@ from .style_groups import part, plain_fields, transfers
 
 
 def write(tree, wanted):
-    """Makes a node tree hold a Style, but for where to look, which is the scene's."""
+    """Writes a Style to a node tree, except the focus, which belongs to the scene."""
     held = tree.fovea
     held.schema = style.SCHEMA
     _write_plain(held.paper, wanted.paper)
@@ -30,7 +30,7 @@ def write(tree, wanted):
 
 
 def write_line_set(group, wanted):
-    """Makes a line set's properties those of a LineSet."""
+    """Writes a LineSet to a line set's properties."""
     group.name = wanted.name
     line_kinds.write(group.kinds, wanted.kinds)
     _write_plain(group, wanted)
@@ -43,7 +43,7 @@ def write_line_set(group, wanted):
 
 
 def write_hidden(group, wanted):
-    """Makes a hidden pen's properties those of a Hidden."""
+    """Writes a Hidden to a hidden pen's properties."""
     group.first, group.last = wanted.first, wanted.last or 0
     _write_pens(group, wanted)
 
@@ -73,7 +73,7 @@ def _write_transfers(tree, group, wanted):
 
 
 def _write_kept(held, kept):
-    """What nobody here knows stays with the line set it was said of."""
+    """Stores unknown fields; those of a line set in that line set's properties."""
     held.kept = json.dumps([(path, value) for path, value in kept if not _of_line_set(path)])
     for i, line_set in enumerate(held.line_sets):
         line_set.kept = json.dumps([(path[2:], value) for path, value in kept if _of_line_set(path) and path[1] == i])

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The interface: panels, menus, preferences, and the overlay that shows focus as colors.
-Nothing of the add-on imports it; operators stand with what they are about."""
+No other package imports it; operators are in the packages of their subjects."""

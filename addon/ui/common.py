@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What all panels have in common, and properties shown in several of them."""
+"""Base classes of panels, and helpers to draw properties."""
 
 from .. import style
 from ..style import style_data, style_groups
 
 ENGINE = "FOVEA"
-HEEDED = {  # of a pen: when it makes a difference
+HEEDED = {  # member of a pen -> whether it has an effect for a given pen
     "texture_anchor": lambda pen: pen.texture != "solid",
     "length_scale": lambda pen: pen.texture != "solid",
     "wobble_length": lambda pen: pen.wobble > 0,
@@ -14,7 +14,7 @@ HEEDED = {  # of a pen: when it makes a difference
 
 
 class FoveaPanel:
-    """In the render tab."""
+    """Base of panels in the render tab."""
 
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
@@ -40,7 +40,7 @@ class StylePanel(FoveaPanel):
 
 
 def draw_properties(layout, group, names, heeded=True):
-    """Grayed out where they make no difference."""
+    """Draws properties in a column; grayed out unless `heeded`. Returns the column."""
     column = layout.column()
     column.active = heeded
     for name in names:
@@ -49,7 +49,7 @@ def draw_properties(layout, group, names, heeded=True):
 
 
 def draw_pen(layout, pen, most=None):
-    """Its first groups of properties, `most` or all of them."""
+    """Draws a pen's groups of properties; `most`: only so many of the first groups, None: all."""
     for group in style_groups.grouped(style.Pen)[:most]:
         column = layout.column()
         for name in group:
@@ -58,14 +58,14 @@ def draw_pen(layout, pen, most=None):
 
 
 def fold(layout, name, title, closed=True):
-    """The body of a part that can be folded, or None where it is."""
+    """The body of a collapsible section, or None if it is closed."""
     header, body = layout.panel(f"fovea_{name}", default_closed=closed)
     header.label(text=title)
     return body
 
 
 def fold_switch(layout, name, owner, switch, heeded=True):
-    """The same of a part that a property in its header switches on."""
+    """The body of a collapsible section with a switch in its header, or None if it is closed."""
     header, body = layout.panel(f"fovea_{name}", default_closed=True)
     header.active = heeded
     header.use_property_split = False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: what answers to focus and to distance, each effect with its response curve."""
+"""Panel: effects of focus and of distance, each with its response curve."""
 
 import bpy
 
@@ -34,7 +34,7 @@ class RENDER_PT_fovea_effects(StylePanel, bpy.types.Panel):
 
 
 def _draw_transfer(layout, tree, part, declared, heeded):
-    """The body, or None where it is folded."""
+    """Draws a transfer function; returns the section's body, or None if it is closed."""
     name = declared["name"]
     transfer = getattr(getattr(tree.fovea, part), name)
     header, body = layout.panel(f"fovea_{part}_{name}", default_closed=True)

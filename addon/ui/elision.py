@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: how lines that crowd each other are thinned, and which of them stay."""
+"""Panel: elision, its priority weights and its density."""
 
 import bpy
 
@@ -8,7 +8,7 @@ from ..style import style_data
 from ..style.style_groups import plain_fields
 from .common import StylePanel, draw_properties, fold
 
-PAINTED = "painted"  # the weight that counts only where something is painted
+PAINTED = "painted"  # the weight that has an effect only with a painted attribute
 
 
 class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
@@ -39,7 +39,7 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
 
 
 def _draw_attribute(layout, elision, name, obj):
-    """Its name, to be chosen from those of the active object where that is a mesh."""
+    """Draws the name of an attribute, with a search among those of the active object if it is a mesh."""
     if obj is not None and obj.type == "MESH":
         layout.prop_search(elision, name, obj.data, "attributes", icon="GROUP_VCOL")
     else:

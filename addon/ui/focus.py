@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: where the viewer shall look, one box for each place."""
+"""Panel: the focus, with one box per focus point."""
 
 import bpy
 
@@ -15,7 +15,7 @@ class RENDER_PT_fovea_focus(FoveaPanel, bpy.types.Panel):
 
 
 def draw_focus(layout, settings):
-    """Where to look, as the scene says."""
+    """Draws the focus in a scene's settings."""
     layout.prop(settings, "focus_model")
     kind = focus_kinds.of(settings)
     for name in kind.settings:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An overlay of 3D viewports that shows focus as colors: warm where it is, cool far from it.
+"""An overlay of 3D viewports that shows focus as colors: warm in focus, cool out of focus.
 
-The native module evaluates it at low resolution, when a viewport is drawn and its view, the focus or the scene has
-changed since: with every change, as finely as is done in the time for a draw, and once more when all rests. Idle
-viewports draw nothing. The scene is read for it only where Fovea does not draw the viewport anyway.
+When a viewport is drawn after a change of its view, the focus or the scene, the native module evaluates focus per pixel
+at a low resolution that fits into the time budget; when changes have stopped, once more at SCALE. Idle viewports are
+not redrawn. The scene is read separately only if Fovea does not draw the viewport itself.
 """
 
 import time
@@ -18,32 +18,32 @@ from ..render import caretaker, properties, reading, viewport
 from ..scene import camera, subdivision
 from ..scene.operator import TOLD
 
-SCALE = 0.25  # of the viewport's size, at rest
-LEAST = SCALE / 4  # the same while something changes
-# Colors from focus 0 to 1, in the display's space; what they cover shows through.
+SCALE = 0.25  # resolution at rest, as a fraction of the viewport's
+LEAST = SCALE / 4  # lowest resolution while something changes
+# Colors for focus from 0 to 1, in display space.
 STOPS = np.array([(0.95, 0.25, 0.1), (1.0, 0.8, 0.2), (0.3, 0.75, 0.6), (0.15, 0.3, 0.8)], np.float32)
 OPACITY = 0.45
 
-in_regions = {}  # region's address -> _Shown
-readers = []  # one, while it is needed
+in_regions = {}  # address of a region -> its _Shown
+readers = []  # at most one Reader, created on demand
 
 
 class _Shown:
-    """What is kept for one region."""
+    """State of the overlay of one region."""
 
     def __init__(self):
         self.veil = None
-        self.scale = SCALE  # of what is shown
+        self.scale = SCALE  # resolution of the overlay shown
         self.movement = caretaker.Movement()
-        self._took = None  # what was evaluated last: its scale, and the ms that it took
+        self._took = None  # (scale, ms) of the last evaluation
         self.forget()
 
     def forget(self):
-        """The scene has changed."""
+        """Invalidates it after a change of the scene."""
         self.read = self.found = self.key = None
 
     def update(self, context):
-        """Evaluates focus anew where something has changed, or finely where all has come to rest."""
+        """Evaluates focus again after a change, or at SCALE once changes have stopped."""
         depsgraph = context.evaluated_depsgraph_get()
         chosen, view = properties.style_of(depsgraph.scene_eval), camera.of_region(context, depsgraph)
         found = self._read(context, depsgraph, chosen)
@@ -63,12 +63,13 @@ class _Shown:
         self.veil = None if values is None else gpu_overlay.Veil(colors(values))
 
     def _read(self, context, depsgraph, chosen):
-        """What is there to be looked at: what Fovea draws in the region, or else what is read for this."""
-        if focus_kinds.KINDS[chosen.focus.model.upper()].in_frame:  # is there whatever the scene holds
+        """The Read scene: that of Fovea's picture in the region, or else one read for the overlay; None if focus is a
+        place in the image."""
+        if focus_kinds.KINDS[chosen.focus.model.upper()].in_frame:  # does not depend on the scene
             return None
         if drawn := viewport.gathered(context):
             return drawn
-        # Painted or an object's, focus asks more of a scene.
+        # Read again if the focus changed, because painted and object focus need additional data.
         if self.read is None or self.key is None or self.key[0] != chosen.focus:
             self.read = _reader().read(depsgraph, chosen, context.space_data)
         return self.read
@@ -81,12 +82,12 @@ def _reader():
 
 
 def affordable(scale, ms, budget_ms):
-    """The scale that is done within a budget, as one is known to take so long: most of it grows with the pixels."""
+    """The scale that fits into a budget, if `scale` took `ms`: cost is taken to be proportional to the pixels."""
     return min(max(scale * (budget_ms / max(ms, 1e-3)) ** 0.5, LEAST), SCALE)
 
 
 def colors(values):
-    """(H, W, 4) float32 of (H, W) focus."""
+    """(H, W, 4) float32 RGBA in display space, straight alpha, from (H, W) focus."""
     at = np.clip(values, 0, 1) * (len(STOPS) - 1)
     below = np.minimum(at.astype(np.intp), len(STOPS) - 2)
     share = (at - below)[..., None]
@@ -95,7 +96,7 @@ def colors(values):
 
 
 def _draw():
-    """Called when Blender has drawn a 3D viewport."""
+    """Draw handler: called after Blender has drawn a 3D viewport."""
     context = bpy.context
     if not (context.window_manager.fovea_show_focus and context.space_data.overlay.show_overlays):
         return
@@ -105,7 +106,7 @@ def _draw():
         shown = in_regions.setdefault(context.region.as_pointer(), _Shown())
         shown.update(context)
     except TOLD:
-        return  # the panels and the engine say what is wrong
+        return  # the panels and the engine report the error
     if shown.veil:
         shown.veil.show(context.region.width, context.region.height)
     if shown.scale < SCALE and not bpy.app.timers.is_registered(_refine):
@@ -113,7 +114,7 @@ def _draw():
 
 
 def _refine():
-    """Has what was drawn coarsely drawn again when all rests: a timer, there only until then."""
+    """Timer: redraws coarse overlays once changes have stopped, then ends."""
     coarse = [shown for shown in in_regions.values() if shown.scale < SCALE]
     if not all(shown.movement.rests() for shown in coarse):
         return caretaker.TICK
@@ -137,7 +138,7 @@ def _redraw(manager):
 
 @persistent
 def _changed(_scene, depsgraph):
-    """Something in the scene changed, unless it was us who read a cage: it is read again when it is shown next."""
+    """Handler: invalidates all overlays after a depsgraph update, unless reading a cage caused it."""
     if not subdivision.is_echo(depsgraph.updates):
         for shown in list(in_regions.values()):
             shown.forget()
@@ -152,7 +153,7 @@ def _forget(*_arguments):
 
 
 def _in_popover(self, context):
-    """In the viewport's overlays."""
+    """Entry in the viewport's Overlays popover."""
     if context.engine == "FOVEA":
         self.layout.label(text="Fovea")
         self.layout.prop(context.window_manager, "fovea_show_focus")

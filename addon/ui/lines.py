@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: the line sets of the style, and of the one that is edited its pens and its kinds, from the registry."""
+"""Panel: the style's line sets, and the filters, kinds and pens of the selected one."""
 
 import bpy
 
@@ -8,8 +8,8 @@ from ..style import FILTERS, style_data
 from ..style.line_set_operators import edited, edited_hidden
 from .common import StylePanel, draw_pen, draw_properties, fold, fold_switch
 
-# What lines depend on, by the registry's word for it.
-FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # those of bpy.data
+FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # filter -> name in bpy.data
+# The registry's scope of a definition, which says what its lines depend on -> title.
 SCOPES = {"view": "Lines of the View", "surface": "Lines of the Shape", "scene": "Lines of the Scene"}
 
 
@@ -49,7 +49,7 @@ def draw_list(layout, held):
 
 
 def _draw_list(layout, owner, members, index, name, rows):
-    """A list of what one operator of its name adds and another removes; the column of these."""
+    """Draws a list with buttons for the operators `<name>_add` and `<name>_remove`; returns the column of buttons."""
     row = layout.row()
     row.template_list(f"FOVEA_UL_{name}s", "", owner, members, owner, index, rows=rows)
     side = row.column(align=True)
@@ -59,7 +59,7 @@ def _draw_list(layout, owner, members, index, name, rows):
 
 
 def draw_filter(layout, line_set):
-    """Which objects and materials have these lines; each of them can be turned round."""
+    """Draws the filters of a line set by collection, object and material, each with a button to invert it."""
     column = layout.column()
     for name, others in FILTERS.items():
         chosen, known = getattr(line_set, name), FILTERED_BY[name]
@@ -78,7 +78,7 @@ def is_for_all(line_set):
 
 
 def draw_kinds(layout, held, line_set):
-    """Switches by what lines depend on, and the parameters of those that are on."""
+    """Draws the switches of all definitions by scope, and the parameters of those that are on."""
     before = list(held.line_sets)[: held.line_set_index]
     for scope, title in SCOPES.items():
         group = [definition for definition in definitions() if definition["scope"] == scope]
@@ -93,7 +93,7 @@ def _draw_kind(body, line_set, definition, before):
     switch = body.row()
     switch.use_property_split = False
     switch.prop(kinds, name)
-    # Sets above have them already; and lines found in the picture are of no object.
+    # Inactive if an unfiltered set above has the kind already, or if it is in image space and the set has filters.
     taken = any(getattr(above.kinds, name) and is_for_all(above) for above in before)
     switch.active = not taken and (is_for_all(line_set) or not definition["in_image"])
     if getattr(kinds, name):

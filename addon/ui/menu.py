@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The submenu of Blender's Render menu: what F3 finds. The tools are appended to it by tools_panel.py."""
+"""Submenu of Blender's Render menu, which makes operators searchable with F3. tools_panel.py appends the tools."""
 
 import bpy
 
 from ..style.line_set_operators import CLASSES as LINE_SETS
 from ..style.style_operators import CLASSES as STYLES
 
-ASKING = ("import", "export", "save")  # of the style operators: those that ask something first
+ASKING = ("import", "export", "save")  # style operators that open a dialog, by the last word of their names
 
 
 class _OfOperators:
-    """`operators`: classes; `choice`: the property of which each value is an entry, where one has it."""
+    """A menu of `operators` (classes); for an operator with the enum property `choice`, a submenu of its values."""
 
     def draw(self, _context):
         self.show(self.layout)
@@ -39,7 +39,7 @@ class TOPBAR_MT_fovea(bpy.types.Menu):
 
 
 def _draw_operator(layout, cls, choice):
-    """An entry for an operator class, or one for each value of its property `choice`, if it has that."""
+    """Draws an entry for an operator class, or a submenu of the values of its property `choice`, if it has that."""
     if choice in getattr(cls, "__annotations__", ()):
         layout.operator_menu_enum(cls.bl_idname, choice, text=cls.bl_label)
         return

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panels: how it is decided what is hidden, and what draws."""
+"""Panels: the visibility method, and the device with statistics."""
 
 import bpy
 
 from ..render import methods, session
 from .common import FoveaPanel, draw_properties, fold
 
-STAGES = {"bvh": "BVH"}  # whose names are no words
+STAGES = {"bvh": "BVH"}  # labels of stages whose names are not words
 
 
 class RENDER_PT_fovea_visibility(FoveaPanel, bpy.types.Panel):
@@ -40,7 +40,7 @@ def _seconds(known):
 
 
 def _draw_statistics(layout, known):
-    """What drew how much, and how long each stage took."""
+    """Draws the device, the number of strokes, and the time of each stage."""
     rows = [("Device", known["backend"].upper()), ("Strokes", str(known["strokes"]))]
     rows += [(STAGES.get(stage, stage.title()), f"{spent:.0f} ms") for stage, spent in known["stages"].items()]
     column = layout.column(align=True)

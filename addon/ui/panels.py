@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panels, and Blender's own that make sense with this engine."""
+"""Registers Fovea's panels, and enables those of Blender's panels that apply to this engine."""
 
 import bpy
 
 from . import effects, elision, focus, lines, menu, method, paper, sidebar, style, things, thumbnails, view_transform
 from .common import ENGINE
 
-# Blender's panels declare their engines; these are shown although they do not declare the built-in ones.
+# Blender's panels declare their engines in COMPAT_ENGINES; those in ALSO are enabled without BLENDER_RENDER in it.
 ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
 NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
 MODULES = (view_transform, style, lines, focus, effects, elision, paper, method, things, sidebar, menu)
@@ -14,7 +14,7 @@ CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 
 def _blender_panels():
-    """Blender's panels to show with this engine: those that every engine without own ones shows."""
+    """Yields Blender's panels to enable for this engine: those that declare BLENDER_RENDER except NOT, and ALSO."""
     for panel in bpy.types.Panel.__subclasses__():
         engines = getattr(panel, "COMPAT_ENGINES", ())
         if panel.__name__ in ALSO or ("BLENDER_RENDER" in engines and panel.__name__ not in NOT):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panels: the colors under the lines, and the paper."""
+"""Panels: the color layer and the paper."""
 
 import bpy
 
@@ -10,7 +10,7 @@ from .common import StylePanel, draw_properties
 
 
 def _drawn(held):
-    """Whether there are colors under the lines."""
+    """Whether the style has a color layer."""
     return held.color.shading != "PLAIN"
 
 
@@ -38,7 +38,7 @@ class RENDER_PT_fovea_paper(StylePanel, bpy.types.Panel):
 
     @staticmethod
     def heeded(name, held):
-        """Whether a number of the paper makes a difference."""
+        """Whether a member of the paper has an effect."""
         paper = held.paper
         if name in ("scale", "tooth", "tint"):
             return paper.texture != "none"

@@ -81,7 +81,7 @@ class FoveaPreferences(bpy.types.AddonPreferences):
 
 
 def apply(preferences):
-    """Makes what preferences say hold; without a native module there is nothing to limit."""
+    """Applies the preferences: log level and, if the native module is available, threads and memory limit."""
     logging.getLogger(ADDON).setLevel(preferences.log_level)
     if not native.problem():
         native.load().limit_threads(preferences.threads)

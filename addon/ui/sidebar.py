@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sidebar of the 3D view: what one needs while working."""
+"""Panels of the 3D view's sidebar: style, focus and lines."""
 
 import bpy
 
@@ -14,7 +14,8 @@ from .view_transform import draw_view_transform
 
 
 class _SidePanel:
-    """In the tab Fovea; with any engine where the scene has a style, as the line layer may lie over its pictures."""
+    """Base of panels in the tab Fovea; shown with any engine if the scene has a style, as Render Line Layer to Image
+    works with all engines."""
 
     bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Fovea"
 
@@ -66,7 +67,7 @@ class VIEW3D_PT_fovea_lines(_SidePanel, bpy.types.Panel):
         draw_list(layout, held)
         line_set = edited(held)
         if line_set:
-            draw_pen(layout, line_set.pen, 3)  # the rest is in the render tab
+            draw_pen(layout, line_set.pen, 3)  # the other groups are in the render tab
 
 
 CLASSES = (VIEW3D_PT_fovea_style, VIEW3D_PT_fovea_focus, VIEW3D_PT_fovea_lines)

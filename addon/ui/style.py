@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: which style the scene draws with, and those there are."""
+"""Panel: the scene's style, and the gallery of styles."""
 
 import bpy
 
@@ -39,7 +39,7 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
 
 
 def draw_style(layout, context):
-    """The style, with what makes and copies one."""
+    """Draws the selector of the scene's style, with a button to create or copy one."""
     settings = context.scene.fovea
     own = style_data.of(context.scene) is not None
     layout.template_ID(settings, "style", new="fovea.style_duplicate" if own else "fovea.style_new")

@@ -27,7 +27,7 @@ class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
 
 
 def _kinds_of_style(scene):
-    """Names of the definitions that the scene's style draws."""
+    """Names of the definitions that the scene's style draws, including those of the style mixed in."""
     tree, other = style_data.of(scene), scene.fovea.mixed_style
     if tree:
         drawn = style_data.drawn_kinds(tree.fovea)
@@ -38,7 +38,7 @@ def _kinds_of_style(scene):
 
 
 def _draw_own_lines(layout, settings, drawn, has_lines):
-    """Priority, and what the object says of its lines itself; `drawn`: the kinds that the style has."""
+    """Draws an object's priority and its overrides of lines; `drawn`: the kinds that the style has."""
     column = layout.column()
     column.active = has_lines
     column.prop(settings, "priority")

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of styles, as icons."""
+"""Thumbnails of styles, as icons."""
 
 import bpy
 import bpy.utils.previews
 
 from ..style import style_files
 
-_kept = {}  # "styles": the collection, while there is an interface to show it
-_read = {}  # style: what tells the picture's file from a later one
+_kept = {}  # "styles" -> the preview collection, created on first use
+_read = {}  # style -> (path, modification time) of the thumbnail that was loaded
 
 
 def icon_of(name):
-    """The icon of a style's picture; where it has none, one of Blender's."""
+    """Icon id of a style's thumbnail; without one, of Blender's FILE_IMAGE icon."""
     path = style_files.picture(name)
     if path is None:
         return bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items["FILE_IMAGE"].value

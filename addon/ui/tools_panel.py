@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the operators are found: a panel of the 3D view's Fovea tab, and a menu, whose entries F3 finds."""
+"""The operators in a panel of the 3D view's Fovea tab, and in a menu that makes them searchable with F3."""
 
 import bpy
 
@@ -11,7 +11,7 @@ class VIEW3D_PT_fovea_tools(bpy.types.Panel):
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "Fovea"
-    bl_order = 10  # below what one draws with
+    bl_order = 10  # below the other panels
 
     def draw(self, context):
         column = self.layout.column(align=True)
@@ -20,7 +20,7 @@ class VIEW3D_PT_fovea_tools(bpy.types.Panel):
 
 
 def _in_menu(self, _context):
-    """At the end of Render > Fovea, where F3 finds them."""
+    """Entries at the end of Render > Fovea, so that F3 (search) finds the operators."""
     self.layout.separator()
     for name in ("pick_focus", "focus_place_add", "focus_place_remove"):
         self.layout.operator(f"fovea.{name}")

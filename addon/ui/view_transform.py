@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A word about the view transform, where it makes paper gray: Blender's default one is made for photographs."""
+"""Hint about view transforms that make white paper gray, as Blender's default does, which is meant for photorealism."""
 
 import bpy
 
 from ..scene.operator import Operator
 from .common import ENGINE, FoveaPanel
 
-FAITHFUL = {"Standard", "Raw"}  # they show colors as they are
+FAITHFUL = {"Standard", "Raw"}  # view transforms without tone mapping
 
 
 class FOVEA_OT_standard_view(Operator, bpy.types.Operator):
@@ -25,12 +25,12 @@ class FOVEA_OT_standard_view(Operator, bpy.types.Operator):
 
 
 def is_gray(scene):
-    """Whether white paper is not white to the eye."""
+    """Whether the scene's view transform displays white paper as gray."""
     return scene is not None and scene.view_settings.view_transform not in FAITHFUL
 
 
 def draw_view_transform(layout, scene):
-    """What there is to say, and the way out."""
+    """Draws a hint and a button to fix it, if the view transform makes paper gray."""
     if is_gray(scene):
         column = layout.column(align=True)
         column.label(text=f"{scene.view_settings.view_transform} makes paper gray", icon="INFO")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How viewports are drawn: a setting of the scene, and its panel."""
+"""The scene's setting for viewports, and its panel."""
 
 import bpy
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea bench agreement`: how far depth-buffer visibility agrees with exact visibility.
+"""Runs inside Blender for `fovea bench agreement`: measures how often sampled visibility agrees with exact visibility.
 
-blender -b -P agreement.py -- OUT.json SCENE [WORDS OF fovea draw]: one frame, every atlas sample judged both ways.
+blender -b -P agreement.py -- OUT.json SCENE [OPTIONS OF fovea draw]: one frame, every atlas sample by both methods.
 """
 
 import json
@@ -22,7 +22,8 @@ METHODS = ((1, 1), (1, 2), (4, 2), (9, 1), (9, 2), (16, 2), (16, 3))  # probes, 
 
 
 def compared(scene, make, asked):
-    """A row for each way to sample: how far it agrees with exact visibility. `make(native Options)`: a native Frame."""
+    """One row per entry of METHODS: its agreement with exact visibility. `make(native Options)` returns a native
+    Frame."""
     rows, exact = [], make(asked.replace(visibility="exact"))
     exact.see()
     truth = quality.Truth(exact)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Generated meshes for `fovea bench lines`: the same analytic surface at any number of triangles."""
+"""Generated meshes for `fovea bench lines`: analytic surfaces tessellated to about a given number of triangles."""
 
 import math
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ class Mesh:
 
 
 def waves(triangles):
-    """A height field over [-1,1]^2, seen from above nearly everywhere."""
+    """A height field over [-1,1]^2, front-facing from above nearly everywhere."""
     n = round(math.sqrt(triangles / 2))
     x, y = np.meshgrid(np.linspace(-1, 1, n + 1), np.linspace(-1, 1, n + 1))
     z = sum(c * np.sin(a * x + b * y + phase) for c, a, b, phase in WAVES)
@@ -41,7 +41,7 @@ def waves(triangles):
 
 
 def bumpy_torus(triangles):
-    """Tube around z with bumps all over it: saddles, ridges and valleys; half of it is turned away."""
+    """A torus around z with bumps: saddles, ridges and valleys; half of it is back-facing."""
     m = round(math.sqrt(triangles) / 2)
     n = 2 * m
     a, b = np.meshgrid(2 * np.pi * np.arange(n) / n, 2 * np.pi * np.arange(m) / m)
@@ -52,7 +52,7 @@ def bumpy_torus(triangles):
 
 
 def _cells(n, m, closed):
-    """Two triangles per cell of n x m; closed: the last row and column go on with the first."""
+    """Two triangles per cell of an n x m grid; closed: periodic in both directions."""
     wide, high = (n, m) if closed else (n + 1, m + 1)
     i, j = np.meshgrid(np.arange(n), np.arange(m))
     right, up = (i + 1) % wide, (j + 1) % high

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea bench lines`: what line extraction costs, per surface and per view, and how it grows with the mesh.
+"""`fovea bench lines`: the cost of line extraction, per surface and per view, and its growth with the mesh.
 
-Runs without Blender. Times are medians of wall time over views, in ms; cpu_ms is what all threads used together. Rows
-with a reference say how long a single-threaded viewer takes for the same on the same kind of machine."""
+Runs without Blender. Times are medians of wall time over views, in ms; cpu_ms is the sum over all threads. Reference
+times are those of a single-threaded viewer for the same task on the same kind of machine."""
 
 import argparse
 import json
@@ -25,11 +25,11 @@ TRIANGLES = (1 << 16, 1 << 18, 1 << 20)
 STATIC = ("ridge", "valley", "parabolic", "zero_mean_curvature", "demarcating_curve")
 TOGETHER = VIEW[:3]
 KEPT = STATIC[:4]
-TOWARDS = np.array([0.4, 0.3, 1.0]) / math.sqrt(1.25)  # the viewer, five radii away
+TOWARDS = np.array([0.4, 0.3, 1.0]) / math.sqrt(1.25)  # unit direction to the viewer, who is five radii away
 ESTIMATORS = {"one_ring": {"estimator": "one_ring"}, "jets 3/3": {"degree": 3, "rings": 3}, "automatic": {}}
 COLUMNS = ("mesh", "triangles", "step", "ms", "cpu_ms", "count", "reference_ms", "ratio")
 
-# One thread, ms: curvature and its derivative; then, per view, fields and tracing.
+# Single-threaded, ms: one_ring is curvature and its derivative, once; others are fields plus tracing, per view.
 REFERENCE = {
     "1M": {"one_ring": 714, "smooth_contour": 11.8 + 2.7, "suggestive_contour": 16.6 + 3.6, "ridge": 9.2, "valley": 5.8,
            "suggestive_highlight": 16.6 + 3.5, "apparent_ridge": 11.8 + 34.7 + 7.5,
@@ -73,7 +73,7 @@ def main(words, native, shared: Path | None) -> int:
 
 
 def meshes(sizes, shared):
-    """Name, key of the reference figures, mesh; of the generated ones, those with so many triangles."""
+    """Yields (name, key in REFERENCE, mesh): generated meshes of the given sizes, then models if available."""
     for shape in line_meshes.SHAPES:
         for triangles in sizes:
             label = f"{triangles // 10**6}M" if triangles >= 10**6 else f"{triangles // 10**3}k"
@@ -86,7 +86,7 @@ def meshes(sizes, shared):
 
 
 class Stopwatch:
-    """Wall and CPU time of each call, ms."""
+    """Records wall and CPU time of each call, ms."""
 
     def __init__(self):
         self.wall, self.cpu = [], []
@@ -99,7 +99,7 @@ class Stopwatch:
         return result
 
     def less(self, other):
-        """What is left of these when the other's part is taken away."""
+        """A Stopwatch with the differences to another's times, at least 0."""
         rest = Stopwatch()
         rest.wall = [max(a - b, 0.0) for a, b in zip(self.wall, other.wall)]
         rest.cpu = [max(a - b, 0.0) for a, b in zip(self.cpu, other.cpu)]
@@ -107,7 +107,7 @@ class Stopwatch:
 
 
 def steps(native, name, mesh, views):
-    """(step, Stopwatch, count) of everything that is measured on one mesh."""
+    """Yields (step, Stopwatch, number of pieces or paths, or None) for each measurement on one mesh."""
     surface = mesh.surface(native, name)
     for step, options in ESTIMATORS.items():
         fresh, watch = mesh.surface(native, name), Stopwatch()
@@ -133,7 +133,7 @@ def steps(native, name, mesh, views):
 
 
 def eyes_around(mesh, count):
-    """Positions on a turn of 40 degrees."""
+    """Eye positions on an arc of 40 degrees around the mesh."""
     center, radius = mesh.sphere()
     turn = np.radians(np.linspace(-20, 20, count))
     x, y, z = TOWARDS
@@ -144,7 +144,7 @@ def eyes_around(mesh, count):
 
 
 def placed(native, surface, mesh, eye):
-    """A scene of the surface alone and a view that has it in its frame."""
+    """(native Scene of the surface alone, native View from `eye`)."""
     usage = native.Usage.DRAW | native.Usage.OCCLUDE
     ids, usages = np.ones(1, np.uint64), np.full(1, usage, np.uint8)
     scene = native.Scene([surface], np.zeros(1, np.int32), np.eye(4)[None], ids, usages)
@@ -191,7 +191,7 @@ def row(mesh, triangles, step, watch, count, reference):
 
 
 def exponents(rows):
-    """Per shape and step: the power of the number of triangles with which the time grows, over the generated sizes."""
+    """Per shape and step: exponent of the growth of CPU time with the number of triangles, over the generated sizes."""
     points = defaultdict(list)
     for r in rows:
         shape, _, size = r["mesh"].rpartition(" ")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea bench peers`: Fovea beside Workbench, Freestyle and Line Art, on the same scenes, with the same lines.
+"""`fovea bench peers`: compares Fovea with Workbench, Freestyle and Line Art, on the same scenes and lines.
 
-One process per scene and renderer, one after the other; needs plain Python only. Of Freestyle one frame is drawn, not
-a second one after the camera has moved."""
+One process per scene and renderer, sequentially; runs in plain Python. Freestyle draws one frame only, not a second one
+after the camera has moved."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ import scenes
 SCENES = ("boxes:100", "suzanne:5", "boxes:30")
 RENDERERS = ("workbench", "freestyle", "lineart", "fovea-cpu", "fovea-gpu")
 WORKER = Path(__file__).with_name("worker.py")
-SIGN_OF_LIFE = 15  # seconds between two
+SIGN_OF_LIFE = 15  # seconds between progress messages
 
 
 def parse(words):
@@ -38,7 +38,7 @@ def parse(words):
 
 
 def some_of(known):
-    """A parser of lists of these names."""
+    """An argparse type: comma-separated lists of these names."""
 
     def parse_names(text):
         unknown = set(text.split(",")) - set(known)
@@ -73,7 +73,7 @@ def scene_list(text):
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
-    """`environment`: of a Blender that has the extension installed."""
+    """`environment`: for a Blender with the extension installed."""
     options = parse(words)
     rows = []
     for spec in options.scenes:
@@ -91,8 +91,8 @@ def main(words, blender, environment, shared: Path | None) -> int:
 
 
 def run(command, environment, timeout, log):
-    """None, or a sentence about what went wrong. The command's output goes to the file `log`; while it runs, the last
-    line there is shown now and then: how far it is."""
+    """Runs a command with its output in the file `log`, and prints the last line of it every SIGN_OF_LIFE seconds.
+    Returns None, or a sentence on the failure; kills the command after `timeout` seconds."""
     streams = {"stdin": subprocess.DEVNULL, "stderr": subprocess.STDOUT}
     with log.open("wb") as output, subprocess.Popen(command, env=environment, stdout=output, **streams) as process:
         start, spent = time.monotonic(), 0.0
@@ -113,12 +113,12 @@ def run(command, environment, timeout, log):
 
 
 def last_lines(log, count=0):
-    """So many lines from the end of a log; 0: all."""
+    """The last `count` lines of a log; 0: all."""
     return log.read_text(encoding="utf-8", errors="replace").splitlines()[-count:]
 
 
 def row(spec, renderer, record, problem):
-    """What the table and the JSON show of one process; None where it was not measured."""
+    """The result row of one process; None for values that were not measured."""
     first, moved = record.get("first", []), record.get("moved", [])
     made = {
         "scene": spec,
@@ -143,7 +143,8 @@ def median(frames, field):
 
 
 def measured(worker, asked, blender, environment, timeout):
-    """(found, problem): what a worker script, in a Blender of its own, writes when it is asked; see `run`."""
+    """(result, problem): the JSON that a worker script writes in a new Blender process, [] if none; problem as of
+    `run`."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "rows.json"
         words = json.dumps({**asked, "out": str(out)})

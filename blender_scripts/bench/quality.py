@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How near sampled visibility comes to exact visibility, sample by sample: shares that agree, with ever more of those
-left out that lie at a true change of visibility, where no depth buffer of pixels can know better."""
+"""Agreement of sampled with exact visibility per sample: shares that agree, over all samples and over subsets without
+those near a true change of visibility, which a depth buffer of finite resolution cannot resolve."""
 
 import numpy as np
 
-AGREES = 0.25  # visibility in [0, 1] may differ by so much
-NEAR_PX = 2.0  # of a change: on the path, or beside it in the image
+AGREES = 0.25  # largest difference of visibility in [0, 1] that counts as agreement
+NEAR_PX = 2.0  # distance to a change of visibility, along the path or across it, that counts as near
 
 
 class Truth:
-    """Visibility of the atlas samples of a Frame that has seen by rays, and which of them are `far` from a change: `all`; on their `path`;
-    or also in the `image`, where the sample moved across its line by up to 2 px, at its own depth, is seen or hidden
-    alike."""
+    """Exact visibility of the atlas samples of a Frame, and masks `far` of the samples far from a change of visibility:
+    `all`: no restriction; `path`: along their path; `image`: also across it: the sample displaced perpendicular to its
+    line by up to 2 px, at its own depth, has the same visibility."""
 
     def __init__(self, frame):
         self.samples = Samples(frame.clipped)
@@ -24,8 +24,8 @@ class Truth:
         self.far = {"all": np.ones_like(path), "path": path, "image": image}
 
     def compare(self, visibility):
-        """The number of samples and, for each way to be far from a change, shares of the samples that are: of those
-        that agree, of those seen too little, of those seen too much."""
+        """{"samples": number, mask: shares} for each mask of `far`: the share of samples in it, and among these the
+        shares that agree, are falsely hidden, and are falsely visible."""
         more = visibility[self.samples.index] - self.exact
         result = {"samples": len(more)}
         for name, far in self.far.items():
@@ -40,7 +40,8 @@ class Truth:
 
 
 class Samples:
-    """Atlas samples that are not padding, in order: their index in the atlas, segment, piece, and arc length."""
+    """Atlas samples except padding, in order: index in the atlas, segment, piece, t on the segment, and arc length
+    [px]."""
 
     def __init__(self, clipped):
         counts = clipped.sample_count.astype(np.int64)
@@ -54,10 +55,10 @@ class Samples:
         self._clipped = clipped
 
     def distance_to_ends(self, runs):
-        """Pixels along the piece to where the nearest run starts or ends, without runs that reach its ends."""
+        """Pixels along the piece to the nearest start or end of a run, ignoring those at the piece's own ends."""
         arc, offsets = self._clipped.arc_px, self._clipped.offsets.astype(np.int64)
         first, last = arc[offsets[:-1]], arc[offsets[1:] - 1]
-        # Pieces one after the other on one axis, far enough apart.
+        # Lay all pieces out on one axis, with gaps between them.
         start = np.cumsum(last - first + 1e3) - (last - first) - first
         piece, ends = np.tile(runs.piece, 2), np.concatenate([runs.start_px, runs.end_px])
         inside = (ends > first[piece] + 1e-6) & (ends < last[piece] - 1e-6)

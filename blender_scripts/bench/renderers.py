@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The renderers that are compared, each told to draw the same lines: contours, creases of 30 degrees, borders.
+"""The renderers that are compared, each set to draw the same lines: contours, creases of 30 degrees, borders.
 
-A renderer is set up once per scene; `frame` draws one picture (Line Art: evaluates its modifier once), and is what is
-timed; `told` gives what there is to tell of it: strokes, and for Fovea stages and lines_s. `is_slow`: it draws one frame
-of each scene, as frames take minutes. Runs inside Blender."""
+A renderer is created once per scene; `frame` draws one picture (Line Art: evaluates its modifier once) and is timed;
+`told` returns its statistics: strokes, and for Fovea stages and lines_s. `is_slow`: only one frame per scene is drawn,
+because frames take minutes. Runs inside Blender."""
 
 import math
 
@@ -30,11 +30,11 @@ class Picture:
 
 
 class Workbench(Picture):
-    """Blender's own shading, as it comes: 8 samples of antialiasing. What a frame costs without lines."""
+    """Blender's Workbench with default settings (8 antialiasing samples): the cost of a frame without lines."""
 
 
 class Freestyle(Picture):
-    """Over Workbench. Its silhouettes are our contours."""
+    """Freestyle over Workbench. Its silhouettes are Fovea's contours."""
 
     is_slow = True
     kinds = {"silhouette", "crease", "border"}
@@ -45,12 +45,12 @@ class Freestyle(Picture):
         scene.render.use_freestyle = True
         settings = bpy.context.view_layer.freestyle_settings
         settings.crease_angle = math.pi - CREASE  # it measures between the faces
-        lines = settings.linesets[0]  # of the startup file: one made here would lack a line style
+        lines = settings.linesets[0]  # from the startup file, because a new line set has no line style
         for kind in self.kinds | self.others:
             setattr(lines, f"select_{kind}", kind in self.kinds)
 
     def frame(self):
-        import parameter_editor  # of Freestyle, on Blender's own path
+        import parameter_editor  # Freestyle's module, on Blender's sys.path
 
         self.strokes = 0
         parameter_editor.callbacks_lineset_post.append(self.count)
@@ -69,7 +69,7 @@ class Freestyle(Picture):
 
 
 class LineArt:
-    """Its evaluation alone, without a picture: moving the camera and one update is one evaluation."""
+    """Evaluation of the Line Art modifier only, without a picture: one evaluation per camera movement and update."""
 
     is_slow = False
 
@@ -90,11 +90,11 @@ class LineArt:
         self.modifier.target_material = material
         self.modifier.crease_threshold = math.pi - CREASE  # it measures between the faces
         for kind in ("contour", "crease", "intersection", "material", "edge_mark", "loose", "light_contour", "shadow"):
-            setattr(self.modifier, f"use_{kind}", kind in ("contour", "crease"))  # its contours hold the borders
+            setattr(self.modifier, f"use_{kind}", kind in ("contour", "crease"))  # its contours include the borders
         bpy.context.view_layer.update()
 
     def frame(self):
-        self.modifier.show_viewport = True  # before the first frame it was off, so that the first one is timed whole
+        self.modifier.show_viewport = True  # off until the first frame, so that its evaluation is timed completely
         bpy.context.view_layer.update()
 
     def told(self):

@@ -2,11 +2,11 @@
 """Runs inside Blender for `fovea bench peers`: blender -b -P worker.py -- JSON (scene, renderer, size, repeats, shared,
 out).
 
-Each repeat starts from a new file: the first frame, then one after a small turn of the camera. A cold round goes first:
-it tells the memory, and compiles what is compiled once per process. With one repeat the cold round is the one that is
-measured; what is compiled is compiled before it for a tiny picture of a box. Renderers whose frames take minutes draw
-the first frame of the cold round and nothing else: Freestyle compiles as much in every render. OUT is written after
-every frame, so that a time-out loses only what came after; what is going to be drawn is printed."""
+Each repeat starts from a new file: the first frame, then one after a small turn of the camera. A cold round precedes
+them: it measures memory and compiles shaders. With one repeat the cold round is measured, after shaders were compiled
+by a tiny picture of a box. Slow renderers draw only the first frame of the cold round: Freestyle compiles in every
+render anyway. OUT is written after every frame, so that a timeout does not lose earlier results; each frame is
+announced on stdout."""
 
 import json
 import math
@@ -33,7 +33,7 @@ def main(asked):
     record = {"first": [], "moved": []}
     rounds = (True, *[False] * repeats) if repeats > 1 else (True,)
     for number, cold in enumerate(rounds, start=1):
-        bpy.ops.wm.read_homefile()  # renderers that keep things between frames let go of them here
+        bpy.ops.wm.read_homefile()  # also clears caches that renderers keep between frames
         scenes.build(asked["scene"], Path(asked["shared"]) if asked["shared"] else None)
         render = bpy.context.scene.render
         render.resolution_x, render.resolution_y = asked["size"]
@@ -62,7 +62,7 @@ def frame(renderer, moved: bool):
 
 
 def warm(renderer):
-    """Compiles what is compiled once per process."""
+    """Compiles shaders, by a small picture of a box."""
     print("what is compiled once", flush=True)
     bpy.ops.wm.read_homefile()
     scenes.build("boxes:1", None)
@@ -71,20 +71,20 @@ def warm(renderer):
 
 
 def triangles() -> int:
-    """Of everything that is placed in the scene, instances counted each time."""
+    """Number of triangles in the scene, with each instance counted."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     meshes = (instance.object.data for instance in depsgraph.object_instances if instance.object.type == "MESH")
     return sum(len(mesh.loop_triangles) for mesh in meshes)
 
 
 def memory(field: str) -> int:
-    """kB, from the kernel."""
+    """A field of /proc/self/status, kB."""
     lines = Path("/proc/self/status").read_text().splitlines()
     return next(int(line.split()[1]) for line in lines if line.startswith(field + ":"))
 
 
 def reset_peak():
-    """Lets VmHWM start anew. Where the kernel refuses, the peak of building the scene may hide that of the renderer."""
+    """Resets the peak VmHWM. If the kernel refuses, the peak of building the scene may hide that of the renderer."""
     try:
         Path("/proc/self/clear_refs").write_text("5")
     except OSError as refusal:
@@ -94,5 +94,5 @@ def reset_peak():
 if __name__ == "__main__":
     try:
         main(json.loads(sys.argv[sys.argv.index("--") + 1]))
-    except (RuntimeError, ImportError, AttributeError, TypeError) as error:  # what a Blender lacks; said in the table
+    except (RuntimeError, ImportError, AttributeError, TypeError) as error:  # missing features; shown in the table
         sys.exit(f"Error: {error}")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shorter sub-commands, one function each: takes the target and the words after the sub-command, returns the exit status."""
+"""The shorter sub-commands, one function each: takes the target and the sub-command's arguments (`words`), returns the
+exit status."""
 
 import argparse
 import importlib
@@ -69,14 +70,14 @@ def scene(target, words):
 
 
 def bench(target, words):
-    """`bench NAME [WORDS]`; the name of a scene: `bench peers` for that scene alone."""
+    """`bench NAME [WORDS]`; if NAME is a scene, `bench peers` for that scene only."""
     name, *rest = words or ["peers"]
     if name in ("lines", "agreement"):
         return {"lines": bench_lines, "agreement": agreement}[name](target, rest)
     if name not in ("peers", "visibility", "focus", "viewport"):
         name, rest = "peers", ["--scenes", name, *rest]
     module = importlib.import_module(f"bench.{name}")
-    module.parse(rest)  # mistakes show before anything is built
+    module.parse(rest)  # reports usage errors before anything is built
     extension.install(target)
     return module.main(rest, target.blender, target.environment(), shared())
 
@@ -92,12 +93,12 @@ def bench_lines(target, words):
 
 
 def shared():
-    """The folder of models that are not part of the project, if it is there."""
+    """The folder of models that are not part of the project, or None if it is missing."""
     return SHARED if SHARED.is_dir() else None
 
 
 def agreement(target, words):
-    """Prints, as JSON, how far depth-buffer visibility agrees with exact visibility on what `fovea draw` would draw."""
+    """Prints as JSON the agreement of depth-buffer visibility with exact visibility; `words`: those of `fovea draw`."""
     words = words or ["office"]
     scene = draw_options.parse(words).scene
     extension.install(target)
@@ -109,7 +110,8 @@ def agreement(target, words):
 
 
 def in_blender(target, sentence, script, words):
-    """Runs a script in Blender without a window. When it fails, the message is the line that it ends with (ending.py)."""
+    """Runs a script in Blender in background mode. StepFailed on an error, with the script's message if it has one
+    (ending.py), else with the end of the log."""
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
     log, status = target.attempt(sentence, command)
     if status == 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds the native module, the native tests and the core by itself, out of the tree, in the work folder."""
+"""Builds the native module, the native tests and the stand-alone core, out of source in the work folder."""
 
 import os
 import shutil
@@ -19,7 +19,7 @@ def build(target, goal="_native", sanitize=False):
 
 
 def module(target):
-    """The built Python module."""
+    """Builds the Python module; returns its path."""
     folder = build(target)
     found = sorted(folder.glob("_native*.so"))
     if len(found) != 1:
@@ -28,8 +28,8 @@ def module(target):
 
 
 def preset(target, name, *goals):
-    """Builds CMake targets, or all, by a preset, as who uses the core without Blender does; returns the build folder.
-    Where objects are those of another build, as of `release` those of the module, ccache has them."""
+    """Builds CMake targets, or all, with a preset, as users of the core without Blender do; returns the build folder.
+    Objects shared with another build (`release` and the module, for example) come from ccache."""
     folder = target.work / f"preset-{name}"
     with target.lock():
         options = ["--preset", name, "-S", _source(target), "-B", folder, *_compiling(target)]
@@ -43,7 +43,7 @@ def _make(target, sentence, folder, *words):
 
 
 def _configure(target, folder, sanitize):
-    """CMake configures again by itself when its files change, so this runs only when the options do."""
+    """Runs CMake's configure step only if the options changed; it reruns by itself when CMake files change."""
     source = _source(target)
     options = cmake_options(target, sanitize)
     record = folder / "configured-with"
@@ -56,7 +56,7 @@ def _configure(target, folder, sanitize):
 
 
 def _source(target):
-    """The checkout as builds name it: relative to the work folder, so that objects in ccache serve every clone."""
+    """A symlink to the checkout in the work folder; paths relative to it let ccache share objects between clones."""
     link = target.work / "source"
     if not link.is_symlink():
         link.symlink_to(PROJECT)
@@ -75,8 +75,8 @@ def cmake_options(target, sanitize):
 
 def _compiling(target):
     options = ["-DCMAKE_COLOR_DIAGNOSTICS=OFF"]
-    # The compiler of Debian's stable release stays; another one may warn of what nobody has seen, and that must not keep
-    # Fovea from being built.
+    # Warnings are errors only with the fixed compiler of Debian stable; new warnings of other compilers must not break
+    # the build.
     options.append(f"-DCMAKE_COMPILE_WARNING_AS_ERROR={'ON' if target.name == 'trixie' else 'OFF'}")
     if shutil.which("ccache"):
         options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")

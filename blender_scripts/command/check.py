@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea check`: format, lint and rules of the sources, without building them; each suite does what it has the tools for."""
+"""`fovea check`: format, lint and rules of the sources, without building them; each suite runs the checks whose tools
+it has."""
 
 import argparse
 import os
@@ -13,35 +14,35 @@ from .target import PROJECT, say, tail
 
 CPP = ("native", "tests/native")  # folders of all C++ files
 RULES = ("tests/python/test_layering.py", "tests/python/test_licenses.py")  # tests that only read the sources
-# A place in a file and what is wrong there, as compilers and ruff tell it.
+# A finding in the format of compilers and ruff: FILE:LINE:COLUMN: MESSAGE.
 PLACE = re.compile(r"(?P<file>[^\s:]+):\d+:\d+: (?!note: ).+")
 
 
 @dataclass(frozen=True)
 class Check:
-    """A command that ends with 0 where all files are as they should be; it is run in the project's folder."""
+    """A command that returns 0 if it finds nothing; it is run in the project's folder."""
 
     name: str
     command: list
-    finding: re.Pattern | None = None  # lines of its output that tell of a file; None: the end of its output tells all
-    files_alone: bool = False  # it is enough to name the files
-    fix: list | None = None  # the command that mends what it finds
+    finding: re.Pattern | None = None  # matches lines of its output that report a file; None: show the output's end
+    files_alone: bool = False  # show only the names of the files
+    fix: list | None = None  # the command that fixes its findings
 
 
 def check(target, words):
-    """words: [--fix] [--tidy FILE|FOLDER...], what clang-tidy looks at."""
+    """words: [--fix] [--tidy FILE|FOLDER...], the inputs of clang-tidy."""
     parser = argparse.ArgumentParser("fovea check")
     parser.add_argument("--fix", action="store_true")
     parser.add_argument("--tidy", nargs="*", default=[])
     options = parser.parse_args(words)
     os.chdir(PROJECT)
     checks = of_python() if target.name == "sid" else of_cpp(target.work / "check", cpp_files(options.tidy))
-    # All of them, not only up to the first that fails.
+    # Runs all checks, even after one has failed.
     return 1 if [each for each in checks if not holds(target, each, options.fix)] else 0
 
 
 def holds(target, check, fix):
-    """Whether a check finds nothing, after its fixes if they are asked for; says what it finds."""
+    """Runs a check, after its fix if `fix`; prints its findings and returns whether there are none."""
     if fix and check.fix:
         target.attempt(f"mending the {check.name}", check.fix)
     log, status = target.attempt(check.name, check.command)
@@ -49,7 +50,7 @@ def holds(target, check, fix):
         return True
     lines = log.read_text(encoding="utf-8", errors="replace").replace(f"{PROJECT}/", "").splitlines()
     found = [match for line in lines if check.finding and (match := check.finding.match(line))]
-    told = dict.fromkeys(match["file" if check.files_alone else 0] for match in found)  # each once, in their order
+    told = dict.fromkeys(match["file" if check.files_alone else 0] for match in found)  # unique, in order
     say(f"the {check.name} FAILED:\n" + ("\n".join(f"    {each}" for each in told) or tail(log, 25)))
     if check.fix and not fix:
         say(f"the same words and --fix (blender_scripts/fovea check --fix) mend what can be mended of the {check.name}")
@@ -67,7 +68,7 @@ def of_python():
 
 
 def of_cpp(folder, tidied):
-    """`folder`: for what the tools read; `tidied`: the files that clang-tidy looks at, which takes seconds for each."""
+    """The checks of C++. `folder`: for files that the tools read; `tidied`: inputs of clang-tidy, seconds per file."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "compile_flags.txt").write_text("\n".join(compile_flags()))
     form = [*in_shares(folder / "every", cpp_files(CPP), 32), "clang-format-19"]
@@ -79,19 +80,19 @@ def of_cpp(folder, tidied):
 
 
 def compile_flags():
-    """As CMake has them; precompiled headers and sources that are joined are of no use to clang-tidy."""
+    """Compiler flags of the CMake build, without precompiled headers and unity builds, which clang-tidy cannot use."""
     includes = (PROJECT / "native", PROJECT / "tests" / "native", sysconfig.get_path("include"))
     words = ["-xc++", "-std=c++20", "-Wall", "-Wextra", "-Wno-pragma-once-outside-header"]
     return words + [f"-I{folder}" for folder in includes]
 
 
 def in_shares(record, files, count):
-    """The beginning of a command that is to be run on so many of the files at a time, on all cores."""
+    """The xargs prefix that runs a command on `count` files at a time, on all cores; `record`: file for their names."""
     record.write_text("".join(f"{file}\n" for file in files))
     return ["xargs", "-a", record, "-P", str(len(os.sched_getaffinity(0))), "-n", str(count)]
 
 
 def cpp_files(places):
-    """Those among these files, and in the folders among them."""
+    """All C++ files among the given files and in the given folders."""
     inside = [sorted(Path(place).rglob("*")) if Path(place).is_dir() else [Path(place)] for place in places]
     return [file for files in inside for file in files if file.suffix in (".h", ".cpp")]

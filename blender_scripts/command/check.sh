@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# `fovea check`: format, lint and rules of the sources, without building them. The suites share the work, side by side.
+# `fovea check`: format, lint and rules of the sources, without building them. The suites share the checks, in parallel.
 
 check_sources() {
     trap 'stop_children; exit 130' INT TERM
@@ -31,7 +31,7 @@ check_sources() {
     return "$check_status"
 }
 
-# Only ruff's releases of sid are recent; clang-format writes each version's own format, and trixie keeps to 19.
+# Tools per suite: only sid has a recent ruff; clang-format's output depends on its version, and trixie stays at 19.
 check_tools() {
     case $1 in
     sid) echo ruff ;;
@@ -39,14 +39,14 @@ check_tools() {
     esac
 }
 
-# check_on SUITE WORDS...: in the project's folder, which is writable then.
+# check_on SUITE WORDS...: runs the checks in the project's folder, which is writable for them.
 check_on() {
     use_suite "$1" && set_up_suite "$1" $(check_tools "$1") && cd "$project" || return
     shift
     run_command check "$@"
 }
 
-# C++ files of native/ that differ from those of a revision of git, and new ones.
+# changed_since REVISION: prints the C++ files of native/ that differ from a git revision, and untracked ones.
 changed_since() {
     cd "$project" && git diff --name-only --diff-filter=d "$1" -- native >"$cache/log/changed" &&
         git ls-files --others --exclude-standard native >>"$cache/log/changed" &&

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The words of `fovea draw`: parsed once outside Blender, so that mistakes show at once, and again by draw.py inside."""
+"""The options of `fovea draw`: parsed outside Blender, to report errors at once, and again by draw.py inside
+Blender."""
 
 import argparse
 from pathlib import Path
@@ -10,10 +11,10 @@ from . import output, quantities
 
 MODELS = (".obj",)
 PICTURES = (".png", ".exr")
-TILE = (480, 360)  # of a sheet
-# How the demo scene is drawn where no word says it: with its door in focus, which is what Fovea is for.
+TILE = (480, 360)  # pixels of a tile of a sheet
+# Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.
 DEMO = {"style": "watercolor", "focus": (0.474, 0.6), "focus_radii": (0.12, 0.75)}
-LENSES = 1, 5000  # mm, as Blender's slider takes them
+LENSES = 1, 5000  # mm, Blender's limits
 
 
 def parse(words):
@@ -27,7 +28,7 @@ def parse(words):
 
 
 def default_output(spec, kind="fovea"):
-    """Beside nothing of the user's: MODEL-fovea.png in the current folder."""
+    """MODEL-fovea.png (or another `kind`) in the current folder."""
     stem = Path(spec).stem if is_file(spec) else spec.replace(":", "-")
     return Path(f"{stem}-{kind}.png").absolute()
 
@@ -37,12 +38,12 @@ def is_file(spec):
 
 
 def pictures(options):
-    """The pictures that a run writes, one a frame."""
+    """Paths of the pictures that a run writes, one per frame."""
     return _numbered(options.output, options.frames)
 
 
 def dumps(options):
-    """The files with what they are drawn from; none unless they are asked for."""
+    """Paths of the dumps that a run writes, one per frame; [] without --dump."""
     return _numbered(options.dump, options.frames) if options.dump else []
 
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Triangulates one polygon by cutting ears. Meisters, "Polygons have ears", American Mathematical Monthly 1975."""
+"""Triangulates a polygon by ear clipping. Meisters, "Polygons have ears", American Mathematical Monthly 1975."""
 
 import numpy as np
 
 
 def triangulate(points):
-    """Corners (n - 2, 3) of the triangles of a polygon (n, 3), seen along its average normal; n - 2 of them always,
-    badly shaped ones where the polygon crosses itself."""
+    """(n - 2, 3) corner indices of the triangles of a polygon (n, 3), projected along the dominant axis of its average
+    normal. Always n - 2 triangles; degenerate or overlapping ones if the polygon intersects itself."""
     flat = _flatten(points)
     left = np.arange(len(points))
     triangles = []
@@ -18,7 +18,7 @@ def triangulate(points):
 
 
 def _flatten(points):
-    """(n, 2), counter-clockwise: projection along Newell's normal."""
+    """(n, 2), counterclockwise: projection along the dominant axis of Newell's normal."""
     following = np.roll(points, -1, axis=0)
     normal = np.cross(points, following).sum(axis=0)
     dropped = np.abs(normal).argmax()
@@ -40,5 +40,5 @@ def _find_ear(flat, left):
 
 
 def _turn(a, b, c):
-    """Twice the signed area of abc; positive where it turns left."""
+    """Twice the signed area of abc; positive if counterclockwise."""
     return (b - a)[..., 0] * (c - a)[..., 1] - (b - a)[..., 1] * (c - a)[..., 0]

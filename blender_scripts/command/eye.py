@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The camera of `fovea lines`: it looks at the middle of a model."""
+"""The camera of `fovea lines`, aimed at the center of a model's bounding box."""
 
 import numpy as np
 
 
 def view(positions, eye, ortho, size=(1024, 1024), fov=90.0):
-    """What a native View is made of, with world_to_view first: from `eye` (for an orthographic view the direction
-    towards the viewer). `fov`: degrees over the frame's shorter side; None: as many as hold all positions, which an
-    orthographic frame does in any case."""
+    """Positional arguments of a native View, world_to_view first. `eye`: position or, for an orthographic view, the
+    direction towards the viewer. `fov`: degrees over the frame's shorter side; None: fits all positions, as an
+    orthographic frame always does."""
     finite = positions[np.isfinite(positions).all(axis=1)]
     low, high = (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.zeros(3), np.ones(3))
     center, radius = (low + high) / 2, max(np.linalg.norm(high - low) / 2, 1e-30)
@@ -15,7 +15,7 @@ def view(positions, eye, ortho, size=(1024, 1024), fov=90.0):
     if not towards.any():
         if ortho:
             raise ValueError("--eye 0,0,0 is no direction")
-        towards = np.array([0.0, 0.0, 1.0])  # from inside any way will do: lines partly in the frame are found whole
+        towards = np.array([0.0, 0.0, 1.0])  # eye at the center: any direction, as paths are extracted whole
     distance = 2 * radius if ortho else np.linalg.norm(towards)
     backwards = towards / np.linalg.norm(towards)
     eye = center + distance * backwards if ortho else eye
@@ -27,14 +27,15 @@ def view(positions, eye, ortho, size=(1024, 1024), fov=90.0):
 
 
 def _half_frame(radius, distance, fov):
-    """Half the frame's shorter side, at distance 1. From within a model no frame holds it."""
+    """Half the frame's shorter side at distance 1; at most 1 (90 degrees) if fitted, as near a model no frame fits
+    it."""
     if fov is not None:
         return np.tan(np.radians(fov / 2))
     return radius / np.sqrt(distance**2 - radius**2) if distance > np.sqrt(2) * radius else 1.0
 
 
 def _looking(eye, backwards):
-    """World to view: the eye at the origin, looking along -z."""
+    """World-to-view matrix: the eye at the origin, looking along -z."""
     aside = np.eye(3)[np.abs(backwards).argmin()]
     right = np.cross(aside, backwards)
     right /= np.linalg.norm(right)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea figures [NAME...]`: draws the pictures of README and of its page of figures, lines and haloes by `fovea draw`,
-focus as sheets, and those of addon/docs."""
+"""`fovea figures [NAME...]`: draws the pictures of README and of its page of figures (single pictures with `fovea
+draw`, variants as sheets), and those of addon/docs."""
 
 import argparse
 import tempfile
@@ -16,16 +16,16 @@ from .variants import SHEETS
 FOLDER = PROJECT / "blender_scripts" / "figures"
 MODELS = SHARED / "models"
 CRANK_ARM = MODELS / "cad" / "crank-arm.obj"
-ORGANIC = {  # name of a figure: its model, azimuth, elevation
+ORGANIC = {  # figure -> model, azimuth, elevation (degrees)
     "rocker-arm": ("rocker-arm", "65", "25"),
     "bunny": ("stanford-bunny", "105", "15"),
     "spot": ("spot", "120", "15"),
 }
 DOCS = PROJECT / "addon" / "docs"
-STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # a picture beside each style that ships
+STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # one picture per bundled style
 SIZE = ["--size", "1280x720"]
-STEPS, WINDOW = "first_drawing", (1280, 800)  # Blender's window, step by step
-FIGURES = {  # name: the words of `fovea draw`
+STEPS, WINDOW = "first_drawing", (1280, 800)  # pictures of the steps of a page, and pixels of Blender's window in them
+FIGURES = {  # name -> options of `fovea draw`
     f"lines-{name}": [
         MODELS / "organic" / f"{model}.obj", "--lines", "all", "--sheet", "--size", "480x360",
         "--azimuth", azimuth, "--elevation", elevation,
@@ -90,7 +90,7 @@ def draw_thumbnails(target):
 
 
 def draw_steps(target):
-    """Of addon/docs/first_drawing.md; needs xvfb-run."""
+    """Draws the pictures of addon/docs/first_drawing.md; needs xvfb-run."""
     extension.install(target)
     output = DOCS / STEPS
     output.mkdir(parents=True, exist_ok=True)
@@ -103,7 +103,7 @@ def draw_steps(target):
 
 
 def draw_pages(target, name):
-    """A group of pages.py, or GROUP/PICTURE."""
+    """Draws a group of pages.py, or one GROUP/PICTURE."""
     extension.install(target)
     wanted = [picture for picture in pages.names() if picture == name or picture.startswith(f"{name}/")]
     (DOCS / name.partition("/")[0]).mkdir(parents=True, exist_ok=True)

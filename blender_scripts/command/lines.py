@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea lines`: one line definition on a model, extracted without Blender, as arrays: whole, or what is seen of it."""
+"""`fovea lines`: extracts one line definition from a model without Blender, as arrays of whole paths or visible
+runs."""
 
 import argparse
 import importlib
@@ -48,7 +49,7 @@ def parse(words):
     parser.add_argument("--size", type=quantities.frame_size, default=(1024, 1024), metavar="WxH", help="pixels")
     parser.add_argument("--fov", type=_angle, metavar="DEG", help="over the frame's shorter side (all of the model)")
     parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
-    # argparse would take "-1,2,3" for an option.
+    # argparse would parse "-1,2,3" as an option.
     eyes = [f"--eye={value}" for word, value in zip(words, words[1:]) if word == "--eye"]
     others = [word for before, word in zip(["", *words], words) if "--eye" not in (before, word)]
     options = parser.parse_args(eyes + others)
@@ -61,7 +62,7 @@ def parse(words):
 
 
 def extract(native, options):
-    """The arrays of the file, counts of what was skipped in the model, and how curvature was estimated, if it was."""
+    """(arrays of the file, {name: count} of skipped elements of the model, how curvature was estimated or "")."""
     pipeline = importlib.import_module("addon.pipeline")
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
@@ -74,7 +75,7 @@ def extract(native, options):
         arrays = importlib.import_module("addon.line_arrays").seen(frame, view_to_object)
     else:
         arrays = _whole(frame.paths, surface, polygons.positions, view_to_object)
-    del arrays["path"]  # of one model: its number tells nothing that path_id does not
+    del arrays["path"]  # redundant with path_id for a single model
     arrays |= {"definition": np.array(options.definition)} if options.definition else {}
     names = (name for name in dir(surface.report) if not name.startswith("_"))
     counts = {name: getattr(surface.report, name) for name in names}
@@ -82,7 +83,7 @@ def extract(native, options):
 
 
 def _style(options):
-    """The Style whose lines are asked for."""
+    """The Style for --definition or --style."""
     style = importlib.import_module("addon.style")
     if options.definition:
         style.check(style.LineSet, "corner_angle", options.corner_angle, "--corner-angle")
@@ -135,13 +136,13 @@ def _surface(native, name, polygons):
 
 
 def _look(native, surface, positions, options):
-    """(native Scene of the model alone, native View of it, the way back from the view). The picture is as one of
-    Blender's of this height: its pixels are as many reference pixels."""
+    """(native Scene of the model alone, native View, (4, 4) view-to-object matrix). Reference pixels are as in a
+    Blender render of this height."""
     usage = native.Usage.DRAW | native.Usage.OCCLUDE
     scene = native.Scene(
         [surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8)
     )
-    # Lines as such are found wherever they are: a wide frame holds more of a model that is near.
+    # Whole paths do not depend on the frame; a wide one contains more of a near model.
     fov = options.fov if options.visible or options.fov else 90.0
     seen_from = eye.view(positions, options.eye, options.ortho, options.size, fov)
     view = native.View(*seen_from, reference_scale=options.size[1] / 1080)
@@ -149,7 +150,8 @@ def _look(native, surface, positions, options):
 
 
 def _whole(paths, surface, positions, view_to_object):
-    """What the file holds of paths; points on edges in the model's own double precision, from where they lie on them."""
+    """The arrays of line_arrays.whole; points on mesh edges are recomputed in double precision from the model's
+    positions."""
     found = importlib.import_module("addon.line_arrays").whole(paths, view_to_object)
     on_edge = paths.place < len(surface.edges)
     ends = positions[surface.edges[paths.place[on_edge]]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The part of `fovea` that runs inside a suite, or beside an own Blender; blender_scripts/fovea starts it."""
+"""The part of `fovea` that runs inside a suite or with the user's own Blender; blender_scripts/fovea starts it."""
 
 import importlib
 import sys
@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from command.target import StepFailed, Target, say
 
-# Sub-commands that are modules of their own; the others are functions of `actions`.
+# Sub-commands with a module of their own; the others are functions of `actions`.
 MODULES = ("check", "figures", "lines", "stub", "test")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the polygons of a Wavefront OBJ file as they stand: no axis swap, no scaling, no welding."""
+"""Reads the polygons of a Wavefront OBJ file unchanged: no axis swap, scaling or welding."""
 
 import re
 from dataclasses import dataclass
@@ -13,11 +13,11 @@ from . import ears
 class Polygons:
     positions: np.ndarray  # (V, 3) float64
     corner_verts: np.ndarray  # (C,) int32
-    offsets: np.ndarray  # (F + 1,) int32: corners of each polygon
-    material: np.ndarray  # (F,) int32: numbers of the names in the file; 0: none
+    offsets: np.ndarray  # (F + 1,) int32: first corner of each polygon
+    material: np.ndarray  # (F,) int32: index of the material name in the file; 0: none
 
     def ngon_triangles(self):
-        """Vertices (T, 3) int32 and polygon (T,) int32 of the triangles of polygons with more than four corners."""
+        """Triangulation of polygons with more than four corners: vertices (T, 3) int32 and polygon (T,) int32."""
         triangles, owners = [np.empty((0, 3), np.int32)], [np.empty(0, np.int32)]
         for polygon in np.flatnonzero(np.diff(self.offsets) > 4):
             corners = self.corner_verts[self.offsets[polygon] : self.offsets[polygon + 1]]
@@ -27,7 +27,8 @@ class Polygons:
 
 
 def read(path):
-    """Faces of fewer than three corners are left out. ValueError, naming the file, for what is no OBJ."""
+    """The Polygons of an OBJ file, without faces of fewer than three corners. ValueError, with the file's name, if it
+    is not a valid OBJ file."""
     lines = path.read_bytes().replace(b"\\\r\n", b" ").replace(b"\\\n", b" ").splitlines()
     lines = [line.strip() for line in lines]
     is_vertex = np.array([line[:2] in (b"v ", b"v\t") for line in lines], bool)
@@ -57,8 +58,8 @@ def _positions(lines):
 
 
 def _corners(lines, seen):
-    """Vertices of all faces one after the other, from 0, and how many each face has. Negative ones count backwards
-    from the vertices `seen` before the face."""
+    """(zero-based vertices of all faces, concatenated; number of corners of each face). Negative indices count
+    backwards from the number of vertices `seen` before the face."""
     lines = re.sub(rb"/[^\s]*", b"", b"\n".join(lines)).split(b"\n") if lines else []
     counts = np.array([len(line.split()) for line in lines], np.int64)
     index = _numbers(lines, np.int64)
@@ -68,7 +69,7 @@ def _corners(lines, seen):
 
 
 def _materials(lines, is_face):
-    """The material named last before each face, numbered; 0 where none is."""
+    """Index of the material named last before each face; 0 if there is none."""
     names = {b"": 0}
     uses = [i for i, line in enumerate(lines) if line.split(None, 1)[:1] == [b"usemtl"]]
     number = [0, *(names.setdefault(lines[i][6:].strip(), len(names)) for i in uses)]

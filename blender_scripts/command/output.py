@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that a command writes for the user: whole and written by this run, or left as they were."""
+"""Atomic writing of output files: they are complete and from this run, or unchanged."""
 
 import os
 import secrets
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def check(path):
-    """ValueError where no file can be written as `path`, told before anything is made for it."""
+    """ValueError if no file can be written to `path`; call it before doing the work."""
     place = Path(path).resolve()
     if place.is_dir():
         raise ValueError(f"{path} is a folder: name a file in it")
@@ -22,9 +22,9 @@ def check(path):
 
 @contextmanager
 def written(path, is_whole=Path.is_file):
-    """A temporary name beside `path`, with its suffix, to write to; what is there at the end is moved onto `path` when
-    is_whole(Path) says so. Where it does not, and at an OSError or RuntimeError (as Blender's operators raise),
-    nothing is changed and ValueError says that `path` could not be written."""
+    """Context with a temporary path beside `path`, with its suffix, to write to; at the end it is moved to `path` if
+    is_whole(Path). If not, or on an OSError or RuntimeError (as Blender's operators raise), `path` is left unchanged
+    and ValueError is raised."""
     place = Path(path).resolve()
     fresh = place.with_name(f".{secrets.token_hex(8)}{place.suffix}")
     try:

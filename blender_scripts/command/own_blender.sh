@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A Blender of the user's own: asked for its version and Python, and checked for what building the module needs.
+# The user's own Blender: queries its version and Python, and checks the prerequisites for building the module.
 
 # use_own_blender PATH: sets target_name, blender, python and python_include, or `reason` and returns 1.
 use_own_blender() {
@@ -39,7 +39,7 @@ print("python", *sys.version_info[:2], sys.executable, sysconfig.get_path("inclu
     done
 }
 
-# What stands between this machine and a module for that Blender, by name and Debian package.
+# Prints the missing prerequisites for building a module for that Blender, with their Debian packages.
 missing_parts() {
     {
         [ -x "$python" ] || echo "Blender's Python program"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension zip: staged, built and validated by Blender's own command, and installed as a user would."""
+"""The extension zip: staged, built and validated with Blender's extension command, and installed as by a user."""
 
 import hashlib
 import shutil
@@ -12,8 +12,9 @@ ID = "fovea"
 
 
 def stage(target):
-    """Lays the package out in WORK/package/fovea: the add-on, the shaders, the native module and the license beside
-    __init__.py. What is the same already is left alone, as tests may be reading it; what editors alone read is left out."""
+    """Stages the package in WORK/package/fovea: the add-on, with shaders, native module and license beside __init__.py;
+    type stubs are left out. An identical staged package is not touched, as running tests may read it. Returns the
+    folder."""
     module = build.module(target)
     folder = target.work / "package" / ID
     fresh = folder.with_name("fresh")
@@ -31,7 +32,7 @@ def stage(target):
 
 
 def importable(target):
-    """A folder from which Python without Blender imports the staged package, as `addon`."""
+    """A folder for sys.path from which plain Python imports the staged package as `addon`."""
     folder = target.work / "importable"
     folder.mkdir(exist_ok=True)
     link = folder / "addon"
@@ -41,7 +42,7 @@ def importable(target):
 
 
 def package(target, folder=None):
-    """The validated zip of the staged package; the one that is there, where it is of the very same files."""
+    """The validated zip of the staged package; reused if it was built from identical files."""
     folder = folder or stage(target)
     manifest = tomllib.loads((folder / "blender_manifest.toml").read_text(encoding="utf-8"))
     archive = target.work / "package" / f"{ID}-{manifest['version']}.zip"
@@ -58,7 +59,7 @@ def package(target, folder=None):
 
 
 def install(target):
-    """Installs and enables the package, unless the very same files are installed already."""
+    """Installs and enables the package, unless identical files are installed already."""
     folder = stage(target)
     content = _content(folder)
     stamp = target.work / "installed"
@@ -77,13 +78,13 @@ def extension(target, sentence, *words):
 
 
 def _is_installed(target, content):
-    """Whether files of this content are where Blender looks for them."""
+    """Whether a package of this content (digest) is installed in the target's home."""
     folders = target.home.glob(f".config/blender/*/extensions/user_default/{ID}")
     return any(_content(folder) == content for folder in folders)
 
 
 def _content(folder):
-    """Digest of names and bytes of all files of the package in a folder; Python leaves compiled ones beside them."""
+    """Digest of names and bytes of all files in a folder, except Python's compiled files."""
     digest = hashlib.sha256()
     for file in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"):
         digest.update(f"{file.relative_to(folder)}\0".encode())

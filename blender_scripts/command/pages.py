@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of addon/docs: which model shows what, how it is seen, and what lies faintly beneath."""
+"""The pictures of addon/docs: for each, the model, the camera, and the lines drawn faintly below."""
 
 from dataclasses import dataclass, field
 
 LESSON = "lesson:"  # a model of scenes/lessons.py
 SIZE = "640x480"
-SHAPE = ("contour", "border")  # drawn faintly, so that one sees what lines lie on
+SHAPE = ("contour", "border")  # drawn faintly to show the shape
 MESH = ("contour", "crease")  # with crease.angle=0: every edge of the mesh
 
 
 @dataclass(frozen=True)
 class Picture:
-    """One line definition, as `fovea draw` would draw it."""
+    """A picture of one line definition."""
 
     model: str  # a scene, a model of the shared folder (.obj), or a lesson
-    camera: tuple  # words of `fovea draw`
-    beneath: tuple = SHAPE  # line definitions
-    beneath_params: tuple = ()  # words
+    camera: tuple  # options of `fovea draw`
+    beneath: tuple = SHAPE  # line definitions drawn faintly below
+    beneath_params: tuple = ()  # options of `fovea draw` for these
 
 
 def _seen(azimuth, elevation):
@@ -34,7 +34,7 @@ VASE = LESSON + "vase", _seen(30, 18)
 DRAPERY = LESSON + "drapery", _seen(25, 12)
 EVERY_EDGE = MESH, _params("crease.angle=0")
 
-LINES = {  # definition: how it is shown
+LINES = {  # definition -> its picture
     "contour": Picture("suzanne:1", _seen(25, 8), *EVERY_EDGE),
     "silhouette": Picture("cad/crank-arm.obj", _seen(35, 25), ("contour", "crease")),
     "crease": Picture("cad/fandisk.obj", _seen(35, 25)),
@@ -64,14 +64,14 @@ LINES = {  # definition: how it is shown
 
 @dataclass(frozen=True)
 class Stage:
-    """What one stage makes of the demo scene, as `fovea draw` would draw it."""
+    """A picture of the demo scene at one stage of the method."""
 
-    words: tuple
-    settings: dict = field(default_factory=dict)  # {"pen." or "hidden.", of all line sets, or PART.NAME: value}
+    words: tuple  # options of `fovea draw`
+    settings: dict = field(default_factory=dict)  # {PART.NAME: value}; parts "pen", "hidden": those of all line sets
 
 
 STAGE_SIZE = "560x315"
-STAGE_VIEW = 0.53, 0.62, 1.8  # the part of the frame that is shown: its middle, and how much larger than all of it
+STAGE_VIEW = 0.53, 0.62, 1.8  # crop of the frame: center (u, v) from the left and the top, and magnification
 _EDGES = "silhouette,contour,crease,border,material_boundary,edge_mark"
 _LINES = ("--style", "plain", "--lines", f"{_EDGES},suggestive_contour,valley")
 _PEN = {"pen.width": 3.0}
@@ -79,7 +79,7 @@ _DASHES = {"hidden.width": 2.0, "hidden.opacity": 0.5}
 _SOLID = {"hidden.width": 3.0, "hidden.opacity": 1.0, "hidden.texture": "solid"}
 _FOCUS = ("--style", "watercolor", "--focus", "0.5,0.55", "--focus-radii", "0.2,1.0")
 
-WAY = {  # stage: how it is shown; in the order of the data
+WAY = {  # stage -> its picture, in the order of the pipeline
     "1_surfaces": Stage(
         ("--style", "plain", "--lines", "contour,border,crease", *_params("crease.angle=0")),
         {"pen.width": 1.4, "pen.opacity": 0.6, "color.shading": "SMOOTH"},
@@ -92,12 +92,12 @@ WAY = {  # stage: how it is shown; in the order of the data
 }
 
 _WATERCOLOR = ("--style", "watercolor")
-FOCUS = {  # where one shall look
+FOCUS = {  # focus model -> its picture
     "image": Stage((*_WATERCOLOR, "--focus", "0.1,0.7", "--focus-radii", "0.1,0.8")),
     "scene": Stage((*_WATERCOLOR, "--focus", "0,-2.3,1.2", "--focus-radii", "1,4")),
     "object": Stage((*_WATERCOLOR, "--focus", "Bicycle", "--focus-radii", "0.2,3")),
 }
-TRANSFERS = {  # plot: a transfer function as a style has it
+TRANSFERS = {  # plot -> members of a style's Transfer
     "straight": {},
     "start_end": {"start": 0.25, "end": 0.75},
     "strength": {"start": 0.25, "end": 0.75, "strength": 0.5},
@@ -105,17 +105,17 @@ TRANSFERS = {  # plot: a transfer function as a style has it
     "curve": {"curve": [[0, 0], [0.3, 0.75], [0.7, 0.85], [1, 1]]},
 }
 PLOT = 240  # pixels
-STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # of first_drawing.md
+STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
-# Name: {picture: what it shows}; each is a folder of addon/docs.
+# Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "transfers": TRANSFERS}
 
 
 def names():
-    """GROUP/PICTURE of all."""
+    """GROUP/PICTURE of all pictures."""
     return [f"{group}/{name}" for group, pictures in GROUPS.items() for name in pictures]
 
 
 def file_of(name):
-    """Of a GROUP/PICTURE, relative to addon/docs: gray ones as PNG, others as JPEG."""
+    """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
     return f"{name}.png" if name.startswith(("lines/", "transfers/")) else f"{name}.jpg"

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers among the words of a command. Each parser takes a word and raises argparse.ArgumentTypeError, in words for the
-user, when it is none or out of range."""
+"""Parsers of numeric command-line arguments. Each takes a string and raises argparse.ArgumentTypeError, with a message
+for the user, if it is invalid or out of range."""
 
 import argparse
 import math
 import re
 
-FRAME_SIDES = 4, 65536  # pixels, as Blender takes them
-LAST_FRAME = 1048574  # Blender's
-FAR = 1e9  # from the origin
+FRAME_SIDES = 4, 65536  # pixels, Blender's limits
+LAST_FRAME = 1048574  # Blender's limit
+FAR = 1e9  # largest absolute value of a coordinate
 
 
 def within(least, most, what):
-    """A parser of numbers from least to most; `what` they count, in plural."""
+    """A parser of numbers from least to most; `what`: their unit in plural, for the message."""
 
     def parse(text):
         number = _float(text)
@@ -24,7 +24,7 @@ def within(least, most, what):
 
 
 def finite(what):
-    """A parser of numbers of which the core knows the range; `what` they count, in plural."""
+    """A parser of finite numbers whose range the core checks; `what`: their unit in plural, for the message."""
 
     def parse(text):
         number = _float(text)
@@ -36,7 +36,7 @@ def finite(what):
 
 
 def frame_size(text):
-    """(width, height) of WIDTHxHEIGHT."""
+    """(width, height) from WIDTHxHEIGHT."""
     found = re.fullmatch(r"(\d{1,9})x(\d{1,9})", text)
     if not found:
         raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT")
@@ -47,7 +47,7 @@ def frame_size(text):
 
 
 def frames(text):
-    """(first, last) of FIRST-LAST, or of FIRST alone."""
+    """(first, last) from FIRST-LAST or FIRST."""
     found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", text)
     first, last = (int(found[1]), int(found[2] or found[1])) if found else (1, 0)
     if not first <= last <= LAST_FRAME:
@@ -56,7 +56,7 @@ def frames(text):
 
 
 def surfaces(text):
-    """(first, last): A, A-B or A-, whose last is None."""
+    """(first, last) from A, A-B, or A-, whose last is None (unlimited)."""
     found = re.fullmatch(r"([1-9]\d{0,8})(-(\d{0,9}))?", text)
     first, last = (int(found[1]), int(found[3] or 0) if found[2] else int(found[1])) if found else (1, -1)
     if last and last < first:
@@ -65,7 +65,7 @@ def surfaces(text):
 
 
 def focus(text):
-    """Two or three numbers; what is no number is a name."""
+    """A tuple of two or three numbers; text with letters other than exponents is an object's name."""
     if re.search(r"[^\W\d]", re.sub(r"(?<=[\d.])[eE](?=[-+\d])", "", text)):
         return text
     return _numbers(text, (2, 3), "U,V in the image, X,Y,Z in space, or an object's name")
@@ -79,7 +79,7 @@ def radii(text):
 
 
 def assignment(text):
-    """NAME=NUMBER as (name, number); which names and numbers there are is for the line definition to say."""
+    """(name, number) from NAME=NUMBER; the line definition validates them later."""
     name, _, value = text.partition("=")
     number = _float(value)
     if not math.isfinite(number):
@@ -95,7 +95,7 @@ def _numbers(text, counts, what):
 
 
 def _float(text):
-    """NaN, which lies in no range, for what is no number."""
+    """The number in a string; NaN, which fails all range checks, if it is not a number."""
     try:
         return float(text)
     except ValueError:

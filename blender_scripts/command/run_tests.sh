@@ -20,8 +20,8 @@ test_targets() {
     [ "$failed" -eq 0 ]
 }
 
-# What takes longer than all the rest, on the suite whose compiler and clang-tidy stay the same: threads under a sanitizer,
-# and the lint of all C++ files, which counts as one test.
+# Runs what takes longer than all other tests, on the suite with a fixed compiler and clang-tidy: the tests of threads
+# under the thread sanitizer, and the lint of all C++ files, which counts as one test.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
     [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie"
@@ -31,7 +31,7 @@ test_long() {
     (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
 }
 
-# Both side by side. A broken archive of one suite must not hide what the other one says.
+# Tests both suites in parallel. If the package archive of one is broken, the other is still tested.
 test_suites() {
     for suite in $all_suites; do
         (use_suite "$suite") &
@@ -42,7 +42,7 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
-    sanitize=yes # the native code under sanitizers is the same on every suite: once is enough
+    sanitize=yes # only on the first suite: native code under sanitizers is the same on all
     for suite in $ready; do
         (use_suite "$suite" && test_target "$sanitize" 1 "$@") &
         eval "child_$suite=$!"
@@ -65,7 +65,7 @@ stop_children() {
     done
 }
 
-# test_target SANITIZE JOBS [PART] WORDS...: on the chosen target; the counts are left in a file.
+# test_target SANITIZE JOBS [PART] WORDS...: tests the chosen target; the counts are written to a file.
 test_target() {
     sanitize_here=$1
     jobs=$2
@@ -78,7 +78,7 @@ counts_file() {
     echo "$(work_folder)/results/counts"
 }
 
-# A target that ended without counts (it did not build, or crashed) is a failure.
+# Adds up a target's counts; one without counts (it did not build, or crashed) is a failure.
 add_counts() {
     if [ -e "$(counts_file)" ]; then
         read -r more_passed more_failed more_skipped <"$(counts_file)"

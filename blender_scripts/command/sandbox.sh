@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs things inside a suite by bubblewrap. /usr and /etc there are the suite's, read-only; the machine's other folders
-# show through read-only, so that a scene finds its textures and libraries; writable are the current folder, the folders
-# named for output, /tmp and the work folders in the cache. Nothing stays mounted when it ends. Temporary files are the
-# work folder's own: Blenders in two sandboxes may have the same process number, which is in the names of some.
+# Runs commands inside a suite with bubblewrap. /usr and /etc are the suite's, read-only; the machine's other folders
+# are visible read-only, so that scenes find their textures and libraries; writable are the current folder, the folders
+# of outputs, /tmp and the work folders in the cache. Nothing stays mounted afterwards. Temporary files are per work
+# folder, because the names of some contain the process id, which can be the same in two sandboxes.
 
-# in_suite SUITE WORK COMMAND...: WORK is the checkout's own folder for this suite; HOME lies in it.
+# in_suite SUITE WORK COMMAND...: runs a command in a suite; WORK: the checkout's folder for this suite, contains HOME.
 in_suite() {
     suite_root=$cache/$1/root
     work=$2
@@ -14,7 +14,7 @@ in_suite() {
     done
     mkdir -p "$work/home" "$work/tmp" "$cache/ccache"
     options=$(mktemp "$work/sandbox.XXXXXX")
-    # bubblewrap lets later places cover earlier ones, so what is writable comes last.
+    # In bubblewrap later mounts cover earlier ones, so writable ones come last.
     {
         system_options
         named_options --ro-bind "$@"
@@ -45,7 +45,7 @@ system_options() {
     done
 }
 
-# Places that are the sandbox's own, whatever the machine has there.
+# is_system PATH: whether the sandbox has its own folder there instead of the machine's.
 is_system() {
     case $1 in
     / | /usr | /usr/* | /etc | /etc/* | /dev | /dev/* | /proc | /proc/* | /run | /tmp) ;;
@@ -54,7 +54,8 @@ is_system() {
     esac
 }
 
-# named_options HOW WORD...: the folders of the paths among the words: outputs with --bind, inputs with --ro-bind.
+# named_options HOW WORD...: mount options for the folders of paths among the words: --bind for outputs, --ro-bind for
+# inputs.
 named_options() {
     how=$1
     shift
@@ -76,7 +77,7 @@ folder_of() {
     else
         case $1 in
         */*) (cd "${1%/*}/" 2>/dev/null && pwd) ;;
-        *) return 1 ;; # in the current folder, or no path at all
+        *) return 1 ;; # in the current folder, or not a path
         esac
     fi
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the user sees: sentences, and the progress of long steps. Results go to stdout, everything here to stderr.
+# Messages to the user and the progress of long steps, on stderr; results go to stdout.
 
 say() {
     printf 'fovea: %s\n' "$*" >&2
@@ -10,8 +10,8 @@ fail() {
     exit 1
 }
 
-# step LOG SENTENCE COMMAND...: runs a long command with its output in LOG and a sign of life every 15 seconds;
-# when the command fails, shows the end of LOG and returns its status.
+# step LOG SENTENCE COMMAND...: runs a long command with its output in LOG and a progress message every 15 seconds;
+# if the command fails, shows the end of LOG and returns its status.
 step() {
     step_log=$1
     step_sentence=$2
@@ -33,7 +33,7 @@ step() {
 
 show_progress() {
     seconds=0
-    # The sleep must not hold this shell's output open after the step has ended.
+    # The output of sleep is redirected, so that it does not keep this shell's stdout open after the step has ended.
     while sleep 15 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
         seconds=$((seconds + 15))
         last=$(tail -n 1 "$1" | tr -d '\r' | cut -c 1-70)

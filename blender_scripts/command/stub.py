@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea stub`: writes addon/_native.pyi, by which editors and type checkers know the native module. It is made of the
-signatures and docstrings that pybind11 gives the module."""
+"""`fovea stub`: writes addon/_native.pyi, the type stub of the native module for editors and type checkers, from the
+signatures and docstrings that pybind11 generates."""
 
 import argparse
 import ast
@@ -27,7 +27,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 '''
 SPOKEN = ("__init__", "__call__", "__len__", "__eq__", "__hash__", "__int__", "__or__", "__and__")
-# What pybind11 writes -> what is meant.
+# Pattern in pybind11's signatures -> replacement in the stub.
 WORDS = (
     (r"\b(\w+\.)*_native\.", ""),
     (r"\b(numpy\.typing|collections\.abc|typing)\.", ""),
@@ -51,7 +51,7 @@ def stub(target, words):
 
 
 def is_typed(module):
-    """Whether a module's signatures are those of pybind11 3: version 2 names other types."""
+    """Whether a module's signatures are from pybind11 3; version 2 writes other types."""
     return "numpy.typing" in module.png_bytes.__doc__
 
 
@@ -61,7 +61,7 @@ def text(module):
 
 
 def of_members(module):
-    """The members of a module, one text each; a module in it stands there as a class, as one file has no other word."""
+    """Yields the stub text of each member of a module; a submodule is written as a class, to keep one file."""
     for name, member in public(module):
         if isinstance(member, types.ModuleType):
             inner = "\n\n".join(of_members(member))
@@ -76,12 +76,13 @@ def of_members(module):
 
 
 def public(owner):
-    """(name, member) of a module or class, in the order in which they were made, but for what only Python calls."""
+    """(name, member) of a module or class in definition order, without private members and special methods except
+    SPOKEN."""
     return [(name, member) for name, member in vars(owner).items() if name in SPOKEN or not name.startswith("_")]
 
 
 def of_class(name, cls):
-    """Lines of a class."""
+    """Yields the lines of a class."""
     base = cls.__base__.__name__ if cls.__base__.__name__ != "pybind11_object" else "object"
     yield f"class {name}:" if base == "object" else f"class {name}({base}):"
     doc = re.split(r"\n\nMembers:", cls.__doc__ or "")[0]
@@ -114,7 +115,7 @@ def of_member(cls, key, member):
 
 
 def of_function(doc, indent, *decorators):
-    """Lines of a function, or of its overloads, by its docstring."""
+    """Yields the lines of a function or its overloads, from its docstring."""
     found = signatures(doc)
     for signature in found:
         yield from (f"{indent}{decorator}" for decorator in decorators)
@@ -124,7 +125,7 @@ def of_function(doc, indent, *decorators):
 
 
 def signatures(doc):
-    """NAME(ARGUMENTS) -> TYPE, as stubs have it: those of overloads, or the one of the first line."""
+    """NAME(ARGUMENTS) -> TYPE for each overload in a docstring, or from its first line, with WORDS applied."""
     lines = doc.splitlines()
     found = re.findall(r"^\d+\. (.*)$", doc, re.M) if lines[1:2] == ["Overloaded function."] else lines[:1]
     for pattern, meant in WORDS:
@@ -133,7 +134,7 @@ def signatures(doc):
 
 
 def declared(signature, doc, indent):
-    """Lines of a function that has a signature."""
+    """Yields the lines of a function with a signature; parameters with default None get the type `| None`."""
     (function,) = ast.parse(f"def {signature}: ...").body
     arguments = function.args
     positional = [*arguments.posonlyargs, *arguments.args]
@@ -159,7 +160,7 @@ def is_none(node):
 
 
 def documented(text, indent):
-    """Lines of a docstring; none for an empty one."""
+    """Yields the lines of a docstring; none if it is empty."""
     text = " ".join(text.split())
     if text:
         yield from textwrap.wrap(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One Debian suite as a folder in the cache: CACHE/SUITE/root. Made once by debootstrap (signatures verified with the
-# archive's keyring) from the mirror the machine's own apt uses; later calls and other clones find it by its stamps.
+# A Debian suite as a folder in the cache: CACHE/SUITE/root. Created once by debootstrap (signatures verified with the
+# archive's keyring) from the mirror that the machine's apt uses; later calls and other clones recognize it by stamps.
 
-# set_up_suite SUITE [PACKAGE...]: with the packages of packages.txt, or adds these to a suite that has them. Returns at
-# once when nothing is to be done, resumes where an earlier call was interrupted.
+# set_up_suite SUITE [PACKAGE...]: sets a suite up with the packages of packages.txt, or adds the given packages to it.
+# Returns at once if nothing is to be done, and resumes an interrupted call.
 set_up_suite() {
     suite=$1
     shift
@@ -59,7 +59,7 @@ find_host_tools() {
 
 install_on_host() {
     DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" && return
-    # Machines just made have no package lists yet.
+    # New machines have no package lists yet.
     apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
 }
 
@@ -74,7 +74,7 @@ find_keyring() {
     [ -n "$archive_keyring" ] || { say "the Debian archive's keyring was not found" && return 1; }
 }
 
-# The mirror this machine itself installs Debian from.
+# Finds the mirror from which this machine installs Debian packages.
 find_mirror() {
     mirror=$(mirror_of_host)
     [ -n "$mirror" ] || {
@@ -88,17 +88,17 @@ mirror_of_host() {
     apt-get indextargets --format '$(LABEL) $(REPO_URI)' | sed -n 's/^Debian //p' | head -n 1
 }
 
-# Runs as a child of bubblewrap: what debootstrap mounts lives and dies with its own mount and process namespace.
-# The folder is at /mnt there, because debootstrap cannot do with spaces in a path.
+# Runs debootstrap as a child of bubblewrap, so that its mounts and processes end with their namespaces.
+# The folder is mounted at /mnt, because debootstrap does not support spaces in paths.
 make_base() {
     rm -rf "$root.partial"
     mkdir -p "$suite_folder/archives"
     bwrap --dev-bind / / --proc /proc --dev-bind "$suite_folder" /mnt --unshare-pid --die-with-parent \
         debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir=/mnt/archives \
         "$suite" /mnt/root.partial "$mirror" || { why_debootstrap_failed; return 1; }
-    # How this machine reaches its archive (proxies, retries, checks of dates) holds for the suite too.
+    # Copies this machine's settings for reaching the archive (proxies, retries, date checks) to the suite.
     apt-config dump | grep -E '^Acquire::(https?|Retries|Check-)' >"$root.partial/etc/apt/apt.conf.d/90host" || true
-    # Written out once at the end, not after every file: three times as fast, and a system lost to a power cut is made again.
+    # dpkg without fsync after every file: three times as fast, and a suite lost in a power failure is created again.
     echo force-unsafe-io >"$root.partial/etc/dpkg/dpkg.cfg.d/unsafe-io"
     ln -sfn /proc/self/mounts "$root.partial/etc/mtab"
     mv "$root.partial" "$root"
@@ -117,7 +117,7 @@ install_packages() {
         in_root apt-get clean
 }
 
-# in_root COMMAND...: as root of the suite, its system writable.
+# in_root COMMAND...: runs a command as root of the suite, with its system writable.
 in_root() {
     bwrap --bind "$root" / --dev /dev --proc /proc --tmpfs /tmp --tmpfs /run --unshare-pid --die-with-parent --clearenv \
         --setenv PATH /usr/sbin:/usr/bin:/sbin:/bin --setenv LC_ALL C.UTF-8 --setenv DEBIAN_FRONTEND noninteractive \

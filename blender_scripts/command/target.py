@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a sub-command works on: one Blender, and this checkout's own folder in the cache for it."""
+"""The target of a sub-command: one Blender, and this checkout's work folder for it in the cache."""
 
 import contextlib
 import fcntl
@@ -15,7 +15,7 @@ SHARED = PROJECT.parent / "shared"  # models that are not part of the project; m
 
 
 class StepFailed(RuntimeError):
-    """A step did not succeed; the message holds the end of its log."""
+    """A step failed; the message contains the end of its log."""
 
 
 def say(sentence):
@@ -28,7 +28,7 @@ class Target:
     work: Path  # build, package, home, logs and test results of this checkout
     cache: Path
     blender: str
-    python_include: str  # where Python.h is, when the interpreter cannot tell; may be empty
+    python_include: str  # folder of Python.h; "" if the interpreter reports it
 
     @property
     def is_suite(self):
@@ -39,26 +39,28 @@ class Target:
         return self.work / "home"
 
     def environment(self):
-        """Of every process: a home of the cache's, so that the user's own Blender settings are neither read nor written."""
+        """Environment of all processes. HOME is in the cache, so the user's Blender settings are neither read nor
+        written."""
         kept = {
             name: value
             for name, value in os.environ.items()
             if not name.startswith("BLENDER_") and name not in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME")
         }
-        # A build names its files relative to `work`, so that another clone's build finds the same objects in ccache.
+        # Paths relative to `work` let ccache share objects between clones.
         ccache = {"CCACHE_DIR": str(self.cache / "ccache"), "CCACHE_BASEDIR": str(self.work), "CCACHE_NOHASHDIR": "1"}
-        ccache["CCACHE_SLOPPINESS"] = "pch_defines,time_macros"  # else it keeps nothing with precompiled headers
+        ccache["CCACHE_SLOPPINESS"] = "pch_defines,time_macros"  # needed to cache files with precompiled headers
         return kept | ccache | {"HOME": str(self.home), "PYTHONDONTWRITEBYTECODE": "1"}
 
     def run(self, sentence, command, **environment):
-        """Runs a step with its output in a log and a sign of life every 15 seconds; StepFailed when it does not return 0."""
+        """Runs a step with its output in a log and a progress message every 15 seconds; returns the log. StepFailed if
+        it does not return 0."""
         log, status = self.attempt(sentence, command, **environment)
         if status != 0:
             raise StepFailed(f"{sentence} FAILED ({status}); the last lines of {log}:\n{tail(log, 25)}")
         return log
 
     def attempt(self, sentence, command, **environment):
-        """The same for a step whose failure is a result: returns (log, status)."""
+        """As `run`, but returns (log, status) instead of raising."""
         say(f"{self.name}: {sentence}")
         log = self.work / "log" / f"{sentence.replace(' ', '-').replace('/', '-')}.log"
         log.parent.mkdir(parents=True, exist_ok=True)
@@ -75,7 +77,7 @@ class Target:
 
     @contextlib.contextmanager
     def lock(self):
-        """One build or installation at a time in this work folder."""
+        """Context with an exclusive lock on this work folder, for builds and installations."""
         self.work.mkdir(parents=True, exist_ok=True)
         with (self.work / "lock").open("w") as file:
             fcntl.flock(file, fcntl.LOCK_EX)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What a sub-command runs on: a Debian suite, or a Blender of the user's own.
+# The target of a sub-command: a Debian suite, or the user's own Blender.
 
-# choose_target [sid|trixie|/path/to/blender]: sets target_name, blender, python and python_include, and sets the suite up.
+# choose_target [sid|trixie|/path/to/blender]: sets target_name, blender, python and python_include; sets up the suite.
 choose_target() {
     case ${1:-} in
     sid | trixie) use_suite "$1" ;;
@@ -19,10 +19,10 @@ use_suite() {
     set_up_suite "$1"
 }
 
-# Debian sid, or where it cannot be installed that day, the stable release.
+# Uses Debian sid or, if it cannot be installed at the moment, the stable release.
 use_newest_suite() {
     use_suite sid && return
-    [ "$(id -u)" = 0 ] || return # who may not set up one may not set up the other
+    [ "$(id -u)" = 0 ] || return # without root the other suite cannot be set up either
     say "going on with Debian trixie and its Blender, as sid cannot be installed today (the reason stands above); --on sid tries it again"
     use_suite trixie
 }
@@ -41,7 +41,7 @@ choose_blender_at_hand() {
     fi
 }
 
-# run_command SUBCOMMAND ARGUMENTS...: on the chosen target.
+# run_command SUBCOMMAND ARGUMENTS...: runs a sub-command on the chosen target.
 run_command() {
     work=$(work_folder)
     mkdir -p "$work/home"
@@ -52,7 +52,7 @@ run_command() {
     esac
 }
 
-# This checkout's own folder for the chosen target.
+# Prints this checkout's work folder for the chosen target.
 work_folder() {
     echo "$cache/$target_name/work-$(short_hash "$project")"
 }

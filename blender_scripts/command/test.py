@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every test on one target: native, native under sanitizers, Python without Blender, inside Blender, and in its window.
-Those of threads, under a sanitizer of their own, only when they are named."""
+"""Runs all tests on one target: native, native under sanitizers, Python without Blender, inside Blender, in its window.
+The tests of threads, under the thread sanitizer, run only when named."""
 
 import os
 import re
@@ -15,14 +15,14 @@ from . import build, package
 from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
-ABOUT_THREADS = "*Thread*:*Cache*:*Cancel*"  # native tests of parallel loops, of caches, and of what is stopped
+ABOUT_THREADS = "*Thread*:*Cache*:*Cancel*"  # native tests of parallel loops, caches and cancellation
 THREAD_SUPPRESSIONS = TESTS / "native" / "thread_sanitizer.supp"
-PASSING = re.compile(r"\[ +(RUN|OK) +\]|\[-+\]|.* PASSED +\[|\s*$")  # lines that say nothing about a failure
-WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # how Python came to where a crash was
+PASSING = re.compile(r"\[ +(RUN|OK) +\]|\[-+\]|.* PASSED +\[|\s*$")  # lines of logs that are irrelevant to failures
+WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # Python's frames in crash reports
 
 
 def test(target, words):
-    """words: --sanitize yes|no --jobs N [PART], then words for pytest. Leaves the counts in WORK/results/counts."""
+    """words: --sanitize yes|no --jobs N [PART], then arguments for pytest. Writes the counts to WORK/results/counts."""
     parts, jobs, pytest_words = parse(words)
     results = target.work / "results"
     shutil.rmtree(results, ignore_errors=True)
@@ -44,7 +44,7 @@ def parse(words):
 
 
 def _part(target, part, report, words):
-    """Runs one part to its counts; one that cannot be built must not hide what the others say."""
+    """Runs one part and returns its counts; a failed build counts as one failure, so that other parts still run."""
     try:
         runs = PARTS[part](target, report, words)
     except StepFailed as failure:
@@ -60,7 +60,7 @@ def _part(target, part, report, words):
 
 
 def _outcome(target, part, sentence, command, report, environment):
-    """The counts of one run."""
+    """Runs a command of a part; returns its counts and prints failures."""
     start = time.time()
     log, status = target.attempt(sentence, command, **environment)
     counts = _counts(report) if report.exists() else Counter()
@@ -76,12 +76,12 @@ def _outcome(target, part, sentence, command, report, environment):
 
 
 def _remember(target, failure):
-    """Said again when all is done, as what the others say in the meantime is long."""
+    """Records a failure, to be repeated after all parts have ended."""
     with (target.work / "results" / "failures").open("a") as file:
         file.write(f"{failure}\n")
 
 
-# A part is a list of runs that may go on side by side: (what to call it, command, report, environment).
+# A part is a list of runs that may run concurrently: (name, command, report, environment).
 
 
 def _native(target, report, _words):
@@ -93,13 +93,13 @@ def _sanitize(target, report, _words):
 
 
 def _threads(target, report, _words):
-    """One shard: these tests are about what uses all cores."""
+    """One shard, because each of these tests uses all cores."""
     folder = build.preset(target, "thread-sanitize", "fovea_tests")
     return [_shard("threads", folder, report, 1, 1, f"--gtest_filter={ABOUT_THREADS}")]
 
 
 def _shards(part, folder, report):
-    """GoogleTest's shards, one per core: most tests use one."""
+    """GoogleTest shards, one per core, because most tests are single-threaded."""
     count = len(os.sched_getaffinity(0))
     return [_shard(part, folder, report.with_stem(f"{report.stem}-{i}"), i, count) for i in range(1, count + 1)]
 
@@ -113,7 +113,7 @@ def _shard(part, folder, report, number, count, *words):
 
 
 def _core(target, report, _words):
-    """The tool, an installed copy of the core and a program that uses it. The native tests are a part of their own."""
+    """Tests of the tool, and of an installed core with a program that uses it; the native tests are a separate part."""
     folder = build.preset(target, "release", "fovea_core", "fovea_tool")
     command = ["ctest", "--test-dir", folder, "--exclude-regex", "native", "--output-on-failure"]
     return [("core tests", [*command, "--output-junit", report], report, {})]
@@ -122,7 +122,7 @@ def _core(target, report, _words):
 def _python(target, report, words):
     package.stage(target)
     command = [sys.executable, "-m", "pytest", TESTS / "python", "-v", f"--junitxml={report}", *words]
-    # The staged package has the native module in it, the checkout's folder has not.
+    # Import the staged package, because the checkout's folder has no native module.
     path = str(package.importable(target))
     environment = {"PYTHONPATH": path, "PYTHONSAFEPATH": "1", "FOVEA_BLENDER": target.blender}
     return [("python tests", command, report, environment)]
@@ -143,13 +143,14 @@ def _window(target, report, words):
 
 
 def _crashes(target, start):
-    """What Blender wrote of crashes since: its own frames are addresses, those of the native module have its name."""
+    """Blender's crash reports since `start`; frames in Blender are addresses, those of the native module have
+    symbols."""
     files = [file for file in (target.work / "tmp").glob("*.crash.txt") if file.stat().st_mtime >= start]
     return "".join(f"\n{file.name}:\n{tail(file, 40, WAY)}" for file in files)
 
 
 def _counts(report):
-    """Of a report by pytest or GoogleTest."""
+    """Counts of passed, failed and skipped tests in a JUnit XML report by pytest or GoogleTest."""
     return Counter(_result(case) for case in xml.parse(report).iter("testcase"))
 
 
@@ -175,4 +176,4 @@ PARTS = {
     "sanitize": _sanitize,
     "threads": _threads,
 }
-LONG = ("threads",)  # parts that run when they are named: they take longer than all others
+LONG = ("threads",)  # parts that run only when named, because they take longer than all others

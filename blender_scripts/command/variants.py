@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sheets of one scene drawn in several ways: what each tile is called, and the words of `fovea draw` for it. A tile alone
-needs no name."""
+"""Sheets of one scene drawn in several ways: for each tile its label and options of `fovea draw`. A single tile has no
+label."""
 
 AT = ["--focus", "0.4,0.52", "--focus-radii", "0.1,0.7"]
 DENSITY = ["--style", "pen_and_ink", "--effects", "density"]

@@ -4,9 +4,9 @@
 import importlib
 from pathlib import Path
 
-# Name -> its argument when none is given. None: the scene takes no argument.
+# Name -> default argument. None: the scene takes no argument.
 DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5}
-RANGES = {"boxes": (1, 1000), "suzanne": (0, 7)}  # of arguments: ten million triangles and more
+RANGES = {"boxes": (1, 1000), "suzanne": (0, 7)}  # range of arguments; the maximum gives over ten million triangles
 
 
 def names() -> list[str]:
@@ -14,7 +14,7 @@ def names() -> list[str]:
 
 
 def parse(spec: str) -> tuple[str, int | None]:
-    """'boxes:100' -> ('boxes', 100). Raises ValueError for what is no scene."""
+    """'boxes:100' -> ('boxes', 100). ValueError if it is not a scene."""
     name, colon, argument = spec.partition(":")
     if name not in DEFAULTS:
         raise ValueError(f"no scene is called '{name}'; there are {', '.join(names())}")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A tea set and cake, made by turning profiles; handles and spouts are joined to the body, so that they have a seam."""
+"""A tea set and cake as surfaces of revolution; handles and spouts are united with the body, so that the seam is an
+edge."""
 
 import numpy as np
 
@@ -20,7 +21,7 @@ def dish(name: str, foot: float, out, back, location, size: float):
 
 
 def cup(location, turn: float, size: float = 1.0):
-    """On its saucer, filled."""
+    """Adds a cup of tea on its saucer."""
     dish("Saucer", 0.035, [(0.04, 0.004), (0.06, 0.008), (0.078, 0.018)],
          [(0.077, 0.02), (0.058, 0.012), (0.035, 0.009)], location, size)  # fmt: skip
     wall = smooth([(0.024, 0.006), (0.034, 0.02), (0.042, 0.045), (0.045, 0.068)], 6)
@@ -28,7 +29,7 @@ def cup(location, turn: float, size: float = 1.0):
     body = revolve("Cup", [(0, 0), (0.024, 0), *wall, *inside], 72)
     path = [(0.037, 0.056), (0.058, 0.058), (0.064, 0.04), (0.052, 0.022), (0.032, 0.02)]
     hollow = revolve("Hollow", [(0, 0.014), (0.029, 0.021), (0.0385, 0.046), (0.0415, 0.08), (0, 0.08)], 72)
-    ear = combine("DIFFERENCE", handle(path, 0.0042), hollow)  # what would stick into the tea
+    ear = combine("DIFFERENCE", handle(path, 0.0042), hollow)  # remove the part inside the cup
     put(combine("UNION", body, ear), "china", above(location, 0.0095 * size), turn, size)
     put(revolve("Tea", [(0, 0), (0.0412, 0)], 72), "tea", above(location, 0.068 * size), scale=size)
 

@@ -11,7 +11,7 @@ LOOK = math.radians(27)  # from +y towards +x
 
 
 def seen(right: float, ahead: float, up: float = 0.0):
-    """A place in the world, given from the camera's."""
+    """World coordinates of a point given relative to the camera: to the right and ahead of it; `up`: world z."""
     return (
         EYE[0] + right * math.cos(LOOK) + ahead * math.sin(LOOK),
         EYE[1] - right * math.sin(LOOK) + ahead * math.cos(LOOK),

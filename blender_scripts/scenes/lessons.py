@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small models for the documentation, each with what one kind of line needs: borders, materials, marks, crossings,
-inflections, folds."""
+"""Small models for the documentation, each with a feature that one line definition needs: borders, materials, marks,
+crossings, inflections, folds."""
 
 import math
 
@@ -9,12 +9,12 @@ import numpy as np
 
 from . import shapes, stage
 
-SEGMENTS = 96  # of what is turned
+SEGMENTS = 96  # segments around the axis of surfaces of revolution
 MEANDER = "uuuuuuuuuu" + "rrr" + "dddddddddd" + "rrr"  # steps of a wave along edges: up, right, down
 
 
 def build(name):
-    """The model alone in the open file."""
+    """Builds a model, replacing everything in the open file."""
     stage.clear()
     stage.frame()
     MODELS[name]()
@@ -49,14 +49,14 @@ def balls():
 
 
 def vase_mesh():
-    """Its curvature changes without a jump: a cosine around a mean radius."""
+    """A vase with continuous curvature: its radius is a mean plus a cosine of the height."""
     heights = np.linspace(0, 1.75, 80)
     profile = np.stack([0.5 + 0.2 * np.cos(4.6 * (heights - 0.5)), heights], axis=1)
     return shapes.revolve("Vase", [(0, 0), *profile, (0, heights[-1])], SEGMENTS)
 
 
 def vase():
-    """A surface of revolution that is bulged and waisted."""
+    """A surface of revolution with convex and saddle-shaped parts."""
     stage.link("Vase", vase_mesh())
 
 
@@ -95,7 +95,7 @@ def _meander(base):
 
 
 def _mark(mesh, marked):
-    """Freestyle marks, as either generation of Blender keeps them."""
+    """Sets Freestyle edge marks: an edge property or an attribute, depending on Blender's version."""
     if "use_freestyle_mark" in bpy.types.MeshEdge.bl_rna.properties:
         mesh.edges.foreach_set("use_freestyle_mark", marked)
     else:
@@ -114,7 +114,7 @@ def crossings():
 
 
 def ring():
-    """A coarse torus: its faces are seen."""
+    """A coarse torus with visible faces."""
     bpy.ops.mesh.primitive_torus_add(major_radius=1, minor_radius=0.42, major_segments=36, minor_segments=18)
     bpy.context.object.data.shade_smooth()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The colors of the scenes by name, scene-linear. A line drawing uses them where lines take their object's color."""
+"""The colors of the scenes by name, scene-linear. Line drawings use them where lines take their object's color."""
 
 from . import stage
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ways to put things into the scene. A `paint` is a name of the palette."""
+"""Functions that add objects to the scene. `paint`: a name in the palette."""
 
 import math
 
@@ -10,7 +10,8 @@ from .stage import link
 
 
 def put(shape, paint: str | None, location=(0, 0, 0), turn: float = 0.0, scale: float = 1.0):
-    """An object of a mesh, or one more of the same, turned about z by degrees. Without paint it keeps what it has."""
+    """Adds an object with a mesh, which other objects may share; `turn`: degrees about z. `paint` applies only if the
+    mesh has no material."""
     if paint and not shape.materials:
         shape.materials.append(material(paint))
     made = link(shape.name, shape)
@@ -21,11 +22,11 @@ def put(shape, paint: str | None, location=(0, 0, 0), turn: float = 0.0, scale: 
 
 
 def pipe(name: str, points, radius: float, paint: str, closed: bool = False, location=(0, 0, 0), turn: float = 0.0):
-    """A curve object: a round bar through the points."""
+    """Adds a curve object: a round bar through the points."""
     data = bpy.data.curves.new(name, "CURVE")
     data.dimensions = "3D"
     data.bevel_depth, data.use_fill_caps = radius, not closed
-    data.bevel_resolution = 8  # 20 sides: steps of 18 degrees are no creases
+    data.bevel_resolution = 8  # 20 sides: angles of 18 degrees, below the crease angle
     line = data.splines.new("POLY")
     line.points.add(len(points) - 1)
     line.points.foreach_set("co", [x for point in points for x in (*point, 1.0)])
@@ -37,7 +38,7 @@ def pipe(name: str, points, radius: float, paint: str, closed: bool = False, loc
 
 
 def lettering(name: str, body: str, height: float, paint: str, location, turn: float = 0.0):
-    """A flat text object that stands upright, centered, readable from -y when not turned."""
+    """Adds a flat, upright, centered text object, readable from -y if `turn` (degrees about z) is 0."""
     data = bpy.data.curves.new(name, "FONT")
     data.body, data.size = body, height
     data.align_x, data.align_y = "CENTER", "CENTER"

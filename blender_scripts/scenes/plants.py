@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Growing things: leaves in a pot, clipped balls, tree crowns."""
+"""Plants: leaves in a pot, clipped balls, tree crowns."""
 
 import math
 import random
@@ -10,11 +10,11 @@ from . import shapes
 from .place import put
 from .shapes import ball, revolve, smooth
 
-GOLDEN = math.pi * (3 - math.sqrt(5))  # turns that never line up
+GOLDEN = math.pi * (3 - math.sqrt(5))  # golden angle, radians
 
 
 def leaf(length: float, width: float, rise: float, droop: float):
-    """A leaf from the origin along +x: folded along its middle, so that the rib has a line."""
+    """A leaf from the origin along +x, folded along its middle, so that the rib is a crease."""
     t = np.linspace(0, 1, 15)
     x = length * t * (1 - 0.15 * droop * t)
     z = length * (rise * t - droop * t * t)
@@ -42,8 +42,8 @@ def rosette(name: str, count: int, length: float, width: float, seed: int, rise=
 
 
 def crown(name: str, radius: float, lumps: int, size: float, seed: int, segments: int):
-    """Foliage as a cloud of balls, `size` radii big on average. They run into each other and need no lines
-    there: the round outlines that stay in sight are how one draws a tree."""
+    """Foliage as a cloud of balls with an average radius of `size` times `radius`. The balls intersect without edges,
+    so that only their visible outlines are drawn."""
     draw = random.Random(seed)
     balls = [ball("Ball", radius * 0.8, segments)]
     for i in range(lumps):

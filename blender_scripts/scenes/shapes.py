@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A small modelling vocabulary: functions that return meshes; metres, z up, on z = 0 unless they say otherwise.
+"""Modeling functions that return meshes; in meters, z up, standing on z = 0 unless stated otherwise.
 
-Lines come from mesh edges, so round things get steps well under 30 degrees, hard rims more than that, and whatever runs
-into something else is joined by `combine`, which makes an edge where two surfaces meet."""
+Lines are drawn along creases of 30 degrees or more, so round parts have steps well below that, sharp rims are above it,
+and intersecting parts are united by `combine`, which creates an edge where two surfaces meet."""
 
 import math
 
@@ -28,7 +28,8 @@ def mesh(name: str, points, faces):
 
 
 def finished(shape, merge: float = 1e-5):
-    """Welds points, drops slivers, turns normals outwards, shades smooth but for creases."""
+    """Merges vertices by distance, dissolves degenerate faces, orients normals outwards, shades smooth except
+    creases."""
     work = bmesh.new()
     work.from_mesh(shape)
     bmesh.ops.remove_doubles(work, verts=work.verts, dist=merge)
@@ -42,7 +43,7 @@ def finished(shape, merge: float = 1e-5):
 
 
 def quads(rows: int, columns: int, wrap_rows: bool = False, wrap_columns: bool = False) -> np.ndarray:
-    """Faces of a grid of points in row order."""
+    """(F, 4) faces of a grid of points in row order."""
     r, c = np.meshgrid(np.arange(rows - (not wrap_rows)), np.arange(columns - (not wrap_columns)), indexing="ij")
     r1, c1 = (r + 1) % rows, (c + 1) % columns
     return np.stack([r * columns + c, r * columns + c1, r1 * columns + c1, r1 * columns + c], axis=-1).reshape(-1, 4)
@@ -56,7 +57,7 @@ def sheet(name: str, points, wrap_columns: bool = False):
 
 
 def smooth(points, per: int = 8, closed: bool = False) -> np.ndarray:
-    """A Catmull-Rom curve through the points, `per` steps between two."""
+    """A Catmull-Rom spline through the points, `per` steps per interval."""
     points = np.asarray(points, dtype=float)
     around = np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0), np.roll(points, -2, axis=0)
     if not closed:
@@ -70,7 +71,8 @@ def smooth(points, per: int = 8, closed: bool = False) -> np.ndarray:
 
 
 def revolve(name: str, profile, segments: int = 96, start: float = 0.0, turn: float = 2 * math.pi):
-    """Turns (radius, z) points around z. A profile that starts and ends on the axis, or on itself, closes the solid."""
+    """Surface of revolution of (radius, z) points around z. Closed if the profile is closed or starts and ends on the
+    axis."""
     profile = np.asarray(profile, dtype=float)
     whole = turn >= 2 * math.pi - 1e-9
     angle = start + np.linspace(0, turn, segments + (not whole), endpoint=not whole)
@@ -94,7 +96,7 @@ def sweep(name: str, path, radius, sides: int = 16, closed: bool = False):
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
     side = np.cross(tangent[0], np.eye(3)[np.abs(tangent[0]).argmin()])
     rings, angle = [], np.linspace(0, 2 * math.pi, sides, endpoint=False)
-    for center, along, r in zip(path, tangent, radius):  # the frame is carried along, so that it never flips
+    for center, along, r in zip(path, tangent, radius):  # transports the frame along the path, so that it does not flip
         side = side - along * (side @ along)
         side /= np.linalg.norm(side)
         rings.append(center + r * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(along, side)))
@@ -105,7 +107,7 @@ def sweep(name: str, path, radius, sides: int = 16, closed: bool = False):
 
 
 def prism(name: str, outline, low: float, high: float):
-    """A polygon in x, y raised from `low` to `high`."""
+    """A polygon in x, y extruded along z from `low` to `high`."""
     outline = np.asarray(outline, dtype=float)
     n = len(outline)
     points = np.concatenate([np.insert(outline, 2, z, axis=1) for z in (low, high)])
@@ -115,7 +117,7 @@ def prism(name: str, outline, low: float, high: float):
 
 
 def upright(name: str, outline, front: float, back: float):
-    """A polygon in x, z drawn out along y from `front` to `back`."""
+    """A polygon in x, z extruded along y from `front` to `back`."""
     return moved(prism(name, outline, -back, -front), turn=(math.pi / 2, 0, 0))
 
 
@@ -127,7 +129,7 @@ def arch(width: float, base: float, spring: float, steps: int = 32) -> np.ndarra
 
 
 def box(name: str, size, base=(0, 0, 0), rounding: float = 0.0, segments: int = 4):
-    """`base` is the middle of the underside. Edges rounded in four steps are no creases: only outlines are drawn."""
+    """`base`: center of the bottom face. Edges rounded in four segments are not creases, so only outlines are drawn."""
     x, y, z = size
     shape = prism(name, [(-x / 2, -y / 2), (x / 2, -y / 2), (x / 2, y / 2), (-x / 2, y / 2)], 0, z)
     if rounding:
@@ -141,14 +143,14 @@ def box(name: str, size, base=(0, 0, 0), rounding: float = 0.0, segments: int = 
 
 
 def moved(shape, offset=(0, 0, 0), turn=(0, 0, 0), scale=(1, 1, 1)):
-    """Scales, turns about x, then y, then z (radians), and moves a mesh in place."""
+    """Transforms a mesh in place: scale, rotation about x, then y, then z (radians), translation."""
     x, y, z = (Matrix.Rotation(angle, 4, axis) for angle, axis in zip(turn, "XYZ"))
     shape.transform(Matrix.Translation(offset) @ z @ y @ x @ Matrix.Diagonal((*scale, 1)))
     return shape
 
 
 def joined(name: str, shapes):
-    """One mesh of several, without joining their surfaces."""
+    """One mesh from several, whose surfaces are not connected; removes these."""
     work = bmesh.new()
     for shape in shapes:
         work.from_mesh(shape)
@@ -160,7 +162,7 @@ def joined(name: str, shapes):
 
 
 def combine(operation: str, first, *others):
-    """UNION, DIFFERENCE or INTERSECT of closed meshes, one after the other; they are used up."""
+    """UNION, DIFFERENCE or INTERSECT of closed meshes, applied in order; removes the meshes."""
     made = stage.link("Combine", first)
     tools = [stage.link("Tool", other) for other in others]
     for tool in tools:

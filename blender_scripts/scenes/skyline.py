@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What one sees far off: gabled houses, a round church tower."""
+"""The background: gabled houses, a round church tower."""
 
 import math
 
@@ -12,7 +12,7 @@ from .solid import Solid
 
 
 def house(location, turn: float, width: float, wall: float, roof: float, depth: float = 6.0):
-    """Its gable to -y; three windows on each of two floors are shallow niches."""
+    """Adds a house with its gable towards -y; three windows on each of two floors are shallow niches."""
     half, ridge = width / 2, wall + roof
     body = upright("House", [(-half, 0), (half, 0), (half, wall), (0, ridge), (-half, wall)], 0, depth)
     niches = Solid()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solids whose faces all lie along the axes: walls, slabs, frames, steps. Boxes are added and cut away in order;
-the mesh is the surface of what is left: it meets itself in edges everywhere, so that every joint has its line."""
+"""Axis-aligned solids: walls, slabs, frames, steps. Boxes are added and subtracted in order; the mesh is the surface of
+the result, with edges at all joints, so that each has its line."""
 
 import bmesh
 import numpy as np
@@ -34,7 +34,7 @@ class Solid:
 
 
 def _faces(filled: np.ndarray, axis: int) -> np.ndarray:
-    """Quads between a filled and an empty cell across `axis`, outwards, as flat indices of grid points."""
+    """(n, 4) quads between filled and empty cells along `axis`, facing outwards, as flat indices of grid points."""
     shape = [n - 1 for n in filled.shape]
     solid = np.moveaxis(filled, axis, 0).astype(np.int8)
     step = np.diff(solid, axis=0)  # -1: solid below, empty above
@@ -54,7 +54,7 @@ def _faces(filled: np.ndarray, axis: int) -> np.ndarray:
 
 
 def _merged(shape):
-    """Merges the faces that lie in one plane."""
+    """Merges coplanar faces."""
     work = bmesh.new()
     work.from_mesh(shape)
     bmesh.ops.dissolve_limit(work, angle_limit=0.01, verts=work.verts, edges=work.edges)

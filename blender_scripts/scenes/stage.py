@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every scene sets up alike: an empty file, a camera, light, materials, the frame."""
+"""Setup shared by all scenes: an empty file, a camera, light, materials, render settings."""
 
 import math
 
@@ -8,7 +8,7 @@ from mathutils import Vector
 
 
 def clear():
-    """Empties the file without reading another one, which would switch add-ons off."""
+    """Removes all data instead of loading an empty file, which would disable add-ons."""
     blocks = [
         bpy.data.objects,
         bpy.data.collections,
@@ -23,7 +23,7 @@ def clear():
 
 
 def frame():
-    """A 1920 x 1080 picture on a white world. Standard view transform: AgX would print white paper gray."""
+    """Sets 1920 x 1080 pixels, a white world and the Standard view transform; AgX would make white paper gray."""
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = 1920, 1080
     scene.render.resolution_percentage = 100
@@ -55,7 +55,7 @@ def camera(location, target, lens: float = 50.0, shift: tuple[float, float] = (0
 
 
 def sun(azimuth: float, elevation: float, strength: float = 3.0):
-    """A sun that shines from the given direction, in degrees; azimuth 0 is +x, 90 is +y."""
+    """Adds a sun in the given direction, degrees; azimuth 0 is +x, 90 is +y."""
     data = bpy.data.lights.new("Sun", "SUN")
     data.energy = strength
     made = link("Sun", data)
@@ -64,7 +64,7 @@ def sun(azimuth: float, elevation: float, strength: float = 3.0):
 
 
 def material(name: str, color: tuple[float, float, float]):
-    """The material of that name, made on first use; `color` is scene-linear, the same in Workbench and in shaders."""
+    """The material of that name, created on first use; `color`: scene-linear, for the viewport and for its shader."""
     found = bpy.data.materials.get(name)
     if found:
         return found

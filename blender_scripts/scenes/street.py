@@ -57,7 +57,7 @@ def manhole(location):
 
 
 def setts(name: str, places, location=(0, 0, 0), turn: float = 0.0):
-    """Stones at (x, y, spin, size): open shells with round shoulders, so that each is one outline on the ground."""
+    """Adds stones at (x, y, rotation, size): open shells with rounded tops, so that each draws a single outline."""
     angle = np.linspace(0, 2 * math.pi, 20, endpoint=False)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     stone = np.sign(circle) * np.sqrt(np.abs(circle)) * (0.092, 0.07)  # half way to a rectangle
@@ -86,7 +86,7 @@ def cobbles(center, turn: float, rows: int, columns: int, seed: int):
 
 
 def edging(path, seed: int):
-    """One row of setts along a path, with gaps where the pen may rest."""
+    """One row of setts along a path, with random gaps."""
     draw, path = random.Random(seed), np.asarray(path, dtype=float)
     steps = np.diff(path, axis=0)
     length = np.concatenate([[0], np.cumsum(np.linalg.norm(steps, axis=1))])

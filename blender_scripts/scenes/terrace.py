@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands before a cafe: bentwood chairs, round tables, a board with the menu."""
+"""The terrace of a cafe: bentwood chairs, round tables, a board with the menu."""
 
 import math
 
@@ -23,7 +23,7 @@ def rounded(radius: float, low: float, high: float) -> list:
 
 
 def chair(location, turn: float):
-    """An instance of the one chair there is; it looks to -y when not turned."""
+    """Adds an instance of the chair's collection; it faces -y if `turn` (degrees about z) is 0."""
     made = link("Chair", None)
     made.instance_type = "COLLECTION"
     made.instance_collection = bpy.data.collections.get("Bentwood chair") or bentwood()
@@ -31,7 +31,7 @@ def chair(location, turn: float):
 
 
 def bentwood():
-    """A collection outside the scene: meshes, and curves for what is bent."""
+    """The chair as a collection outside the scene: meshes, and curves for the bent rods."""
     kept = bpy.data.collections.new("Bentwood chair")
     for part in chair_parts():
         bpy.context.scene.collection.objects.unlink(part)
@@ -78,13 +78,13 @@ def board(location, turn: float):
         put(shape, "beech", location, turn)
 
     def written(down):
-        """A place just before the slate, `down` from the board's ridge."""
+        """A point just in front of the slate, `down` from the board's ridge."""
         out = -0.031 * math.cos(lean) - down * math.sin(lean)
         up = 0.031 * math.sin(lean) + (length - down) * math.cos(lean)
         return (location[0] - out * math.sin(angle), location[1] + out * math.cos(angle), location[2] + up)
 
     lettering("Menu", "menu", 0.19, "chalk", written(0.22), turn).rotation_euler.x = math.pi / 2 - lean
-    for k in range(4):  # writing too small to read is drawn as a wave
+    for k in range(4):  # small writing is drawn as waves
         x = np.linspace(-0.17, 0.02 + 0.15 * math.cos(k * 2.1) ** 2, 40)
         wave = np.stack([x, np.zeros_like(x), 0.018 * np.sin(x * 110) * np.cos(x * 31 + k)], axis=1)
         line = pipe("Writing", wave, 0.003, "chalk", location=written(0.42 + 0.1 * k), turn=turn)

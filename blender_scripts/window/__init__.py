@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender in a window on a screen of its own: `play` runs a scenario there (inside.py) and gives what it found."""
+"""Runs Blender in a window on a virtual screen: `play` runs a scenario there (inside.py) and returns its result."""
 
 import json
 import os
@@ -13,21 +13,22 @@ INSIDE = Path(__file__).with_name("inside.py")
 
 
 class Failed(RuntimeError):
-    """A scenario did not run to its end; the message holds its traceback and what Blender said."""
+    """A scenario did not finish; the message contains its traceback and Blender's output."""
 
 
 @dataclass(frozen=True)
 class Played:
     result: object  # what the scenario returned
-    console: str  # what Blender said
-    folder: Path  # where the scenario left its files
+    console: str  # Blender's output
+    folder: Path  # folder of the scenario's files
 
 
 def play(blender, environment, file, scenario, folder, words=(), *, size=(960, 540), simulate=False, timeout=150):
-    """Runs a scenario (a generator function of a Python file; it gets the folder and the words) in a window that fills
-    a screen of that size. `simulate`: it makes events of its own; Blender never sleeps then. Needs xvfb-run."""
+    """Runs a scenario (a generator function in a Python file, called with the folder and the words) in a window that
+    fills a screen of `size` pixels. `simulate`: lets it simulate events; Blender then never sleeps. `timeout`: seconds.
+    Needs xvfb-run. Failed on an error."""
     out, (width, height) = folder / "out.json", map(str, size)
-    # Tests of several Blenders run side by side, each blind to the other's processes.
+    # Concurrent tests in different process namespaces do not see each other's displays, so the number is random.
     number = str(random.SystemRandom().randrange(1000, 30000))
     command = ["xvfb-run", "-a", "-n", number, "-s", f"-screen 0 {width}x{height}x24 -fbdir {folder}", str(blender)]
     command += ["--enable-event-simulate"] if simulate else []
@@ -41,7 +42,7 @@ def play(blender, environment, file, scenario, folder, words=(), *, size=(960, 5
 
 
 def _console(command, environment, timeout):
-    """What a command says; it and all it started are ended after a while."""
+    """Runs a command and returns its output; kills its process group after `timeout` seconds."""
     told = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "errors": "replace"}
     with subprocess.Popen(command, env=environment, start_new_session=True, stdin=subprocess.DEVNULL, **told) as child:
         try:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside a Blender with a window: blender --enable-event-simulate -P inside.py -- FILE SCENARIO OUT.json WORDS...
 
-A scenario is a generator function of the file: it does something, then yields, and goes on after Blender has handled
-events and drawn. What it returns is written as JSON; so is what goes wrong. A timer drives it, as a timer is where
-Blender is between two pictures; a window's state must never be asked for in background mode."""
+A scenario is a generator function in the file: at each yield, Blender handles events and draws. Its result, or the
+traceback of an exception, is written as JSON. A timer drives it, because timers run between two redraws; window state
+must not be accessed in background mode."""
 
 import faulthandler
 import importlib
@@ -19,13 +19,14 @@ sys.path.append(str(Path(__file__).parents[1]))
 bpy.context.preferences.view.show_splash = False
 bpy.context.preferences.use_preferences_save = False
 
-faulthandler.dump_traceback_later(float(os.environ["FOVEA_SECONDS"]), exit=True)  # where it hangs, if it does
+faulthandler.dump_traceback_later(float(os.environ["FOVEA_SECONDS"]), exit=True)  # traceback if it hangs
 
 TICK = 0.01  # seconds
 
 
 def drive(scenario, out):
-    """Takes the generator one step further whenever Blender has time."""
+    """Advances the generator by a timer; a yielded number is the pause in seconds. Writes the result and quits
+    Blender."""
 
     def tick():
         try:
@@ -43,7 +44,7 @@ def drive(scenario, out):
 
 
 def scenario_of(file, name, folder, words):
-    """The scenario called `name` of a file, so that its import, too, happens where errors are told."""
+    """The scenario `name` of a file, as a generator, so that errors of its import are reported as well."""
     sys.path.insert(0, str(Path(file).parent))
     return (yield from getattr(importlib.import_module(Path(file).stem), name)(folder, *words))
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The window of a Blender under Xvfb, from inside: its 3D viewport, and what is to be seen there.
+"""Access to the window of Blender under Xvfb from inside: its 3D viewports, and the pixels on the screen.
 
-Xvfb keeps the screen in a file (an XWD dump: a header, then rows of BGRX); bpy's own screenshots are black there."""
+Xvfb stores the screen in a file (an XWD dump: a header, then rows of BGRX); bpy's own screenshots are black there."""
 
 import os
 import struct
@@ -13,7 +13,7 @@ import numpy as np
 
 
 def area(index=0):
-    """The window's 3D viewports, by number."""
+    """The 3D viewport area of that index in the window."""
     return [a for a in bpy.context.window_manager.windows[0].screen.areas if a.type == "VIEW_3D"][index]
 
 
@@ -32,31 +32,31 @@ def override(**more):
 
 
 def fill():
-    """A 3D viewport over the whole window, and nothing in it but the shading's own picture: `yield from` it."""
+    """Maximizes the 3D viewport and hides overlays, gizmos and regions. Use with `yield from`."""
     yield from rest(0.2)
     with override():
         bpy.ops.screen.screen_full_area(use_hide_panels=True)
     yield from rest(0.2)
     one, size = space(), bpy.context.window_manager.windows[0].width
     one.overlay.show_overlays = one.show_gizmo = one.show_region_hud = False
-    # The screen shows the pointer, too: in the last rows, at the right.
+    # Moves the pointer, which the screen dump includes, to the lower right corner.
     bpy.context.window_manager.windows[0].cursor_warp(size - 1, 0)
 
 
 def swap():
-    """Draws the window, so that the screen shows it."""
+    """Redraws the window and swaps its buffers."""
     with override():
         bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
 
 
 def picture(of=None):
-    """(H, W, 3) float32 in [0, 1], bottom row first: what the screen shows of a viewport's region."""
+    """(H, W, 3) float32 in [0, 1], bottom row first: screen pixels of a viewport's region."""
     where = region(of)
     return whole()[where.y : where.y + where.height, where.x : where.x + where.width]
 
 
 def whole():
-    """(H, W, 3) float32, as `picture`: all of the screen, which the window fills."""
+    """(H, W, 3) float32, as `picture`: the whole screen, which the window fills."""
     return _screen()[::-1]
 
 
@@ -70,7 +70,7 @@ def _screen():
 
 
 def until(done, seconds=60.0):
-    """Lets Blender work until something holds: `yield from` it."""
+    """Yields to Blender until done() is true; TimeoutError after `seconds`. Use with `yield from`."""
     end = time.monotonic() + seconds
     while not done():
         if time.monotonic() > end:
@@ -79,7 +79,7 @@ def until(done, seconds=60.0):
 
 
 def rest(seconds):
-    """Lets Blender work for a while: `yield from` it."""
+    """Yields to Blender for so many seconds. Use with `yield from`."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         yield

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests marked `gpu` run inside a render: under `blender -b` that is where the gpu module works."""
+"""Tests marked `gpu` run inside a render, because in `blender -b` the gpu module works only there."""
 
 import bpy
 import pytest

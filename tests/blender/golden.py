@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares a drawing with its reference.
 
-Drawings are mostly paper, so shares of all pixels hide what matters; two measures of the ink take their place:
+Drawings are mostly paper, so a share of all pixels would be insensitive; two measures of the ink are used instead:
 
-- `share`: of the pixels that have ink in either picture, how many differ at all. Sees tone, width, color, a wrong
-  style.
-- `cluster`: where most pixels of a small window have lost, gained or changed half of their ink or more. Sees one
-  short line that is missing, new or moved, in a drawing with thousands. Antialiasing that is a little different
-  changes pixels by less than half, and what rounds differently lies scattered.
+- `share`: of the pixels that have ink in either picture, the share that differs at all. Detects changes of tone, width,
+  color or style.
+- `cluster`: the most pixels in a small window that have lost, gained or changed half of their ink or more. Detects one
+  short line that is missing, new or moved, in a drawing with thousands. Slightly different antialiasing changes pixels
+  by less than half, and rounding differences are scattered.
 
-The limits are three times what lies between Blender 4.3 and 5.2 (the outlines of letters, above all); test_golden.py
-shows what does not pass them.
+The limits are three times the differences between Blender 4.3 and 5.2 (mainly at the outlines of letters);
+test_golden.py shows differences that exceed them.
 """
 
 from dataclasses import dataclass, field

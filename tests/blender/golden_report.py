@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A page that shows drawings beside their references; a folder of its own, to be opened or sent anywhere."""
+"""Writes an HTML page that shows drawings beside their references, in a self-contained folder."""
 
 import html
 import shutil

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scenes of the golden images: small, drawn by the cpu backend with exact visibility, alike in every Blender."""
+"""The scenes of the golden images: small, drawn by the cpu backend with exact visibility, identical in every
+Blender."""
 
 import math
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An open, smooth surface that has something for every line definition: hills, hollows, a wall and a ditch."""
+"""An open, smooth surface with features for every line definition: hills, hollows, a wall and a ditch."""
 
 import numpy as np
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much memory letting go of what is kept gives back, beside what is reckoned; in a Blender of its own, whose memory
-nothing else has cut into pieces: blender -b -P measure_kept.py -- STYLE."""
+"""Measures how much memory is freed when caches are cleared, compared with their estimated size; in a separate Blender
+process, whose heap is not fragmented by other tests: blender -b -P measure_kept.py -- STYLE."""
 
 import ctypes
 import gc

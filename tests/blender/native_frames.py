@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small scenes as native handles, up to where the backends begin."""
+"""Small scenes as native objects, up to the stages that the backends implement."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two things beside each other, for tests of which lines each of them has."""
+"""A scene of two objects beside each other, for tests of which lines each has."""
 
 import math
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stands in for the layouts that panels draw to, and a scene in which they show all they have."""
+"""A stand-in for Blender's layouts that records what panels draw, and a scene in which panels show all their
+properties."""
 
 from types import SimpleNamespace
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A scene to render, and the pictures that renders of it write."""
+"""A scene to render, and access to the picture files that renders of it write."""
 
 import subprocess
 import sys

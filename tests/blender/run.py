@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea test`: blender -b -P run.py -- PYTEST WORDS. Blender's exit code is pytest's."""
+"""Runs inside Blender for `fovea test`: blender -b -P run.py -- PYTEST ARGUMENTS. Blender's exit code is pytest's."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Snapshots of the scene as viewports and renders see it, and a stand-in for native surfaces that keeps its arrays."""
+"""Snapshots of the scene for viewports and renders, and a stand-in for native surfaces that stores its input arrays."""
 
 from types import SimpleNamespace
 

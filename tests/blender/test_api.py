@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scripting API gives the arrays that it promises, in world space, for shapes whose lines are known."""
+"""The scripting API returns the documented arrays, in world space, for shapes whose lines are known."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What operators show is what a final render shows, not what viewports do; and they leave no trace of the render."""
+"""Operators use the scene as a final render evaluates it, not as viewports do, and leave no trace of the render."""
 
 from contextlib import suppress
 

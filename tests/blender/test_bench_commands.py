@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Benchmarks that start Blenders of their own, at their smallest size: what each prints as JSON and as a table."""
+"""Benchmarks that start Blender processes, at their smallest size: their output as JSON and as a table."""
 
 import json
 import math

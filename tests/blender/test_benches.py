@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Benchmarks measure what a render does: they hook into it, and notice when there is nothing to hook into."""
+"""Benchmarks that hook into a render measure what it does, and report when there is nothing to hook into."""
 
 import json
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cameras: where the View puts a point is where Blender says it is."""
+"""Cameras: a View projects points to where Blender projects them."""
 
 from types import SimpleNamespace
 

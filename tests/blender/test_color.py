@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Base colors of every source, lights, and the color layer in pictures and passes."""
+"""Base colors from every source, lights, and the color layer in pictures and passes."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of the page on scripting, run in their order as a reader would paste them."""
+"""The examples of the page on scripting run, in order, as a reader would paste them."""
 
 import importlib
 import re

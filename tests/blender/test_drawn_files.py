@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea draw FILE.blend` draws what F12 renders, whatever the file was to be rendered to and whatever opening it reports."""
+"""`fovea draw FILE.blend` draws what F12 renders, whatever the file's output settings and the reports on opening it."""
 
 import struct
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The picture says where to look: what is in focus has more edges, lines and color than the same place out of it."""
+"""Focus emphasizes: a place in focus has more edges, lines and color than the same place out of focus."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The render engine from outside: the pictures that renders write."""
+"""The render engine end to end: the pictures that renders write."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The render engine when something is wrong: what is said, and that no file is written."""
+"""The render engine on errors: the messages, and that no file is written."""
 
 import math
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every line definition of the registry, drawn by itself by `fovea draw` on a scene that has something for each."""
+"""Every line definition of the registry, drawn by itself by `fovea draw` on a scene with features for each."""
 
 import sys
 from pathlib import Path

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scripts that draw the pictures of README, the documentation and the gallery, and the one that saves a scene, on the
-least that they can be asked for."""
+"""The scripts that draw the pictures of README, the documentation and the gallery, and the one that saves a scene, each
+with the smallest input."""
 
 import sys
 from pathlib import Path

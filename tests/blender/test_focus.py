@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stylized focus in renders: where it is put, what answers to it, and that frames do not depend on each other."""
+"""Stylized focus in renders: its location, its effects, and that frames are independent of each other."""
 
 import bpy
 import numpy as np

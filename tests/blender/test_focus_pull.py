@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Focus pulls from scripts: what is keyed, how it moves, undo."""
+"""Focus pulls from scripts: keyframes, motion, undo."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The focus tools from scripts: picking, what gizmos drag, the overlay's colors."""
+"""The focus tools from scripts: picking, dragging gizmos, the overlay's colors."""
 
 from types import SimpleNamespace
 

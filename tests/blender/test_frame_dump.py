@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea draw --dump` writes what a picture is drawn from: the members of its Frame, by their names."""
+"""`fovea draw --dump` writes the intermediate arrays of a picture: the members of its Frame, by their names."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A frame is the same, in every pass and to the last bit, whatever was drawn before it."""
+"""A frame is bit-identical in every pass, whatever was drawn before it."""
 
 import math
 import random
@@ -15,7 +15,8 @@ LINES += ("image_edge", "abstracted_shading")
 
 
 def deforming_scene():
-    """A sheet with a running wave, and a cage on its way to another shape that is drawn on the limit of its subdivision."""
+    """A sheet with a running wave, and a cage on its way to another shape that is drawn on the limit of its
+    subdivision."""
     scene = empty_scene()
     scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 128, 72
     scene.view_layers[0].use_pass_z = True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The camera that `fovea draw` puts before a model sees all of it and is as near as the margin allows."""
+"""The camera that `fovea draw` adds for a model sees all of it and is as near as the margin allows."""
 
 import math
 import sys

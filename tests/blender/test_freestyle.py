@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Match Freestyle: what its line sets and line styles say is what Fovea's say then."""
+"""Match Freestyle: settings of Freestyle's line sets and line styles are converted to Fovea's."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Final drawings beside their references, and that the comparison can fail."""
+"""Final drawings match their references, and the comparison detects differences."""
 
 import os
 import shutil

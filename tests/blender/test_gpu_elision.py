@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Line elision: the gpu's samples are the cpu's, and lines that crowd give way to more important ones."""
+"""Line elision: the gpu backend's samples equal the cpu's, and crowded lines yield to lines of higher priority."""
 
 import numpy as np
 import pytest
@@ -8,8 +8,8 @@ from the_addon import part
 
 
 def begun(backend, half_width, scene=None, *, orthographic=False, of_hidden=False, cut=0.0):
-    """A Frame of pen_and_ink's lines, each of which wants so many pixels to both of its sides; None: from half a pixel in
-    the middle of the picture to 12 px at its edge."""
+    """A Frame of pen_and_ink's lines, each of which wants so many pixels to both of its sides; None: from half a pixel
+    in the middle of the picture to 12 px at its edge."""
     near, far = (0.5, 12.0) if half_width is None else (half_width, half_width)
     sets = []
     for line_set in style.load("pen_and_ink").line_sets:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The item buffer: the gpu's samples are the cpu's, and come near to exact ones where lines do not crowd."""
+"""The item buffer: the gpu backend's samples equal the cpu's, and are close to exact ones where lines are sparse."""
 
 import numpy as np
 import pytest

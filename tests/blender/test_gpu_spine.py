@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The spine test: the gpu's picture is the cpu's, and both are the segment atlas's but for the ends of what is seen."""
+"""The spine test: the gpu backend's picture equals the cpu's, and both equal the segment atlas's except at the ends of
+visible runs."""
 
 import numpy as np
 import pytest

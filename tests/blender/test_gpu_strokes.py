@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The gpu backend's strokes are those of the cpu backend."""
+"""The gpu backend's strokes equal those of the cpu backend."""
 
 import numpy as np
 import pytest

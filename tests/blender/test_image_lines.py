@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines of the shaded image through whole renders: both definitions, both backends."""
+"""Image-space lines in whole renders: both definitions, both backends."""
 
 import math
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elision smoothed in time: every frame is the same alone and in an animation, and lines come and go more slowly."""
+"""Elision smoothed in time: a frame rendered alone equals that of an animation, and lines appear and disappear more
+slowly."""
 
 import math
 import sys

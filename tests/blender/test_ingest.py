@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's evaluated scene as the native side gets it: every type of object, instances, visibility and usage."""
+"""Reading Blender's evaluated scene: every type of object, instances, visibility and usage."""
 
 import math
 

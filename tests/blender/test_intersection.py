@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Intersections in pictures: where objects pass through each other, on both backends."""
+"""Intersection lines in pictures, where objects pass through each other, on both backends."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The memory limit: what is kept between pictures is bounded, the longest unused goes first, pictures stay the same."""
+"""The memory limit: caches between pictures are bounded, least recently used items are evicted first, pictures do not
+change."""
 
 import gc
 import json

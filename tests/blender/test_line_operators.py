@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines as an image and as objects, and the report: from scripts, on scenes whose lines are known."""
+"""The operators for lines as an image and as objects, and the report, from scripts, on scenes whose lines are known."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Line sets that draw the lines of a collection, an object or a material alone, or those of all others."""
+"""Line sets filtered by a collection, an object or a material, or by its inverse."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What objects and materials say of their lines themselves: kinds, the angle of creases, none at all."""
+"""Overrides of lines by objects and materials: kinds, the crease angle, no lines at all."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is painted on meshes and objects that are looked at: in renders, and in the Focus pass."""
+"""Painted attributes, and focus on objects: in renders, and in the Focus pass."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The words and limits of all that panels and operators show are as Blender's own."""
+"""Labels, descriptions and limits in panels and operators follow Blender's conventions."""
 
 import re
 

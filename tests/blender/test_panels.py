@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panels: they show every property, tell what each does in Blender's own way, and every one can be set."""
+"""Panels show every property, describe each in Blender's way, and every one can be set."""
 
 import bpy
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of scenes and objects, and the kinds of lines of line sets, which are made from the registry."""
+"""Settings of scenes and objects, and the kinds of lines of line sets, which are generated from the registry."""
 
 import math
 from types import SimpleNamespace

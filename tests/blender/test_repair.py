@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes that are put in order before they are drawn, as their objects say."""
+"""Meshes that are repaired before drawing, according to their objects' settings."""
 
 import bpy
 import numpy as np

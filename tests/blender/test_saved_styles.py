@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The user's saved styles: their thumbnails, and how they are updated, renamed, preferred."""
+"""The user's saved styles: thumbnails, update, rename, and the preferred default."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which materials hide what lies behind them, and what the report says of it, by their nodes."""
+"""Which materials occlude, depending on their nodes, and what the report says about it."""
 
 import bpy
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A style in a datablock: all of it goes in and comes out, is undone, keyed, driven, saved, appended and linked."""
+"""A style in a datablock: writing and reading it back, undo, keyframes, drivers, saving, appending and linking."""
 
 import json
 

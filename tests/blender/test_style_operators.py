@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on styles and line sets: what they do, undo, refuse and say."""
+"""Operators on styles and line sets: effects, undo, errors and messages."""
 
 import json
 

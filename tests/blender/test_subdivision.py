@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cages of subdivided objects, and the limit surfaces they are drawn on."""
+"""Cages of subdivided objects, and the limit surfaces on which they are drawn."""
 
 import bpy
 import numpy as np

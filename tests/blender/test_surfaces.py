@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a surface is made of: materials and marks; and when it is kept, moved or built anew."""
+"""Native surfaces: materials and marks; and when they are reused, moved or rebuilt."""
 
 import bpy
 import numpy as np

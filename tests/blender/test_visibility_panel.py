@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Visibility panel: what does not apply to a method is grayed out."""
+"""The Visibility panel: settings that do not apply to a method are grayed out."""
 
 from types import SimpleNamespace
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture that `fovea draw` announces is whole: what a full disk leaves of one is noticed, and what was there stays."""
+"""A picture that `fovea draw` reports is complete: truncation by a full disk is detected, and the previous file
+stays."""
 
 import resource
 import signal

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on under test, by whatever name it is installed, and scenes to test it on."""
+"""The add-on under test, independent of its installed name, and scenes to test it on."""
 
 import importlib
 import sys

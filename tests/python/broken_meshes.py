@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random meshes with everything wrong that a mesh can have, each the same for the same seed."""
+"""Random meshes with every kind of defect, deterministic for a seed."""
 
 import numpy as np
 from native_core import Mesh, box, sphere

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The native module under plain Python, and the whole way from a mesh's arrays to a picture."""
+"""The native module in plain Python, and the whole pipeline from mesh arrays to a picture."""
 
 import hashlib
 import json
@@ -109,8 +109,8 @@ def members(stage, owner, names):
 
 
 def frame(placed, seen, line_sets=((ALL_LINES, 60.0),), *, notes=None, cancel=None, **options):
-    """A native Frame of line sets, pairs of {definition: {parameter: value}} and the angle of corners, each with haloes,
-    overshoot, and pens for what is visible and what is hidden."""
+    """A native Frame of line sets, pairs of {definition: {parameter: value}} and the angle of corners, each with
+    haloes, overshoot, and pens for what is visible and what is hidden."""
     pen = {"width": 3.0, "opacity": 0.8, "taper": 4.0}
     common = {"least_length": 0.0, "halo": 2.5, "overshoot": 1.5, "pen": pen, "hidden": [{"pen": pen}]}
     sets = [{"kinds": kinds, "corner_angle": angle, **common} for kinds, angle in line_sets]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the agreement bench calls near a change, and how it counts."""
+"""The agreement benchmark: which samples it considers near a change of visibility, and its counts."""
 
 from types import SimpleNamespace
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The ladder of qualities: what they leave out, and which is chosen for a budget."""
+"""The quality levels of drafts: what each leaves out, and which one is chosen for a budget."""
 
 import numpy as np
 import pytest

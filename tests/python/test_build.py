@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the native module is built with."""
+"""The options with which the native module is built."""
 
 import pytest
 from command import build

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea check` finds what is not as it should be, names the files, and mends what can be mended."""
+"""`fovea check` reports violations with file names, and fixes those that can be fixed."""
 
 import re
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a style file says about color and paper."""
+"""Color and paper in style files."""
 
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Points for response curves: few, and near to the curve they stand for."""
+"""Points for response curves: few, and close to the curve that they approximate."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A line definition is one file and one line in the registry: no other code knows it by its name."""
+"""A line definition is one file and one line in the registry: no other code refers to it by name."""
 
 import ast
 import re

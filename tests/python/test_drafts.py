@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drafts look like the final picture: what stands for lines that take long is drawn where they are, in their pens."""
+"""Drafts resemble the final picture: stand-ins for slow line definitions are drawn where these are, with their pens."""
 
 import numpy as np
 import pytest

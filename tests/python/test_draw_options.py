@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The words of `fovea draw`: what they mean, and what is refused before anything is built."""
+"""The options of `fovea draw`: their meaning, and what is rejected before anything is built."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is added to the program stands in few files: those that name it, counted in the code without its comments."""
+"""An addition to the program touches few files: those that name it, counted in the code without its comments."""
 
 import re
 from functools import cache

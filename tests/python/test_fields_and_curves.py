@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields and pieces of curves as numpy arrays, and the benchmark that measures them."""
+"""Fields and pieces of curves as NumPy arrays, and the benchmark that measures them."""
 
 import json
 

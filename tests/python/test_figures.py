@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figures of README and of the page of figures: what they are made of can be drawn, they are there, and they are small."""
+"""The figures of README and of the page of figures: their inputs can be drawn, their files exist, and they are
+small."""
 
 import re
 from pathlib import Path

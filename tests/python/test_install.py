@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension is installed again when what is installed is not the package, and only then."""
+"""The extension is installed again only if the installed files differ from the package."""
 
 import shutil
 

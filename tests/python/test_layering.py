@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Who may include or import whom: the folders stand in the order of the data, and each foreign library has one door."""
+"""Which folders may include or import which: in the order of the data, and each foreign library in one place only."""
 
 import ast
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every source says in one of its first lines under which license it is."""
+"""Every source names its license in one of its first lines."""
 
 from pathlib import Path
 

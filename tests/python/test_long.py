@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea test --long`: what takes longer than all other tests is run when it is asked for, and only then."""
+"""`fovea test --long`: what takes longer than all other tests runs only on demand."""
 
 import subprocess
 from pathlib import Path

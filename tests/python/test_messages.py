@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `fovea` says when a script inside Blender fails: each sentence once, without Blender's own lines."""
+"""The messages of `fovea` when a script inside Blender fails: each sentence once, without Blender's own lines."""
 
 import sys
 

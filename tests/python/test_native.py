@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the user hears when the native module cannot be used."""
+"""The messages to the user when the native module cannot be used."""
 
 import importlib
 import os

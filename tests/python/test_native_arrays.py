@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What crosses the border to the native module: views without copies, nothing kept, errors by name."""
+"""Arrays passed to and from the native module: views without copies, no references kept, errors by name."""
 
 import gc
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Passes that several stages of a picture share are as if each had been made alone."""
+"""Passes shared by several stages of a picture give the same results as if each stage computed its own."""
 
 import json
 

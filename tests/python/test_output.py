@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that a command writes for the user: whole, or as they were."""
+"""Output files of commands are complete, or unchanged."""
 
 import os
 from pathlib import Path

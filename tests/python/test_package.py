@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension zip in a home of its own: builds, installs, draws, is disabled and uninstalled without a trace."""
+"""The extension zip in a separate home: builds, installs, draws, is disabled and uninstalled without a trace."""
 
 import os
 import subprocess

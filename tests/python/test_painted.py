@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Painted values, focus by objects and maps of density: as styles say them, and as the native module takes them."""
+"""Painted values, focus on objects and density maps: in style files, and as input of the native module."""
 
 import json
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Papers: what ships, and that ink and pigment on them keep their density in the mean."""
+"""Papers: the bundled ones, and that ink and pigment on them keep their mean density."""
 
 import importlib.util
 import sys
@@ -37,8 +37,8 @@ class Even(core.Backend):
 
 
 def camera(width=SIDE, height=SIDE, left=0, lower=0):
-    """Of a picture of which so much is seen; its axis meets the lower left corner of the whole picture, so that a paper's
-    texels lie on pixels."""
+    """Of a picture of which so much is seen; its axis meets the lower left corner of the whole picture, so that a
+    paper's texels lie on pixels."""
     clip = np.diag([2 / width, 2 / height, -2 / (FAR - NEAR), 1]).astype(float)
     clip[:3, 3] = -1 - 2 * left / width, -1 - 2 * lower / height, -(FAR + NEAR) / (FAR - NEAR)
     return core.View(np.eye(4), clip, width, height, True, NEAR, FAR)

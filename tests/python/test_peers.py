@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea bench` says how far a Blender is while it draws, and how it ended."""
+"""`fovea bench` reports the progress of Blender while it draws, and how it ended."""
 
 import os
 import sys

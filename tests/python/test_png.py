@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures as PNG files."""
+"""PNG encoding of pictures."""
 
 import struct
 

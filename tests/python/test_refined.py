@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Refined and repaired meshes through the module: arguments, errors, and what comes back."""
+"""Refined and repaired meshes through the native module: arguments, errors, and results."""
 
 import numpy as np
 import pytest

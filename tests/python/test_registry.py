@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds for every line definition of the registry, without naming any: `fovea lines` and `fovea draw` take it."""
+"""Properties of every line definition in the registry, without naming any: `fovea lines` and `fovea draw` accept it."""
 
 import numpy as np
 import pytest

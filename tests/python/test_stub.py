@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The native module is typed, and the stub by which editors know it is that of the module."""
+"""The native module is typed, and its stub for editors is up to date."""
 
 import ast
 import inspect

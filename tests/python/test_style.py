@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Styles as data: what is read is what was written, and what does not belong is refused by name."""
+"""Styles as data: reading returns what was written, and invalid content is rejected by name."""
 
 import json
 

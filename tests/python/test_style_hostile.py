@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Style files that mean harm, or make no sense: one sentence that names the place, and nothing else happens."""
+"""Malicious or nonsensical style files: one sentence that names the place, and no other effect."""
 
 import copy
 import json

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Between two styles: what is common goes over steadily, what is not fades, and the ends are the styles themselves."""
+"""Mixing two styles: common parts are interpolated steadily, others fade, and the end points are the styles
+themselves."""
 
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a style file says that this version does not know: kept in its place, and told."""
+"""Unknown fields of a style file are preserved in place, and reported."""
 
 import json
 

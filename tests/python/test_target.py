@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which Blender a command runs on, where suites cannot be set up: told by the shell's functions, with a set-up that only
-pretends."""
+"""Which Blender a command uses where suites cannot be set up: tests the shell functions with a simulated setup."""
 
 import subprocess
 from pathlib import Path

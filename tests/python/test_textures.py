@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pen textures that ship: what the script makes, seamless along the stroke, each with its length."""
+"""The bundled pen textures: equal to the script's output, seamless along the stroke, each with its length."""
 
 import importlib.util
 import json

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension installed where its native module is missing, or of another Python: it is enabled, and says so."""
+"""The extension installed without its native module, or with that of another Python: it can be enabled, and reports
+it."""
 
 import os
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One picture at a time, beside whatever asks for it."""
+"""The worker draws one picture at a time in the background."""
 
 import threading
 import time

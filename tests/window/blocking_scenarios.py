@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The interface while a picture takes very long. What a scenario returns is for the tests to judge."""
+"""Scenarios of the interface while a picture takes very long. Tests check what a scenario returns."""
 
 import bpy
 import numpy as np

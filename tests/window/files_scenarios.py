@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that are saved, loaded and recovered in Rendered shading. What a scenario returns is for the tests to judge."""
+"""Scenarios of saving, loading and recovering files in Rendered shading. Tests check what a scenario returns."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of the first drawing says, done in its order. What a scenario returns is for the tests to judge."""
+"""The steps of the page on the first drawing, in order. Tests check what a scenario returns."""
 
 import bpy
 import first_drawing
@@ -15,8 +15,8 @@ REACH = 0.06  # of the frame's width: half the side of what is looked at around 
 
 
 def follow(folder):
-    """From Blender's start-up to the last frame; how far the pictures of the viewport differ on the way, how the pull is
-    played, and how much contrast there is around each of its ends, in frames that are in focus at either."""
+    """From Blender's start-up to the last frame; how far the pictures of the viewport differ on the way, how the pull
+    is played, and how much contrast there is around each of its ends, in frames that are in focus at either."""
     pictures, where = [], {}
 
     def shown():

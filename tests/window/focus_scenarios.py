@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The focus tools under the pointer, in a window; see inside.py. What a scenario returns is for the tests to judge."""
+"""Scenarios of the focus tools with pointer events, in a window; see inside.py. Tests check what a scenario returns."""
 
 import sys
 from pathlib import Path

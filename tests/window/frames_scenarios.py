@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frames, keys, renders and what is made of lines while the viewport is in Rendered. What a scenario returns is for the
-tests to judge."""
+"""Scenarios of frame changes, keyframes, renders and operators on lines in Rendered shading. Tests check what a
+scenario returns."""
 
 import bpy
 import numpy as np

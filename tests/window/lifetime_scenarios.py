@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What comes and goes: engines, shadings, the add-on. What a scenario returns is for the tests to judge."""
+"""Scenarios of switching engines and shadings, and of disabling the add-on. Tests check what a scenario returns."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport's picture beside others of the same. What a scenario returns is for the tests to judge."""
+"""Scenarios that compare the viewport's picture with others of the same scene. Tests check what a scenario returns."""
 
 import bpy
 import numpy as np

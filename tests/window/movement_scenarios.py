@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What moves: the view, shapes, time. What a scenario returns is for the tests to judge."""
+"""Scenarios of changes of the view, of shapes and of time. Tests check what a scenario returns."""
 
 import bpy
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Things that artists do in Blender, drawn by lot (a random.Random), each one step for undo; they tell whether they
-could be done. In Edit mode only what edits the mesh, as Blender undoes nothing else there."""
+"""Random operations of artists in Blender, drawn from a random.Random, each one undo step; each returns whether it
+could be done. In Edit mode only operations that edit the mesh, because Blender undoes nothing else there."""
 
 import bpy
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Things that artists do with the add-on: see operations.py."""
+"""Random operations of artists with the add-on: see operations.py."""
 
 import bpy
 from operations import choose, done, place, told

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Focus as colors, in a window; see inside.py. What a scenario returns is for the tests to judge."""
+"""Scenarios of the focus overlay in a window; see inside.py. Tests check what a scenario returns."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension installed and uninstalled from within Blender; it is not there when the scenario begins."""
+"""Scenario: installs and uninstalls the extension from within Blender; it is not installed at the start."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mouse and keys, as an artist moves and presses them; of a Blender that lets events be made."""
+"""Simulated mouse and key events; need a Blender started with event simulation."""
 
 import bpy
 from window import screen

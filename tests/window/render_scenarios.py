@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that ask a render, in a window whose viewport draws; see inside.py. What a scenario returns is for the
-tests to judge."""
+"""Scenarios of operators that start a render, in a window whose viewport draws; see inside.py. Tests check what a
+scenario returns."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Viewports, windows, view layers and their switches. What a scenario returns is for the tests to judge."""
+"""Scenarios of viewports, windows, view layers and their settings. Tests check what a scenario returns."""
 
 import bpy
 from pointer import drag

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every property that the add-on has, changed while the picture is looked at. What a scenario returns is for the tests
-to judge."""
+"""Scenarios that change every property of the add-on in Rendered shading. Tests check what a scenario returns."""
 
 import bpy
 import numpy as np

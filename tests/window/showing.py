@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scenarios share: a scene that is drawn in a viewport, and what is done to it and seen there."""
+"""Helpers of scenarios: a scene drawn in a viewport, changes to it, and access to the picture."""
 
 import contextlib
 import math
@@ -37,7 +37,8 @@ def opened(spec=None):
 
 
 def side_by_side():
-    """Two viewports of the window as it was before one filled it, in Rendered shading; gives their areas: `yield from` it."""
+    """Two viewports of the window as it was before one filled it, in Rendered shading; gives their areas: `yield from`
+    it."""
     with screen.override():
         bpy.ops.screen.back_to_previous()
     yield from screen.rest(0.3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A drawing that takes as long as a test wants it to, in whatever thread it runs."""
+"""A drawing whose duration a test controls, in any thread."""
 
 import threading
 from contextlib import contextmanager

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Modes, scenes and troubles that a viewport in Rendered may get into. What a scenario returns is for the tests to
-judge."""
+"""Scenarios of modes, scenes and errors of a viewport in Rendered shading. Tests check what a scenario returns."""
 
 import bpy
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The interface is never blocked: said without clocks, so that it holds on every machine. How long draws of the large
-scenes take is measured by `fovea bench viewport`."""
+"""The interface is never blocked: tested without clocks, to be independent of the machine. `fovea bench viewport`
+measures the times of draws of large scenes."""
 
 
 def test_no_draw_waits_for_a_picture_that_takes_long(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window while files come and go."""
+"""The viewport in a real window while files are saved and loaded."""
 
 SIZE = (480, 320)  # charcoal costs by the pixel
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page of the first drawing, followed to the letter in a real window."""
+"""The page on the first drawing, followed exactly in a real window."""
 
 
 def test_the_page_leads_to_a_focus_pull_that_is_played_and_rendered(play):

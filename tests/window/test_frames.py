@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window while frames change, and while others draw."""
+"""The viewport in a real window while frames change, and during renders."""
 
 
 def test_what_is_keyed_is_seen(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window while engines, shadings and the add-on come and go."""
+"""The viewport in a real window while engines and shadings are switched and the add-on is disabled."""
 
 from statistics import mean
 

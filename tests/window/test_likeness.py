@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window beside the final render, and beside itself drawn otherwise."""
+"""The viewport in a real window compared with the final render, and with itself drawn by other means."""
 
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window while the view, shapes and time move."""
+"""The viewport in a real window while the view, shapes and time change."""
 
 
 def test_orbiting_keeps_the_scene_and_the_budget(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension as a user installs it and takes it away, in a window."""
+"""The extension installed and uninstalled as by a user, in a window."""
 
 import os
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that ask a render, in a real window."""
+"""Operators that start a render, in a real window."""
 
 
 def test_operators_ask_a_render_beside_a_viewport(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window: its switches, and other viewports and windows beside it."""
+"""The viewport in a real window: its settings, and other viewports and windows beside it."""
 
 
 def test_switches_of_a_viewport(play):

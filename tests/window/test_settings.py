@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every property in a real window."""
+"""Every property of the add-on, in a real window."""
 
 
 def test_every_property_changed_once_in_rendered(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window in modes and troubles."""
+"""The viewport in a real window in different modes and error states."""
 
 
 def test_every_mode(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The viewport in a real window when much is undone and done again."""
+"""The viewport in a real window during many undo and redo steps."""
 
 
 def test_fifty_operations_undone_and_done_again(play):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many operations, undone and done again. What a scenario returns is for the tests to judge."""
+"""Scenarios of many operations with undo and redo. Tests check what a scenario returns."""
 
 import random
 import sys

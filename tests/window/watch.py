@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the add-on does in its viewports, from inside: how often it draws and reads the scene, when it is through."""
+"""Observes the add-on in its viewports: how often it draws and reads the scene, and when it has finished."""
 
 from the_addon import part
 from window import screen

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What artists do while they look at the picture. What a scenario returns is for the tests to judge."""
+"""Scenarios of typical work in Rendered shading. Tests check what a scenario returns."""
 
 import bpy
 from pointer import drag, event, press

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea bench focus`: what line elision and stylized focus promise, measured on what the pipeline makes of scenes.
+"""`fovea bench focus`: measures whether line elision and stylized focus meet their targets on rendered scenes.
 
-One process per part and scene. Needs plain Python only."""
+One process per part and scene. Runs in plain Python."""
 
 import argparse
 import sys
@@ -10,7 +10,7 @@ from pathlib import Path
 from .. import peers
 
 WORKER = Path(__file__).with_name("worker.py")
-SCENES = {  # of each part
+SCENES = {  # part -> its default scenes
     "density": ("office", "demo"),
     "coherence": ("suzanne:3", "office"),
     "cost": ("office", "boxes:30", "boxes:100", "boxes:200"),
@@ -18,7 +18,7 @@ SCENES = {  # of each part
 }
 PARTS = tuple(SCENES)
 QUICK_FRAMES, FRAMES = 10, 40
-MOST_FRAMES = 8  # to each side, as a style has them at most
+MOST_FRAMES = 8  # frames to each side: a style's limit
 
 
 def parse(words):
@@ -39,13 +39,13 @@ def parse(words):
 
 
 def some_frames(text):
-    """Numbers of frames to each side over which elision is smoothed in time."""
+    """Parses a list of numbers of frames to each side over which elision is smoothed in time."""
     known = [str(frames) for frames in range(1, MOST_FRAMES + 1)]
     return sorted({int(word) for word in peers.some_of(known)(text)})
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
-    """`environment`: of a Blender that has the extension installed."""
+    """`environment`: for a Blender with the extension installed."""
     options = parse(words)
     rows, problems = [], []
     for part in options.parts:
@@ -69,7 +69,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
 
 
 def linearity(rows):
-    """How much more a sample costs in one scene than in another, the dearest over the cheapest."""
+    """Rows with the ratio of the costs per sample between scenes, the highest over the lowest."""
     found = []
     for figure in (PER_SAMPLE, PER_ATLAS_SAMPLE):
         costs = [row["value"] for row in rows if row["figure"] == figure]

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How steady elision is from frame to frame.
+"""Temporal coherence of elision.
 
-Static lines: places on them, matched by the path's id and arc length in space, that are visible in both frames: what
-changes there is elision alone, each frame for itself, or smoothed in time. Visibility explains it where, within NEAR
-times the distance that lines keep, another static line appears or goes: farther than that distance from any end of a
-run, or a run as a whole.
+Static lines: samples are matched between two frames by path id and arc length in object space; where both are visible,
+a change of opacity is due to elision alone, computed per frame or smoothed in time. A change is explained by visibility
+if another static line appears or disappears within NEAR times the lines' spacing: a whole run, or samples farther than
+the spacing from the ends of their run.
 
-Lines of the view have no such places: their ink is compared with that of the frame before, brought over by depth, and
-so is the share of it that elision takes, both also with elision switched to a hard cut."""
+View-dependent lines have no such correspondence: their ink is compared with that of the previous frame reprojected by
+depth, and so is the share of ink that elision removes; both also with elision thresholded to a hard cut."""
 
 from collections import deque
 from dataclasses import dataclass, replace
@@ -17,10 +17,10 @@ import numpy as np
 from . import reproject
 
 LABEL = {"soft": "soft", "hard": "hard cut", "none": "no elision"}
-LEAST_INK = 0.02  # mean around a pixel, for a share of it to tell anything
-HARD = 0.5  # opacity at which elision switches where it cuts
-NEAR = 2.0  # distances that lines keep, within which one that appears or goes has its say
-SAME_PLACE = 0.1  # of the way between two samples, by which a matched place may be elsewhere in space
+LEAST_INK = 0.02  # mean ink around a pixel below which a share of it is undefined
+HARD = 0.5  # threshold on the opacity for the hard cut
+NEAR = 2.0  # radius, in units of the lines' spacing, in which an appearing line explains a change
+SAME_PLACE = 0.1  # tolerance of a match's position, as a fraction of the distance between two samples
 
 
 @dataclass(frozen=True)
@@ -30,11 +30,11 @@ class OnPaths:
     index: np.ndarray  # (n,) in the atlas
     px: np.ndarray  # (n, 2)
     run: np.ndarray  # (n,)
-    to_end_px: np.ndarray  # (n,)
+    to_end_px: np.ndarray  # (n,) along the run to the nearer of its ends
     id: np.ndarray  # (n,) uint64 of the path
-    arc: np.ndarray  # (n,) along the path, in object space
+    arc: np.ndarray  # (n,) arc length along the path, in object space
     position: np.ndarray  # (n, 3) in object space
-    shown: np.ndarray  # (n,)
+    shown: np.ndarray  # (n,) opacity factor of elision
 
 
 def on_paths(drawn):
@@ -63,8 +63,8 @@ def on_paths(drawn):
 
 
 def changes(before, after, distance):
-    """(all, unexplained): by how much the opacity changes at the places of one OnPaths that are also in the other, and
-    at those of them near which no line appears or goes."""
+    """(all, unexplained): absolute changes of opacity at the matched samples of two OnPaths, and at those of them near
+    which no line appears or disappears. `distance`: spacing of lines in pixels."""
     (here, shown), (there, _) = match(before, after), match(after, before)
     change = np.abs(shown - before.shown[here])
     near = disturbed(before.px[here], before.px[lost(before, here, distance)], NEAR * distance)
@@ -73,7 +73,8 @@ def changes(before, after, distance):
 
 
 def lost(places, matched, distance):
-    """Places of lines that are not in the other frame."""
+    """Indices of samples that have no match in the other frame, and are more than `distance` pixels from the ends of
+    their run or on a run without any match."""
     missing = np.ones(len(places.id), bool)
     missing[matched] = False
     known = np.bincount(places.run[matched], minlength=places.run.max() + 1 if len(places.run) else 0)
@@ -81,7 +82,8 @@ def lost(places, matched, distance):
 
 
 def disturbed(px, causes, distance):
-    """(n,) whether a cause is within about that distance: in the same cell of a grid, or in one beside it."""
+    """(n,) bool: whether any of `causes` (k, 2) is within about `distance` pixels of each `px` (n, 2): in the same or
+    an adjacent cell of a grid."""
     cells = np.floor(px / distance).astype(np.int64) + 2
     rows, columns = (int(part) + 4 for part in (cells.max(axis=0) if len(cells) else (0, 0)))
     taken = np.zeros((rows, columns), bool)
@@ -94,7 +96,7 @@ def disturbed(px, causes, distance):
 
 
 def match(before, after):
-    """(m,) places of one OnPaths that are also in the other, and how much of them is shown there."""
+    """((m,) indices of samples of `before` that have a match in `after`, (m,) opacity interpolated there)."""
     if not len(before.id) or not len(after.id):
         return np.zeros(0, np.int64), np.zeros(0)
     ids, number = np.unique(np.concatenate([before.id, after.id]), return_inverse=True)
@@ -119,7 +121,7 @@ def match(before, after):
 
 
 def of_view(drawn):
-    """{elision: (H, W) ink of the lines that change with the view}: soft, hard, and none."""
+    """{elision: (H, W) ink of the view-dependent lines} for soft elision, hard cut, and none."""
     clipped = drawn.frame.clipped
     path = np.repeat(np.repeat(clipped.path, np.diff(clipped.offsets)), clipped.sample_count)
     turning = (np.asarray(drawn.frame.paths.of_view)[path] != 0).astype(np.float32)
@@ -132,15 +134,15 @@ def of_view(drawn):
 
 
 def taken(inks, name, reach):
-    """(H, W) share of the ink around each pixel that elision takes; nan where there is little to take."""
+    """(H, W) share of the ink around each pixel that elision removes; NaN where there is less than LEAST_INK."""
     whole = reproject.mean_around(inks["none"], reach)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(whole > LEAST_INK, 1 - reproject.mean_around(inks[name], reach) / whole, np.nan)
 
 
 class Static:
-    """Follows the static lines of frames whose lines keep `distance` pixels from each other; keeps no more than the
-    last frame."""
+    """Accumulates changes of static lines over frames. `distance`: spacing of lines in pixels. Stores only the last
+    frame."""
 
     def __init__(self, distance):
         self.distance, self.last, self.changes, self.matched = distance, None, [], []
@@ -153,7 +155,7 @@ class Static:
 
 
 class OfView:
-    """The same of lines of the view."""
+    """Accumulates changes of view-dependent lines over frames; as Static."""
 
     def __init__(self, distance):
         self.distance, self.last = distance, None
@@ -173,13 +175,13 @@ class OfView:
 
 
 class InTime:
-    """Hands frames on with their elision smoothed over so many frames to each side, once it knows these."""
+    """Passes frames to `watch` with elision smoothed over `frames` to each side, as soon as these have been seen."""
 
     def __init__(self, frames, watch):
         self.frames, self.watch, self._known = frames, watch, deque(maxlen=2 * frames + 1)
 
     def see(self, drawn):
-        """The first and the last so many are not handed on."""
+        """Adds a frame; the first and the last `frames` are not passed on."""
         self._known.append((replace(drawn, image=None), drawn.frame.shown_lines()))
         if len(self._known) == self._known.maxlen:
             here, lines = self._known[self.frames]
@@ -189,7 +191,7 @@ class InTime:
 
 
 def rows(scene, alone, smoothed, of_view):
-    """Of a Static, {frames to each side: the same, smoothed over them}, and an OfView."""
+    """Result rows from a Static, {frames to each side: Static of smoothed elision}, and an OfView."""
     told = static_rows(alone, "", wanted=True)
     told += [("static lines: places found again, share", np.mean(alone.matched), None)]
     for frames, watch in smoothed.items():
@@ -218,7 +220,7 @@ def view_rows(watch):
         told += [(f"lines of the view: {what}, mean difference, {LABEL[name]}", mean[name], None) for name in mean]
         ratio = mean["soft"] / mean["hard"] if mean["hard"] else 1.0
         told += [(f"lines of the view: {what}, soft / hard", ratio, "<= .5")]
-        # A fade sums up to as much change as a cut, in smaller steps: these show in squares.
+        # A fade has the same total change as a cut in smaller steps, so only the squares differ.
         ratio = square["soft"] / square["hard"] if square["hard"] else 1.0
         told += [(f"lines of the view: {what}, root mean square, soft / hard", ratio, None)]
     return told

@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines that are nearer to each other than they want to be.
+"""Measures lines that are closer to each other than their spacing.
 
-A place is crowded where another fully drawn line runs alongside, within ANGLE of its direction, nearer than a distance.
-Alongside: beside the place, at most a sample's length farther along. Another line: of another path. Left out is what
-lies within that distance of an end of either of the two runs, or, along the line, of a place where the two lines cross.
+A sample is crowded if a fully drawn sample of another path, with a direction within ANGLE and offset along the line by
+at most a sample's length, is closer than a distance. Excluded are samples within that distance of an end of either run,
+or, along the line, of a crossing of the two lines.
 """
 
 import math
 
 import numpy as np
 
-FULL = 0.98  # of its opacity
+FULL = 0.98  # opacity factor above which a line counts as fully drawn
 ANGLE = math.radians(30)
-CROSSES = 0.1  # pixels that a line changes by, from one side of the other to its other, at the least
+CROSSES = 0.1  # pixels: least change of the signed distance between two lines that counts as a crossing
 
 
 def nearest_alongside(places, distance):
-    """(n,) pixels from each of the Places, if it is fully drawn, to the nearest other such line alongside that is
-    nearer than `distance`; inf where there is none."""
+    """(n,) distance in pixels from each fully drawn sample of Places to the nearest crowding line closer than
+    `distance`; inf if there is none."""
     one, other, gap = _pairs(places.px, distance)
     apart = places.path[one] != places.path[other]
     one, other, gap = one[apart], other[apart], gap[apart]
@@ -37,11 +37,12 @@ def nearest_alongside(places, distance):
 
 
 def _to_crossing(places, one, other, across):
-    """Per pair, sorted by the two runs, then place: pixels along the first line to where it crosses the second."""
+    """Per pair of samples, sorted by the two runs, then the first sample: pixels along the first line to its nearest
+    crossing with the second; inf if they do not cross. `across`: signed distance of the second sample."""
     run, beside = places.run[one], places.run[other]
-    lead = np.ones(len(one), bool)  # of the pairs of one place and one run: the nearest
+    lead = np.ones(len(one), bool)  # the nearest of the pairs of one sample and one run
     lead[1:] = (one[1:] != one[:-1]) | (beside[1:] != beside[:-1])
-    chain = np.ones(len(one), np.int64)  # number of the two runs
+    chain = np.ones(len(one), np.int64)  # number of the pair of runs
     chain[1:] = (run[1:] != run[:-1]) | (beside[1:] != beside[:-1])
     chain = np.cumsum(chain)
     reach = np.ptp(places.arc_px) + 1e4 if len(one) else 1.0
@@ -56,7 +57,7 @@ def _to_crossing(places, one, other, across):
 
 
 def _pairs(px, distance):
-    """(one, other, gap) of all ordered pairs of points nearer than `distance`, by a grid of cells as large."""
+    """(one, other, gap) of all ordered pairs of points closer than `distance`, by a grid with cells of that size."""
     cell = np.floor(px / distance).astype(np.int64)
     cell -= cell.min(axis=0) - 1 if len(cell) else 0
     columns = cell[:, 0].max() + 2 if len(cell) else 1
@@ -77,7 +78,7 @@ def _pairs(px, distance):
 
 
 def rows(scene, drawn, distance):
-    """Shares of the fully drawn samples."""
+    """Result rows: shares of the fully drawn samples that are crowded; `distance`: spacing in reference pixels."""
     places = drawn.places()
     distance *= drawn.view.reference_scale
     nearest = nearest_alongside(places, distance)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What focus does to the place it is at: the same disc of the picture, once in focus and once far from it."""
+"""Measures the emphasis by focus: the same disc of the picture, once in focus and once far from the focus."""
 
 import numpy as np
 from bl_ext.user_default.fovea import style
@@ -10,40 +10,41 @@ from .world import named_style
 STYLES = ("pen_and_ink", "watercolor")
 COLORFUL = ("watercolor",)
 NEAR, FAR = 0.1, 0.6  # heights of the image, as `fovea draw --focus` has them
-FAR_IN_SCENE = 0.35  # distances of the camera: where one looks elsewhere in a room, the place itself is out of focus
-GRID = (6, 4)  # of places that can be looked at
-RINGS = 10  # of f between in focus and out of it
-LEAST_INK = 0.002  # a ring with less of it, all in focus, tells nothing
+FAR_IN_SCENE = 0.35  # outer radius over the distance to the camera; a focus elsewhere in the room leaves a place out
+GRID = (6, 4)  # columns and rows of candidate focus points in the image
+RINGS = 10  # bins of the focus value f between 0 and 1
+LEAST_INK = 0.002  # bins with less mean ink in the picture all in focus are ignored
 
 
 def display(picture):
-    """(H, W, 3) as a screen shows scene-linear colors."""
+    """(H, W, 3) sRGB-encoded from scene-linear colors."""
     linear = np.clip(picture[..., :3], 0, 1)
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
 def edge_contrast(picture):
-    """(H, W) how much the luminance changes from pixel to pixel."""
+    """(H, W) magnitude of the gradient of display luminance, per pixel."""
     rows, columns = np.gradient(display(picture) @ (0.2126, 0.7152, 0.0722))
     return np.hypot(rows, columns)
 
 
 def saturation(picture):
-    """(H, W) as HSV has it."""
+    """(H, W) HSV saturation."""
     shown = display(picture)
     most = shown.max(axis=-1)
     return (most - shown.min(axis=-1)) / np.maximum(most, 1e-6)
 
 
 def line_density(drawn, inside):
-    """Pixels of line, by their opacity under elision, per pixel of a disc; inside((n, 2) pixels) -> (n,) bool."""
+    """Total length in pixels of the lines inside a region, weighted by the opacity factor of elision; inside((n, 2)
+    pixels) -> (n,) bool."""
     places = drawn.places()
     within = inside(places.px)
     return float((places.length_px * places.shown)[within].sum())
 
 
 class Disc:
-    """Around a place in the image, 0..1 from the left and the top, within the near radius."""
+    """A disc with the inner radius around a point `at` of the image, 0..1 from the left and the top."""
 
     def __init__(self, at, view):
         self.middle, self.radius = np.array((at[0] * view.width, (1 - at[1]) * view.height)), NEAR * view.height
@@ -63,7 +64,7 @@ class Disc:
 
 
 class Stage:
-    """A World and a Style of which only the focus changes."""
+    """A World and a Style, to be drawn with varying focus."""
 
     def __init__(self, world, name, model):
         self.world, self.base, self.model = world, named_style(name), model
@@ -81,7 +82,7 @@ class Stage:
         return self.points.distance[self._pixel(at)]
 
     def point(self, at):
-        """The FocusPlace that looks at a place in the image."""
+        """The FocusPlace for a point in the image; in the model "scene" at the surface seen there."""
         if self.model == "image":
             return style.FocusPlace(at=(*at, 0.0), near=NEAR, far=FAR)
         place = self.world_points[self._pixel(at)]
@@ -90,20 +91,21 @@ class Stage:
         return style.FocusPlace(at=place.tolist(), near=NEAR * distance, far=FAR_IN_SCENE * distance)
 
     def at(self, place):
-        """Drawn, looking there."""
+        """The Drawn with focus at a point in the image."""
         return self.world.draw(self.base.replace(focus=style.Focus(model=self.model, points=(self.point(place),))))
 
     def focus_of_pixels(self, drawn):
-        """(H, W) f of the lines there: of the nearest surface around, as lines lie on its border."""
+        """(H, W) focus of the lines at each pixel: that of the nearest surface around it, on whose silhouette they
+        lie."""
         return drawn.frame.focus_function.of_pixels(drawn.frame.view, self.points.distance)
 
     def busiest(self, count):
-        """The places with most lines, all in focus."""
+        """The `count` candidate points with most ink around them when everything is in focus."""
         ink = self.sharp.image.lines[..., 3]
         return sorted(self.places, key=lambda at: -ink[Disc(at, self.world.view).mask].mean())[:count]
 
     def elsewhere(self, place):
-        """The place from which that one is out of focus the most."""
+        """The candidate point for which, as the focus, `place` is most out of focus."""
 
         def out(other):
             point = self.point(other)
@@ -116,7 +118,8 @@ class Stage:
 
 
 def fall_off(f, ink, sharp):
-    """(RINGS + 2,) share of its ink that each ring of f keeps: 0, RINGS equal steps, 1. nan: it never had any."""
+    """(RINGS + 2,) share of ink kept in each bin of f: f <= 0, RINGS equal bins, f >= 1. NaN: the bin had too
+    little."""
     ring = np.where(f <= 0, 0, np.where(f >= 1, RINGS + 1, 1 + np.minimum((f * RINGS).astype(np.int64), RINGS - 1)))
     count = np.maximum(np.bincount(ring.ravel(), minlength=RINGS + 2), 1)
     left, whole = (np.bincount(ring.ravel(), values.ravel(), RINGS + 2) / count for values in (ink, sharp))
@@ -144,7 +147,7 @@ def rows(scene, world, places):
 
 
 def compare(stage, places, colorful):
-    """({measure: ratio}, largest jump): the least ratio, and the largest jump, of so many places."""
+    """({measure: ratio in focus / out of focus}, largest jump): minimum and maximum over so many focus points."""
     ratios, jumps = {}, []
     for place in stage.busiest(places):
         disc, here, away = Disc(place, stage.world.view), stage.at(place), stage.at(stage.elsewhere(place))

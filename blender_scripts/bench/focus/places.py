@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The atlas samples that runs cover: where they are in the picture, and how much of them elision leaves."""
+"""The atlas samples that runs cover: their positions in the picture and their opacity factors of elision."""
 
 from dataclasses import dataclass
 
@@ -17,20 +17,21 @@ class Places:
     t: np.ndarray  # (n,) screen fraction of the segment
     px: np.ndarray  # (n, 2)
     direction: np.ndarray  # (n, 2) unit vectors
-    length_px: np.ndarray  # (n,) of line that the sample stands for
-    arc_px: np.ndarray  # (n,)
+    length_px: np.ndarray  # (n,) length of line per sample
+    arc_px: np.ndarray  # (n,) arc length along the path
     path: np.ndarray  # (n,) of Paths
     run: np.ndarray  # (n,) of Runs
     to_end_px: np.ndarray  # (n,) along the run to the nearer of its ends
-    shown: np.ndarray  # (n,)
+    shown: np.ndarray  # (n,) opacity factor of elision
 
 
 def places_of(clipped, runs, shown, view):
-    """Places in visible Runs; shown: (samples,) of the whole atlas. Outside of the picture elision says nothing."""
+    """Places in visible Runs; shown: (samples,) of the whole atlas. Elision is undefined outside the picture, so
+    samples there are left out."""
     samples = Samples(clipped)
     visible = np.flatnonzero(np.asarray(runs.invisibility) == 0)
     piece, first, last = (np.asarray(part)[visible] for part in (runs.piece, runs.start_px, runs.end_px))
-    # Pieces one after the other on one axis.
+    # Lay all pieces out on one axis without overlap.
     arc = clipped.arc_px
     reach = (np.ptp(arc) if len(arc) else 0.0) + 1.0
     at = samples.piece * reach + (samples.arc_px - (arc.min() if len(arc) else 0.0))

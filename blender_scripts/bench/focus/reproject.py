@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of two views compared where they show the same place.
+"""Compares pictures of two views by reprojection, where both show the same surface point.
 
-A line lies on the border of what it outlines, so a pixel's depth is that of the nearest surface within REACH pixels."""
+A line lies on the silhouette of a surface, so a pixel's depth is that of the nearest surface within REACH pixels."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 REACH = 2
-NOTHING = 1e9  # distances from here on: the pixel sees no surface
-SAME = 0.02  # of the distance, by which the same place may seem to be elsewhere
+NOTHING = 1e9  # distances from this value on mean background
+SAME = 0.02  # relative tolerance of the depth of a reprojected point
 
 
 class Seen:
-    """What the pixels of a stages.View see. distance: (H, W) along the view, bottom row first."""
+    """A stages.View and its depth buffer. distance: (H, W) along the view direction, bottom row first."""
 
     def __init__(self, view, distance):
         self.view, self.distance = view, nearest_around(distance)
@@ -29,7 +29,7 @@ class Seen:
         return np.stack((x, y, z), axis=-1) @ to_world[:3, :3].T + to_world[:3, 3]
 
     def brought_over(self, before):
-        """Where the pixels' places were in an earlier Seen."""
+        """The Over that maps this view's pixels to an earlier Seen."""
         there = self.points() @ before.view.world_to_view[:3, :3].T + before.view.world_to_view[:3, 3]
         clip, (height, width) = before.view.view_to_clip, before.distance.shape
         homogeneous = there @ clip[[0, 1, 3], :3].T + clip[[0, 1, 3], 3]
@@ -46,10 +46,10 @@ class Seen:
 @dataclass(frozen=True)
 class Over:
     at: np.ndarray  # (H, W, 2) in pixels of the earlier picture, whole numbers at their centers
-    known: np.ndarray  # (H, W) whether the place was seen there
+    known: np.ndarray  # (H, W) whether the point was visible there
 
     def difference(self, now, before):
-        """(mean absolute, root mean square) difference of two (H, W) pictures over the places that both show."""
+        """(mean absolute, root mean square) difference of two (H, W) pictures over the points that both show."""
         column, row = self.at[self.known].T
         i = np.clip(row.astype(np.int64), 0, max(before.shape[0] - 2, 0))
         j = np.clip(column.astype(np.int64), 0, max(before.shape[1] - 2, 0))
@@ -57,12 +57,12 @@ class Over:
         lower = before[i, j] * (1 - u) + before[i, j + 1] * u
         upper = before[i + 1, j] * (1 - u) + before[i + 1, j + 1] * u
         change = np.abs(now[self.known] - (lower * (1 - v) + upper * v))
-        change = change[np.isfinite(change)]  # where both have a value
+        change = change[np.isfinite(change)]  # both values are defined
         return (float(change.mean()), float(np.sqrt((change**2).mean()))) if len(change) else (0.0, 0.0)
 
 
 def mean_around(values, reach):
-    """(H, W) mean over the square of so many pixels to each side; outside there is 0."""
+    """(H, W) box filter over `reach` pixels to each side, padded with 0."""
     for axis in (0, 1):
         edge = [(reach + 1, reach) if k == axis else (0, 0) for k in (0, 1)]
         sums = np.cumsum(np.pad(values.astype(np.float64), edge), axis=axis)
@@ -72,7 +72,7 @@ def mean_around(values, reach):
 
 
 def nearest_around(distance):
-    """(H, W) the least within REACH pixels along both axes."""
+    """(H, W) minimum filter over REACH pixels to each side along both axes."""
     for axis in (0, 1):
         edge = [(REACH, REACH) if k == axis else (0, 0) for k in (0, 1)]
         wide = np.pad(distance, edge, mode="edge")

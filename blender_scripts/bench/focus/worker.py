@@ -46,7 +46,7 @@ def coherence_rows(asked):
         watches = {frames: coherence.Static(distance) for frames in (0, *asked["smoothed"])}
         in_time = [coherence.InTime(frames, watch) for frames, watch in watches.items()]
         of_view, style = coherence.OfView(distance), world.evenly_spaced(asked["distance"])
-        # Frames before and after those that are told of, which the longest mean asks for.
+        # Starts before and ends after the measured frames, as the widest temporal filter needs.
         for k, view in enumerate(orbit(place.view, pivot, asked["frames"], STEP, most), start=-most):
             drawn = place.draw(style, view)
             for each in in_time:
@@ -72,7 +72,7 @@ def cost_rows(asked):
 
 
 def stage_costs(scene, workbench, place):
-    """Of watercolor, which has all effects of color, with focus in the middle of the image."""
+    """Rows of stage costs for watercolor, which has all color effects, with focus in the middle of the image."""
     middle_ = style.Focus(model="image", points=(style.FocusPlace(at=(0.5, 0.5, 0.0), near=0.1, far=0.6),))
     chosen = world.named_style("watercolor").replace(focus=middle_)
     told, backends = [("Workbench, ms a frame", workbench, None)], [native.load().CpuBackend()]
@@ -81,7 +81,7 @@ def stage_costs(scene, workbench, place):
 
         backends.append(gpu.Backend())
     for backend in backends:
-        place.draw(chosen, backend=backend)  # compiles
+        place.draw(chosen, backend=backend)  # warm-up: compiles shaders
         drawn = [place.draw(chosen, backend=backend) for _ in range(REPEATS)]
         elision, colors = (stage_ms(drawn, name) for name in ("elision", "focus"))
         told += [(f"elision, {backend.name}, of Workbench's frame", elision / workbench, "<= .15")]
@@ -97,7 +97,7 @@ def stage_ms(drawn, name):
 
 
 def median_ms(work):
-    """Of REPEATS, after one that does not count."""
+    """Median time of REPEATS calls, after a warm-up call."""
     times = []
     for _ in range(REPEATS + 1):
         start = time.perf_counter()

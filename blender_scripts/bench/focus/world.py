@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A scene as the stages take it, drawn again and again, with what went through the pipeline kept."""
+"""Draws a scene repeatedly through the pipeline and keeps the intermediate results."""
 
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,32 +15,32 @@ from .places import places_of
 
 @dataclass(frozen=True)
 class Drawn:
-    """One picture, and how it came about."""
+    """One picture and the Frame it was drawn from."""
 
     image: object
     view: object  # stages.View
     style: object
     frame: object  # native Frame
-    shown: np.ndarray  # (samples,) what elision leaves
+    shown: np.ndarray  # (samples,) opacity factor of elision
 
     def places(self):
         return places_of(self.frame.clipped, self.frame.drawn, self.shown, self.view)
 
     def ink(self, shown):
-        """(H, W) coverage by strokes of which elision leaves so much."""
+        """(H, W) coverage by strokes with the given opacity factors, (samples,)."""
         frame, view = self.frame, self.frame.view
         strokes = frame.strokes_with(shown)
         return strokes.raster(frame.pens, frame.textures, view.width, view.height)[..., 3]
 
 
 class World:
-    """What a render handed to `pipeline.draw`."""
+    """The arguments that a render passed to `pipeline.draw`."""
 
     def __init__(self, placed, view, options, given):
         self._placed, self.view, self._options, self._given = placed, view, options, given
 
     def draw(self, style_, view=None, backend=None):
-        """Drawn, in a Style, from a stages.View or the scene's own."""
+        """The Drawn for a Style and a stages.View; None: the scene's."""
         view, kept = view or self.view, []
         seen = scene.seen(native.load(), view)
         with kept_results(pipeline, "frame", kept):
@@ -53,7 +53,8 @@ class World:
 
 
 def measure(work, size, named="watercolor"):
-    """work(World) of the open scene, inside a render. `named`: a style; one with a color layer brings colors."""
+    """Returns work(World) for the open scene, called inside a render. `named`: the scene's style; colors are read only
+    if it has a color layer."""
     draw, views, outcome = pipeline.draw, [], []
 
     def measured(placed, seen, style_, backend, options, **given):
@@ -73,7 +74,7 @@ def measure(work, size, named="watercolor"):
         return views[-1]
 
     pipeline.draw, camera.of_render = measured, of_render_kept
-    # Styles drawn here have other line sets than the scene's, and none is for some lines alone.
+    # The styles drawn here have other line sets than the scene's, without filters.
     line_filters.of = lambda *_: {}
     try:
         bpy.ops.render.render()
@@ -84,7 +85,7 @@ def measure(work, size, named="watercolor"):
 
 @contextmanager
 def kept_results(module, name, kept):
-    """Appends the result of every call of a module's function."""
+    """Context in which the result of every call of a module's function is appended to `kept`."""
     function = getattr(module, name)
 
     def call(*arguments, **named):
@@ -103,12 +104,12 @@ def named_style(name):
 
 
 def plain():
-    """The cheapest picture."""
+    """The style that is fastest to draw."""
     return named_style("plain").replace(elision=style.Elision(enabled=False))
 
 
 def evenly_spaced(distance):
-    """pen_and_ink, all in focus, whose lines keep so many reference pixels from each other."""
+    """pen_and_ink without focus and distance effects, with a line spacing of `distance` reference pixels."""
     base = named_style("pen_and_ink")
     sets = tuple(s.replace(pen=s.pen.replace(spacing=distance), pen_away=None) for s in base.line_sets)
     elision = base.elision.replace(enabled=True, cut=0.0)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea bench viewport`: the 3D view in Rendered shading beside Solid, in a window under Xvfb, overlays off.
+"""`fovea bench viewport`: compares Rendered with Solid shading in the 3D view, in a window under Xvfb, overlays off.
 
-Both orbit in turns in one process. `first`: from switching to Rendered to the first picture; `refined`: to the final
-one. `solid` and `fovea`: a frame of the orbit, medians; `new`: share of Fovea's frames whose picture was made in time
-(else the last one stays). `drawing`: the longest that Fovea held the interface up, and `block` the longest frame or turn
-of Blender's main loop, software OpenGL included, from switching to Rendered until the orbit's last picture was refined.
-`idle`: share of a core at rest, `idle_solid` the same in Solid; and how often the viewport was drawn then."""
+Both orbit alternately in one process. `first`: time from switching to Rendered to the first picture; `refined`: to the
+final one. `solid` and `fovea`: median times of an orbit's frame; `new`: share of Fovea's frames with a new picture
+(else the last one stays). `drawing`: the longest time that Fovea blocked the interface; `block`: the longest frame or
+iteration of Blender's main loop, including software OpenGL, from switching to Rendered until the orbit's last picture
+was refined. `idle`: share of a core used at rest, `idle_solid`: in Solid; `idle_draws`: draws of the viewport at rest.
+"""
 
 import argparse
 import sys
@@ -38,7 +39,7 @@ def parse(words):
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
-    """`environment`: of a Blender that has the extension installed."""
+    """`environment`: for a Blender with the extension installed."""
     options, rows, failed = parse(words), [], False
     for spec in options.scenes:
         print(f"fovea: {spec}", file=sys.stderr, flush=True)

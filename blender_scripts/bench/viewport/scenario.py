@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `fovea bench viewport` does in the window; see ../../window/inside.py."""
+"""The scenario of `fovea bench viewport`; see ../../window/inside.py."""
 
 import math
 import statistics
@@ -14,7 +14,7 @@ from mathutils import Quaternion
 from window import screen
 
 STEP = math.radians(2)
-TURNS = 3  # Solid and Fovea take
+TURNS = 3  # alternations of Solid and Rendered
 
 
 def measure(_folder, spec, shared, frames, style, rest):
@@ -47,7 +47,7 @@ def measure(_folder, spec, shared, frames, style, rest):
     for _ in range(TURNS):
         for shading in times:
             space.shading.type = shading
-            orbit(view, 2)  # what is compiled or read once
+            orbit(view, 2)  # warm-up
             clock.pictures = set()
             times[shading] += orbit(view, turn)
         pictures += len(clock.pictures)
@@ -67,7 +67,7 @@ def measure(_folder, spec, shared, frames, style, rest):
 
 
 def orbit(view, frames):
-    """ms that each of so many frames takes."""
+    """Orbits the view; list of the ms of each frame."""
     times = []
     for _ in range(frames):
         view.view_rotation = Quaternion((0, 0, 1), STEP) @ view.view_rotation
@@ -78,7 +78,7 @@ def orbit(view, frames):
 
 
 def idle(seconds):
-    """Share of one core that this process takes while nothing is done."""
+    """CPU time of this process over so many idle seconds, as a share of one core."""
     start, used = time.perf_counter(), time.process_time()
     yield float(seconds)
     return (time.process_time() - used) / (time.perf_counter() - start)
@@ -91,7 +91,7 @@ def triangles():
 
 
 def refined(clock):
-    """Waits for the final picture, while Blender does what it likes."""
+    """Waits for the final picture while Blender's main loop runs."""
     while not clock.viewport.is_final():
         start = time.perf_counter()
         yield
@@ -100,11 +100,11 @@ def refined(clock):
 
 
 class Clock:
-    """How long the interface was held up, in ms: by Fovea's drawing, and by anything while Fovea drew."""
+    """Longest blocking of the interface, in ms: `drawing`, by Fovea's draw function; `block`, by anything."""
 
     def __init__(self):
         self.viewport, self.draws, self.drawing, self.block = None, 0, 0.0, 0.0
-        self.pictures = set()  # keys of those shown
+        self.pictures = set()  # keys of the pictures shown
         self._old, viewport.draw = viewport.draw, self._draw
 
     def _draw(self, engine, context, depsgraph):

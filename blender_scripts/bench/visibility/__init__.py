@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea bench visibility`: every way to decide what is hidden, on the same frames (Cole 2009, table 5.1).
+"""`fovea bench visibility`: compares all methods of line visibility on the same frames (Cole 2009, table 5.1).
 
-One process per scene; inside it all methods draw the same orbit. Needs plain Python only."""
+One process per scene, in which all methods draw the same orbit. Runs in plain Python."""
 
 import argparse
 import sys
@@ -10,7 +10,7 @@ from pathlib import Path
 from .. import peers
 
 WORKER = Path(__file__).with_name("worker.py")
-# About 1.5k, 15k, 300k and 500k segments, silhouettes included, and a scene that somebody could have modelled.
+# Boxes with about 1.5k, 15k, 300k and 500k segments, including silhouettes, and a realistic scene.
 SCENES = ("boxes:11", "boxes:35", "office", "boxes:158", "boxes:204")
 METHODS = ("OGL", "IBlo", "IBhi", "STlo", "SThi", "SAlo", "SAhi", "exact")
 
@@ -28,7 +28,7 @@ def parse(words):
 
 
 def main(words, blender, environment, shared: Path | None) -> int:
-    """`environment`: of a Blender that has the extension installed."""
+    """`environment`: for a Blender with the extension installed."""
     options = parse(words)
     rows, problems = [], []
     for spec in options.scenes:

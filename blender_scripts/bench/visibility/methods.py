@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The methods that are compared. All but OGL are the pipeline itself, as a render runs it, on the gpu backend.
+"""The methods that are compared. All but OGL run the pipeline as in a render, on the gpu backend.
 
-A pass that draws is waited for. Neither paper nor the read-back of the picture counts: a viewport needs none."""
+The GPU is waited for after each drawing pass. Paper and the read-back of the picture are not counted, as a viewport
+does not need them."""
 
 import time
 from contextlib import contextmanager
@@ -26,18 +27,18 @@ KINDS = {"IB": "item_buffer", "ST": "spine", "SA": "atlas", "ex": "exact"}
 
 @dataclass(frozen=True)
 class Frame:
-    """What a method says of one view."""
+    """A method's result for one view."""
 
     stages: dict  # name -> milliseconds
     scene: object
     paths: object
     clipped: object
-    visibility: np.ndarray | None  # (samples,) float32; None: the method has none
+    visibility: np.ndarray | None  # (samples,) float32 in [0, 1]; None: the method computes none
     orthographic: bool
 
     @property
     def segments(self):
-        """That lie in the frame, at least in part."""
+        """Number of segments at least partly inside the frame."""
         return int(np.count_nonzero(self.clipped.sample_count))
 
     @property
@@ -55,7 +56,7 @@ class Frame:
 
 
 def make(name, world, style, options):
-    """The method of that name in the table."""
+    """The method of that name, from METHODS in __init__.py."""
     if name == "OGL":
         return OpenGL(world, style, options)
     probes, scale, layers = QUALITY.get(name, (1, 1, 1))
@@ -65,7 +66,7 @@ def make(name, world, style, options):
 
 @contextmanager
 def passes(backend):
-    """{name: milliseconds} of the passes inside the block, and of none that a later stage draws."""
+    """Context with {pass: milliseconds} of the GPU passes run inside it."""
     backend.clock.stages = found = {}
     try:
         yield found
@@ -94,14 +95,14 @@ class Method:
         return Frame(stages, self.world.placed, made.paths, made.clipped, self.samples(made), view.orthographic)
 
     def samples(self, frame):
-        """What was found visible. The spine test finds nothing before it draws: what its looks at the samples would say."""
+        """(samples,) visibility. The spine test has none before drawing, so its probes are evaluated at the samples."""
         if self.options.visibility == "spine":
             return self.backend.visibility(frame)
         return frame.visible.samples(frame.clipped)
 
 
 class OpenGL:
-    """Lines without style. Projection, which serves to count segments alone, is not timed."""
+    """Plain OpenGL lines. Projection is only needed to count segments and is not timed."""
 
     def __init__(self, world, style, options):
         self.world, self.style, self.options = world, style, options

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain OpenGL lines with a depth buffer and no style: what drawing lines costs when nothing is asked of them.
+"""Plain OpenGL lines with a depth test and no style: the baseline cost of drawing lines.
 
-Everything lies in vertex buffers from the first frame on, but for lines that change with the view."""
+Everything is in vertex buffers from the first frame on, except lines that change with the view."""
 
 import gpu
 import numpy as np
@@ -10,7 +10,7 @@ from bl_ext.user_default.fovea.gpu.program import vertex_buffer
 from bl_ext.user_default.fovea.gpu.texture import Target
 from mathutils import Matrix
 
-# Lines are drawn a little nearer, so that their own surface does not hide them.
+# Depth offset of lines towards the eye, against z-fighting with their own surface.
 NEARER = np.diag((1.0, 1.0, 1.0 - 1e-4, 1.0))
 
 
@@ -26,7 +26,7 @@ class PlainLines:
         self.lines, self.drawn = None, None
 
     def upload(self, paths):
-        """Vertices of the lines; the same ones again cost nothing."""
+        """Uploads the vertices of the lines, if the paths have changed."""
         if self.drawn is not None and np.array_equal(self.drawn, paths.ids):
             return
         self.drawn = np.array(paths.ids)
@@ -41,7 +41,7 @@ class PlainLines:
         self.lines = batch("LINES", points[np.stack((first, first + 1), axis=1).ravel()])
 
     def draw(self, world_to_clip, width, height):
-        """Target with the picture, drawn to the end."""
+        """Draws the picture and waits for the GPU; returns its Target."""
         target = Target(width, height, "RGBA8", depth=True)
         with target.bind() as framebuffer, gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
             framebuffer.clear(color=(1.0, 1.0, 1.0, 1.0), depth=1.0)

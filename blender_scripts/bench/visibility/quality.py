@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How right a method is, sample by sample and from frame to frame, judged by exact visibility.
+"""Correctness of a method per sample, and its temporal coherence, relative to exact visibility.
 
-Samples of two frames lie at different places. What is followed are fixed places on whole edges of the mesh, PLACES of
-them on each: their visibility is that of the sample they fall into."""
+Samples of two frames are at different positions. So fixed points on whole mesh edges, at the fractions PLACES, are
+followed over frames; a point has the visibility of the sample that contains it."""
 
 import numpy as np
 
@@ -11,14 +11,15 @@ UNSET = 0xFFFFFFFF
 
 
 class Judge:
-    """Keeps what the exact method said, which must come first."""
+    """Compares methods with the exact method, which must be passed first."""
 
     def __init__(self):
         self.exact = None
 
     def compare(self, name, frames):
-        """(disagree, flicker): the share of samples that the exact method judges otherwise; the share of followed places
-        whose visibility changes between two frames where exactly it does not. None for a method that gives no samples."""
+        """(disagree, flicker): the share of samples that differ from the exact method; the share of followed points
+        whose visibility changes between two frames while it does not in the exact method. None for a method without
+        samples, flicker also None for a single frame."""
         if frames[0].visibility is None:
             return None, None
         samples = [frame.visibility >= 0.5 for frame in frames]
@@ -31,12 +32,12 @@ class Judge:
 
 
 def follow(frame):
-    """(keys, visible) of the fixed places in a frame, sorted by key."""
+    """(keys, visible) of the followed points in a frame, sorted by key."""
     clipped, paths = frame.clipped, frame.paths
     first = np.flatnonzero(clipped.sample_count > 0)
     point = clipped.source[first]
     after = clipped.source[first + 1]
-    # Segments that are whole in the image and lie along a whole edge.
+    # Segments that are not clipped and cover a whole edge.
     whole = (clipped.source_t[first] == 0) & (after == point + 1) & (clipped.source_t[first + 1] == 0)
     reversed_ = paths.edge_t[point] == 1
     whole &= (paths.place[point] < frame.edge_counts[frame.placement_of(point)]) & (
@@ -56,7 +57,7 @@ def follow(frame):
 
 
 def flickers(mine, right):
-    """Share of the places seen in both frames that change, but not by right."""
+    """Share of the points in both frames that change while they do not in the exact method."""
     (keys0, mine0), (keys1, mine1) = mine
     _, in0, in1 = np.intersect1d(keys0, keys1, return_indices=True)
     (_, right0), (_, right1) = right

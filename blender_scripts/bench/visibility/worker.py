@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea bench visibility`: blender -b -P worker.py -- JSON (scene, methods, frames, size, shared, out).
+"""Runs inside Blender for `fovea bench visibility`: blender -b -P worker.py -- JSON (scene, methods, frames, size,
+shared, out).
 
-Everything happens inside one render, where there is a GPU context. OUT gets a row after every method, so that what
-fails later loses only what came after."""
+Everything runs inside one render, where there is a GPU context. OUT is written after every method, so that a later
+failure does not lose earlier results."""
 
 import json
 import math
@@ -28,13 +29,13 @@ LINES = ("contour", "crease", "border")
 
 @dataclass(frozen=True)
 class World:
-    """The scene as the stages take it."""
+    """The scene as passed to the pipeline."""
 
     placed: object  # native Scene
     object_to_world: np.ndarray  # (n, 4, 4) float64
 
     def seen(self, view):
-        """The native View of one."""
+        """The native View of a stages.View."""
         return scene.seen(native.load(), view)
 
 
@@ -58,7 +59,7 @@ def main(asked):
 
 
 def remembering(kept, name, function):
-    """The function, which keeps what it last returned."""
+    """Wraps a function to store its last result in kept[name]."""
 
     def call(*arguments, **named):
         kept[name] = function(*arguments, **named)
@@ -68,7 +69,7 @@ def remembering(kept, name, function):
 
 
 def middle(scene_):
-    """Of the box around everything."""
+    """Center of the bounding box of all meshes, world space."""
     corners = np.array(
         [obj.matrix_world @ Vector(c) for obj in scene_.objects if obj.type == "MESH" for c in obj.bound_box]
     )
@@ -85,7 +86,8 @@ def set_drawing(scene_, size):
 
 
 def orbit(view, pivot, frames, step=STEP, more=0):
-    """Views, `step` apart, turning about the vertical axis through the pivot; `more`: before and after them."""
+    """Views rotated about the vertical axis through the pivot in steps of `step` radians; `more`: additional views
+    before and after."""
     views = []
     for k in range(-more, frames + more):
         turn = np.array(Matrix.Rotation(k * step, 4, "Z"))

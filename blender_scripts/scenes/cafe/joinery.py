@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Door and windows, each a hair smaller than its opening, so that its outline is its own."""
+"""Door and windows, each GAP smaller than its opening on every side, so that it has an outline of its own."""
 
 import math
 
@@ -59,7 +59,7 @@ def window(angle: float):
     put(radial(arched("Window frame", 0.72, 1.3, 2.15, 0.05), angle, INSET), "joinery")
     casement = shapes.moved(bars(0.616, 0.79, 2, 2, 0.03, 0.05).mesh("Casement"), (-0.308, 0.035, 1.305))
     put(radial(casement, angle, INSET), "joinery")
-    blind = Solid().add((-0.33, 0.33), (0.12, 0.13), (1.31, 2.46)).mesh("Blind")  # there is nothing to see inside
+    blind = Solid().add((-0.33, 0.33), (0.12, 0.13), (1.31, 2.46)).mesh("Blind")  # the tower has no interior
     put(radial(blind, angle, INSET), "cloth")
     put(radial(Solid().add((-0.41, 0.41), (-0.11, 0.05), (1.2, 1.297)).mesh("Sill"), angle), "trim")
 

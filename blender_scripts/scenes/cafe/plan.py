@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The measures that the cafe's parts share, in metres; the tower's axis is the z axis."""
+"""Dimensions shared by the cafe's parts, in meters; the tower's axis is the z axis."""
 
 import math
 
@@ -7,9 +7,9 @@ from .. import shapes
 
 RADIUS, WALL = 1.7, 0.3  # of the tower
 CORNICE = 4.63  # its upper edge
-DOOR = 251.0  # where the door looks, degrees from +x
-SILL = 0.47  # of the door, a hand above three steps
-WINDOWS = (DOOR - 58, DOOR + 56)  # where the tower's windows look
+DOOR = 251.0  # direction that the door faces, degrees from +x
+SILL = 0.47  # height of the door's sill, just above three steps
+WINDOWS = (DOOR - 58, DOOR + 56)  # directions that the tower's windows face
 OCULI = (DOOR - 44, DOOR, DOOR + 44)
 OCULUS = 3.83  # height of their middles
 
@@ -21,6 +21,6 @@ SHOP = (4.1, 7.9, 0.75, 2.35)  # its window: x from, to, z from, to
 
 
 def radial(shape, angle: float, radius: float = RADIUS):
-    """Takes a mesh made around x = y = 0, looking to -y, to the tower's wall."""
+    """Moves a mesh that is at x = y = 0 and faces -y to the tower's wall; `angle`: degrees from +x."""
     turn = math.radians(angle)
     return shapes.moved(shape, (radius * math.cos(turn), radius * math.sin(turn), 0), (0, 0, turn + math.pi / 2))

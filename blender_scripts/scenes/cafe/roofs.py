@@ -65,7 +65,7 @@ def finial():
 
 
 def height(y):
-    """Of the wing's slope."""
+    """z of the wing's roof at y."""
     return EAVE + (y - EDGE) * PITCH
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Awning, signs, and what one sees through the shop window."""
+"""Awning, signs, and the interior visible through the shop window."""
 
 import math
 

@@ -25,7 +25,7 @@ def build(argument, shared):
 
 
 def furnish(shared):
-    """Linked copies, the loose ones turned a little off the plan, as people leave things."""
+    """Adds linked copies of the furniture, with small random rotations of movable pieces."""
     furniture, draw = Furniture(shared), np.random.default_rng(1)
     for k, floor in enumerate(FLOORS):
         for name, x, y, turn, *more in floor.pieces:
@@ -36,7 +36,7 @@ def furnish(shared):
 
 
 def surroundings():
-    """A base like a model's, trees, what stands on a roof."""
+    """The base plate, trees, and ventilation units and chimneys on the roof."""
     put(Solid().add((-5, WIDTH + 3.5), (-2.6, DEPTH + 2.5), (-0.35, -0.001)).mesh("Base"), "stone")
     for x, y, height, radius, seed in ((-3.2, 6.6, 2.3, 1.5, 2), (-3.4, -1.0, 1.6, 1.0, 5), (19.0, 2.4, 2.1, 1.2, 9)):
         plants.tree((x, y, 0), height, radius, seed, segments=14)

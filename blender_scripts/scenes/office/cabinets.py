@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain furniture made of boxes, where the models are absent."""
+"""Simple furniture made of boxes, used where no model files are available."""
 
 import numpy as np
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Furniture by name: models from a folder where there is one, else modelled here. Each is one mesh, standing on z = 0,
-its middle over the origin, looking to -y, in metres."""
+"""Furniture by name: imported from a folder of models if available, else generated. Each is one mesh in meters,
+standing on z = 0, centered over the origin, facing -y."""
 
 from pathlib import Path
 
@@ -47,7 +47,7 @@ def imported(model: Path):
 
 
 def plain(material):
-    """The color of the file also where materials are drawn flat; its pictures are left out."""
+    """Copies a material's base color to its viewport color, and removes its image textures."""
     shader = material.node_tree.nodes.get("Principled BSDF") if material and material.node_tree else None
     if shader:
         socket = shader.inputs["Base Color"]

@@ -12,7 +12,7 @@ def build():
     made = Solid().add((-0.1, WIDTH + 0.1), (-0.4, DEPTH + 0.1), (0, PLINTH))
     for k in range(len(FLOORS)):
         storey(made, k)
-    for k, floor in enumerate(FLOORS):  # after the storeys below, whose walls would close the holes again
+    for k, floor in enumerate(FLOORS):  # after all storeys, whose walls would fill the holes again
         for x0, x1, y0, y1 in floor.openings:
             made.cut((x0, x1), (y0, y1), (level(k) - SLAB, level(k)))
     roof(made)

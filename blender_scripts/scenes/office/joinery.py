@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Windows and doors: linked copies, each a hair smaller than its opening, so that its outline is its own."""
+"""Windows and doors: linked copies, each GAP smaller than its opening on every side, so that it has an outline of its
+own."""
 
 from .. import shapes
 from ..place import put
@@ -24,7 +25,7 @@ def glaze():
     for x, y, along, k in windows():
         turn = 0 if along else 90 if x > WIDTH / 2 else -90
         put(frame, "frame", (x, y, level(k) + sill), turn)
-        if turn < 0:  # on the facade that one sees from outside
+        if turn < 0:  # only on the facade that the camera sees
             put(board, "stone", (-0.001, y, level(k) + sill), turn)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain furniture for the office where the models are absent, under the same names."""
+"""Generated furniture for the office, used where no model files are available, with the same names."""
 
 import math
 

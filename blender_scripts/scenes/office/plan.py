@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The plan of the office: five floors, each cut back further than the one below, so that one looks into all of them.
+"""The plan of the office: five floors, each cut back further than the one below, so that the camera sees into all.
 
 x runs along the front, y into the house, z up; metres. Furniture: (name, x, y, turn in degrees, height above the floor,
 scale); the last two may be left out."""
@@ -33,7 +33,7 @@ def level(floor: int) -> float:
 
 
 def front(floor: int) -> float:
-    """Where a floor is cut open."""
+    """y at which a floor is cut open."""
     return 1.2 * floor
 
 

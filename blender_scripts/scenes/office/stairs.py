@@ -16,12 +16,12 @@ def build():
             flight(x, y0, y1, level(k))
         for x0, x1, y0, y1 in floor.openings:
             around = [(x0 - 0.06, y1 + 0.06), (x1 + 0.06, y1 + 0.06), (x1 + 0.06, y0 - 0.06), (x0 - 0.06, y0 - 0.06)]
-            for a, b in zip(around[:-1], around[1:]):  # open on the side where one arrives
+            for a, b in zip(around[:-1], around[1:]):  # no railing on the side of the stairs
                 rail((*a, level(k)), (*b, level(k)), 0.95, max(2, round(math.dist(a, b) / 0.5)))
 
 
 def flight(x: float, y0: float, y1: float, z: float):
-    """From x, rising to -x."""
+    """A flight of stairs from x, rising towards -x."""
     rise, steps = HEIGHT / RISERS, Solid()
     for k in range(RISERS - 1):
         under = z + max(0, rise * (k - 1))
