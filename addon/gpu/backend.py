@@ -42,6 +42,8 @@ class Backend(native.load().Backend):
             return native.load().CpuBackend(self.most_side).visibility(frame)
         self.clock.start()
         atlas = Atlas(self._programs, frame, self.batch_samples)
+        if look == self._look_for_items:
+            atlas.add_table("items", item_of_point(frame.clipped))
         self.clock.mark("tables")
         for layout in self.layouts(frame) if atlas.batches else ():
             look(atlas, frame, layout)
@@ -55,7 +57,6 @@ class Backend(native.load().Backend):
         atlas.run("visibility", layout, _looked_into(depth), **_looks(frame))
 
     def _look_for_items(self, atlas, frame, layout):
-        atlas.add_table("items", item_of_point(frame.clipped))
         depth = self._depth(frame, layout)
         layers = self._items.draw(atlas, depth, layout, frame.options.layers)
         self.clock.mark("items", layers[-1])
