@@ -36,21 +36,13 @@ bool in_image(const ClippedPaths& clipped, Index piece) {
     return clipped.depth[clipped.pieces.begin(piece)] >= before_all;
 }
 
-template <typename T>
-Array<T> in_order(const std::vector<Array<T>>& parts) {
-    Array<T> all;
-    for (const Array<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
 Array<Stretch> visible_stretches(const ClippedPaths& clipped, const Runs& runs) {
-    using Part = Array<Stretch>;
-    return in_order(parallel_parts<Part>(runs.size(), runs_per_block, [&](Part& part, std::size_t r, std::size_t last) {
+    return parallel_collect<Stretch>(runs.size(), runs_per_block, [&](std::size_t r, std::size_t last, auto& part) {
         for (; r < last; ++r)
             if (runs.invisibility[r] == 0 && !in_image(clipped, runs.piece[r]))
                 for_stretches(clipped, runs.piece[r], runs.start_px[r], runs.end_px[r],
                               [&](const Stretch& stretch) { part.push_back(stretch); });
-    }));
+    });
 }
 
 /// A position on a segment, by its screen fraction.
@@ -100,7 +92,7 @@ std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, con
 
 /// Adds the crossings at which a run passes behind others on one of its stretches.
 void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const StretchGrid& grid, const Stretch& far,
-          Array<PassBehind>& found) {
+          std::vector<PassBehind>& found) {
     const Index piece = runs.piece[run];
     grid.near(far.a, far.b, [&](const Stretch& near) {
         if (near.point == far.point) return;
@@ -123,8 +115,7 @@ void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const 
 
 Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> wanted) {
     const StretchGrid grid(visible_stretches(clipped, runs));
-    using Part = Array<PassBehind>;
-    return in_order(parallel_parts<Part>(runs.size(), runs_per_block, [&](Part& part, std::size_t r, std::size_t last) {
+    return parallel_collect<PassBehind>(runs.size(), runs_per_block, [&](std::size_t r, std::size_t last, auto& part) {
         for (; r < last; ++r) {
             const Index piece = runs.piece[r];
             if (!wanted[clipped.path[piece]] || runs.invisibility[r] != 0 || in_image(clipped, piece)) continue;
@@ -133,7 +124,7 @@ Array<PassBehind> passes_behind(const ClippedPaths& clipped, const Runs& runs, I
         }
         // The grid returns stretches in unspecified order.
         std::ranges::sort(part, {}, [](const PassBehind& p) { return std::tuple(p.piece, p.arc_px, p.sine); });
-    }));
+    });
 }
 
 }  // namespace fovea::runs
