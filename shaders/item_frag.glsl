@@ -5,8 +5,7 @@ void main()
 {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 here = texelFetch(depth_buffer, texel, 0);
-  float slope = max(abs(here.y), abs(here.z)) / buffer_scale;
-  if (here.w >= 0.0 && here.x - line_depth > slope * slope_factor + here.x * bias) {
+  if (here.w >= 0.0 && item_hidden(here.xyz, line_depth, buffer_scale, slope_factor, bias)) {
     discard;
   }
   if ((layers_in_front > 0 && texelFetch(layer0, texel, 0).x == item_number) ||

@@ -3,18 +3,16 @@
 // of the one in the first.
 void main()
 {
-  float coverage = min(1.0, place.y + 0.5 - abs(place.x));
+  float coverage = band_coverage(place);
   if (coverage < 0.5 / 255.0) {
     discard;
   }
   if (layers_in_front > 0) {
     vec4 first = unpacked_texel(texelFetch(layer0, ivec2(gl_FragCoord.xy), 0).xy);
-    float cosine = dot(first.zw, line_owner.xy);
-    if (first.x == line_owner.z || cosine * cosine >= 0.5 * dot(first.zw, first.zw)) {
+    if (first.x == line_owner.z || !bands_cross(first.zw, line_owner.xy)) {
       discard;
     }
   }
-  float side = place.x < 0.0 ? -1.0 : 1.0, length = 1.0 - 0.5 * min(1.0, abs(place.z));
-  bool right = (place.z > 0.0) == (side > 0.0);
-  texel = packed_texel(vec4(line_owner.z, right ? -coverage : coverage, line_owner.xy * (side * length)));
+  vec2 away = line_owner.xy * band_side(place);
+  texel = packed_texel(vec4(line_owner.z, band_ends_right(place) ? -coverage : coverage, away));
 }

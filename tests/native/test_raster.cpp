@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include <fovea/image/triangle.h>
+#include <fovea/raster/fixed_triangle.h>
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
 

@@ -5,16 +5,23 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
-#include <fovea/image/tiles.h>
+#include <fovea/raster/tiles.h>
 
 namespace fovea::elision {
+namespace formulas {
+
+using namespace glm;
+
+struct Band {
+#include <shared/band.glsl>
+};
+
+}  // namespace formulas
+
 namespace {
 
-/// Has the sign of the cosine of twice the angle between two lines.
-float cosine_of_double(const PriorityTexel& a, const PriorityTexel& b) {
-    const vec2 u(a.away_x, a.away_y), v(b.away_x, b.away_y);
-    const float c = glm::dot(u, v);
-    return 2.0f * c * c - glm::dot(u, u) * glm::dot(v, v);
+bool cross(const PriorityTexel& a, const PriorityTexel& b) {
+    return formulas::Band{}.bands_cross(vec2(a.away_x, a.away_y), vec2(b.away_x, b.away_y));
 }
 
 /// Bands are drawn by descending rank, so the first entry stays.
@@ -22,7 +29,7 @@ void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) 
     PriorityTexel& first = buffer.first[pixel];
     if (first.rank == 0) {
         first = texel;
-    } else if (!first.crossed && first.rank != texel.rank && cosine_of_double(first, texel) < 0.0f) {
+    } else if (!first.crossed && first.rank != texel.rank && cross(first, texel)) {
         first.crossed = 1;
         buffer.second[pixel] = texel;
     }
@@ -36,17 +43,16 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
     const OverTriangle<3> across(shape, bands.across[c[0]], bands.across[c[1]], bands.across[c[2]]);
     const vec3 owner = bands.owner[c[0]];
     PriorityTexel texel{std::uint32_t(owner.z), 0, 0, 0, 0, 0};
+    formulas::Band formula;
     for (int row = box.y0; row < box.y1; ++row) {
         int begin = box.x0, end = box.x1;
         shape.span(row, begin, end);
         for (int column = begin; column < end; ++column) {
             const vec3 place = across.at(column, row);
-            const float coverage = std::min(1.0f, place.y + 0.5f - std::abs(place.x));
-            texel.coverage = std::uint8_t(std::max(0.0f, coverage) * 255.0f + 0.5f);
+            texel.coverage = std::uint8_t(formula.band_coverage(place) * 255.0f + 0.5f);
             if (texel.coverage == 0) continue;
-            const float length = 1.0f - 0.5f * std::min(1.0f, std::abs(place.z));
-            const float away = std::copysign(PriorityTexel::away_unit * length, place.x);
-            texel.right = (place.z > 0.0f) == (away > 0.0f);
+            const float away = PriorityTexel::away_unit * formula.band_side(place);
+            texel.right = formula.band_ends_right(place);
             texel.away_x = int(std::lround(owner.x * away));
             texel.away_y = int(std::lround(owner.y * away));
             put(buffer, std::size_t(row) * buffer.width + column, texel);

@@ -6,7 +6,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
-#include <fovea/image/tiles.h>
+#include <fovea/raster/tiles.h>
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
 

@@ -6,6 +6,16 @@
 #include <fovea/base/check.h>
 
 namespace fovea::visibility {
+namespace formulas {
+
+using namespace glm;
+
+struct Items {
+#include <shared/item.glsl>
+};
+
+}  // namespace formulas
+
 namespace {
 
 constexpr int most_layers = 3;
@@ -91,9 +101,10 @@ class Drawing {
     void put(int x, int y, const Line& s, double t) {
         const float depth = float(glm::mix(s.depth_from, s.depth_to, t));
         const DepthTexel& here = depth_.at(x, y);
-        const float step = std::max(std::abs(here.ddx), std::abs(here.ddy)) / float(depth_.scale);
-        const float least = step * options_.slope_factor + here.depth * options_.bias;
-        if (here.facet != none && here.depth - depth > least) return;
+        const vec3 plane(here.depth, here.ddx, here.ddy);
+        if (here.facet != none &&
+            formulas::Items{}.item_hidden(plane, depth, float(depth_.scale), options_.slope_factor, options_.bias))
+            return;
         const std::size_t first = (std::size_t(y) * buffer_.width + x) * buffer_.layers;
         insert(&buffer_.items[first], &nearness_[first], s.item, std::min(depth, 1.0f));
     }

@@ -4,9 +4,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea::visibility {
-
-namespace formulas {
+namespace fovea::visibility::formulas {
 
 using namespace glm;
 
@@ -15,5 +13,4 @@ struct Edges {
 #include <shared/edges.glsl>
 };
 
-}  // namespace formulas
-}  // namespace fovea::visibility
+}  // namespace fovea::visibility::formulas

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/image/tiles.h>
+#include <fovea/raster/tiles.h>
 
 #include <fovea/base/parallel.h>
 
-namespace fovea::image {
+namespace fovea::raster {
 
 namespace {
 
@@ -52,4 +52,4 @@ Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int heig
     return tiles;
 }
 
-}  // namespace fovea::image
+}  // namespace fovea::raster

@@ -2,9 +2,9 @@
 // Binning of triangles into image tiles.
 #pragma once
 
-#include <fovea/image/triangle.h>
+#include <fovea/raster/fixed_triangle.h>
 
-namespace fovea::image {
+namespace fovea::raster {
 
 /// Triangles per tile, in input order.
 struct Tiles {
@@ -18,4 +18,4 @@ struct Tiles {
 /// Corners in px; triangles that cover no pixel center of the image are dropped.
 Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int height);
 
-}  // namespace fovea::image
+}  // namespace fovea::raster

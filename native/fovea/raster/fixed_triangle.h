@@ -8,7 +8,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea::image {
+namespace fovea::raster {
 
 /// Half-open rectangle of pixels.
 struct PixelBox {
@@ -114,4 +114,4 @@ class OverTriangle {
     Value at_origin_, slope_x_, slope_y_;
 };
 
-}  // namespace fovea::image
+}  // namespace fovea::raster
