@@ -1,29 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fits a monotone cubic (native/fovea/focus/transfer.h) to a densely sampled response curve with few control points."""
+"""Fits a monotone cubic (native/fovea/focus/monotone_cubic.h) to a densely sampled response curve, with few points."""
 
 from functools import lru_cache
 
 import numpy as np
 
+from . import native
+
 TOLERANCE = 1e-3
-
-
-def monotone_cubic(points, x):
-    """Values at `x` of the monotone cubic through (n, 2) points with ascending x; constant beyond the first and the
-    last point. The same interpolation as native/fovea/focus/transfer.cpp."""
-    px, py = np.asarray(points, float).T
-    if len(px) == 1:
-        return np.full(len(x), py[0])
-    chord = np.diff(py) / np.diff(px)
-    before, after = np.concatenate([chord[:1], chord]), np.concatenate([chord, chord[-1:]])
-    rising = before * after > 0
-    slope = np.where(rising, 2 * before * after / np.where(rising, before + after, 1.0), 0.0)
-    i = np.clip(np.searchsorted(px, x) - 1, 0, len(px) - 2)
-    h = px[i + 1] - px[i]
-    t = np.clip((x - px[i]) / h, 0, 1)
-    s = 1 - t
-    ends = s * s * (1 + 2 * t) * py[i] + t * t * (3 - 2 * t) * py[i + 1]
-    return ends + h * s * t * (s * slope[i] - t * slope[i + 1])
 
 
 @lru_cache(maxsize=64)
@@ -71,4 +55,4 @@ def _thinned(x, y, chosen, kept):
 
 
 def _off(x, y, chosen):
-    return np.abs(monotone_cubic(np.stack([x[chosen], y[chosen]], axis=1), x) - y)
+    return np.abs(native.load().monotone_cubic(np.stack([x[chosen], y[chosen]], axis=1), x) - y)

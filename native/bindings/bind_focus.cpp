@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <fovea/focus/focus.h>
+#include <fovea/focus/monotone_cubic.h>
 #include <fovea/focus/transfer.h>
 
 #include "bindings/arrays.h"
@@ -25,6 +26,18 @@ Numpy<float> answers(const Transfer& transfer, const Arg<float>& values) {
     }));
 }
 
+Numpy<float> interpolated(const Arg<vec2>& points, const Arg<float>& x) {
+    const In<vec2> through = borrow<vec2>(points, "points");
+    const In<float> at = borrow<float>(x, "x");
+    const bool ascends = std::ranges::is_sorted(through, std::ranges::less_equal{}, &vec2::x);
+    check(!through.empty() && ascends, "monotone cubic: points with ascending x expected, at least one");
+    return to_numpy(without_gil([&] {
+        Array<float> out(at.size());
+        std::ranges::transform(at, out.begin(), MonotoneCubic(through));
+        return out;
+    }));
+}
+
 }  // namespace
 
 void bind_focus(py::module_& m) {
@@ -34,6 +47,8 @@ void bind_focus(py::module_& m) {
              py::arg("curve") = std::vector<vec2>(),
              "curve: points (x, y) of the response, ascending in x; none: straight.")
         .def("__call__", &answers, py::arg("values"), "(n,) float32 mixes in [0, 1] of (n,) values.");
+    m.def("monotone_cubic", &interpolated, py::arg("points"), py::arg("x"),
+          "(n,) float32 of (n,) x: the response curve through (k, 2) points, ascending in x, that a Transfer follows.");
     py::class_<Focus>(m, "Focus", "Where the viewer shall look; see native/fovea/focus/focus.h.")
         .def(
             "of_pixels",

@@ -16,14 +16,22 @@ def fitted(y, kept=(), corners=(), most=32):
 
 
 def off(y, chosen):
-    return np.abs(curve_fit.monotone_cubic(np.stack([X[chosen], y[chosen]], axis=1), X) - y).max()
+    return np.abs(core.monotone_cubic(np.stack([X[chosen], y[chosen]], axis=1), X) - y).max()
 
 
-def test_points_are_joined_as_transfer_functions_join_them():
+def test_transfer_functions_follow_the_monotone_cubic():
     points = np.array([(0.0, 0.1), (0.2, 0.7), (0.45, 0.3), (0.5, 0.3), (0.9, 1.0)], np.float32)
     x = np.linspace(0, 1, 65)
-    native_values = [core.Transfer(0.0, 1.0, 1.0, points)(np.array([v], np.float32))[0] for v in x]
-    assert np.allclose(curve_fit.monotone_cubic(points, x), native_values, atol=1e-5)
+    transfer = core.Transfer(0.0, 1.0, 1.0, points)
+    assert np.allclose(core.monotone_cubic(points, x), transfer(x), atol=1e-6)
+    assert np.allclose(core.monotone_cubic(points, points[:, 0]), points[:, 1], atol=1e-7)
+
+
+def test_a_monotone_cubic_needs_points_and_is_constant_with_one():
+    assert (core.monotone_cubic([(0.5, 0.25)], X) == 0.25).all()
+    for points in ([], [(0.5, 0), (0.5, 1)], [(0.5, 0), (0.2, 1)]):
+        with pytest.raises(ValueError, match="ascending x"):
+            core.monotone_cubic(np.reshape(points, (-1, 2)), X)
 
 
 CURVES = {

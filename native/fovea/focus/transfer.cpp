@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/focus/monotone_cubic.h>
 
 namespace fovea::focus {
 namespace {
@@ -17,37 +18,6 @@ void check_curve(In<vec2> curve) {
     }
 }
 
-/// Monotone cubic interpolant of points.
-class Curve {
-   public:
-    explicit Curve(In<vec2> points) : points_(points), slope_(points.size(), 0.0f) {
-        const auto chord = [&](std::size_t i) {
-            return (points[i + 1].y - points[i].y) / (points[i + 1].x - points[i].x);
-        };
-        const std::size_t last = points.size() - 1;
-        for (std::size_t i = 0; i <= last && last > 0; ++i) {
-            const float a = chord(i > 0 ? i - 1 : 0), b = chord(i < last ? i : last - 1);
-            // The harmonic mean is at most twice the lesser slope, so that the cubic is monotone.
-            slope_[i] = a * b > 0.0f ? 2.0f * a * b / (a + b) : 0.0f;
-        }
-    }
-
-    float operator()(float x) const {
-        if (x <= points_.front().x) return points_.front().y;
-        if (x >= points_.back().x) return points_.back().y;
-        std::size_t i = 0;
-        while (points_[i + 1].x < x) ++i;
-        const vec2 p = points_[i], q = points_[i + 1];
-        const float h = q.x - p.x, t = (x - p.x) / h, s = 1.0f - t;
-        return s * s * (1.0f + 2.0f * t) * p.y + t * t * (3.0f - 2.0f * t) * q.y +
-               h * s * t * (s * slope_[i] - t * slope_[i + 1]);
-    }
-
-   private:
-    In<vec2> points_;
-    std::vector<float> slope_;
-};
-
 }  // namespace
 
 Transfer::Transfer(float start, float end, float strength, In<vec2> curve)
@@ -57,7 +27,7 @@ Transfer::Transfer(float start, float end, float strength, In<vec2> curve)
     check_curve(curve);
     for (int k = 0; k <= steps; ++k) response_[k] = float(k) / steps;
     if (curve.empty()) return;
-    const Curve response(curve);
+    const MonotoneCubic response(curve);
     for (float& y : response_) y = response(y);
 }
 

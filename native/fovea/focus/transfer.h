@@ -16,9 +16,8 @@ class Transfer {
     /// The identity.
     Transfer() : Transfer(0.0f, 1.0f, 1.0f, {}) {}
 
-    /// `curve`: points (x, y) of the response, x ascending, all in [0,1], interpolated by a monotone cubic (Fritsch &
-    /// Carlson 1980), constant beyond the first and the last; empty: linear. Throws std::invalid_argument for other
-    /// points, and for non-finite numbers.
+    /// `curve`: points (x, y) of the response, x ascending, all in [0,1], interpolated as in monotone_cubic.h;
+    /// empty: linear. Throws std::invalid_argument for other points, and for non-finite numbers.
     Transfer(float start, float end, float strength, In<vec2> curve);
 
     /// NaN counts as 0.
