@@ -12,7 +12,7 @@ from .clock import Clock
 from .elision import ElisionPass, border_of
 from .items import ItemPass, item_of_point
 from .program import Programs, triangles
-from .strokes import Picture, StrokePass, box_of, boxes
+from .strokes import StrokePass, box_of, boxes
 from .texture import Target, size_limit, upload_row
 
 _BACKGROUND = (0.0, 0.0, 0.0, -1.0)  # depth, slopes, facet
@@ -119,42 +119,42 @@ class Backend(native.load().Backend):
         """Side of an elision tile in pixels without the border on both sides; at least 64."""
         return max(min(size_limit(), self.most_side) - 2 * border_of(elision), 64)
 
-    def draw(self, frame):
-        """Draws a Frame's strokes alone: (height, width, 4) float32, premultiplied, bottom row first."""
-        if frame.options.visibility == "spine":
-            return self._draw_spine(frame)
-        return self.draw_strokes(frame.strokes, frame.pens, frame.textures, frame.view)
-
-    def draw_strokes(self, strokes, pens, textures, view):
-        """Draws strokes without any visibility test; returns the same as `draw`."""
-        picture = Picture(view)
-        if len(strokes.triangles) == 0:
-            return picture.pixels
+    def draw(self, frame, image=None):
+        """Draws a Frame's strokes alone into `image` (height, width, 4) float32, premultiplied, bottom row first, and
+        returns it; None: into a new one."""
+        if image is None:
+            image = np.empty((frame.view.height, frame.view.width, 4), np.float32)
         self.clock.start()
-        passes = StrokePass(self._programs, strokes, pens, textures)
-        self.clock.mark("upload")
-        for box in boxes(view.width, view.height, min(size_limit(), self.most_side)):
-            self._put(picture, box, passes.draw(box))
-        return picture.pixels
+        if len(frame.strokes.triangles) == 0:
+            image.fill(0.0)
+        elif frame.options.visibility == "spine":
+            self._draw_spine(frame, image)
+        else:
+            self._draw_strokes(frame, image)
+        return image
 
-    def _draw_spine(self, frame):
+    def _draw_strokes(self, frame, image):
+        """Draws strokes without any visibility test."""
+        passes = StrokePass(self._programs, frame.strokes, frame.pens, frame.textures)
+        self.clock.mark("upload")
+        for box in boxes(frame.view.width, frame.view.height, min(size_limit(), self.most_side)):
+            self._put(image, box, passes.draw(box))
+
+    def _draw_spine(self, frame, image):
         """Draws strokes with the spine test: a fragment's opacity is scaled by the visibility of its stroke's spine at
         the same arc length."""
-        picture, strokes = Picture(frame.view), frame.strokes
-        if len(strokes.triangles) == 0:
-            return picture.pixels
-        self.clock.start()
+        strokes = frame.strokes
         sides = native.load().OwnSides(frame.clipped, frame.scene, frame.view)
         segments = upload_row(sides.spine_table(frame.clipped))
         offsets = frame.clipped.offsets.astype(np.float32)
         ranges = np.stack((offsets[strokes.piece], offsets[strokes.piece + 1] - 2), axis=1)
         passes = StrokePass(self._programs, strokes, frame.pens, frame.textures, ranges)
         self.clock.mark("upload")
+        image.fill(0.0)
         for layout in self.layouts(frame, math.ceil(2 * strokes.half_width.max())):
             box = box_of(layout, frame.view)
             if box[0] < box[2] and box[1] < box[3]:
-                self._put(picture, box, self._draw_seen(frame, layout, box, passes, segments))
-        return picture.pixels
+                self._put(image, box, self._draw_seen(frame, layout, box, passes, segments))
 
     def _draw_seen(self, frame, layout, box, passes, segments):
         depth = self._depth(frame, layout)
@@ -162,9 +162,11 @@ class Backend(native.load().Backend):
         border = (layout.border_x, layout.border_y)
         return passes.draw(box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame))
 
-    def _put(self, picture, box, target):
+    def _put(self, image, box, target):
+        """Copies a Target to its box (left, lower, right, upper) of an image."""
         self.clock.mark("strokes", target)
-        picture.paste(box, target)
+        left, lower, right, upper = box
+        image[lower:upper, left:right] = target.read(4)
         self.clock.mark("read")
 
 

@@ -57,14 +57,3 @@ def box_of(layout, view):
     """Box (left, lower, right, upper) in pixels: a DepthLayout's core, clipped to the image; may be empty."""
     left, lower, right, upper = layout.core
     return max(int(left), 0), max(int(lower), 0), min(int(right), view.width), min(int(upper), view.height)
-
-
-class Picture:
-    """An image (height, width, 4) float32, assembled from boxes."""
-
-    def __init__(self, view):
-        self.pixels = np.zeros((view.height, view.width, 4), np.float32)
-
-    def paste(self, box, target):
-        left, lower, right, upper = box
-        self.pixels[lower:upper, left:right] = target.read(4)

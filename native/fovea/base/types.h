@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fovea/base/large_memory.h>
 #include <fovea/base/namespaces.h>
 
 namespace fovea::base {
@@ -35,12 +36,24 @@ template <typename T>
 using In = std::span<const T>;
 
 /// Allocator that leaves trivial values uninitialized: arrays of millions are filled in parallel right afterwards.
+/// Large arrays have memory of their own (base/large_memory.h).
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     template <typename U>
     struct rebind {
         using other = UninitializedAllocator<U>;
     };
+    T* allocate(std::size_t count) {
+        if (count > SIZE_MAX / sizeof(T)) throw std::bad_array_new_length();
+        const std::size_t bytes = count * sizeof(T);
+        return bytes < large_memory ? std::allocator<T>::allocate(count) : static_cast<T*>(allocate_large(bytes));
+    }
+    void deallocate(T* memory, std::size_t count) noexcept {
+        if (count * sizeof(T) < large_memory)
+            std::allocator<T>::deallocate(memory, count);
+        else
+            free_large(memory, count * sizeof(T));
+    }
     template <typename U>
     void construct(U* p) noexcept {
         ::new (static_cast<void*>(p)) U;

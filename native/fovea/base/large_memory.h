@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Memory of large arrays, such as images.
+#pragma once
+
+#include <cstddef>
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__linux__)
+#define FOVEA_LARGE_MEMORY_IN_HEAP 1  // where overruns are looked for, or huge pages cannot be asked for
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FOVEA_LARGE_MEMORY_IN_HEAP 1
+#endif
+#endif
+
+namespace fovea::base {
+
+/// Bytes from which arrays take memory here instead of from the heap.
+inline constexpr std::size_t large_memory = std::size_t(4) << 20;
+
+/// Bytes of freed memory that are kept for the next arrays.
+#ifdef FOVEA_LARGE_MEMORY_IN_HEAP
+inline constexpr std::size_t keeps_large_memory = 0;
+#else
+inline constexpr std::size_t keeps_large_memory = std::size_t(256) << 20;
+#endif
+
+/// Uninitialized memory, aligned for any type. Every frame needs the same images, and the system clears each page that
+/// is touched the first time: so freed blocks are kept for later ones of similar size, and new ones consist of huge
+/// pages (Linux, where the system has them). The heap would return such blocks to the system, page by page.
+/// Thread-safe. Throws std::bad_alloc.
+void* allocate_large(std::size_t bytes);
+
+/// Of a pointer from allocate_large, with the same number of bytes.
+void free_large(void* memory, std::size_t bytes) noexcept;
+
+/// Bytes of freed memory that are kept now.
+std::size_t large_memory_kept();
+
+}  // namespace fovea::base

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include <fovea/base/types.h>
+
+namespace fovea {
+namespace {
+
+using namespace base;
+
+constexpr std::size_t many = 3 * large_memory / sizeof(Index);
+
+TEST(LargeMemory, ArraysKeepTheirValuesAsTheyGrowOutOfTheHeap) {
+    Array<Index> values;
+    for (Index i = 0; i < many; ++i) values.push_back(i);
+    for (Index i = 0; i < many; ++i) ASSERT_EQ(values[i], i);
+    values.resize(10);
+    values.shrink_to_fit();
+    EXPECT_EQ(values, (Array<Index>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST(LargeMemory, LargeArraysAreIndependentOfEachOther) {
+    Array<Index> first(many, 1), second(many, 2);
+    const Array<Index> copy = first;
+    first.assign(many, 3);
+    EXPECT_EQ(std::ranges::count(copy, 1u), std::ptrdiff_t(many));
+    EXPECT_EQ(std::ranges::count(second, 2u), std::ptrdiff_t(many));
+    EXPECT_EQ(std::ranges::count(first, 3u), std::ptrdiff_t(many));
+}
+
+TEST(LargeMemory, FreedMemoryIsKeptForTheNextArrayUpToABound) {
+    if (keeps_large_memory == 0) GTEST_SKIP() << "sanitizers take all memory from the heap";
+    const Index* freed = nullptr;
+    {
+        const Array<Index> values(many, 7);
+        freed = values.data();
+    }
+    const Array<Index> next(many, 8);
+    EXPECT_EQ(next.data(), freed);
+    for (int k = 0; k < 3; ++k) {
+        const Array<char> huge(keeps_large_memory / 2 + 1);
+        const Array<char> other(keeps_large_memory / 2 + 1);
+    }
+    EXPECT_LE(large_memory_kept(), keeps_large_memory);
+    EXPECT_GT(large_memory_kept(), keeps_large_memory / 2);
+    {
+        const Array<char> more_than_is_kept(keeps_large_memory + 1);
+    }
+    EXPECT_LE(large_memory_kept(), keeps_large_memory);
+}
+
+TEST(LargeMemory, AnArrayTooLargeForAnyMemoryThrows) {
+    if (keeps_large_memory == 0) GTEST_SKIP() << "the sanitizer of addresses ends the program instead";
+    EXPECT_THROW(Array<vec4>(std::size_t(1) << 58), std::exception);
+    EXPECT_THROW(allocate_large(~std::size_t(0)), std::bad_alloc);
+}
+
+}  // namespace
+}  // namespace fovea
