@@ -157,7 +157,8 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         )
         pull(scene, at, near, max(near, far), self.frame_start, self.frame_end, self.easing)
         if hold(scene, self.frame_start, self.frame_end):
-            told = f"The scene's frames are {scene.frame_start} to {scene.frame_end} now, so that all of the pull is played"
+            frames = f"{scene.frame_start} to {scene.frame_end}"
+            told = f"The scene's frames are {frames} now, so that all of the pull is played"
             self.report({"INFO"}, told)
 
     def _problem(self, scene):

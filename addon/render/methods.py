@@ -8,13 +8,7 @@ from ..gpu import viewport as gpu_viewport
 from ..scene.property_kinds import choice, whole_number
 from . import gpu_context
 
-VISIBILITY = [
-    ("AUTO", "Automatic", "Exact in renders and on software OpenGL, the segment atlas in viewports", 0),
-    ("ATLAS", "Segment Atlas", "A depth buffer decides what is hidden, at every sample along the lines", 2),
-    ("SPINE", "Spine Test", "A depth buffer decides what is hidden while strokes are drawn; ends have no caps", 3),
-    ("ITEM_BUFFER", "Item Buffer", "Lines are drawn by number and seen where their number is found: for comparison", 4),
-    ("EXACT", "Exact", "Rays decide what is hidden", 1),
-]
+AUTOMATIC = ("AUTO", "Automatic", "Exact in renders and on software OpenGL, the segment atlas in viewports", 0)
 LOOKS = ("probes", "depth_scale")
 QUALITY = {
     "AUTO": LOOKS,
@@ -31,11 +25,17 @@ def properties():
     scale = "Texels of the depth buffer to a pixel, along each axis: more is more precise and slower"
     layers = "Lines that a texel of the item buffer holds"
     return {
-        "visibility": choice("Method", "How it is decided what is hidden", items=VISIBILITY),
+        "visibility": choice("Method", "How it is decided what is hidden", items=[AUTOMATIC, *_known()]),
         "probes": choice("Probes", probes, items=PROBES, default="9"),
         "depth_scale": whole_number("Depth Scale", scale, default=2, min=1, max=3),
         "layers": whole_number("Layers", layers, default=3, min=1, max=3),
     }
+
+
+def _known():
+    """Items of an enumeration: the core's methods, numbered in its order; none without the core."""
+    known = () if native.problem() else native.load().VISIBILITY
+    return [(name.upper(), *words, number) for number, (name, *words) in enumerate(known, start=1)]
 
 
 def quality(settings):

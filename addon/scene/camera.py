@@ -124,7 +124,8 @@ def _world_to_view(camera, camera_to_world):
     matrix = np.array(camera_to_world, np.float64)
     if not (np.isfinite(matrix).all() and abs(np.linalg.det(matrix[:3, :3])) > LEAST_VOLUME):
         raise CannotDraw(
-            f"Camera '{camera.name}' looks in no direction, as it is scaled to 0: clear its scale, or that of its parents"
+            f"Camera '{camera.name}' looks in no direction, as it is scaled to 0: "
+            "clear its scale, or that of its parents"
         )
     return np.linalg.inv(matrix)
 

@@ -64,7 +64,8 @@ def grouped(cls):
 def _property(field):
     """The Blender property for a member's declaration."""
     default, kind = field["default"], field["type"]
-    words = field["label"], field["description"]
+    measured = ", in pixels of an image 1080 pixels high" if field["unit"] == "reference pixels" else ""
+    words = field["label"], field["description"] + measured
     limits = {"min": field["min"], "max": field["max"], "soft_max": field["soft_max"]}
     if kind == "switch":
         return switch(*words, default=default)

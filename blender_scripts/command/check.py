@@ -81,7 +81,7 @@ def of_cpp(folder, tidied):
 
 def compile_flags():
     """Compiler flags of the CMake build, without precompiled headers and unity builds, which clang-tidy cannot use."""
-    includes = (PROJECT / "native", PROJECT / "tests" / "native", sysconfig.get_path("include"))
+    includes = (PROJECT / "native", PROJECT / "shaders", PROJECT / "tests" / "native", sysconfig.get_path("include"))
     words = ["-xc++", "-std=c++20", "-Wall", "-Wextra", "-Wno-pragma-once-outside-header"]
     return words + [f"-I{folder}" for folder in includes]
 

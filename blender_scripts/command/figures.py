@@ -21,7 +21,6 @@ ORGANIC = {  # figure -> model, azimuth, elevation (degrees)
     "bunny": ("stanford-bunny", "105", "15"),
     "spot": ("spot", "120", "15"),
 }
-DOCS = PROJECT / "addon" / "docs"
 STYLES, THUMBNAILS = PROJECT / "addon" / "styles", "thumbnails"  # one picture per bundled style
 SIZE = ["--size", "1280x720"]
 STEPS, WINDOW = "first_drawing", (1280, 800)  # pictures of the steps of a page, and pixels of Blender's window in them
@@ -92,7 +91,7 @@ def draw_thumbnails(target):
 def draw_steps(target):
     """Draws the pictures of addon/docs/first_drawing.md; needs xvfb-run."""
     extension.install(target)
-    output = DOCS / STEPS
+    output = pages.DOCS / STEPS
     output.mkdir(parents=True, exist_ok=True)
     script = PROJECT / "blender_scripts" / f"{STEPS}.py"
     with tempfile.TemporaryDirectory() as folder:
@@ -106,8 +105,8 @@ def draw_pages(target, name):
     """Draws a group of pages.py, or one GROUP/PICTURE."""
     extension.install(target)
     wanted = [picture for picture in pages.names() if picture == name or picture.startswith(f"{name}/")]
-    (DOCS / name.partition("/")[0]).mkdir(parents=True, exist_ok=True)
+    (pages.DOCS / name.partition("/")[0]).mkdir(parents=True, exist_ok=True)
     script = PROJECT / "blender_scripts" / "pages.py"
-    actions.in_blender(target, f"drawing the pictures {name}", script, [str(DOCS), *wanted])
+    actions.in_blender(target, f"drawing the pictures {name}", script, [str(pages.DOCS), *wanted])
     for picture in wanted:
-        print(DOCS / pages.file_of(picture))
+        print(pages.DOCS / pages.file_of(picture))

@@ -3,6 +3,9 @@
 
 from dataclasses import dataclass, field
 
+from .target import PROJECT
+
+DOCS = PROJECT / "addon" / "docs"
 LESSON = "lesson:"  # a model of scenes/lessons.py
 SIZE = "640x480"
 SHAPE = ("contour", "border")  # drawn faintly to show the shape
@@ -34,7 +37,7 @@ VASE = LESSON + "vase", _seen(30, 18)
 DRAPERY = LESSON + "drapery", _seen(25, 12)
 EVERY_EDGE = MESH, _params("crease.angle=0")
 
-LINES = {  # definition -> its picture
+_CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
     "contour": Picture("suzanne:1", _seen(25, 8), *EVERY_EDGE),
     "silhouette": Picture("cad/crank-arm.obj", _seen(35, 25), ("contour", "crease")),
     "crease": Picture("cad/fandisk.obj", _seen(35, 25)),
@@ -43,22 +46,20 @@ LINES = {  # definition -> its picture
     "edge_mark": Picture(LESSON + "marked-vase", _seen(30, 18)),
     "smooth_contour": Picture(LESSON + "ring", _seen(20, 58), *EVERY_EDGE),
     "smooth_silhouette": Picture("suzanne:3", _seen(25, 8), ("smooth_contour",)),
-    "suggestive_contour": Picture(*MONKEY),
-    "suggestive_highlight": Picture(*MONKEY),
     "principal_highlight_ridge": Picture(*DRAPERY),
     "principal_highlight_valley": Picture(*DRAPERY),
-    "ridge": Picture(*MONKEY),
-    "valley": Picture(*MONKEY),
-    "apparent_ridge": Picture(*MONKEY),
-    "demarcating_curve": Picture(*MONKEY),
-    "laplacian_line": Picture(*MONKEY),
     "parabolic": Picture(*VASE),
     "zero_mean_curvature": Picture(*VASE),
     "isophote": Picture(LESSON + "pebble", _seen(30, 15)),
     "topographic": Picture(*SPOT),
     "intersection": Picture(LESSON + "crossings", _seen(5, 40)),
-    "image_edge": Picture(*MONKEY),
     "abstracted_shading": Picture(*BUNNY),
+}
+# Every definition that has a page.
+LINES = {
+    page.stem: _CHOSEN.get(page.stem, Picture(*MONKEY))
+    for page in sorted((DOCS / "lines").glob("*.md"))
+    if page.stem != "README"
 }
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea stub`: writes addon/_native.pyi, the type stub of the native module for editors and type checkers, from the
-signatures and docstrings that pybind11 generates."""
+signatures and docstrings that pybind11 generates; and the tables of addon/docs that follow from the module."""
 
 import argparse
 import ast
@@ -10,7 +10,7 @@ import sys
 import textwrap
 import types
 
-from . import package
+from . import package, tables
 from .target import PROJECT, StepFailed
 
 FILE = PROJECT / "addon" / "_native.pyi"
@@ -47,6 +47,10 @@ def stub(target, words):
         raise StepFailed("the stub is made where pybind11 is 3 or later: blender_scripts/fovea stub --on sid")
     FILE.write_text(text(module))
     print(FILE)
+    catalogue, style = (importlib.import_module(f"addon.{name}") for name in ("catalogue", "style"))
+    for page, renewed in tables.pages(catalogue, style).items():
+        page.write_text(renewed, encoding="utf-8")
+        print(page)
     return 0
 
 

@@ -35,12 +35,13 @@ class PythonBackend : public Backend {
     }
     Array<vec4> draw(const Frame& frame) override {
         py::gil_scoped_acquire held;
-        const auto image = method("draw")(frame_of(frame)).cast<Pixels>();
         const View& view = frame.job.view;
-        check(image.ndim() == 3 && image.shape(0) == view.height && image.shape(1) == view.width && image.shape(2) == 4,
-              "backend: expected an image of shape (height, width, 4)");
-        const auto* pixels = reinterpret_cast<const vec4*>(image.data());
-        return {pixels, pixels + image.size() / 4};
+        Array<vec4> image(std::size_t(view.width) * view.height);
+        // A view of memory, not initialized, that the method fills and does not keep.
+        const py::capsule borrowed(&image, [](void*) {});
+        method("draw")(frame_of(frame),
+                       Numpy<float>({view.height, view.width, 4}, reinterpret_cast<float*>(image.data()), borrowed));
+        return image;
     }
 
    private:
@@ -141,6 +142,7 @@ void bind_backend(py::module_& m) {
 void bind_parts(py::module_& m) {
     bind_record<Options>(m, "Options",
                          "Numbers of the method that are not the style's; see native/fovea/draw/options.h.");
+    m.attr("VISIBILITY") = choices<Visibility>();
     py::class_<Assets, std::shared_ptr<Assets>>(m, "Assets", "Pen textures and papers that ship, by name.")
         .def(py::init<std::filesystem::path>(), py::arg("folder"));
     py::class_<ColorSources>(m, "ColorSources", "Where the colors of a scene come from.")

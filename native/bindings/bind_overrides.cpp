@@ -52,9 +52,10 @@ OwningOverrides make_overrides(const Optional<float>& importance,
     if (lined) overrides.lines.materials = *lined;
     overrides.line_sets.resize(std::max(placements.size(), materials.size()));
     for (std::size_t i = 0; i < placements.size(); ++i)
-        if (placements[i]) overrides.line_sets[i].placements = numbers<std::uint8_t>(*placements[i], "placements");
+        if (const auto& given = placements[i])
+            overrides.line_sets[i].placements = numbers<std::uint8_t>(*given, "placements");
     for (std::size_t i = 0; i < materials.size(); ++i)
-        if (materials[i]) overrides.line_sets[i].materials = *materials[i];
+        if (const auto& given = materials[i]) overrides.line_sets[i].materials = *given;
     return made;
 }
 

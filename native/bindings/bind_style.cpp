@@ -12,6 +12,7 @@ namespace fovea::bindings {
 /// A tuple of the path and the parsed value.
 template <>
 struct Member<style::Unknown> {
+    using Python = py::tuple;
     static style::Unknown from(const py::handle& given) {
         const auto [steps, value] = given.cast<std::pair<py::sequence, py::object>>();
         style::Unknown unknown;
@@ -23,7 +24,7 @@ struct Member<style::Unknown> {
         unknown.json = json().attr("dumps")(value).cast<std::string>();
         return unknown;
     }
-    static py::object to(const style::Unknown& unknown) {
+    static Python to(const style::Unknown& unknown) {
         py::tuple path(unknown.path.size());
         for (std::size_t i = 0; i < unknown.path.size(); ++i)
             path[i] = std::visit([](const auto& step) { return py::object(py::cast(step)); }, unknown.path[i]);
@@ -43,14 +44,6 @@ const char* unit_name(style::Unit unit) {
 const char* names_name(style::Names names) {
     static constexpr const char* all[] = {"", "texture", "paper", "datablock", "attribute"};
     return all[static_cast<int>(names)];
-}
-
-template <typename Enum>
-py::list choices() {
-    py::list all;
-    for (const style::Choice& choice : style::choices_of<Enum>)
-        all.append(py::make_tuple(choice.name, choice.label, choice.description));
-    return all;
 }
 
 template <typename V>
@@ -87,12 +80,10 @@ const char* type_name() {
 template <typename S, typename V>
 py::dict told(const style::Field<S, V>& field) {
     const style::Domain& domain = field.domain;
-    std::string description = field.description;
-    if (domain.unit == style::Unit::reference) description += ", in pixels of an image 1080 pixels high";
-    py::dict found(py::arg("name") = field.name, py::arg("label") = field.label, py::arg("description") = description,
-                   py::arg("type") = type_name<V>(), py::arg("group") = field.group,
-                   py::arg("default") = Member<V>::to(S().*field.member), py::arg("min") = domain.least,
-                   py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
+    py::dict found(py::arg("name") = field.name, py::arg("key") = field.key(), py::arg("label") = field.label,
+                   py::arg("description") = field.description, py::arg("type") = type_name<V>(),
+                   py::arg("group") = field.group, py::arg("default") = Member<V>::to(S().*field.member),
+                   py::arg("min") = domain.least, py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
                    py::arg("unit") = unit_name(domain.unit), py::arg("names") = names_name(domain.names),
                    py::arg("most_letters") = style::most_letters(domain.names));
     if constexpr (std::is_enum_v<V>) found["choices"] = choices<V>();
@@ -119,8 +110,9 @@ style::Style read(const std::string& json, std::vector<std::string> textures, st
 void bind_style(py::module_& parent) {
     py::module_ m = parent.def_submodule(
         "style",
-        "What a style is made of. A class tells in `fields` what each of its members is and may be: dicts of name, "
-        "label, description, type, group, default, min, max, soft_max, unit, names, most_letters and "
+        "What a style is made of. A class tells in `fields` what each of its members is and may be: dicts of name, key "
+        "(in files; None: not there), label, description, type, group, default, min, max, soft_max, unit, names, "
+        "most_letters and "
         "choices.");
     bind_part<style::Pen>(m, "Pen", "How strokes look.");
     bind_part<style::Hidden>(m, "Hidden",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <pybind11/typing.h>
 
 #include <fovea/style/field.h>
 
@@ -11,16 +12,26 @@
 namespace fovea::bindings {
 
 // Conversion of a member to and from Python: enumerations by their names, lists and vectors as tuples, named values as
-// dicts, so that members of a record are immutable and compare by value.
+// dicts, so that members of a record are immutable and compare by value. `Python` is what signatures tell of them.
 template <typename T>
 struct Member {
+    using Python = T;
     static T from(const py::handle& given) { return given.cast<T>(); }
-    static py::object to(const T& value) { return py::cast(value); }
+    static Python to(const T& value) { return value; }
+};
+
+template <int N, typename T, glm::qualifier Q>
+struct Member<glm::vec<N, T, Q>> {
+    using Vector = glm::vec<N, T, Q>;
+    using Python = py::typing::Tuple<T, py::ellipsis>;
+    static Vector from(const py::handle& given) { return given.cast<Vector>(); }
+    static Python to(const Vector& value) { return py::reinterpret_steal<Python>(py::cast(value).release()); }
 };
 
 template <typename Enum>
     requires std::is_enum_v<Enum>
 struct Member<Enum> {
+    using Python = py::str;
     static Enum from(const py::handle& given) {
         const auto word = given.cast<std::string>();
         std::string known;
@@ -31,42 +42,49 @@ struct Member<Enum> {
         }
         throw std::invalid_argument("is '" + word + "'; it can be: " + known);
     }
-    static py::object to(Enum value) { return py::str(style::choices_of<Enum>[static_cast<int>(value)].name); }
+    static Python to(Enum value) { return py::str(style::choices_of<Enum>[static_cast<int>(value)].name); }
 };
 
 template <typename T>
 struct Member<std::optional<T>> {
+    using Python = py::typing::Optional<typename Member<T>::Python>;
     static std::optional<T> from(const py::handle& given) {
         return given.is_none() ? std::nullopt : std::optional(Member<T>::from(given));
     }
-    static py::object to(const std::optional<T>& value) { return value ? Member<T>::to(*value) : py::none(); }
+    static Python to(const std::optional<T>& value) {
+        py::object given = py::none();
+        if (value) given = py::detail::object_or_cast(Member<T>::to(*value));
+        return py::reinterpret_steal<Python>(given.release());
+    }
 };
 
 template <typename T>
 struct Member<std::vector<T>> {
+    using Python = py::typing::Tuple<typename Member<T>::Python, py::ellipsis>;
     static std::vector<T> from(const py::handle& given) {
         std::vector<T> values;
         for (const py::handle& each : given) values.push_back(Member<T>::from(each));
         return values;
     }
-    static py::object to(const std::vector<T>& values) {
+    static Python to(const std::vector<T>& values) {
         py::tuple all(values.size());
         for (std::size_t i = 0; i < values.size(); ++i) all[i] = Member<T>::to(values[i]);
-        return all;
+        return py::reinterpret_steal<Python>(all.release());
     }
 };
 
 template <typename T>
 struct Member<std::vector<std::pair<std::string, T>>> {
     using Named = std::vector<std::pair<std::string, T>>;
+    using Python = py::typing::Dict<py::str, typename Member<T>::Python>;
     static Named from(const py::handle& given) {
         Named values;
         for (const auto& [name, value] : given.cast<py::dict>())
             values.emplace_back(name.cast<std::string>(), Member<T>::from(value));
         return values;
     }
-    static py::object to(const Named& values) {
-        py::dict named;
+    static Python to(const Named& values) {
+        Python named;
         for (const auto& [name, value] : values) named[py::str(name)] = Member<T>::to(value);
         return named;
     }
@@ -85,7 +103,7 @@ V value_from(const py::handle& given, const std::string& name) {
 }
 
 template <typename V>
-py::object value_to(const V& value) {
+auto value_to(const V& value) {
     return Member<V>::to(value);
 }
 
@@ -107,6 +125,15 @@ S with(S record, const py::kwargs& given) {
     return record;
 }
 
+/// (name, label, description) of each value of an enumeration.
+template <typename Enum>
+py::list choices() {
+    py::list all;
+    for (const style::Choice& choice : style::choices_of<Enum>)
+        all.append(py::make_tuple(choice.name, choice.label, choice.description));
+    return all;
+}
+
 template <style::Record S>
 py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
     py::class_<S> bound(m, name, doc);
@@ -118,7 +145,7 @@ py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
     bound.def("__repr__", [name](const S& record) {
         std::string text;
         style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
-            const py::object value = value_to(record.*field.member);
+            const py::object value = py::detail::object_or_cast(value_to(record.*field.member));
             text += (text.empty() ? "" : ", ") + std::string(field.name) + "=" + std::string(py::str(py::repr(value)));
         });
         return std::string(name) + "(" + text + ")";

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import scenes
-from command import draw_options, figures, pages
+from command import draw_options, figures, pages, tables
 
 from addon import catalogue, style
 
@@ -70,17 +70,32 @@ def test_a_parameter_has_its_unit_default_and_range(name, parameter):
     assert limits == ("on or off" if parameter["unit"] == "bool" else f"{low} to {high}")
 
 
+@pytest.mark.parametrize("page", tables.pages(catalogue, style), ids=lambda path: path.stem)
+def test_tables_are_what_the_module_says(page):
+    renewed = tables.pages(catalogue, style)[page]
+    assert page.read_text(encoding="utf-8") == renewed, "renew it: blender_scripts/fovea stub --on sid"
+
+
 def test_the_contents_are_the_registry_in_its_order():
-    found = re.findall(r"\[<img src=\"(\w+)\.png\"[^\]]*\]\((\w+)\.md\)", page("README"))
-    assert found == [(name, name) for name in DEFINITIONS]
+    assert tables.LISTED.findall(page("README")) == list(DEFINITIONS)
     assert {path.stem for path in (DOCS / "lines").glob("*.md")} == {*DEFINITIONS, "README"}
+
+
+def test_a_new_definition_is_in_the_contents_after_the_one_before_it():
+    new = {"name": "wrinkle", "label": "Wrinkle", "description": "Where a surface is creased"}
+    known = [d for d in DEFINITIONS.values() if d["name"] != "border"]
+    at = [d["name"] for d in known].index("crease") + 1
+    lines = tables.contents(page("README"), [*known[:at], new, *known[at:]]).split("\n")
+    found = [k for k, line in enumerate(lines) if "(wrinkle.md)" in line]
+    assert len(found) == 1 and "(crease.md)" in lines[found[0] - 1]
+    assert not any("(border.md)" in line for line in lines)
 
 
 def test_every_picture_is_drawn_by_a_script_and_there_is_no_other():
     drawn = {DOCS / pages.file_of(name) for name in pages.names()}
     drawn |= {DOCS / figures.STEPS / f"{name}.jpg" for name in pages.STEPS}
     assert {path for path in DOCS.rglob("*") if path.suffix in (".png", ".jpg")} == drawn
-    assert list(pages.LINES) == list(DEFINITIONS)
+    assert set(pages.LINES) == set(DEFINITIONS)
 
 
 @pytest.mark.parametrize("name", pages.names())
@@ -164,21 +179,19 @@ def test_every_text_is_found_from_the_first_page():
     assert met == set(DOCS.rglob("*.md"))
 
 
-FOCUS = (DOCS / "focus.md").read_text(encoding="utf-8")
-TRANSFER = {"start", "end", "strength", "curve"}  # told once for all
-EXAMPLE = re.search(r"```json\n(.*?)```", FOCUS, re.DOTALL)[1]
+KEYS = tables.KEYS.read_text(encoding="utf-8")
+EXAMPLE = re.search(r"```json\n(.*?)```", KEYS, re.DOTALL)[1]
 
 
-def keys(value, path=()):
-    """Paths of all keys in a JSON value; entries of a list are alike, and what a line is called is not a key."""
+def keys(value):
+    """All keys in a JSON value, without the line definitions, which have pages, and their parameters."""
     if isinstance(value, dict):
         for key, inner in value.items():
-            if path[-1:] != ("kinds",):
-                yield (*path, key)
-            yield from keys(inner, (*path, key)) if "kinds" not in path else ()
+            yield key
+            yield from keys(inner) if key != "kinds" else ()
     elif isinstance(value, list):
         for inner in value:
-            yield from keys(inner, path)
+            yield from keys(inner)
 
 
 def test_the_example_of_a_style_is_one_and_all_its_keys_are_known():
@@ -186,32 +199,18 @@ def test_the_example_of_a_style_is_one_and_all_its_keys_are_known():
     assert style.remark(found) is None and found.kept == ()
 
 
-def test_the_example_has_every_key_that_a_style_can_have():
-    whole = style.Style(line_sets=(style.LineSet(hidden=(style.Hidden(),)),))
-    wanted = {key for key in keys(json.loads(style.dump(whole))) if key[-1] not in TRANSFER}
-    # The pens of hidden lines have the keys of any pen.
-    hidden = {key for key in wanted if "hidden" in key and "pen" in key}
-    assert wanted - set(keys(json.loads(EXAMPLE))) - hidden == set()
+def test_every_key_of_a_style_is_in_a_table():
+    whole = style.Style(line_sets=(style.LineSet(hidden=(style.Hidden(),)),), focus=style.Focus(model="image"))
+    told = {cells[0].strip("`") for cells in rows(KEYS)}
+    parts = {"schema", "line_sets", "paper", "color", "elision", "focus", "effects", "distance"}
+    assert {"granulation", "spacing", "from", "at"} <= told
+    assert set(keys(json.loads(style.dump(whole)))) - told <= parts
+    assert parts <= set(re.findall(r"`(\w+)`", KEYS))
 
 
-def test_every_key_of_the_example_has_its_line():
-    first_cells = " ".join(cells[0] for cells in rows(FOCUS))
-    told = set(re.findall(r"`(\w+)`", first_cells))
-    for key in ("points", "hidden"):
-        told |= set(re.findall(r"`(\w+)`", row(FOCUS, key)[1]))
-    used = {key[-1] for key in keys(json.loads(EXAMPLE))} - TRANSFER - {"schema", "line_sets", "distance", "effects"}
-    assert used - told == set()
-
-
-RECORDS = (style.Pen, style.LineSet, style.Paper, style.Color, style.Elision, style.Effects, style.Distance)
-NUMBERS = {field["name"]: field for record in RECORDS for field in record.fields if "number" in field["type"]}
-
-
-@pytest.mark.parametrize("key", NUMBERS)
-def test_limits_of_numbers_are_told_as_they_are(key):
-    told = [cells[1] for cells in rows(FOCUS) if f"`{key}`" in cells[0] and len(cells) == 2]
-    if key in ("near", "far"):
-        assert told  # their limits mean nothing to anyone
-    else:
-        least, most = (f"{NUMBERS[key][limit]:.10g}" for limit in ("min", "max"))
-        assert any(f"{least} to {most}" in text for text in told), told
+def test_a_table_tells_label_meaning_values_and_default_of_a_key():
+    assert row(KEYS, "pressure")[1:] == [
+        "Pressure", "How much thinner strokes are at their ends than in the middle", "0 to 1", "0"
+    ]  # fmt: skip
+    assert row(KEYS, "taper")[3:] == ["0 to 10000 px", "0"] and row(KEYS, "cap")[3:] == ["`round`, `butt`", "`round`"]
+    assert row(KEYS, "at")[2].startswith("In the image two numbers") and row(KEYS, "transparent")[4] == "`false`"

@@ -33,7 +33,8 @@ def segments(found):
 
 def test_the_file_holds_what_it_promises(extract):
     found = extract("--definition", "crease", "--eye", "3,4,5")
-    assert {name: array.dtype.kind + str(array.dtype.itemsize) for name, array in found.items() if name != "definition"} == {
+    arrays = {name: array for name, array in found.items() if name != "definition"}
+    assert {name: array.dtype.kind + str(array.dtype.itemsize) for name, array in arrays.items()} == {
         "points": "f8", "offsets": "i8", "closed": "b1", "path_id": "u8", "strength": "f4"
     }  # fmt: skip
     paths = len(found["closed"])

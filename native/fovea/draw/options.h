@@ -65,5 +65,10 @@ struct Options {
 
 namespace fovea::style {
 template <>
-inline constexpr Choice choices_of<draw::Visibility>[] = {{"exact"}, {"atlas"}, {"spine"}, {"item_buffer"}};
+inline constexpr Choice choices_of<draw::Visibility>[] = {
+    {"exact", "Exact", "Rays decide what is hidden"},
+    {"atlas", "Segment Atlas", "A depth buffer decides what is hidden, at every sample along the lines"},
+    {"spine", "Spine Test", "A depth buffer decides what is hidden while strokes are drawn; ends have no caps"},
+    {"item_buffer", "Item Buffer", "Lines are drawn by number and seen where their number is found: for comparison"},
+};
 }  // namespace fovea::style

@@ -72,7 +72,8 @@ struct Field {
     const char* in_files = "";  ///< key in files if not `name`; null: not in files
 
     constexpr bool is_in_files() const { return in_files != nullptr; }
-    constexpr const char* key() const { return *in_files ? in_files : name; }
+    /// Null: not in files.
+    constexpr const char* key() const { return in_files && !*in_files ? name : in_files; }
 };
 template <typename S, typename V>
 Field(const char*, V S::*, const char* = "", const char* = "", Domain = {}, const char* = "", const char* = "")

@@ -27,7 +27,8 @@ struct Transfer {
               share},
         Field{"strength", &Transfer::strength, "Strength",
               "How strong the effect is where it is whole; 0 switches it off", share},
-        Field{"curve", &Transfer::curve, "", "", share}};
+        Field{"curve", &Transfer::curve, "",
+              "Up to 32 points [x, y], both 0 to 1, joined smoothly between start and end; none: straight", share}};
 };
 
 inline Transfer off() { return {0.0, 1.0, 0.0, {}}; }
@@ -95,9 +96,14 @@ struct FocusPlace {
     bool operator==(const FocusPlace&) const = default;
 
     static constexpr Domain radius = number(0.0, far_away, far_away);
-    static constexpr std::tuple fields{Field{"at", &FocusPlace::at}, Field{"near", &FocusPlace::near, "", "", radius},
-                                       Field{"far", &FocusPlace::far, "", "", radius},
-                                       Field{"object", &FocusPlace::object, "", "", naming(Names::datablock)}};
+    static constexpr std::tuple fields{
+        Field{"at", &FocusPlace::at, "",
+              "In the image two numbers from its left and top, 0 to 1; in the scene three, in world space"},
+        Field{"near", &FocusPlace::near, "",
+              "In focus up to this distance: in heights of the frame in the image, else in units of the scene", radius},
+        Field{"far", &FocusPlace::far, "", "Out of focus from this distance on", radius},
+        Field{"object", &FocusPlace::object, "", "Of the model object: from whose surfaces distances are",
+              naming(Names::datablock)}};
 };
 
 /// How the places in focus are specified.
@@ -135,9 +141,12 @@ struct Focus {
     bool is_painted() const { return basis() == FocusBasis::attribute; }
     bool active() const { return is_painted() ? !attribute.empty() : model != FocusModel::none && !points.empty(); }
 
-    static constexpr std::tuple fields{Field{"model", &Focus::model}, Field{"points", &Focus::points},
-                                       Field{"combine", &Focus::combine},
-                                       Field{"attribute", &Focus::attribute, "", "", naming(Names::attribute)}};
+    static constexpr std::tuple fields{
+        Field{"model", &Focus::model, "", "How it is said what is in focus"},
+        Field{"points", &Focus::points, "", "List of up to 16 places to look at"},
+        Field{"combine", &Focus::combine, "", "Of several places the nearest counts, or how near they are adds up"},
+        Field{"attribute", &Focus::attribute, "", "Of the model painted: an attribute of meshes, white in focus",
+              naming(Names::attribute)}};
 };
 
 }  // namespace fovea::style

@@ -27,7 +27,8 @@ struct Hidden {
         Field{"first", &Hidden::first, "From", "Draw lines that at least so many surfaces hide", surfaces, "", "from"},
         Field{"last", &Hidden::last, "To", "Draw lines that at most so many surfaces hide; 0: any number", surfaces, "",
               "to"},
-        Field{"pen", &Hidden::pen}, Field{"pen_away", &Hidden::pen_away}};
+        Field{"pen", &Hidden::pen, "", "How they are drawn"},
+        Field{"pen_away", &Hidden::pen_away, "", "And out of focus: what differs from the pen"}};
 };
 
 /// (name, value) of a line definition's parameters, in the definition's units.
@@ -58,8 +59,9 @@ struct LineSet {
     bool operator==(const LineSet&) const = default;
 
     static constexpr std::tuple fields{
-        Field{"name", &LineSet::name},
-        Field{"kinds", &LineSet::kinds},
+        Field{"name", &LineSet::name, "", "For people"},
+        Field{"kinds", &LineSet::kinds, "",
+              "Its line definitions, each with the parameters that differ from their defaults"},
         Field{"collection", &LineSet::collection, "Collection",
               "Only objects of this collection have the lines of this set; none: all", naming(Names::datablock)},
         Field{"outside", &LineSet::outside, "Outside",
@@ -88,9 +90,9 @@ struct LineSet {
               reference(100.0, 30.0)},
         Field{"overshoot_away", &LineSet::overshoot_away, "Overshoot",
               "How far lines out of focus go on beyond their ends", reference(200.0, 60.0)},
-        Field{"pen", &LineSet::pen},
-        Field{"pen_away", &LineSet::pen_away},
-        Field{"hidden", &LineSet::hidden}};
+        Field{"pen", &LineSet::pen, "", "How visible lines are drawn"},
+        Field{"pen_away", &LineSet::pen_away, "", "And out of focus: what differs from the pen"},
+        Field{"hidden", &LineSet::hidden, "", "List of pens for hidden lines"}};
 };
 
 }  // namespace fovea::style

@@ -75,7 +75,7 @@ void settle(LineSet& set, const Path& where, std::vector<Unknown>& unknown) {
     }
     hidden = std::move(sorted);
     for (std::size_t i = 1; i < hidden.size(); ++i)
-        if (!hidden[i - 1].last || *hidden[i - 1].last >= hidden[i].first)
+        if (const auto& last = hidden[i - 1].last; !last || *last >= hidden[i].first)
             throw std::invalid_argument(of(where, "hidden") + ": two ranges hold what " +
                                         std::to_string(hidden[i].first) + " surfaces hide");
     Path list = where;
