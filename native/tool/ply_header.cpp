@@ -91,7 +91,8 @@ class HeaderReader {
     PlyProperty property(std::string_view rest) const {
         PlyProperty made;
         std::string_view word = take_word(rest);
-        if ((made.is_list = word == "list")) {
+        made.is_list = word == "list";
+        if (made.is_list) {
             made.count_type = known(types, take_word(rest), "type");
             word = take_word(rest);
         }

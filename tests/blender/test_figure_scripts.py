@@ -17,7 +17,8 @@ import scenes
 import sheet
 import thumbnails
 import variants
-from command.figures import DOCS, STYLES
+from command.figures import STYLES
+from command.pages import DOCS
 from picture import pixels
 
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <gtest/gtest.h>
 #include <random>
 
 #include <fovea/runs/filters.h>

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <fovea/base/namespaces.h>
+
 namespace fovea {
 using namespace draw;
 

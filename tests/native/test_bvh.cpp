@@ -70,7 +70,7 @@ TEST(Bvh, FollowsVerticesThatAreThrownAbout) {
             for (int x = 3; x < 640; x += 7) {
                 const auto a = old_tracer.seen({x + 0.37, y + 0.41}), b = new_tracer.seen({x + 0.37, y + 0.41});
                 ASSERT_EQ(a.has_value(), b.has_value());
-                if (!a) continue;
+                if (!a || !b) continue;
                 EXPECT_NEAR(a->t, b->t, 1e-5);
                 ++hits;
             }
@@ -122,7 +122,7 @@ TEST(Bvh, OfASurfaceMovedWithoutRefitTellsWhatThatOfANewOneDoesToTheLastBit) {
             for (int x = 0; x < 640; x += 3) {
                 const auto a = old_tracer.seen({x + 0.5, y + 0.5}), b = new_tracer.seen({x + 0.5, y + 0.5});
                 ASSERT_EQ(a.has_value(), b.has_value());
-                if (!a) continue;
+                if (!a || !b) continue;
                 EXPECT_EQ(std::tuple(a->triangle, a->t, a->u, a->v), std::tuple(b->triangle, b->t, b->u, b->v));
                 ++hits;
             }

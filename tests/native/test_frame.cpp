@@ -29,7 +29,7 @@ const char* with_hidden_lines =
     R"({"schema": 1, "line_sets": [{"kinds": {"contour": {}, "crease": {"angle": 40}}, "least_length": 0,
     "pen": {"width": 4}, "hidden": [{"pen": {"width": 2, "color": [1, 0, 0]}}]}]})";
 
-Job job_of(const char* json, Options options = {}) {
+Job job_of(const char* json, const Options& options = {}) {
     return {.scene = two_boxes(),
             .view = perspective({3, -8, 4}, {0, 1, 0}, 50, 240, 180),
             .style = style::read_style(json),

@@ -211,8 +211,7 @@ TEST(ImageEdge, OfASphereInPerspectiveIsACircle) {
     EXPECT_LT(high - low, 0.2);
     EXPECT_NEAR(high, pixels, 1.0);
     // Points lie on the sphere as it is seen: on its near side.
-    for (Index i = 0; i < drawing.paths.points_obj.size(); ++i) {
-        const dvec3 point(drawing.paths.points_obj[i]);
+    for (const dvec3 point : drawing.paths.points_obj) {
         EXPECT_GT(point.z, -5.0 - 0.01);
         EXPECT_LT(point.z, -4.0);
     }

@@ -74,7 +74,7 @@ struct Seen {
     }
 };
 
-void expect_right(std::vector<Placement> placements, Index sheet, double sampled_share, const char* what) {
+void expect_right(const std::vector<Placement>& placements, Index sheet, double sampled_share, const char* what) {
     int k = 0;
     double visible = 0, hidden = 0;
     for (const View& view : views()) {

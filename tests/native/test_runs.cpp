@@ -176,7 +176,7 @@ TEST(TrimFolds, CutsTheWayBackOffTheEndsOfContours) {
 TEST(MeetEnds, ContoursGoOnToLinesThatGoOnFromThere) {
     // A contour of 100 px, of which the last 6 are hidden; a line before it goes on from x = 196, a pixel above.
     const auto at = [](double x, double y) { return dvec3(3.2 * (x / 320.0 - 1.0), 2.4 * (y / 240.0 - 1.0), -4); };
-    const auto end_of = [&](std::vector<dvec3> other, std::uint8_t of_view, Index placement, double seen,
+    const auto end_of = [&](const std::vector<dvec3>& other, std::uint8_t of_view, Index placement, double seen,
                             double reach = 8.0) {
         const ClippedPaths clipped = Wires({{at(100, 100), at(200, 100)}, other}).project(camera());
         Runs runs;

@@ -161,7 +161,7 @@ TEST(SmoothSilhouette, OfMeshEdgesStandsForIt) {
 
 TEST(SmoothSilhouette, BesideThatOfMeshEdgesIsDrawnAsAlone) {
     const View view = perspective({4, -5, 3}, dvec3(0));
-    const auto drawn = [&](std::vector<LineSet> sets) {
+    const auto drawn = [&](const std::vector<LineSet>& sets) {
         return Drawn(Drawing({place(meshes::sphere(32))}, view, sets));
     };
     const Drawn alone = drawn({line_set({"smooth_silhouette"})});

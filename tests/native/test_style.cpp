@@ -28,9 +28,10 @@ std::string written(double number) {
 
 TEST(Style, APenOutOfFocusIsAsTheOneInFocusButForWhatIsGiven) {
     const Style style = read(R"("line_sets": [{"pen_away": {"opacity": 0.1}, "pen": {"width": 7, "opacity": 0.5}}])");
-    ASSERT_TRUE(style.line_sets[0].pen_away.has_value());
-    EXPECT_EQ(style.line_sets[0].pen_away->width, 7.0);
-    EXPECT_EQ(style.line_sets[0].pen_away->opacity, 0.1);
+    const std::optional<Pen>& away = style.line_sets[0].pen_away;
+    ASSERT_TRUE(away.has_value());
+    EXPECT_EQ(away->width, 7.0);
+    EXPECT_EQ(away->opacity, 0.1);
     EXPECT_TRUE(style.has_away());
 }
 
@@ -89,8 +90,9 @@ TEST(Style, EveryMemberThatIsWrittenIsReadAgain) {
     Style style;
     style.line_sets[0].kinds = {{"crease", {{"angle", 45.0}}}, {"contour", {}}};
     style.line_sets[0].overshoot_away = 3.0;
-    style.line_sets[0].pen_away.emplace().cap = Cap::butt;
-    style.line_sets[0].pen_away->color = {0.25, 0.5, 1.0};
+    Pen& away = style.line_sets[0].pen_away.emplace();
+    away.cap = Cap::butt;
+    away.color = {0.25, 0.5, 1.0};
     style.line_sets[0].hidden.resize(2);
     style.line_sets[0].hidden[0].last = 2;
     style.line_sets[0].hidden[1].first = 4;

@@ -157,7 +157,7 @@ TEST(Tessellate, ZigzagOfADenseMeshBecomesStraight) {
     for (int i = 0; i <= 2000; ++i) line.push_back({10.0f + 0.1f * i, 50.0f + (i % 2 ? 0.08f : -0.08f)});
     const Strokes strokes = strokes_of(line, pen(2.0f));
     EXPECT_LE(strokes.triangles.size(), 40u);
-    for (std::size_t i = 0; i < strokes.px.size(); ++i) EXPECT_NEAR(std::abs(strokes.px[i].y - 50.0f), 1.5f, 0.21f);
+    for (const vec2 px : strokes.px) EXPECT_NEAR(std::abs(px.y - 50.0f), 1.5f, 0.21f);
 }
 
 TEST(Tessellate, TurnBackIsKept) {

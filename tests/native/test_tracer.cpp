@@ -108,7 +108,7 @@ TEST(Tracer, CornersAreWhereThePlacementPutsThem) {
 
 TEST(Tracer, OnlyFlatConvexPairsOfTrianglesAreOneOutline) {
     const View view = perspective({0, 0, 0}, {0, 0, -1}, 36);
-    const auto count = [&](Mesh mesh, dvec3 at) {
+    const auto count = [&](const Mesh& mesh, dvec3 at) {
         const Scene scene({place(mesh, moved({-0.5, -0.5, -4}))});
         const Tracer tracer(scene, view);
         return tracer.outline(tracer.seen(pixel_of(view, at)).value()).count;

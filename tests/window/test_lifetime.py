@@ -7,7 +7,8 @@ from statistics import mean
 def test_switching_engines_keeps_no_memory(play):
     found = play("switching")
     memory = found["memory"]
-    # The first rounds load what is loaded once; what is freed is given back sooner or later, by 30 MB from round to round.
+    # The first rounds load what is loaded once; what is freed is given back sooner or later, by 30 MB from round to
+    # round.
     assert mean(memory[15:]) - mean(memory[3:8]) < 20, memory
     assert found["calm"]
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fovea/field/curvature.h>
 
@@ -140,13 +141,16 @@ class ThirdFormByAngle {
     }
     /// Angle of a local maximum, by Newton steps uphill from t, each limited to 0.2 radians.
     Real climb(Real t) const {
-        for (int step = 0; step < 20; ++step) {
+        Real before = t;
+        for (int left = 19; left >= 0; --left) {
             const Real slope = -a * std::sin(t) + b * std::cos(t) - 3 * p * std::sin(3 * t) + 3 * q * std::cos(3 * t);
             const Real bend = -a * std::cos(t) - b * std::sin(t) - 9 * p * std::cos(3 * t) - 9 * q * std::sin(3 * t);
             const Real limit = Real(0.2);
             const Real move = bend < 0 ? std::clamp(-slope / bend, -limit, limit) : slope > 0 ? limit : -limit;
-            if (!(std::abs(move) > Real(1e-12))) break;
-            t += move;
+            const Real next = t + move;
+            if (!(std::abs(move) > Real(1e-12)) || next == t) break;
+            if (next == before) return left % 2 == 0 ? next : t;  // rounding: all other steps lead to and fro
+            before = std::exchange(t, next);
         }
         return t;
     }

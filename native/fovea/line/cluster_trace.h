@@ -56,8 +56,8 @@ struct Looks {
 /// Calls emit(triangle, eval_at, detail_at, out) for the triangles that are left; eval_at and detail_at take a vertex
 /// of the triangle.
 template <typename NoneIn, typename EvalAt, typename Wanted, typename DetailAt, typename Emit>
-Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const EvalAt& eval, const Wanted& wanted,
-                      const DetailAt& detail, const Emit& emit) {
+static Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const EvalAt& eval, const Wanted& wanted,
+                             const DetailAt& detail, const Emit& emit) {
     using VertexEval = decltype(eval(Index()));
     using Detail = decltype(detail(Index(), VertexEval()));
     const Surface& surface = seen.surface;
@@ -65,8 +65,7 @@ Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const Eval
     const auto clusters = clusters_of(surface);
     const Array<Index> with_lines = clusters_with_lines(seen, *hierarchy_of(surface), none_in);
     constexpr std::size_t block = 32;
-    std::vector<std::vector<CurvePiece>> parts((with_lines.size() + block - 1) / block);
-    parallel_blocks(with_lines.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    const auto trace = [&](std::vector<CurvePiece>& part, std::size_t begin, std::size_t end) {
         Looks<VertexEval, Detail> looks;
         for (std::size_t k = begin; k < end; ++k) {
             if (k + 1 < end) fetch_vertices(surface, *fields, clusters->vertices[with_lines[k + 1]]);
@@ -90,17 +89,18 @@ Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, const Eval
                 const auto place = [&](Index v) { return v == t.x ? c.x : v == t.y ? c.y : c.z; };
                 emit(
                     triangle, [&](Index v) -> const VertexEval& { return looks.evals[place(v)]; },
-                    [&](Index v) -> const Detail& { return looks.details[place(v)]; }, parts[b]);
+                    [&](Index v) -> const Detail& { return looks.details[place(v)]; }, part);
             }
         }
-    });
+    };
+    const auto parts = parallel_parts<std::vector<CurvePiece>>(with_lines.size(), block, trace);
     return in_order_of_triangles(parts, surface.triangles.size());
 }
 
 /// As trace_zero_set of zero_set.h, with culling. An eval has a member `value`; a detail is the margin.
 template <typename NoneIn, typename EvalAt, typename Wanted, typename Margin, typename Strength>
-Curves trace_zero_set(const SurfaceView& seen, const NoneIn& none_in, const EvalAt& eval, const Wanted& wanted,
-                      const Margin& margin, const Strength& strength) {
+static Curves trace_zero_set(const SurfaceView& seen, const NoneIn& none_in, const EvalAt& eval, const Wanted& wanted,
+                             const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(seen.surface);
     const auto crossed = [&](const auto& a, const auto& b, const auto& c) {
         const bool positive = a.value >= 0.0f;
@@ -117,8 +117,8 @@ Curves trace_zero_set(const SurfaceView& seen, const NoneIn& none_in, const Eval
 /// Zero set of value(curvature, SeenOf), restricted to front-facing parts (n . v > 0) where margin(curvature, SeenOf)
 /// is positive.
 template <typename NoneIn, typename Value, typename Margin, typename Strength>
-Curves trace_zero_set_in_front(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Margin& margin,
-                               const Strength& strength) {
+static Curves trace_zero_set_in_front(const SurfaceView& seen, const NoneIn& none_in, const Value& value,
+                                      const Margin& margin, const Strength& strength) {
     const auto fields = fields_of(seen.surface);
     struct VertexEval {
         float value;
@@ -139,7 +139,7 @@ Curves trace_zero_set_in_front(const SurfaceView& seen, const NoneIn& none_in, c
 
 /// Level sets of value(vertex): separate pieces for each of `levels`.
 template <typename NoneIn, typename Value>
-Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Levels& levels) {
+static Curves trace_levels(const SurfaceView& seen, const NoneIn& none_in, const Value& value, const Levels& levels) {
     struct VertexEval {
         float value;
         int below;

@@ -39,7 +39,7 @@ namespace fovea::line {
 #define FOVEA_DECLARE(name) extern const LineDefinition name;
 FOVEA_LINE_DEFINITIONS(FOVEA_DECLARE)
 
-#define FOVEA_ADDRESS(name) &name,
+#define FOVEA_ADDRESS(name) &(name),
 const std::vector<const LineDefinition*>& line_definitions() {
     static const std::vector<const LineDefinition*> all = {FOVEA_LINE_DEFINITIONS(FOVEA_ADDRESS)};
     return all;

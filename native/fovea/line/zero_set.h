@@ -30,9 +30,11 @@ inline ZeroCrossing crossing(const TriangleSides& sides, Index side, float at_a,
     return {side, e.x, e.y, t >= 0.0f && t <= 1.0f ? t : 0.5f};
 }
 
+// Templates below are static: the compiler inlines what is called once only where nothing else can call it.
+
 /// Calls emit(triangle, out) for all triangles in parallel; the pieces are in the order of the triangles.
 template <typename Emit>
-Curves collect_pieces(std::size_t triangles, const Emit& emit) {
+static Curves collect_pieces(std::size_t triangles, const Emit& emit) {
     return parallel_collect<CurvePiece>(triangles, 16384, [&](std::size_t begin, std::size_t end, auto& out) {
         for (std::size_t t = begin; t < end; ++t) emit(static_cast<Index>(t), out);
     });
@@ -46,8 +48,8 @@ inline vec2 margins(const vec2& two) { return two; }
 /// Clips the segment between two crossings to where its margins, interpolated linearly between the crossings, are
 /// positive, and appends it. strength(margin) is evaluated at the ends of the clipped segment.
 template <typename Position, typename Margin, typename Strength>
-void append_trimmed(const Position& position, Index triangle, const ZeroCrossing (&ends)[2], const Margin& margin,
-                    const Strength& strength, std::vector<CurvePiece>& out) {
+static void append_trimmed(const Position& position, Index triangle, const ZeroCrossing (&ends)[2],
+                           const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
     const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
     float from = 0.0f, to = 1.0f;  // fractions from end 0 to end 1
     for (int c = 0; c < 2; ++c) {
@@ -78,8 +80,8 @@ inline auto positions_of(const Surface& surface) {
 
 /// Appends the segment of the zero set of `value` in one triangle, if there is one.
 template <typename Value, typename Margin, typename Strength>
-void append_zero(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
-                 const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+static void append_zero(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
+                        const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
     const Triangle& t = surface.triangles[triangle];
     const float f[3] = {value(t.x), value(t.y), value(t.z)};
     const bool positive[3] = {f[0] >= 0.0f, f[1] >= 0.0f, f[2] >= 0.0f};
@@ -99,7 +101,8 @@ void append_zero(const Surface& surface, const TriangleSides& sides, Index trian
 /// positive, so that each side is crossed in both of its triangles or in neither (simulation of simplicity). Triangles
 /// with a NaN have no crossing.
 template <typename Value, typename Margin, typename Strength>
-Curves trace_zero_set(const Surface& surface, const Value& value, const Margin& margin, const Strength& strength) {
+static Curves trace_zero_set(const Surface& surface, const Value& value, const Margin& margin,
+                             const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
         append_zero(surface, *sides, triangle, value, margin, strength, out);
@@ -138,8 +141,8 @@ struct Levels {
 
 /// Appends a segment for each level of `value` that crosses a triangle.
 template <typename Value>
-void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
-                   const Levels& levels, std::vector<CurvePiece>& out) {
+static void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
+                          const Levels& levels, std::vector<CurvePiece>& out) {
     const Triangle& t = surface.triangles[triangle];
     const auto below = [&](Index v) { return levels.below(value(v)); };
     const auto [low, high] = std::minmax({below(t.x), below(t.y), below(t.z)});
@@ -167,8 +170,9 @@ inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alo
 
 /// Appends the segment of a crest in one triangle; see trace_maxima.
 template <typename Uphill, typename Margin, typename Strength>
-void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
-                    float least_bend, const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+static void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
+                           float least_bend, const Margin& margin, const Strength& strength,
+                           std::vector<CurvePiece>& out) {
     const Triangle& corners = surface.triangles[triangle];
     const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
     ZeroCrossing ends[2];
@@ -200,8 +204,8 @@ void append_maximum(const Surface& surface, const TriangleSides& sides, Index tr
 /// `margin` and `strength` as above. Ohtake, Belyaev & Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface
 /// Fitting", SIGGRAPH 2004, section 4.
 template <typename Wanted, typename Uphill, typename Margin, typename Strength>
-Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
-                    const Margin& margin, const Strength& strength) {
+static Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
+                           const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
         if (wanted(triangle)) append_maximum(surface, *sides, triangle, uphill, least_bend, margin, strength, out);
