@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <mutex>
 #include <new>
 #include <vector>
-
-#ifndef FOVEA_LARGE_MEMORY_IN_HEAP
-#include <sys/mman.h>
-#endif
 
 namespace fovea::base {
 
@@ -26,26 +23,10 @@ std::size_t large_memory_kept() { return 0; }
 
 namespace {
 
-constexpr std::size_t huge_page = std::size_t(2) << 20;
-
-/// Mapped memory, aligned to huge pages.
 struct Block {
     void* start;
     std::size_t size;
 };
-
-/// Null if the system has no memory left.
-void* mapped(std::size_t size) {
-    // A page more than needed, of which the ends before and after the aligned part are returned.
-    void* const found = mmap(nullptr, size + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (found == MAP_FAILED) return nullptr;
-    char* const start = static_cast<char*>(found);
-    const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(start) % huge_page) % huge_page;
-    if (before > 0) munmap(start, before);
-    munmap(start + before + size, huge_page - before);
-    madvise(start + before, size, MADV_HUGEPAGE);
-    return start + before;
-}
 
 /// Freed blocks, kept for later arrays.
 class Freed {
@@ -68,7 +49,7 @@ class Freed {
         const std::lock_guard lock(mutex_);
         shrink(keeps_large_memory - std::min(block.size, keeps_large_memory));
         if (block.size > keeps_large_memory) {
-            munmap(block.start, block.size);
+            std::free(block.start);
             return;
         }
         blocks_.push_back(block);
@@ -89,7 +70,7 @@ class Freed {
     void shrink(std::size_t size) noexcept {
         const auto end = std::ranges::find_if(blocks_, [&](const Block& block) {
             if (kept_ <= size) return true;
-            munmap(block.start, block.size);
+            std::free(block.start);
             kept_ -= block.size;
             return false;
         });
@@ -109,7 +90,7 @@ Freed& freed() {
 /// Size of the block for an array: at most a quarter larger, so that arrays of similar size serve each other. What is
 /// not touched takes no memory.
 std::size_t size_class(std::size_t bytes) {
-    const std::size_t step = std::max(std::bit_floor(bytes) / 4, huge_page);
+    const std::size_t step = std::bit_floor(bytes) / 4;
     return (bytes + step - 1) / step * step;
 }
 
@@ -119,9 +100,9 @@ void* allocate_large(std::size_t bytes) {
     if (bytes > SIZE_MAX / 2) throw std::bad_alloc();
     const std::size_t size = size_class(bytes);
     if (void* const found = freed().take(size)) return found;
-    if (void* const found = mapped(size)) return found;
+    if (void* const found = std::malloc(size)) return found;
     freed().clear();
-    if (void* const found = mapped(size)) return found;
+    if (void* const found = std::malloc(size)) return found;
     throw std::bad_alloc();
 }
 

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__linux__)
-#define FOVEA_LARGE_MEMORY_IN_HEAP 1  // where overruns are looked for, or huge pages cannot be asked for
+#if defined(__SANITIZE_ADDRESS__)
+#define FOVEA_LARGE_MEMORY_IN_HEAP 1  // where overruns are looked for
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define FOVEA_LARGE_MEMORY_IN_HEAP 1
@@ -24,9 +24,8 @@ inline constexpr std::size_t keeps_large_memory = 0;
 inline constexpr std::size_t keeps_large_memory = std::size_t(256) << 20;
 #endif
 
-/// Uninitialized memory, aligned for any type. Every frame needs the same images, and the system clears each page that
-/// is touched the first time: so freed blocks are kept for later ones of similar size, and new ones consist of huge
-/// pages (Linux, where the system has them). The heap would return such blocks to the system, page by page.
+/// Uninitialized memory, aligned for any type. Every frame needs the same images, and a heap returns such blocks to the
+/// system, which clears each page again when it is touched: so freed blocks are kept for later ones of similar size.
 /// Thread-safe. Throws std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 
