@@ -386,6 +386,14 @@ class Mesh:
         ascending: triangulation of polygons with more than four corners; material (F,) int32; occluding (F,),
         sharp_edges, seams, edge_marks (E,) bool."""
 
+def all_polygons_have(
+    corners: int,
+    edge_verts: Annotated[ArrayLike, numpy.int32],
+    corner_verts: Annotated[ArrayLike, numpy.int32],
+    corner_edges: Annotated[ArrayLike, numpy.int32],
+) -> bool:
+    """Whether the polygons of a mesh all have 3, or all 4 corners, as their edges tell."""
+
 class PolygonEdges:
     """The edges of polygons that come without any."""
     def __init__(

@@ -44,20 +44,19 @@ def is_edited(obj):
     return obj.mode == "EDIT" or obj.data.is_editmode
 
 
-def read(mesh, buffers, *, with_marks):
+def read(core, mesh, buffers, *, with_marks):
     """The arrays of an evaluated mesh. `with_marks`: also Freestyle's edge marks, slow to read before Blender 5.0."""
     vertices, edges, corners = len(mesh.vertices), len(mesh.edges), len(mesh.loops)
-    polygons = len(mesh.polygons)
-    offsets = buffers.take("offsets", (polygons + 1,), np.int32)
-    mesh.polygons.foreach_get("loop_start", offsets[:-1])
-    offsets[-1] = corners
-    flag = (edges,)
+    polygons, flag = len(mesh.polygons), (edges,)
+    rings = {
+        "edge_verts": _required(mesh, ".edge_verts", buffers, (edges, 2), np.int32),
+        "corner_verts": _required(mesh, ".corner_vert", buffers, (corners,), np.int32),
+        "corner_edges": _required(mesh, ".corner_edge", buffers, (corners,), np.int32),
+    }
     return MeshArrays(
         positions=_required(mesh, "position", buffers, (vertices, 3), np.float32),
-        edge_verts=_required(mesh, ".edge_verts", buffers, (edges, 2), np.int32),
-        corner_verts=_required(mesh, ".corner_vert", buffers, (corners,), np.int32),
-        corner_edges=_required(mesh, ".corner_edge", buffers, (corners,), np.int32),
-        polygon_offsets=offsets,
+        **rings,
+        polygon_offsets=_offsets(core, mesh, rings, buffers.take("offsets", (polygons + 1,), np.int32)),
         material=_optional(mesh, "material_index", buffers, (polygons,), np.int32),
         sharp_edges=_optional(mesh, "sharp_edge", buffers, flag, np.bool_),
         # The seams' attribute lost its dot in Blender 5.0.
@@ -87,6 +86,19 @@ def ngon_triangles(mesh, polygon_offsets, buffers):
     mesh.loop_triangles.foreach_get("vertices", vertices.ravel())
     of_ngon = is_ngon[polygon]
     return {"ngon_triangles": vertices[of_ngon], "ngon_polygon": polygon[of_ngon]}
+
+
+def _offsets(core, mesh, rings, offsets):
+    """Fills `offsets` with the first corner of each polygon and the number of corners. Blender makes up those of each
+    polygon one by one, which takes as long as all else that is read: where all have 3 or 4 corners they are known."""
+    polygons, corners = len(offsets) - 1, len(rings["corner_verts"])
+    each = corners // polygons if polygons else 0
+    if each in (3, 4) and corners == each * polygons and core.all_polygons_have(each, **rings):
+        offsets[:] = np.arange(0, corners + 1, each)
+    else:
+        mesh.polygons.foreach_get("loop_start", offsets[:-1])
+        offsets[-1] = corners
+    return offsets
 
 
 def _required(mesh, name, buffers, shape, dtype):

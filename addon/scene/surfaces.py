@@ -153,7 +153,7 @@ class SurfaceCache:
     def _read(self, mesh, slots, with_marks):
         """(MeshArrays, keyword arguments of a native Mesh without the positions, topology hashes of these, content hash
         of the positions)."""
-        arrays = mesh_arrays.read(mesh, self._buffers, with_marks=with_marks)
+        arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=with_marks)
         material, occluding = _per_polygon(arrays, slots)
         static = {**vars(arrays), "material": material, "occluding": occluding}
         del static["positions"]

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <fovea/field/fields.h>
+#include <fovea/mesh/equal_polygons.h>
 #include <fovea/mesh/polygon_surface.h>
 #include <fovea/mesh/refine.h>
 #include <fovea/mesh/surface.h>
@@ -80,6 +81,17 @@ polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) ver
 triangulation of polygons with more than four corners; material (F,) int32; occluding (F,), sharp_edges, seams,
 edge_marks (E,) bool.)");
 
+    m.def(
+        "all_polygons_have",
+        [](int corners, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts, const Arg<int>& corner_edges) {
+            check(corners == 3 || corners == 4, "all_polygons_have: 3 or 4 corners expected");
+            const auto edges = borrow<glm::ivec2>(edge_verts, "edge_verts");
+            const auto verts = borrow<int>(corner_verts, "corner_verts"),
+                       along = borrow<int>(corner_edges, "corner_edges");
+            return without_gil([&] { return all_polygons_have(corners, edges, verts, along); });
+        },
+        py::arg("corners"), py::arg("edge_verts"), py::arg("corner_verts"), py::arg("corner_edges"),
+        "Whether the polygons of a mesh all have 3, or all 4 corners, as their edges tell.");
     py::class_<PolygonEdges, std::shared_ptr<PolygonEdges>>(m, "PolygonEdges",
                                                             "The edges of polygons that come without any.")
         .def(py::init([](const Arg<int>& polygon_offsets, const Arg<int>& corner_verts) {

@@ -42,6 +42,7 @@ RECORDING = SimpleNamespace(
     Surface=RecordedSurface,
     RefinedSurface=NATIVE.RefinedSurface,
     content_hash=NATIVE.content_hash,
+    all_polygons_have=NATIVE.all_polygons_have,
 )
 
 

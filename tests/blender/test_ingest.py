@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reading Blender's evaluated scene: every type of object, instances, visibility and usage."""
 
+import itertools
 import math
 
 import bpy
@@ -62,6 +63,19 @@ def test_arrays_are_blenders():
     assert surface.polygon_offsets.tolist() == [0, 4, 7]
     for name in ARRAYS[5:]:
         assert getattr(surface, name) is None, name
+
+
+@pytest.mark.parametrize(
+    "sizes", [(4, 4, 4), (3, 3, 3), (4, 3, 5), (3, 5), (3, 5, 4), (5, 3), (5, 5), (4, 4, 3)], ids=str
+)
+def test_where_polygons_begin_is_what_blender_says(sizes):
+    """Also of a fan, whose polygons all begin at the same vertex, where as many corners could be cut otherwise."""
+    rim = itertools.count(1)
+    fan = [(0, *itertools.islice(rim, size - 1)) for size in sizes]
+    mesh = new_mesh([(math.cos(i), math.sin(i), i) for i in range(next(rim))], [], fan)
+    new_object(mesh)
+    (surface,) = in_viewport().surfaces
+    assert surface.polygon_offsets.tolist() == [polygon.loop_start for polygon in mesh.polygons] + [sum(sizes)]
 
 
 def test_polygons_with_many_corners_bring_blenders_triangles():
