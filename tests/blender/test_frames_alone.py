@@ -4,8 +4,10 @@
 import math
 import random
 
+import bmesh
 import bpy
 import pytest
+from pictures import box_scene, drawn
 from the_addon import add_camera, empty_scene, new_object, only_lines, part, use_style
 
 session = part("render.session")
@@ -76,3 +78,31 @@ def test_a_frame_of_deforming_meshes_is_the_same_alone_in_order_backwards_and_sh
             assert not any(differing.values()), (number, differing)
     for name, pixels in alone[3].items():
         assert (pixels != alone[9][name]).any(), name
+
+
+@pytest.mark.parametrize("style", ["charcoal", "watercolor"])
+def test_a_frame_is_the_same_in_whatever_order_a_mesh_has_its_edges(style, tmp_path):
+    """Blender numbers the edges that it makes in an order that depends on the number of cores."""
+    scene = box_scene()
+    bpy.ops.mesh.primitive_torus_add(location=(0.6, -0.6, 1))
+    mesh = bpy.context.object.data
+    mesh.attributes.new("sharp_edge", "BOOLEAN", "EDGE").data[100].value = True
+    use_style(scene, style)
+    before, first = [tuple(edge.vertices) for edge in mesh.edges], drawn(scene, tmp_path / "first.png")
+    shuffle_edges(mesh)
+    assert [tuple(edge.vertices) for edge in mesh.edges] != before
+    second = drawn(scene, tmp_path / "second.png")
+    assert first.std() > 0.01 and (first == second).all()
+
+
+def shuffle_edges(mesh):
+    order = list(range(len(mesh.edges)))
+    random.Random(3).shuffle(order)
+    changed = bmesh.new()
+    changed.from_mesh(mesh)
+    for edge, index in zip(changed.edges, order):
+        edge.index = index
+    changed.edges.sort()
+    changed.to_mesh(mesh)
+    changed.free()
+    mesh.update()

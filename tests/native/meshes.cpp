@@ -16,6 +16,7 @@ int Mesh::edge(int a, int b) {
 }
 
 void Mesh::add_polygon(const std::vector<int>& verts) {
+    if (!verts.empty()) edge(verts.back(), verts.front());  // edges are numbered as a Surface does
     for (std::size_t i = 0; i < verts.size(); ++i) {
         corner_verts.push_back(verts[i]);
         corner_edges.push_back(edge(verts[i], verts[(i + 1) % verts.size()]));

@@ -58,7 +58,7 @@ TEST(Painted, IsLinearOnEdgesAndInTriangles) {
 }
 
 TEST(Painted, AtVerticesAndMidEdge) {
-    const meshes::Mesh mesh = meshes::grid(1);  // one square, edges 0: 01, 1: 13, 2: 32, 3: 20
+    const meshes::Mesh mesh = meshes::grid(1);  // one square, edges 0: 20, 1: 01, 2: 13, 3: 32
     const Scene scene({drawing::place(mesh)});
     const std::vector<float> corners{0.0f, 1.0f, 0.6f, 0.2f};  // of vertices 0, 1, 3, 2
     Paths paths;
@@ -66,8 +66,8 @@ TEST(Painted, AtVerticesAndMidEdge) {
     paths.placement = {0};
     paths.points_obj = {mesh.positions[0], (mesh.positions[0] + mesh.positions[1]) * 0.5f, mesh.positions[1],
                         mesh.positions[3]};
-    paths.place = {0, 0, 1, 1};
-    const bool turned = mesh.edge_verts[1].x == 3;
+    paths.place = {1, 1, 2, 2};
+    const bool turned = mesh.edge_verts[2].x == 3;
     paths.edge_t = {0.0f, 0.5f, turned ? 1.0f : 0.0f, turned ? 0.0f : 1.0f};
     const Array<float> found = values_on_paths(paths, scene, {corners});
     const float expected[] = {0.0f, 0.5f, 1.0f, 0.6f};
@@ -83,7 +83,7 @@ TEST(Painted, WhereNeighborsDisagreeAnEdgeHasTheirMean) {
     paths.rows.offsets = {0, 2};
     paths.placement = {0};
     paths.points_obj = {{1, 0, 0}, {1, 1, 0}};
-    paths.place = {1, 1};  // the edge between the two
+    paths.place = {2, 2};  // the edge between the two
     paths.edge_t = {0, 1};
     const Array<float> found = values_on_paths(paths, scene, {corners});
     EXPECT_FLOAT_EQ(found[0], 0.5f);

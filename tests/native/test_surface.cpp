@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Topology of surfaces: edge table, facets, marks, what is refused.
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <numeric>
+#include <random>
 
 #include <fovea/mesh/polygon_surface.h>
 #include <fovea/mesh/surface.h>
@@ -53,13 +56,13 @@ TEST(Surface, FacetPlanesPointOutwards) {
 }
 
 TEST(Surface, ForwardMeansAlongTheEdge) {
-    // The triangle runs 0 -> 1 -> 2; its edges are stored as (0,1), (1,2), (2,0).
+    // The triangle runs 0 -> 1 -> 2; its edges are stored as (2,0), (0,1), (1,2).
     const auto surface = of_polygons("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}).surface();
     for (Index e = 0; e < 3; ++e) EXPECT_TRUE(surface->edge_sides[surface->edge_rows.begin(e)].forward());
     Mesh turned("triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     turned.edge(1, 0);
     turned.add_polygon({0, 1, 2});
-    EXPECT_FALSE(turned.surface()->edge_sides[0].forward());
+    EXPECT_FALSE(turned.surface()->sides(1)[0].forward());
 }
 
 TEST(Surface, OnlyBentPolygonsHaveDiagonals) {
@@ -127,6 +130,32 @@ TEST(Surface, MarksAreBits) {
     EXPECT_EQ(surface->edge_marks[2], mark_seam);
     EXPECT_EQ(surface->edge_marks[3], mark_edge);
     EXPECT_EQ(surface->edge_marks[4], 0);
+}
+
+TEST(Surface, EdgesAreNumberedByThePolygonsInWhateverOrderAMeshHasThem) {
+    std::mt19937 random(5);
+    Mesh mesh = sphere(12);
+    mesh.edge(0, 40);  // without a polygon
+    for (std::size_t e = 0; e < mesh.edge_verts.size(); ++e) {
+        mesh.sharp.push_back(random() % 2);
+        mesh.seam.push_back(random() % 2);
+    }
+    Mesh mixed = mesh;
+    std::vector<int> place(mesh.edge_verts.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::shuffle(place.begin(), place.end(), random);
+    for (std::size_t e = 0; e < place.size(); ++e) {
+        mixed.edge_verts[place[e]] = mesh.edge_verts[e];
+        mixed.sharp[place[e]] = mesh.sharp[e];
+        mixed.seam[place[e]] = mesh.seam[e];
+    }
+    for (int& edge : mixed.corner_edges) edge = place[edge];
+    const auto one = mesh.surface(), other = mixed.surface();
+    EXPECT_EQ(one->edges, other->edges);
+    EXPECT_EQ(one->edge_marks, other->edge_marks);
+    EXPECT_TRUE(std::ranges::equal(one->edge_sides, other->edge_sides, {}, &EdgeSide::packed, &EdgeSide::packed));
+    EXPECT_EQ(one->edges.back(), Edge(0, 40));
+    EXPECT_EQ(one->report().loose_edges, 1u);
 }
 
 TEST(Surface, OccludingTrianglesComeFirst) {

@@ -42,6 +42,25 @@ In<int> flat(In<glm::vec<N, int>> values) {
     return {reinterpret_cast<const int*>(values.data()), values.size() * N};
 }
 
+/// Per edge of a mesh, its number in the order in which the polygons have them, of each polygon first the one that ends
+/// at its first corner; edges without a polygon come last. Blender numbers the edges that it makes in this order on one
+/// core, and in others on more: lines would begin elsewhere on another machine.
+Array<Index> edge_numbers(const MeshArrays& mesh) {
+    Array<Index> number(mesh.edge_verts.size(), none);
+    Index next = 0;
+    const auto give = [&](int corner) {
+        if (Index& of = number[mesh.corner_edges[corner]]; of == none) of = next++;
+    };
+    for (std::size_t f = 1; f < mesh.polygon_offsets.size(); ++f) {
+        const int begin = mesh.polygon_offsets[f - 1], end = mesh.polygon_offsets[f];
+        if (begin < end) give(end - 1);
+        for (int corner = begin; corner + 1 < end; ++corner) give(corner);
+    }
+    for (Index& of : number)
+        if (of == none) of = next++;
+    return number;
+}
+
 }  // namespace
 
 void check_mesh(const std::string& name, const MeshArrays& mesh) {
@@ -101,8 +120,11 @@ void Surface::take_topology(const MeshArrays& mesh) {
     polygons_.offsets.assign(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end());
     if (polygons_.offsets.empty()) polygons_.offsets.push_back(0);
     corner_verts_.assign(mesh.corner_verts.begin(), mesh.corner_verts.end());
-    corner_edges_.assign(mesh.corner_edges.begin(), mesh.corner_edges.end());
-    edges.assign(mesh.edge_verts.begin(), mesh.edge_verts.end());
+    const Array<Index> number = edge_numbers(mesh);
+    corner_edges_.resize(mesh.corner_edges.size());
+    parallel_for(corner_edges_.size(), [&](std::size_t c) { corner_edges_[c] = number[mesh.corner_edges[c]]; });
+    edges.resize(edge_count);
+    parallel_for(edge_count, [&](std::size_t e) { edges[number[e]] = Edge(mesh.edge_verts[e]); });
     mesh_edges = static_cast<Index>(edge_count);
     polygon_material.assign(mesh.material.begin(), mesh.material.end());
     polygon_material.resize(polygon_total, 0);
@@ -111,7 +133,7 @@ void Surface::take_topology(const MeshArrays& mesh) {
     edge_marks.assign(edge_count, 0);
     const auto mark = [&](In<std::uint8_t> flags, Mark bit) {
         for (std::size_t e = 0; e < flags.size(); ++e)
-            if (flags[e]) edge_marks[e] |= bit;
+            if (flags[e]) edge_marks[number[e]] |= bit;
     };
     mark(mesh.sharp, mark_sharp);
     mark(mesh.seam, mark_seam);

@@ -76,8 +76,8 @@ struct EdgeSide {
 
 /// Arrays of a surface.
 struct SurfaceArrays {
-    // Topology, as given. Skipped polygons keep their index but have no facets.
-    Array<Edge> edges;               ///< mesh edges, then the diagonals of non-planar polygons
+    // Topology. Skipped polygons keep their index but have no facets.
+    Array<Edge> edges;               ///< mesh edges as the corners first name them, then diagonals of bent polygons
     Index mesh_edges = 0;            ///< number of `edges` that are mesh edges
     Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
     Array<int> polygon_material;     ///< per polygon
