@@ -10,6 +10,7 @@ import time
 import weakref
 from dataclasses import dataclass
 
+import bpy
 import numpy as np
 
 from .. import budget, native, pipeline
@@ -89,10 +90,14 @@ class Viewport:
     def draw(self, engine, context, depsgraph):
         """Draws the region."""
         view, job, start = camera.of_region(context, depsgraph), worker.running(), time.monotonic()
+        if _render_runs_alone():
+            self.wanted = None  # found anew after the render
+            engine.update_stats("Fovea", "The viewport waits for the render")
         # A slow draft is finished, not restarted: else nothing new would be shown until the view rests.
-        if job is None or not job.draft or job.wait(job.started + PATIENCE - start):
+        elif job is None or not job.draft or job.wait(job.started + PATIENCE - start):
             self._take(engine)
-            before = self.wanted
+            if (before := self.wanted) is None:
+                engine.update_stats("", "")
             self._want(engine, context, depsgraph, view)
             self._draw(engine, depsgraph.scene.fovea_viewport.budget_ms, start + PATIENCE)
             if self.wanted is not before:
@@ -173,6 +178,8 @@ class Viewport:
         """Timer callback between draws of the region: starts refinements and requests redraws. Returns whether to call
         it again."""
         job = self.job
+        if _render_runs_alone():
+            return True
         if job is None:
             if self.is_final():
                 return False
@@ -214,6 +221,13 @@ def _made(wanted, quality, tell, cancel):
     seen = scene.seen(native.load(), wanted.view).smaller(chosen.scale)
     image = session.draw(wanted.scene.gathered, seen, style, wanted.backend, options, tell, cancel)
     return _Picture(wanted, quality, image)
+
+
+def _render_runs_alone():
+    """Whether a render runs beside which a viewport must not draw. Before 5.2 Blender has one flag for all threads that
+    forbids Python to write data while a region is drawn. A render that begins while such a draw waits for another
+    thread restores that flag when all else is done: nothing can be edited or saved from then on."""
+    return bpy.app.version < (5, 2, 0) and bpy.app.is_job_running("RENDER")
 
 
 def _seen(view):

@@ -8,6 +8,7 @@ that modifies one (by reading a changed mesh) must stop the worker first.
 import threading
 import time
 
+NAME = "Fovea viewport"  # of the thread
 _current = None  # the Job that is running, or ran last
 
 
@@ -21,7 +22,7 @@ class Job:
         self.started = time.monotonic()
         self._work, self._cancel, self._cancelled = work, cancel, cancelled
         self._done = threading.Event()
-        self._thread = threading.Thread(target=self.run, name="Fovea viewport", daemon=True)
+        self._thread = threading.Thread(target=self.run, name=NAME, daemon=True)
 
     def run(self):
         """Draws the picture in the calling thread."""

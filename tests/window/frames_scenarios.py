@@ -5,6 +5,7 @@ scenario returns."""
 import bpy
 import numpy as np
 from showing import Steps, calm, of_file, opened, still, turn
+from slow import slower
 from the_addon import part, use_style
 from window import screen
 
@@ -95,3 +96,22 @@ def rendering(folder):
     names = [name for name in steps.pictures if name not in ("start", "strokes")]  # Blender draws strokes over it
     told["same"] = {name: steps.differ("start", name) for name in names}
     return told | {"calm": (yield from calm())}
+
+
+def animation(folder):
+    """An animation is rendered beside a viewport that draws all the time; data is written meanwhile."""
+    yield from opened("boxes:3")
+    scene = bpy.context.scene
+    bpy.context.preferences.view.render_display_type = "NONE"
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 640, 360, 100
+    scene.frame_start, scene.frame_end = 1, 12
+    scene.render.filepath = str(folder / "frame_")
+    use_style(scene, "technical")
+    with slower(viewport=0.1, render=0.2):
+        with screen.override():
+            bpy.ops.render.render("INVOKE_DEFAULT", animation=True)
+        while bpy.app.is_job_running("RENDER"):
+            turn(3)
+            yield
+            scene.unit_settings.scale_length += 1
+    return {"files": len(list(folder.glob("frame_*"))), "calm": (yield from calm())}

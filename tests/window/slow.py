@@ -2,6 +2,7 @@
 """A drawing whose duration a test controls, in any thread."""
 
 import threading
+import time
 from contextlib import contextmanager
 
 from the_addon import part
@@ -35,3 +36,22 @@ def held():
     finally:
         session.pipeline.draw = old
         one.go.set()
+
+
+@contextmanager
+def slower(viewport, render):
+    """Pictures of viewports, and what a render asks of the engine, take these seconds longer meanwhile."""
+
+    def after(old):
+        def later(*arguments, **options):
+            time.sleep(viewport if threading.current_thread().name == worker.NAME else render)
+            return old(*arguments, **options)
+
+        return later
+
+    old = session.pipeline.draw, session.register_passes
+    session.pipeline.draw, session.register_passes = map(after, old)
+    try:
+        yield
+    finally:
+        session.pipeline.draw, session.register_passes = old

@@ -16,3 +16,7 @@ def test_renders_and_baking_beside_the_viewport(play):
     assert len(found["files"]) == 4 and found["job 0"] and found["job 1"], found
     assert found["image"] == [1, False] and found["strokes"] == found["mesh"] == [0, True], found
     assert found["calm"]
+
+
+def test_data_can_be_written_while_an_animation_is_rendered_beside_the_viewport(play):
+    assert play("animation") == {"files": 12, "calm": True}
