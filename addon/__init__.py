@@ -6,9 +6,11 @@ Importable without Blender: only `register` imports modules that need it.
 
 import importlib
 
-MODULES = (
-    *("ui.preferences", "render.properties", "style.style_operators", "style.line_set_operators"),
-    *("ui.panels", "ui.viewport_settings", "render.engine"),
+MODULES = (  # those with something to register; panels stand in this order
+    *("ui.preferences", "style.style_groups", "focus.focus_settings", "render.properties"),
+    *("style.style_operators", "style.line_set_operators", "ui.thumbnails", "ui.panels", "ui.view_transform"),
+    *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.paper", "ui.method", "ui.things"),
+    *("ui.sidebar", "ui.menu", "ui.viewport_settings", "render.engine"),
 )
 TOOLS = (
     *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),
@@ -17,15 +19,15 @@ TOOLS = (
 )
 
 
-def _modules():
-    return [importlib.import_module(f".{name}", __package__) for name in MODULES + TOOLS]
+def _imported(name):
+    return importlib.import_module(f".{name}", __package__)
 
 
 def register():
-    for module in _modules():
-        module.register()
+    for name in MODULES + TOOLS:
+        _imported("scene.registration").register(_imported(name))
 
 
 def unregister():
-    for module in reversed(_modules()):
-        module.unregister()
+    for name in reversed(MODULES + TOOLS):
+        _imported("scene.registration").unregister(_imported(name))

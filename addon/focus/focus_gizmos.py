@@ -161,8 +161,3 @@ class VIEW3D_GGT_fovea_focus(bpy.types.GizmoGroup):
             for part in PARTS:
                 handle = self.gizmos.new(FOVEA_GT_focus_handle.bl_idname)
                 handle.index, handle.part, handle.use_draw_modal = index, part, True
-
-
-CLASSES = (FOVEA_GT_focus_handle, VIEW3D_GGT_fovea_focus)
-
-register, unregister = bpy.utils.register_classes_factory(CLASSES)

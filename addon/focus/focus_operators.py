@@ -166,6 +166,3 @@ class FOVEA_OT_pick_focus(Operator, bpy.types.Operator):
         context.workspace.status_text_set(None)
         context.window.cursor_modal_restore()
         return result
-
-
-register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_pick_focus,))

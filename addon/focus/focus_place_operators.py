@@ -54,8 +54,3 @@ class FOVEA_OT_focus_place_remove(Operator, bpy.types.Operator):
         left = [None if i == gone else i - (i > gone) for i in range(count)]
         animation.follow(context.scene, left, animation.FOCUS_POINT)
         context.scene.update_tag()
-
-
-CLASSES = (FOVEA_OT_focus_place_add, FOVEA_OT_focus_place_remove)
-
-register, unregister = bpy.utils.register_classes_factory(CLASSES)

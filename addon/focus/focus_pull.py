@@ -177,6 +177,3 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         if self.target == "OBJECT":
             return scene.objects[self.object].matrix_world.translation.copy()
         return Vector(scene.cursor.location if self.target == "CURSOR" else self.location)
-
-
-register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_focus_pull,))

@@ -98,6 +98,3 @@ class FoveaFocusPoint(bpy.types.PropertyGroup):
     """A further place to look at."""
 
     __annotations__ = _point_annotations()
-
-
-register, unregister = bpy.utils.register_classes_factory((FoveaFocusPoint,))

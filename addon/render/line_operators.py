@@ -105,8 +105,3 @@ def _lines(engine, depsgraph):
     if not found.snapshot.surfaces:
         raise CannotDraw("There is nothing in the scene that has lines")
     return drawn_lines.of(found, camera.of_render(engine, depsgraph), chosen, options, near), chosen
-
-
-CLASSES = (FOVEA_OT_render_lines, FOVEA_OT_bake_strokes)
-
-register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -10,7 +10,7 @@ from bpy.props import PointerProperty
 from ..focus import focus_settings
 from ..scene import own_lines, repair
 from ..scene.property_kinds import SHARE, choice, new_group, number, pointer, redraw, switch, whole_number
-from ..style import style_data, style_groups, style_read
+from ..style import style_data, style_read
 from . import gpu_context, methods
 
 
@@ -131,8 +131,6 @@ _registered = []  # (Blender type that gets the settings, or None for a nested g
 
 
 def register():
-    style_groups.register()
-    focus_settings.register()
     kinds = own_lines.kinds()
     _registered[:] = [
         (None, kinds),
@@ -152,5 +150,3 @@ def unregister():
             del owner.fovea
         bpy.utils.unregister_class(group)
     _registered.clear()
-    focus_settings.unregister()
-    style_groups.unregister()

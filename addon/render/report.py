@@ -193,6 +193,3 @@ def _shown(menu, _context):
         menu.layout.label(text=line)
     if len(lines) > _IN_POPUP:
         menu.layout.label(text=f"and {len(lines) - _IN_POPUP} lines more")
-
-
-register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_report,))

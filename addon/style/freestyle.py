@@ -135,6 +135,3 @@ class FOVEA_OT_match_freestyle(Operator, bpy.types.Operator):
         style_data.use(context.scene, chosen, "Freestyle")
         if told:
             self.report({"WARNING"}, f"Not taken over: {'; '.join(told)}")
-
-
-register, unregister = bpy.utils.register_classes_factory((FOVEA_OT_match_freestyle,))

@@ -154,15 +154,3 @@ def _free_name(held, wanted):
     taken, stem = {line_set.name for line_set in held.line_sets}, wanted.rpartition(".")[0] or wanted
     names = (wanted, *(f"{stem}.{number:03}" for number in range(1, MOST + 2)))
     return next(name for name in names if name not in taken)
-
-
-CLASSES = (
-    FOVEA_OT_line_set_add,
-    FOVEA_OT_line_set_duplicate,
-    FOVEA_OT_line_set_remove,
-    FOVEA_OT_line_set_move,
-    FOVEA_OT_hidden_pen_add,
-    FOVEA_OT_hidden_pen_remove,
-)
-
-register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -204,23 +204,8 @@ def _in_menu(menu, _context):
     """Entries in Render > Fovea, so that F3 (search) finds the operators."""
     menu.layout.separator()
     menu.layout.operator_context = "INVOKE_DEFAULT"
-    for cls in OPERATORS[:2]:
+    for cls in (FOVEA_OT_style_mark_asset, FOVEA_OT_style_clear_asset):
         menu.layout.operator(cls.bl_idname)
 
 
-OPERATORS = (FOVEA_OT_style_mark_asset, FOVEA_OT_style_clear_asset, FOVEA_OT_style_use_asset)
-CLASSES = (*OPERATORS, VIEW3D_AST_fovea_styles)
-
-
-def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.ASSETBROWSER_MT_context_menu.append(_in_browser)
-    bpy.types.TOPBAR_MT_fovea.append(_in_menu)
-
-
-def unregister():
-    bpy.types.TOPBAR_MT_fovea.remove(_in_menu)
-    bpy.types.ASSETBROWSER_MT_context_menu.remove(_in_browser)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+MENUS = {"ASSETBROWSER_MT_context_menu": _in_browser, "TOPBAR_MT_fovea": _in_menu}

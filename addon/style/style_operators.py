@@ -215,19 +215,3 @@ class FOVEA_OT_style_delete(_OnSaved, bpy.types.Operator):
 
     def act(self, _context):
         style_files.delete(self.style)
-
-
-CLASSES = (
-    FOVEA_OT_style_new,
-    FOVEA_OT_style_apply,
-    FOVEA_OT_style_duplicate,
-    FOVEA_OT_style_import,
-    FOVEA_OT_style_export,
-    FOVEA_OT_style_save,
-    FOVEA_OT_style_update,
-    FOVEA_OT_style_rename,
-    FOVEA_OT_style_delete,
-)
-
-
-register, unregister = bpy.utils.register_classes_factory(CLASSES)

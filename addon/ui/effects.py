@@ -47,6 +47,3 @@ def _draw_transfer(layout, tree, part, declared, heeded):
         if node:
             body.template_curve_mapping(node, "mapping")
     return body
-
-
-CLASSES = (RENDER_PT_fovea_effects,)

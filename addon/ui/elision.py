@@ -44,6 +44,3 @@ def _draw_attribute(layout, elision, name, obj):
         layout.prop_search(elision, name, obj.data, "attributes", icon="GROUP_VCOL")
     else:
         layout.prop(elision, name)
-
-
-CLASSES = (RENDER_PT_fovea_elision,)

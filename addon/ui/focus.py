@@ -38,6 +38,3 @@ def _draw_place(layout, place, kind):
     for name in kind.place:
         if name != "focus_location" or place.focus_object is None:
             column.prop(place, name)
-
-
-CLASSES = (RENDER_PT_fovea_focus,)

@@ -159,6 +159,7 @@ def _in_popover(self, context):
         self.layout.prop(context.window_manager, "fovea_show_focus")
 
 
+MENUS = {"VIEW3D_PT_overlay": _in_popover}
 _HANDLERS = (("depsgraph_update_post", _changed), ("frame_change_post", _changed), ("load_pre", _forget))
 handle = None
 
@@ -174,12 +175,10 @@ def register():
     handle = bpy.types.SpaceView3D.draw_handler_add(_draw, (), "WINDOW", "POST_PIXEL")
     for name, function in _HANDLERS:
         getattr(bpy.app.handlers, name).append(function)
-    bpy.types.VIEW3D_PT_overlay.append(_in_popover)
 
 
 def unregister():
     global handle
-    bpy.types.VIEW3D_PT_overlay.remove(_in_popover)
     for name, function in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(function)
     bpy.types.SpaceView3D.draw_handler_remove(handle, "WINDOW")

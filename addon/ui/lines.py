@@ -129,6 +129,3 @@ def _draw_hidden(body, scene, line_set):
     away = fold_switch(body, "hidden_away", hidden, "away")
     if away:
         draw_pen(away, hidden.pen_away)
-
-
-CLASSES = (FOVEA_UL_line_sets, FOVEA_UL_hidden_pens, RENDER_PT_fovea_lines)

@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..style.line_set_operators import CLASSES as LINE_SETS
-from ..style.style_operators import CLASSES as STYLES
+from ..scene.registration import classes_of
+from ..style import line_set_operators, style_operators
 
 ASKING = ("import", "export", "save")  # style operators that open a dialog, by the last word of their names
 
@@ -22,12 +22,12 @@ class _OfOperators:
 
 class TOPBAR_MT_fovea_style(_OfOperators, bpy.types.Menu):
     bl_label = "Style"
-    operators, choice = STYLES, "style"
+    operators, choice = classes_of(style_operators), "style"
 
 
 class TOPBAR_MT_fovea_line_sets(_OfOperators, bpy.types.Menu):
     bl_label = "Line Sets"
-    operators, choice = LINE_SETS, "direction"
+    operators, choice = classes_of(line_set_operators), "direction"
 
 
 class TOPBAR_MT_fovea(bpy.types.Menu):
@@ -47,9 +47,9 @@ def _draw_operator(layout, cls, choice):
     layout.operator(cls.bl_idname, text=f"{cls.bl_label}..." if asks else cls.bl_label)
 
 
-def append(menu, _context):
+def _in_render_menu(menu, _context):
     menu.layout.separator()
     menu.layout.menu("TOPBAR_MT_fovea")
 
 
-CLASSES = (TOPBAR_MT_fovea_style, TOPBAR_MT_fovea_line_sets, TOPBAR_MT_fovea)
+MENUS = {"TOPBAR_MT_render": _in_render_menu}

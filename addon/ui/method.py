@@ -48,6 +48,3 @@ def _draw_statistics(layout, known):
         row = column.split(factor=0.5)
         row.label(text=name)
         row.label(text=value)
-
-
-CLASSES = (RENDER_PT_fovea_visibility, RENDER_PT_fovea_performance)

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Registers Fovea's panels, and enables those of Blender's panels that apply to this engine."""
+"""Enables those of Blender's panels that apply to this engine."""
 
 import bpy
 
-from . import effects, elision, focus, lines, menu, method, paper, sidebar, style, things, thumbnails, view_transform
 from .common import ENGINE
 
 # Blender's panels declare their engines in COMPAT_ENGINES; those in ALSO are enabled without BLENDER_RENDER in it.
 ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
 NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
-MODULES = (view_transform, style, lines, focus, effects, elision, paper, method, things, sidebar, menu)
-CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 
 def _blender_panels():
@@ -22,9 +19,6 @@ def _blender_panels():
 
 
 def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.TOPBAR_MT_render.append(menu.append)
     for panel in _blender_panels():
         panel.COMPAT_ENGINES.add(ENGINE)
 
@@ -32,7 +26,3 @@ def register():
 def unregister():
     for panel in _blender_panels():
         panel.COMPAT_ENGINES.discard(ENGINE)
-    bpy.types.TOPBAR_MT_render.remove(menu.append)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
-    thumbnails.forget()

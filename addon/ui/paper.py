@@ -43,6 +43,3 @@ class RENDER_PT_fovea_paper(StylePanel, bpy.types.Panel):
         if name in ("scale", "tooth", "tint"):
             return paper.texture != "none"
         return name != "granulation" or (paper.texture != "none" and _drawn(held))
-
-
-CLASSES = (RENDER_PT_fovea_color, RENDER_PT_fovea_paper)

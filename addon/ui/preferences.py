@@ -89,10 +89,5 @@ def apply(preferences):
 
 
 def register():
-    bpy.utils.register_class(FoveaPreferences)
     if own():
         apply(own())
-
-
-def unregister():
-    bpy.utils.unregister_class(FoveaPreferences)

@@ -68,6 +68,3 @@ class VIEW3D_PT_fovea_lines(_SidePanel, bpy.types.Panel):
         line_set = edited(held)
         if line_set:
             draw_pen(layout, line_set.pen, 3)  # the other groups are in the render tab
-
-
-CLASSES = (VIEW3D_PT_fovea_style, VIEW3D_PT_fovea_focus, VIEW3D_PT_fovea_lines)

@@ -57,6 +57,3 @@ def draw_gallery(layout):
         row = layout.row(align=True)
         row.operator_menu_enum("fovea.style_rename", "style", text="Rename One of Yours")
         row.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")
-
-
-CLASSES = (RENDER_PT_fovea_style,)

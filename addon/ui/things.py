@@ -100,6 +100,3 @@ class VIEWLAYER_PT_fovea(FoveaPanel, bpy.types.Panel):
 
     def show(self, layout, context):
         layout.prop(context.view_layer, "use_pass_z", text="Depth")
-
-
-CLASSES = (OBJECT_PT_fovea, MATERIAL_PT_fovea, VIEWLAYER_PT_fovea)

@@ -27,7 +27,11 @@ def icon_of(name):
 
 
 def forget():
+    """Frees all thumbnails."""
     _read.clear()
     pictures = _kept.pop("styles", None)
     if pictures is not None:
         bpy.utils.previews.remove(pictures)
+
+
+unregister = forget

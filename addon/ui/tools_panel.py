@@ -32,11 +32,4 @@ def _in_menu(self, _context):
     self.layout.operator("fovea.standard_view")
 
 
-def register():
-    bpy.utils.register_class(VIEW3D_PT_fovea_tools)
-    bpy.types.TOPBAR_MT_fovea.append(_in_menu)
-
-
-def unregister():
-    bpy.types.TOPBAR_MT_fovea.remove(_in_menu)
-    bpy.utils.unregister_class(VIEW3D_PT_fovea_tools)
+MENUS = {"TOPBAR_MT_fovea": _in_menu}

@@ -47,6 +47,3 @@ class RENDER_PT_fovea_view_transform(FoveaPanel, bpy.types.Panel):
 
     def show(self, layout, context):
         draw_view_transform(layout, context.scene)
-
-
-CLASSES = (FOVEA_OT_standard_view, RENDER_PT_fovea_view_transform)

@@ -28,16 +28,9 @@ class RENDER_PT_fovea_viewport(FoveaPanel, bpy.types.Panel):
         layout.prop(context.scene.fovea_viewport, "budget_ms")
 
 
-CLASSES = (FoveaViewportSettings, RENDER_PT_fovea_viewport)
-
-
 def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
     bpy.types.Scene.fovea_viewport = bpy.props.PointerProperty(type=FoveaViewportSettings)
 
 
 def unregister():
     del bpy.types.Scene.fovea_viewport
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)

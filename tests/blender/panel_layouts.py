@@ -5,9 +5,9 @@ properties."""
 from types import SimpleNamespace
 
 import bpy
-from the_addon import add_hidden, empty_scene, lines_of, only_lines, own_style, part, use_style
+from the_addon import add_hidden, empty_scene, fovea, lines_of, only_lines, own_style, part, use_style
 
-catalogue, panels = part("catalogue"), part("ui.panels")
+catalogue, registration = part("catalogue"), part("scene.registration")
 
 
 class RecordingLayout:
@@ -107,7 +107,8 @@ def shown_by(*classes):
 
 
 def drawn_panels():
-    shown = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
+    modules = [part(name) for name in fovea.MODULES if name.startswith("ui.")]
+    shown = [cls for module in modules for cls in registration.classes_of(module) if issubclass(cls, bpy.types.Panel)]
     return [cls for cls in shown if cls.poll(context())]
 
 

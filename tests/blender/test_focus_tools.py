@@ -11,7 +11,7 @@ from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
 KINDS = part("focus.focus_kinds").KINDS
 places, gizmos, overlay = part("focus.focus_places"), part("focus.focus_gizmos"), part("ui.focus_overlay")
-operators = part("focus.focus_operators")
+operators, registration = part("focus.focus_operators"), part("scene.registration")
 camera, reading, style = part("scene.camera"), part("render.reading"), part("style")
 
 
@@ -246,10 +246,10 @@ def test_registered_and_unregistered_again_and_again_they_leave_nothing(scene):
     before = leftovers()
     for _ in range(20):
         for module in reversed(tools):
-            module.unregister()
+            registration.unregister(module)
         without = leftovers()
         for module in tools:
-            module.register()
+            registration.register(module)
     assert leftovers() == before
     assert without != before and without[2:] == (False, True)
     assert bpy.ops.fovea.pick_focus(location=(1, 2, 3)) == {"FINISHED"}

@@ -6,7 +6,7 @@ import pytest
 from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
 from the_addon import lines_of, only_lines, own_style, part
 
-properties = part("render.properties")
+properties, registration = part("render.properties"), part("scene.registration")
 
 
 @pytest.fixture
@@ -39,7 +39,7 @@ def test_a_menu_has_every_operator_so_that_it_is_found():
         menu = getattr(part("ui.menu"), f"TOPBAR_MT_fovea_{name}")
         menu.show(menu, layout)
     for module in ("style_operators", "line_set_operators"):
-        operators += [cls.bl_idname for cls in part(f"style.{module}").CLASSES]
+        operators += [cls.bl_idname for cls in registration.classes_of(part(f"style.{module}"))]
     assert sorted(layout.operators) == sorted(operators)
 
 

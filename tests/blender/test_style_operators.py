@@ -8,7 +8,7 @@ import pytest
 from the_addon import empty_scene, lines_of, own_style, part, use_style
 
 catalogue, properties, style = part("catalogue"), part("render.properties"), part("style")
-files = part("style.style_files")
+files, registration = part("style.style_files"), part("scene.registration")
 
 
 @pytest.fixture
@@ -157,7 +157,7 @@ def test_hidden_pens_are_added_behind_those_there_are(scene):
 
 def test_every_operator_tells_what_it_does():
     for module in ("style_operators", "line_set_operators"):
-        for cls in part(f"style.{module}").CLASSES:
+        for cls in registration.classes_of(part(f"style.{module}")):
             assert len(cls.__doc__.split()) > 4 and cls.bl_idname.startswith("fovea.")
             called = getattr(bpy.ops.fovea, cls.bl_idname.partition(".")[2])
             for prop in called.get_rna_type().properties:
