@@ -8,21 +8,12 @@ int atlas_index()
   return int(gl_FragCoord.y) * ROW_WIDTH + int(gl_FragCoord.x);
 }
 
-// Segment that owns a sample: the last one that begins at or before it (binary search).
+// Segment that owns a sample: the last one that begins at or before it.
 int atlas_owner(int index)
 {
   int low = int(fetch_row(owners, index / OWNER_STRIDE).x);
   int high = int(fetch_row(owners, index / OWNER_STRIDE + 1).x);
-  while (low < high) {
-    int middle = (low + high + 1) / 2;
-    if (fetch_row(segments, 3 * middle).w <= float(index)) {
-      low = middle;
-    }
-    else {
-      high = middle - 1;
-    }
-  }
-  return low;
+  return last_segment(segments, low, high, float(index));
 }
 
 // The sample at this fragment.

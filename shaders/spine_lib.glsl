@@ -2,20 +2,10 @@
 // The spine test (native/fovea/visibility/spine.h): visibility of this stroke's piece around arc length u [px].
 float spine_visibility(float u)
 {
-  int low = int(spine.x);
-  int high = int(spine.y);
-  while (low < high) {
-    int middle = (low + high + 1) / 2;
-    if (fetch_row(segments, 3 * middle).w <= u) {
-      low = middle;
-    }
-    else {
-      high = middle - 1;
-    }
-  }
-  vec4 first = fetch_row(segments, 3 * low);
-  vec4 last = fetch_row(segments, 3 * low + 1);
-  vec4 own = fetch_row(segments, 3 * low + 2);
+  int at = last_segment(segments, int(spine.x), int(spine.y), u);
+  vec4 first = fetch_row(segments, 3 * at);
+  vec4 last = fetch_row(segments, 3 * at + 1);
+  vec4 own = fetch_row(segments, 3 * at + 2);
   vec2 part = vec2(0.0);
   if (last.w > first.w) {
     part = clamp((vec2(u - 0.5, u + 0.5) - first.w) / (last.w - first.w), 0.0, 1.0);

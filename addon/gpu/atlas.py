@@ -4,6 +4,7 @@
 import numpy as np
 
 from .. import native
+from .program import layout_constants
 from .texture import Target, row_width, upload_row
 
 
@@ -30,8 +31,7 @@ class Atlas:
                 self._programs.cover(
                     program,
                     {**batch.samplers, **samplers},
-                    border=(layout.border_x, layout.border_y),
-                    buffer_scale=float(layout.scale),
+                    **layout_constants(layout),
                     tile=layout.core,
                     sample_total=batch.count,
                     **constants,

@@ -11,7 +11,7 @@ from .atlas import Atlas
 from .clock import Clock
 from .elision import ElisionPass, border_of
 from .items import ItemPass, item_of_point
-from .program import Programs, triangles
+from .program import Programs, layout_constants, triangles
 from .strokes import StrokePass, box_of, boxes
 from .texture import Target, size_limit, upload_row
 
@@ -81,10 +81,8 @@ class Backend(native.load().Backend):
         # Depth interpolated in clip space has steps of 6e-8, a relative error that grows with distance in perspective.
         far = not view.orthographic and native.load().depth_reach(scene, view) > _FAR * view.near_clip
         self._keep_surfaces(scene, draws)
-        with target.bind() as framebuffer:
+        with target.bind("GREATER") as framebuffer:
             framebuffer.clear(color=_BACKGROUND, depth=0.0)
-            gpu.state.depth_test_set("GREATER")
-            gpu.state.depth_mask_set(True)
             program = self._programs.bind("far_depth" if far else "depth", buffer_scale=float(layout.scale))
             for draw in draws:
                 gpu.state.face_culling_set(draw.culled)
@@ -159,8 +157,7 @@ class Backend(native.load().Backend):
     def _draw_seen(self, frame, layout, box, passes, segments):
         depth = self._depth(frame, layout)
         samplers = {"segments": segments, **_looked_into(depth)}
-        border = (layout.border_x, layout.border_y)
-        return passes.draw(box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame))
+        return passes.draw(box, "spine", samplers, **layout_constants(layout), **_looks(frame))
 
     def _put(self, image, box, target):
         """Copies a Target to its box (left, lower, right, upper) of an image."""

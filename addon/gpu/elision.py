@@ -73,10 +73,8 @@ class ElisionPass:
             target.color.clear(format="UINT", value=(0, 0))
             # The sampler must be bound even for the first layer; a texture must not be read while it is the target.
             front = layers[0].color if layers else gpu.types.GPUTexture((1, 1), format="RG32UI")
-            with target.bind() as framebuffer:
+            with target.bind("GREATER") as framebuffer:
                 framebuffer.clear(depth=0.0)
-                gpu.state.depth_test_set("GREATER")
-                gpu.state.depth_mask_set(True)
                 program = self._programs.bind(
                     "priority",
                     {"layer0": front},

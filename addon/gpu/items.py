@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The item buffer on the GPU (native/fovea/visibility/item_buffer.h): ids of lines per texel, in layers by depth."""
 
-import gpu
 import numpy as np
 
 from .. import native
-from .program import triangles
+from .program import layout_constants, triangles
 from .texture import Target
 
 
@@ -30,10 +29,8 @@ class ItemPass:
             # Both samplers must be bound even without two layers in front; `depth` fills in, as it is not the target.
             front = [*(layer.color for layer in layers), depth.color, depth.color]
             samplers = {"depth_buffer": depth.color, "layer0": front[0], "layer1": front[1]}
-            with target.bind() as framebuffer:
+            with target.bind("GREATER_EQUAL") as framebuffer:
                 framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0), depth=0.0)
-                gpu.state.depth_test_set("GREATER_EQUAL")
-                gpu.state.depth_mask_set(True)
                 for batch in atlas.batches:
                     self._lines(batch, layout, samplers, number)
             layers.append(target)
@@ -44,9 +41,8 @@ class ItemPass:
         program = self._programs.bind(
             "item",
             {"segments": batch.samplers["segments"], "items": batch.samplers["items"], **samplers},
-            border=(layout.border_x, layout.border_y),
+            **layout_constants(layout),
             buffer_size=(layout.width, layout.height),
-            buffer_scale=float(layout.scale),
             slope_factor=options.slope_factor,
             bias=options.bias,
             layers_in_front=layers_in_front,

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Strokes on the GPU: uploaded once, then drawn into one target per image tile."""
 
-import gpu
 import numpy as np
 
 from .. import native
@@ -33,9 +32,8 @@ class StrokePass:
         """Draws the strokes inside a box (left, lower, right, upper) of the image, in pixels; returns its Target."""
         left, lower, right, upper = box
         target = Target(right - left, upper - lower, "RGBA32F")
-        with target.bind() as framebuffer:
+        with target.bind(blend="ALPHA_PREMULT") as framebuffer:
             framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))
-            gpu.state.blend_set("ALPHA_PREMULT")
             program = self._programs.bind(
                 program,
                 {**self._samplers, **(samplers or {})},

@@ -63,21 +63,16 @@ class Target:
         self._framebuffer = gpu.types.GPUFrameBuffer(**slots)
 
     @contextmanager
-    def bind(self):
-        """Context in which draws go into this target; restores the framebuffer, depth and blend state afterwards."""
-        depth_test, depth_mask, blend = gpu.state.depth_test_get(), gpu.state.depth_mask_get(), gpu.state.blend_get()
+    def bind(self, depth_test="NONE", blend="NONE"):
+        """Context in which draws go into this target; restores the framebuffer, depth and blend state afterwards. With
+        a depth test, depth is written."""
+        before = gpu.state.depth_test_get(), gpu.state.depth_mask_get(), gpu.state.blend_get()
         try:
             with self._framebuffer.bind():
-                gpu.state.depth_test_set("NONE")
-                gpu.state.depth_mask_set(False)
-                gpu.state.blend_set("NONE")
-                gpu.state.face_culling_set("NONE")
+                _set_state(depth_test, depth_test != "NONE", blend)
                 yield self._framebuffer
         finally:
-            gpu.state.depth_test_set(depth_test)
-            gpu.state.depth_mask_set(depth_mask)
-            gpu.state.blend_set(blend)
-            gpu.state.face_culling_set("NONE")
+            _set_state(*before)
 
     def wait(self):
         """Blocks until all draws into it are finished, by reading back one pixel."""
@@ -91,3 +86,10 @@ class Target:
             data = self._framebuffer.read_color(0, 0, self.width, self.height, channels, slot, "FLOAT")
         data.dimensions = count  # 4.3 scrambles the strides of buffers of several dimensions
         return np.asarray(data, dtype=np.float32).reshape(self.height, self.width, channels)
+
+
+def _set_state(depth_test, depth_mask, blend):
+    gpu.state.depth_test_set(depth_test)
+    gpu.state.depth_mask_set(depth_mask)
+    gpu.state.blend_set(blend)
+    gpu.state.face_culling_set("NONE")
