@@ -124,9 +124,6 @@ class Budget:
                 self._cost[other] *= now / before if before > 0 else 1.0
             self._cost[key] = now
 
-    def known(self):
-        return bool(self._cost)
-
     def predicted(self, index, *, cold=False):
         """Expected ms of a picture in this quality."""
         quality = QUALITIES[index]
@@ -146,7 +143,7 @@ class Budget:
     def choose(self, budget_ms, last=None, *, cold=False):
         """Index of the best quality whose expected time is within the budget or within ENOUGH times the cheapest.
         `last`: index of the quality drawn before, or None; better ones must fit into MARGIN of the budget."""
-        if not self.known():
+        if not self._cost:
             return UNKNOWN
         predicted = [self.predicted(i, cold=cold) for i in range(len(QUALITIES))]
         chosen = self._least_within(budget_ms, predicted, last)

@@ -4,6 +4,8 @@
 Drawing and dragging are in region pixels. Values are set through the RNA properties, so keyframes and undo work.
 """
 
+from itertools import product
+
 import bpy
 
 from ..gpu import overlay as gpu_overlay
@@ -148,16 +150,13 @@ class VIEW3D_GGT_fovea_focus(bpy.types.GizmoGroup):
         in_camera = context.region_data.view_perspective == "CAMERA"
         return not kind.no_pull and (in_camera or not kind.in_frame)
 
-    def setup(self, context):
-        self.make(context)
-
     def refresh(self, context):
-        if len(self.gizmos) != len(PARTS) * len(focus_places.places(context.scene.fovea)):
-            self.make(context)
-
-    def make(self, context):
+        wanted = list(product(range(len(focus_places.places(context.scene.fovea))), PARTS))
+        if len(self.gizmos) == len(wanted):
+            return
         self.gizmos.clear()
-        for index in range(len(focus_places.places(context.scene.fovea))):
-            for part in PARTS:
-                handle = self.gizmos.new(FOVEA_GT_focus_handle.bl_idname)
-                handle.index, handle.part, handle.use_draw_modal = index, part, True
+        for index, part in wanted:
+            handle = self.gizmos.new(FOVEA_GT_focus_handle.bl_idname)
+            handle.index, handle.part, handle.use_draw_modal = index, part, True
+
+    setup = refresh

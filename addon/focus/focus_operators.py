@@ -57,8 +57,7 @@ def pick(context, px, add):
     if kind.is_surface:
         focus_places.put_object(scene, obj, add=add)
         return None
-    unit = seen.unit_at(at)
-    if unit:
+    if unit := seen.unit_at(at):
         focus_places.fit_radii(scene.fovea, context.region.height / unit)
     focus_places.put(scene, at, add=add)
     return None

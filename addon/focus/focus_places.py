@@ -43,21 +43,17 @@ def put(scene, at, *, add=False):
 
 
 def put_object(scene, obj, *, add=False):
-    """Sets the first focus point to an object's surface or, with `add`, appends one; returns its properties."""
-    settings = scene.fovea
-    place = another(settings) if add else settings
+    """Sets the first focus point to an object's surface or, with `add`, appends one."""
+    place = another(scene.fovea) if add else scene.fovea
     place.focus_object = obj
-    return place
 
 
 def put_in_image(scene, at, *, add=False):
     """Sets the first focus point to a position in the camera's frame (0 to 1 from the left and the top) or, with `add`,
-    appends one; returns its properties."""
-    settings = scene.fovea
-    place = another(settings) if add else settings
+    appends one."""
+    place = another(scene.fovea) if add else scene.fovea
     place.focus_place = at
     key(scene, place, "focus_place")
-    return place
 
 
 def key(scene, owner, name):
@@ -107,8 +103,7 @@ class Look:
     def unit_at(self, at):
         """Pixels per scene unit at a world location, measured along the view's x axis; 0 if it does not project."""
         across = Vector(self.view.view_matrix[0][:3])
-        ends = (location_3d_to_region_2d(self.region, self.view, end) for end in (at, at + across))
-        a, b = ends
+        a, b = (location_3d_to_region_2d(self.region, self.view, end) for end in (at, at + across))
         return (b - a).length if a and b else 0.0
 
     def in_frame(self, px):

@@ -80,19 +80,18 @@ class Programs:
         self._programs = {}
         self._cover = None
 
-    def get(self, name):
+    def bind(self, name, samplers=None, **constants):
+        """Binds a program with its textures and push constants: int, float, or a sequence of floats; matrices as 16
+        floats in column-major order."""
         if name not in self._programs:
             self._programs[name] = compile_program(name)
-        return self._programs[name]
-
-    def bind(self, name, samplers=None, **constants):
-        """Binds a program with its textures and push constants: int, float, or a sequence of floats."""
-        program = self.get(name)
+        program = self._programs[name]
         program.bind()
         for sampler, texture in (samplers or {}).items():
             program.uniform_sampler(sampler, texture)
         for constant, value in constants.items():
-            set_constant(program, constant, value)
+            put = program.uniform_int if isinstance(value, int) else program.uniform_float
+            put(constant, value)
         return program
 
     def cover(self, name, samplers, **constants):
@@ -101,14 +100,6 @@ class Programs:
             corners = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
             self._cover = triangles({"corner": corners})
         self._cover.draw(self.bind(name, samplers, **constants))
-
-
-def set_constant(program, name, value):
-    """Sets a push constant: an int, a float, or a sequence of floats; matrices as 16 floats in column-major order."""
-    if isinstance(value, int):
-        program.uniform_int(name, value)
-    else:
-        program.uniform_float(name, value)
 
 
 def layout_constants(layout):
