@@ -40,12 +40,9 @@ _NAMED = 3  # most objects listed by name for the same reason
 
 def skipped(read, depsgraph):
     """Sentences about objects and mesh elements that are left out or altered."""
-    told = list(read.remarks)
-    for surface in read.snapshot.surfaces:
-        if found := surfaces.remark(surface.name, surface.report):
-            told.append(found)
     objects = depsgraph.scene.objects
-    return told + [f"'{obj.name}': {why}" for obj in objects if (why := _why_not(obj, read, depsgraph))]
+    absent = [f"'{obj.name}': {why}" for obj in objects if (why := _why_not(obj, read, depsgraph))]
+    return [*read.remarks, *surfaces.remarks(read.snapshot.surfaces), *absent]
 
 
 def _why_not(obj, read, depsgraph):

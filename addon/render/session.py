@@ -187,11 +187,8 @@ def _progress(engine, share, text):
 
 def report_skipped(engine, built, remarks=()):
     """Reports remarks and, once per newly built surface, what of its mesh was left out or looks wrong."""
-    for sentence in remarks:
+    for sentence in (*remarks, *surfaces.remarks(built)):
         engine.report({"INFO"}, sentence)
-    for surface in built:
-        if found := surfaces.remark(surface.name, surface.report):
-            engine.report({"INFO"}, found)
 
 
 def report_unknown(engine, chosen):

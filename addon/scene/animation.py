@@ -45,6 +45,5 @@ def curves(animated):
         return
     for layer in data.action.layers:
         for strip in layer.strips:
-            bag = strip.channelbag(data.action_slot) if data.action_slot else None
-            if bag:
+            if bag := strip.channelbag(data.action_slot) if data.action_slot else None:
                 yield bag.fcurves

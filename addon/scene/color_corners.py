@@ -5,7 +5,7 @@ import weakref
 
 import numpy as np
 
-from . import color_nodes
+from . import color_nodes, mesh_arrays
 
 COLORS = {"FLOAT_COLOR", "BYTE_COLOR"}
 
@@ -69,7 +69,8 @@ class Corners:
         entry = self._known.get(key)
         if entry is None or entry[0] != seen or entry[1]() is not self._surface:
             with self._cage() as cage:
-                mixed = self._surface.mix_corners(read(cage, name), _offsets(cage))
+                offsets = mesh_arrays.read_offsets(cage, np.empty(len(cage.polygons) + 1, np.int32))
+                mixed = self._surface.mix_corners(read(cage, name), offsets)
             entry = self._known[key] = (seen, weakref.ref(self._surface), mixed)
         return entry[2]
 
@@ -98,13 +99,6 @@ def _at_corners(mesh, attribute, what, columns):
     vertices = np.empty(len(mesh.loops), np.int32)
     mesh.attributes[".corner_vert"].data.foreach_get("value", vertices)
     return values[vertices]
-
-
-def _offsets(mesh):
-    offsets = np.empty(len(mesh.polygons) + 1, np.int32)
-    mesh.polygons.foreach_get("loop_start", offsets[:-1])
-    offsets[-1] = len(mesh.loops)
-    return offsets
 
 
 def _read(data, what, columns):

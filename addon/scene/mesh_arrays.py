@@ -95,9 +95,14 @@ def _offsets(core, mesh, rings, offsets):
     each = corners // polygons if polygons else 0
     if each in (3, 4) and corners == each * polygons and core.all_polygons_have(each, **rings):
         offsets[:] = np.arange(0, corners + 1, each)
-    else:
-        mesh.polygons.foreach_get("loop_start", offsets[:-1])
-        offsets[-1] = corners
+        return offsets
+    return read_offsets(mesh, offsets)
+
+
+def read_offsets(mesh, offsets):
+    """Fills `offsets` (F + 1,) with the first corner of each polygon and the number of corners, as Blender has them."""
+    mesh.polygons.foreach_get("loop_start", offsets[:-1])
+    offsets[-1] = len(mesh.loops)
     return offsets
 
 

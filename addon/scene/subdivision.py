@@ -59,7 +59,8 @@ def cage(obj, mesh, chosen, depsgraph):
         # Only with preserve_all_data_layers does Blender evaluate again instead of copying the result it has.
         result = real.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
     finally:
-        _switch(real.modifiers, switches)
+        for name, values in switches.items():
+            real.modifiers.foreach_set(name, values)
     try:
         yield result
     finally:
@@ -90,19 +91,10 @@ def _level(modifier, depsgraph):
 
 
 def _switched_off(modifiers, index):
-    """Switches one modifier off; returns the previous switches of all modifiers, for `_switch`."""
+    """Switches one of n modifiers off; returns the previous switches of all: {property: (n,) bool}."""
     before = {}
     for name in ("show_viewport", "show_render"):
         before[name] = np.empty(len(modifiers), np.bool_)
         modifiers.foreach_get(name, before[name])
-    off = {name: values.copy() for name, values in before.items()}
-    for values in off.values():
-        values[index] = False
-    _switch(modifiers, off)
+        modifiers.foreach_set(name, before[name] & (np.arange(len(modifiers)) != index))
     return before
-
-
-def _switch(modifiers, switches):
-    """Sets switches of all n modifiers: {property: (n,) bool}."""
-    for name, values in switches.items():
-        modifiers.foreach_set(name, values)

@@ -173,6 +173,11 @@ def remark(name, report, words=REMARKS):
     return f"'{name}': {'; '.join(found)}" if found else None
 
 
+def remarks(found):
+    """A sentence about each of these native surfaces of whose mesh something was left out or looks wrong."""
+    return [told for surface in found if (told := remark(surface.name, surface.report))]
+
+
 def _size(surface):
     """Estimated bytes of a surface with its fields and lines; measured on meshes of quads."""
     if surface is None:
