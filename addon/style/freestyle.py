@@ -37,8 +37,7 @@ def style_of(scene, layer):
         if not line_set.show_render:
             continue
         told += [f"'{line_set.name}': {what}" for what in _unmatched(line_set)]
-        kinds = _kinds(line_set, settings)
-        if kinds:
+        if kinds := _kinds(line_set, settings):
             sets.append(_line_set(line_set, kinds, scene))
     return style.Style(line_sets=tuple(sets)), told
 

@@ -40,8 +40,7 @@ class FOVEA_OT_style_mark_asset(OnStyle, bpy.types.Operator):
         return "The style is linked: open its own file to make it an asset, or duplicate it" if tree.library else None
 
     def invoke(self, context, _event):
-        known = style_data.of(context.scene).asset_data
-        if known:
+        if known := style_data.of(context.scene).asset_data:
             self.description, self.author = known.description, known.author
             self.tags = ", ".join(tag.name for tag in known.tags if tag.name != TAG)
         return context.window_manager.invoke_props_dialog(self)

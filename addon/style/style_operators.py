@@ -104,8 +104,7 @@ class FOVEA_OT_style_import(StyleOperator, bpy.types.Operator, ImportHelper):
 
     def act(self, context):
         found = style.read(self.filepath)
-        remark = style.remark(found)
-        if remark:
+        if remark := style.remark(found):
             self.report({"INFO"}, remark)
         style_data.use(context.scene, found, style_data.title(Path(self.filepath).stem) or "Style")
 

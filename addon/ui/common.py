@@ -57,9 +57,10 @@ def draw_pen(layout, pen, most=None):
         layout.separator()
 
 
-def fold(layout, name, title, closed=True):
-    """The body of a collapsible section, or None if it is closed."""
+def fold(layout, name, title, closed=True, heeded=True):
+    """The body of a collapsible section, or None if it is closed; its title is grayed out unless `heeded`."""
     header, body = layout.panel(f"fovea_{name}", default_closed=closed)
+    header.active = heeded
     header.label(text=title)
     return body
 

@@ -26,8 +26,7 @@ class RENDER_PT_fovea_effects(StylePanel, bpy.types.Panel):
             body = _draw_transfer(layout, tree, "effects", declared, heeded[declared["group"]])
             if body and name == "blur":
                 draw_properties(body, effects, ("blur_radius",), effects.blur.strength > 0)
-        body = fold(layout, "distance", "By Distance")
-        if body:
+        if body := fold(layout, "distance", "By Distance"):
             draw_properties(body, distance, ("near", "far"), away)
             for declared in style_groups.transfers(style.Distance).values():
                 _draw_transfer(body, tree, "distance", declared, away)
@@ -37,13 +36,10 @@ def _draw_transfer(layout, tree, part, declared, heeded):
     """Draws a transfer function; returns the section's body, or None if it is closed."""
     name = declared["name"]
     transfer = getattr(getattr(tree.fovea, part), name)
-    header, body = layout.panel(f"fovea_{part}_{name}", default_closed=True)
-    header.active = heeded and transfer.strength > 0
-    header.label(text=declared["label"])
+    body = fold(layout, f"{part}_{name}", declared["label"], heeded=heeded and transfer.strength > 0)
     if body:
         body.active = heeded
         draw_properties(body, transfer, ("start", "end", "strength"))
-        node = tree.nodes.get(style_curves.node_name(part, name))
-        if node:
+        if node := tree.nodes.get(style_curves.node_name(part, name)):
             body.template_curve_mapping(node, "mapping")
     return body

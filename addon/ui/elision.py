@@ -24,15 +24,13 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
         if context.scene.fovea.visibility == "SPINE":
             layout.label(text="The spine test knows too late what is seen to thin it", icon="INFO")
         draw_properties(layout, elision, ("fade_from", "cut", "frames"))
-        body = fold(layout, "elision_priority", "Priority")
-        if body:
+        if body := fold(layout, "elision_priority", "Priority"):
             body.active = elision.enabled
             weights = [f["name"] for f in plain_fields(style.Elision) if f["group"] == "weights"]
             draw_properties(body, elision, [name for name in weights if name != PAINTED])
             _draw_attribute(body, elision, "priority_attribute", context.object)
             draw_properties(body, elision, (PAINTED,), bool(elision.priority_attribute))
-        body = fold(layout, "elision_density", "Density")
-        if body:
+        if body := fold(layout, "elision_density", "Density"):
             body.active = elision.enabled
             _draw_attribute(body, elision, "density_attribute", context.object)
             body.prop(elision, "density_image")

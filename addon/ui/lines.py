@@ -34,8 +34,7 @@ class RENDER_PT_fovea_lines(StylePanel, bpy.types.Panel):
     def show(self, layout, context):
         held = style_data.of(context.scene).fovea
         draw_list(layout, held)
-        line_set = edited(held)
-        if line_set:
+        if line_set := edited(held):
             draw_filter(layout, line_set)
             draw_kinds(layout, held, line_set)
             draw_pens(layout, context.scene, line_set)
@@ -102,16 +101,13 @@ def _draw_kind(body, line_set, definition, before):
 
 
 def draw_pens(layout, scene, line_set):
-    body = fold(layout, "pen", "Pen", closed=False)
-    if body:
+    if body := fold(layout, "pen", "Pen", closed=False):
         draw_properties(body, line_set, ("corner_angle", "least_length", "overshoot", "halo"))
         draw_pen(body, line_set.pen)
-    body = fold_switch(layout, "pen_away", line_set, "away")
-    if body:
+    if body := fold_switch(layout, "pen_away", line_set, "away"):
         body.prop(line_set, "overshoot_away")
         draw_pen(body, line_set.pen_away)
-    body = fold(layout, "hidden", "Hidden Lines")
-    if body:
+    if body := fold(layout, "hidden", "Hidden Lines"):
         _draw_hidden(body, scene, line_set)
 
 
@@ -126,6 +122,5 @@ def _draw_hidden(body, scene, line_set):
         body.label(text="Sampled visibility counts one surface at most", icon="INFO")
     draw_properties(body, hidden, ("first", "last"))
     draw_pen(body, hidden.pen)
-    away = fold_switch(body, "hidden_away", hidden, "away")
-    if away:
+    if away := fold_switch(body, "hidden_away", hidden, "away"):
         draw_pen(away, hidden.pen_away)

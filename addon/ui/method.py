@@ -18,8 +18,7 @@ class RENDER_PT_fovea_visibility(FoveaPanel, bpy.types.Panel):
         layout.prop(settings, "visibility")
         for name in ("probes", "layers", "depth_scale"):
             draw_properties(layout, settings, (name,), name in methods.QUALITY.get(settings.visibility, ()))
-        used = session.last_statistics().get("visibility")
-        if used:
+        if used := session.last_statistics().get("visibility"):
             layout.label(text=f"Last drawn: {used}", icon="INFO")
 
 

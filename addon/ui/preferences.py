@@ -73,8 +73,7 @@ class FoveaPreferences(bpy.types.AddonPreferences):
     def draw(self, context):
         column = self.layout.column()
         column.use_property_split = True
-        problem = native.problem()
-        if problem:
+        if problem := native.problem():
             column.label(text=problem, icon="ERROR")
         for name in ("default_style", "background_gpu", "threads", "memory_limit", "log_level"):
             column.prop(self, name)

@@ -35,8 +35,7 @@ class VIEW3D_PT_fovea_style(_SidePanel, bpy.types.Panel):
         if context.engine == ENGINE:
             draw_view_transform(layout, context.scene)
         draw_style(layout, context)
-        body = fold(layout, "side_gallery", "Gallery")
-        if body:
+        if body := fold(layout, "side_gallery", "Gallery"):
             draw_gallery(body)
 
 
@@ -65,6 +64,5 @@ class VIEW3D_PT_fovea_lines(_SidePanel, bpy.types.Panel):
     def show(self, layout, context):
         held = style_data.of(context.scene).fovea
         draw_list(layout, held)
-        line_set = edited(held)
-        if line_set:
+        if line_set := edited(held):
             draw_pen(layout, line_set.pen, 3)  # the other groups are in the render tab

@@ -33,8 +33,7 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
         factor = mixing.column()
         factor.enabled = context.scene.fovea.mixed_style is not None
         factor.prop(context.scene.fovea, "mix")
-        gallery = fold(layout, "gallery", "Gallery")
-        if gallery:
+        if gallery := fold(layout, "gallery", "Gallery"):
             draw_gallery(gallery)
 
 

@@ -50,8 +50,7 @@ def _draw_own_lines(layout, settings, drawn, has_lines):
         value = row.row(align=True)
         value.active = getattr(settings, own)
         value.prop(settings, property_name(definition, parameter), text="")
-    body = fold_switch(layout, "own_kinds", settings, "own_kinds", has_lines)
-    if body:
+    if body := fold_switch(layout, "own_kinds", settings, "own_kinds", has_lines):
         body.use_property_split = False
         for definition in own_lines.switchable():
             row = body.row()
@@ -64,8 +63,7 @@ def _draw_curvature(layout, obj):
     if obj.fovea.curvature_estimator == "JETS":
         layout.prop(obj.fovea, "curvature_rings")
     layout.prop(obj.fovea, "curvature_smoothing")
-    reason = session.last_statistics().get("curvature", {}).get(obj.name)
-    if reason:
+    if reason := session.last_statistics().get("curvature", {}).get(obj.name):
         layout.label(text=reason, icon="INFO")
 
 
@@ -73,8 +71,7 @@ def _draw_shape(layout, settings):
     layout.prop(settings, "refine")
     if settings.refine:
         layout.prop(settings, "refine_level")
-    body = fold(layout, "repair", "Repair")
-    if body:
+    if body := fold(layout, "repair", "Repair"):
         for name in ("orient", "resample"):
             body.prop(settings, f"repair_{name}")
         if settings.repair_resample:
