@@ -110,4 +110,11 @@ struct Choice {
 template <typename Enum>
 inline constexpr int choices_of = 0;
 
+template <>
+inline constexpr Choice choices_of<Unit>[] = {
+    {""}, {"share"}, {"reference pixels"}, {"degrees"}, {"scene"}, {"millimeters"}, {"light"}, {"seed"}};
+
+template <>
+inline constexpr Choice choices_of<Names>[] = {{""}, {"texture"}, {"paper"}, {"datablock"}, {"attribute"}};
+
 }  // namespace fovea::style
