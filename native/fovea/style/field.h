@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 
