@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input of the GPU backend's passes that draw and probe a depth buffer.
 #include <glm/gtc/type_ptr.hpp>
-#include <pybind11/stl.h>
 
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/item_buffer.h>

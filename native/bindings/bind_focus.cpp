@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Focus and transfer functions.
 #include <algorithm>
-#include <pybind11/stl.h>
 
 #include <fovea/focus/focus.h>
 #include <fovea/focus/monotone_cubic.h>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes and surfaces.
-#include <pybind11/stl.h>
-
 #include <fovea/field/fields.h>
 #include <fovea/mesh/equal_polygons.h>
 #include <fovea/mesh/polygon_surface.h>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/stl.h>
-
 #include "bindings/overrides.h"
 
 namespace fovea::bindings {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registry of line definitions, and stages of lines: paths, clipped paths, runs, polylines.
-#include <pybind11/stl.h>
 #include <pybind11/typing.h>
 
 #include <fovea/draw/polylines.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Views, scenes and ray casting.
 #include <glm/gtc/type_ptr.hpp>
-#include <pybind11/stl.h>
 
 #include <fovea/draw/along_lines.h>
 #include <fovea/path/extract.h>
