@@ -58,7 +58,10 @@ std::vector<py::ssize_t> shape_of(std::size_t count) {
     return {py::ssize_t(count)};
 }
 
-/// Returns body(), called without the GIL: it must not use Python objects.
+/// Of a bound function that runs without the GIL: it must not use Python objects.
+using NoGil = py::call_guard<py::gil_scoped_release>;
+
+/// Returns body(), called without the GIL, as NoGil.
 template <typename Body>
 auto without_gil(const Body& body) {
     py::gil_scoped_release release;
@@ -70,12 +73,12 @@ using Numpy = py::array_t<typename Element<T>::Scalar>;
 
 /// Numpy array over memory that `owner` keeps alive; no copy.
 template <typename T>
-Numpy<T> view_numpy(const Array<T>& array, py::handle owner) {
+Numpy<T> view_numpy(const Array<T>& array, py::handle owner, bool writeable = false) {
     using Scalar = typename Element<T>::Scalar;
     static const Scalar nothing{};
     const auto* data = array.empty() ? &nothing : reinterpret_cast<const Scalar*>(array.data());
     Numpy<T> result(shape_of<T>(array.size()), data, owner);
-    result.attr("flags").attr("writeable") = false;
+    if (!writeable) result.attr("flags").attr("writeable") = false;
     return result;
 }
 
@@ -96,12 +99,9 @@ void bind_columns(Class& bound, const Columns& columns) {
 /// Numpy array that takes ownership of the memory; no copy.
 template <typename T>
 Numpy<T> to_numpy(Array<T>&& array) {
-    using Scalar = typename Element<T>::Scalar;
     auto* owned = new Array<T>(std::move(array));
-    py::capsule owner(owned, [](void* p) { delete static_cast<Array<T>*>(p); });
-    static const Scalar nothing{};
-    const auto* data = owned->empty() ? &nothing : reinterpret_cast<const Scalar*>(owned->data());
-    return Numpy<T>(shape_of<T>(owned->size()), data, owner);
+    const py::capsule owner(owned, [](void* p) { delete static_cast<Array<T>*>(p); });
+    return view_numpy(*owned, owner, true);
 }
 
 /// The same for pixels, bottom row first: shape (height, width) or (height, width, columns).
@@ -138,6 +138,13 @@ In<T> borrow(const Optional<T>& array, const char* name) {
     return array ? borrow<T>(*array, name) : In<T>{};
 }
 
+/// The same, with the argument appended to the `owners` of what is borrowed.
+template <typename T>
+In<T> kept(const Optional<T>& array, const char* name, std::vector<py::object>& owners) {
+    if (array) owners.push_back(*array);
+    return borrow<T>(array, name);
+}
+
 /// Copies an argument into an array.
 template <typename T>
 Array<T> copy(const Arg<T>& array, const char* name) {
@@ -146,3 +153,13 @@ Array<T> copy(const Arg<T>& array, const char* name) {
 }
 
 }  // namespace fovea::bindings
+
+/// Arrays of numbers and vectors that a bound function returns: to numpy arrays that take ownership of the memory.
+template <typename T>
+    requires std::is_arithmetic_v<typename fovea::bindings::Element<T>::Scalar>
+struct pybind11::detail::type_caster<fovea::base::Array<T>> {
+    static constexpr auto name = make_caster<fovea::bindings::Numpy<T>>::name;
+    static handle cast(fovea::base::Array<T>&& array, return_value_policy, handle) {
+        return fovea::bindings::to_numpy(std::move(array)).release();
+    }
+};

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Color sources of a scene, and picture files.
-#include <pybind11/stl.h>
-
 #include <fovea/color/light.h>
 #include <fovea/color/png.h>
 #include <fovea/color/source.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input of the GPU backend's passes that draw and probe a depth buffer.
 #include <glm/gtc/type_ptr.hpp>
-#include <pybind11/stl.h>
 
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/item_buffer.h>
@@ -124,9 +123,7 @@ void bind_tables(py::module_& m) {
              py::arg("clipped"), py::arg("scene"), py::arg("view"))
         .def(
             "spine_table",
-            [](const OwnSides& sides, const ClippedPaths& clipped) {
-                return to_numpy(without_gil([&] { return spine_table(clipped, sides); }));
-            },
+            [](const OwnSides& sides, const ClippedPaths& clipped) { return spine_table(clipped, sides); }, NoGil(),
             py::arg("clipped"), "(3 M, 4) float32; see native/fovea/visibility/spine.h.");
     py::class_<AtlasTables, std::shared_ptr<AtlasTables>>(m, "AtlasTables",
                                                           "N segments; see native/fovea/visibility/layout.h.")
@@ -136,19 +133,14 @@ void bind_tables(py::module_& m) {
     batch.attr("ROW_WIDTH") = atlas_width;
     batch.attr("OWNER_STRIDE") = owner_stride;
     batch
-        .def_static(
-            "of",
-            [](const ClippedPaths& clipped, Index limit) {
-                const Array<AtlasBatch> batches = atlas_batches(clipped, limit);
-                return std::vector<AtlasBatch>(batches.begin(), batches.end());
-            },
-            py::arg("clipped"), py::arg("limit") = batch_samples, "Of at most so many samples, or one piece.")
+        .def_static("of", &atlas_batches, py::arg("clipped"), py::arg("limit") = batch_samples,
+                    "Of at most so many samples, or one piece.")
         .def(
             "tables",
             [](const AtlasBatch& batch, const ClippedPaths& clipped, const OwnSides& sides) {
-                return without_gil([&] { return std::make_shared<AtlasTables>(atlas_tables(clipped, sides, batch)); });
+                return atlas_tables(clipped, sides, batch);
             },
-            py::arg("clipped"), py::arg("sides"))
+            NoGil(), py::arg("clipped"), py::arg("sides"))
         .def_readonly("sample_begin", &AtlasBatch::sample_begin)
         .def_readonly("sample_end", &AtlasBatch::sample_end);
 }

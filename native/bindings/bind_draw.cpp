@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames: their input, steps and passes, and backends.
 #include <pybind11/functional.h>
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <pybind11/typing.h>
 
@@ -103,30 +102,15 @@ py::typing::Dict<std::string, std::optional<py::array_t<float>>> passes(Frame& f
                     py::arg("depth") = image(p.depth, view));
 }
 
-/// Milliseconds by stage.
-py::typing::Dict<std::string, double> stages(const Frame& frame) {
-    py::dict found;
-    for (const auto& [name, ms] : frame.stages) found[py::str(name)] = ms;
-    return found;
-}
-
 void bind_backend(py::module_& m) {
     py::class_<Backend, PythonBackend, std::shared_ptr<Backend>>(
         m, "Backend", "Who decides what a depth buffer hides, what crowds, and who puts strokes on paper.")
         .def(py::init<>())
         .def_property_readonly("name", &Backend::name)
-        .def(
-            "visibility",
-            [](Backend& backend, const Frame& frame) {
-                return to_numpy(without_gil([&] { return backend.visibility(frame); }));
-            },
-            py::arg("frame"), "(samples,) float32 in [0, 1] of a frame's atlas, by its sampled method.")
-        .def(
-            "elide",
-            [](Backend& backend, const Frame& frame, const Elision& elision) {
-                return to_numpy(without_gil([&] { return backend.elide(frame, elision); }));
-            },
-            py::arg("frame"), py::arg("elision"), "(D, 2) float32 crowding of the samples that runs cover.")
+        .def("visibility", &Backend::visibility, NoGil(), py::arg("frame"),
+             "(samples,) float32 in [0, 1] of a frame's atlas, by its sampled method.")
+        .def("elide", &Backend::elide, NoGil(), py::arg("frame"), py::arg("elision"),
+             "(D, 2) float32 crowding of the samples that runs cover.")
         .def(
             "draw",
             [](Backend& backend, const Frame& frame) {
@@ -157,9 +141,6 @@ void bind_parts(py::module_& m) {
 using FrameClass = py::class_<Frame, std::shared_ptr<Frame>>;
 
 void bind_steps(FrameClass& frame) {
-    const auto step = [](void (Frame::*take)()) {
-        return [take](Frame& frame) { without_gil([&] { (frame.*take)(); }); };
-    };
     frame
         .def(py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
              py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
@@ -168,17 +149,15 @@ void bind_steps(FrameClass& frame) {
              py::keep_alive<1, 8>(),
              R"(near: {how many frames later another is: its ShownLines}; progress(share, stage) is called before each
 stage.)")
-        .def("find", step(&Frame::find))
-        .def("see", step(&Frame::see))
-        .def("filter", step(&Frame::filter))
-        .def("thin", step(&Frame::thin))
-        .def("ink", step(&Frame::ink))
-        .def("picture", step(&Frame::picture))
+        .def("find", &Frame::find, NoGil())
+        .def("see", &Frame::see, NoGil())
+        .def("filter", &Frame::filter, NoGil())
+        .def("thin", &Frame::thin, NoGil())
+        .def("ink", &Frame::ink, NoGil())
+        .def("picture", &Frame::picture, NoGil())
         .def("passes", &passes, "{name: pixels, or None}; they are handed over, once.")
         .def("thins", &Frame::thins)
-        .def(
-            "shown_lines",
-            [](Frame& frame) { return without_gil([&] { return std::make_shared<ShownLines>(frame.shown_lines()); }); })
+        .def("shown_lines", &Frame::shown_lines, NoGil())
         .def(
             "focus_of_pixels",
             [](Frame& frame) {
@@ -197,16 +176,13 @@ stage.)")
             "seen_beside",
             [](const Frame& frame, double offset_px) {
                 check(frame.clipped != nullptr, "frame: its lines are not found yet");
-                return to_numpy(without_gil([&] {
-                    return seen_beside(*frame.clipped, *frame.paths, *frame.tracer, offset_px, frame.cancel());
-                }));
+                return seen_beside(*frame.clipped, *frame.paths, *frame.tracer, offset_px, frame.cancel());
             },
-            py::arg("offset_px"),
+            NoGil(), py::arg("offset_px"),
             "(samples,) uint8: exactly seen so many pixels to the left of the line; see "
             "native/fovea/visibility/exact.h.")
-        .def(
-            "polylines", [](Frame& frame) { return without_gil([&] { return polylines_of(frame); }); },
-            "Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`.")
+        .def("polylines", &polylines_of, NoGil(),
+             "Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`.")
         .def("layouts", &Frame::depth_layouts, py::arg("most_side"), py::arg("overlap_px") = 0,
              "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.");
 }
@@ -231,7 +207,9 @@ void bind_members(FrameClass& frame) {
         .def_property_readonly("distance", member(&Frame::distance), "(samples,) float32 in [0, 1], 0: near; or None")
         .def_property_readonly("shown", member(&Frame::shown), "(samples,) float32 that elision leaves; or None")
         .def_property_readonly("visibility_in_words", &Frame::visibility_in_words)
-        .def_property_readonly("stages", &stages, "{stage: milliseconds}, in the order in which they ran");
+        .def_property_readonly(
+            "stages", [](const Frame& f) { return value_to(f.stages); },
+            "{stage: milliseconds}, in the order in which they ran");
 }
 
 }  // namespace

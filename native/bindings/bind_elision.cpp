@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elision: input of the GPU backend's passes, and lines of neighboring frames.
-#include <pybind11/stl.h>
-
 #include <fovea/draw/backend.h>
 #include <fovea/elision/elide.h>
 #include <fovea/elision/in_time.h>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of surfaces, and pieces of curves traced by one line definition, for research and benchmarks.
-#include <pybind11/stl.h>
-
 #include <fovea/field/fields.h>
 #include <fovea/line/registry.h>
 #include <fovea/style/line_set.h>

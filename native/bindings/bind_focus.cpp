@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Focus and transfer functions.
 #include <algorithm>
-#include <pybind11/stl.h>
 
 #include <fovea/focus/focus.h>
 #include <fovea/focus/monotone_cubic.h>
@@ -13,29 +12,26 @@
 namespace fovea::bindings {
 namespace {
 
-Transfer make_transfer(float start, float end, float strength, const std::vector<vec2>& curve) {
-    return Transfer(start, end, strength, curve);
-}
-
-Numpy<float> answers(const Transfer& transfer, const Arg<float>& values) {
-    const In<float> in = borrow<float>(values, "values");
-    return to_numpy(without_gil([&] {
-        Array<float> out(in.size());
-        std::ranges::transform(in, out.begin(), transfer);
+/// function(x) of each number, called without the GIL.
+template <typename Function>
+Array<float> mapped(In<float> numbers, const Function& function) {
+    return without_gil([&] {
+        Array<float> out(numbers.size());
+        std::ranges::transform(numbers, out.begin(), function);
         return out;
-    }));
+    });
 }
 
-Numpy<float> interpolated(const Arg<vec2>& points, const Arg<float>& x) {
+Array<float> answers(const Transfer& transfer, const Arg<float>& values) {
+    return mapped(borrow<float>(values, "values"), transfer);
+}
+
+Array<float> interpolated(const Arg<vec2>& points, const Arg<float>& x) {
     const In<vec2> through = borrow<vec2>(points, "points");
     const In<float> at = borrow<float>(x, "x");
     const bool ascends = std::ranges::is_sorted(through, std::ranges::less_equal{}, &vec2::x);
     check(!through.empty() && ascends, "monotone cubic: points with ascending x expected, at least one");
-    return to_numpy(without_gil([&] {
-        Array<float> out(at.size());
-        std::ranges::transform(at, out.begin(), MonotoneCubic(through));
-        return out;
-    }));
+    return mapped(at, MonotoneCubic(through));
 }
 
 }  // namespace
@@ -43,8 +39,8 @@ Numpy<float> interpolated(const Arg<vec2>& points, const Arg<float>& x) {
 void bind_focus(py::module_& m) {
     py::class_<Transfer>(m, "Transfer",
                          "From focus in [0, 1] to how strong an effect is; see native/fovea/focus/transfer.h.")
-        .def(py::init(&make_transfer), py::arg("start") = 0.0f, py::arg("end") = 1.0f, py::arg("strength") = 1.0f,
-             py::arg("curve") = std::vector<vec2>(),
+        .def(py::init<float, float, float, const std::vector<vec2>&>(), py::arg("start") = 0.0f, py::arg("end") = 1.0f,
+             py::arg("strength") = 1.0f, py::arg("curve") = std::vector<vec2>(),
              "curve: points (x, y) of the response, ascending in x; none: straight.")
         .def("__call__", &answers, py::arg("values"), "(n,) float32 mixes in [0, 1] of (n,) values.");
     m.def("monotone_cubic", &interpolated, py::arg("points"), py::arg("x"),

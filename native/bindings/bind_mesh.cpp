@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes and surfaces.
-#include <pybind11/stl.h>
-
 #include <fovea/field/fields.h>
 #include <fovea/mesh/equal_polygons.h>
 #include <fovea/mesh/polygon_surface.h>
@@ -21,13 +19,6 @@ namespace {
 struct Mesh {
     MeshArrays arrays;
     std::vector<py::object> owners;
-
-    template <typename T>
-    void take(In<T> MeshArrays::* member, const Optional<T>& given, const char* name) {
-        if (!given) return;
-        arrays.*member = borrow<T>(*given, name);
-        owners.push_back(*given);
-    }
 };
 
 Mesh make_mesh(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
@@ -37,18 +28,19 @@ Mesh make_mesh(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, co
                const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
                const Optional<std::uint8_t>& edge_marks) {
     Mesh mesh;
-    mesh.take<vec3>(&MeshArrays::positions, positions, "positions");
-    mesh.take<glm::ivec2>(&MeshArrays::edge_verts, edge_verts, "edge_verts");
-    mesh.take<int>(&MeshArrays::corner_verts, corner_verts, "corner_verts");
-    mesh.take<int>(&MeshArrays::corner_edges, corner_edges, "corner_edges");
-    mesh.take<int>(&MeshArrays::polygon_offsets, polygon_offsets, "polygon_offsets");
-    mesh.take<glm::ivec3>(&MeshArrays::ngon_triangles, ngon_triangles, "ngon_triangles");
-    mesh.take<int>(&MeshArrays::ngon_polygon, ngon_polygon, "ngon_polygon");
-    mesh.take<int>(&MeshArrays::material, material, "material");
-    mesh.take<std::uint8_t>(&MeshArrays::occluding, occluding, "occluding");
-    mesh.take<std::uint8_t>(&MeshArrays::sharp, sharp_edges, "sharp_edges");
-    mesh.take<std::uint8_t>(&MeshArrays::seam, seams, "seams");
-    mesh.take<std::uint8_t>(&MeshArrays::edge_mark, edge_marks, "edge_marks");
+    auto& [arrays, owners] = mesh;
+    arrays.positions = kept<vec3>(positions, "positions", owners);
+    arrays.edge_verts = kept<glm::ivec2>(edge_verts, "edge_verts", owners);
+    arrays.corner_verts = kept<int>(corner_verts, "corner_verts", owners);
+    arrays.corner_edges = kept<int>(corner_edges, "corner_edges", owners);
+    arrays.polygon_offsets = kept<int>(polygon_offsets, "polygon_offsets", owners);
+    arrays.ngon_triangles = kept<glm::ivec3>(ngon_triangles, "ngon_triangles", owners);
+    arrays.ngon_polygon = kept<int>(ngon_polygon, "ngon_polygon", owners);
+    arrays.material = kept<int>(material, "material", owners);
+    arrays.occluding = kept<std::uint8_t>(occluding, "occluding", owners);
+    arrays.sharp = kept<std::uint8_t>(sharp_edges, "sharp_edges", owners);
+    arrays.seam = kept<std::uint8_t>(seams, "seams", owners);
+    arrays.edge_mark = kept<std::uint8_t>(edge_marks, "edge_marks", owners);
     return mesh;
 }
 

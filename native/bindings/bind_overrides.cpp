@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/stl.h>
-
 #include "bindings/overrides.h"
 
 namespace fovea::bindings {
 namespace {
-
-/// Borrows an array and appends its owner to `owners`.
-In<float> kept(const Optional<float>& array, const char* name, std::vector<py::object>& owners) {
-    if (array) owners.push_back(*array);
-    return borrow<float>(array, name);
-}
 
 /// A flat array of numbers, copied.
 template <typename T>
@@ -42,9 +34,10 @@ OwningOverrides make_overrides(const Optional<float>& importance,
                                const std::optional<MaterialFilter>& lined) {
     OwningOverrides made;
     Overrides& overrides = made.overrides;
-    overrides.importance = kept(importance, "importance", made.owners);
+    overrides.importance = kept<float>(importance, "importance", made.owners);
     for (const auto& [attribute, arrays] : painted)
-        for (const auto& array : arrays) overrides.painted[attribute].push_back(kept(array, "painted", made.owners));
+        for (const auto& array : arrays)
+            overrides.painted[attribute].push_back(kept<float>(array, "painted", made.owners));
     overrides.objects = std::move(objects);
     overrides.density_map = std::move(density_map);
     if (shown) overrides.lines.kinds = numbers<Kinds>(*shown, "shown");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registry of line definitions, and stages of lines: paths, clipped paths, runs, polylines.
-#include <pybind11/stl.h>
 #include <pybind11/typing.h>
 
 #include <fovea/draw/polylines.h>
@@ -84,8 +83,7 @@ void bind_paths(py::module_& m) {
         m, "Runs", "Parts of pieces, sorted by piece, then by start; see native/fovea/visibility/runs.h.");
     runs.def("__len__", [](const Runs& runs) { return runs.piece.size(); })
         .def(
-            "samples",
-            [](const Runs& runs, const ClippedPaths& clipped) { return to_numpy(samples_from_runs(clipped, runs)); },
+            "samples", [](const Runs& runs, const ClippedPaths& clipped) { return samples_from_runs(clipped, runs); },
             py::arg("clipped"), "(samples,) float32 share of each atlas sample that visible runs cover.");
     bind_columns(runs, Runs::columns);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Views, scenes and ray casting.
-#include <pybind11/stl.h>
+#include <glm/gtc/type_ptr.hpp>
 
+#include <fovea/draw/along_lines.h>
 #include <fovea/path/extract.h>
 #include <fovea/scene/tracer.h>
-#include <fovea/style/line_set.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
@@ -15,12 +15,7 @@ namespace {
 using Matrix = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Row-major numpy matrix (acting on columns) to GLM's column-major one.
-dmat4 matrix(const double* rows) {
-    dmat4 result;
-    for (int r = 0; r < 4; ++r)
-        for (int c = 0; c < 4; ++c) result[c][r] = rows[4 * r + c];
-    return result;
-}
+dmat4 matrix(const double* rows) { return glm::transpose(glm::make_mat4(rows)); }
 
 dmat4 matrix(const Matrix& array, const char* name) {
     check(array.ndim() == 2 && array.shape(0) == 4 && array.shape(1) == 4,
@@ -63,16 +58,13 @@ View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int widt
             frame.value_or(dvec4(0.0, 0.0, width, height))};
 }
 
-/// A line set from {definition: {parameter: value}}.
-LineSet line_set(const std::map<std::string, std::map<std::string, double>>& kinds, double corner_angle_degrees) {
-    LineSet set;
-    set.corner_angle_rad = glm::radians(corner_angle_degrees);
-    for (const auto& [name, given] : kinds) {
-        const Index definition = definition_index(name);
-        set.kinds.push_back(
-            {definition, values_of(*line_definitions()[definition], style::Parameters(given.begin(), given.end()))});
-    }
-    return set;
+/// Paths of {definition: {parameter: value}}.
+Paths paths_of(const Tracer& tracer, const std::map<std::string, std::map<std::string, double>>& kinds,
+               double corner_angle) {
+    style::Style style;
+    style.line_sets[0].corner_angle = corner_angle;
+    for (const auto& [name, given] : kinds) style.line_sets[0].kinds.push_back({name, {given.begin(), given.end()}});
+    return extract_paths(tracer.scene(), tracer.view(), line_sets_of(style, {}), tracer, Cancel());
 }
 
 void bind_view(py::module_& m) {
@@ -121,21 +113,9 @@ usage (n,) uint8, bits of Usage.)")
             py::arg("placement"));
 
     py::class_<Tracer, std::shared_ptr<Tracer>>(m, "Tracer", "Rays through a scene as a view sees it (Embree).")
-        .def(py::init([](const Scene& scene, const View& view) {
-                 return without_gil([&] { return std::make_shared<Tracer>(scene, view); });
-             }),
-             py::arg("scene"), py::arg("view"), py::keep_alive<1, 2>())
+        .def(py::init<const Scene&, const View&>(), NoGil(), py::arg("scene"), py::arg("view"), py::keep_alive<1, 2>())
         .def(
-            "extract_paths",
-            [](const Tracer& tracer, const std::map<std::string, std::map<std::string, double>>& kinds,
-               double corner_angle) {
-                const std::vector<LineSet> sets{line_set(kinds, corner_angle)};
-                return without_gil([&] {
-                    return std::make_shared<Paths>(
-                        extract_paths(tracer.scene(), tracer.view(), sets, tracer, Cancel()));
-                });
-            },
-            py::arg("kinds"), py::arg("corner_angle") = 60.0,
+            "extract_paths", &paths_of, NoGil(), py::arg("kinds"), py::arg("corner_angle") = 60.0,
             R"(Paths of what definitions find, {definition: {parameter: value}}; they end at corners sharper than so many
 degrees.)");
 }

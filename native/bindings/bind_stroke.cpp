@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pens, strokes and the reference rasterizer.
-#include <pybind11/stl.h>
-
 #include <fovea/stroke/ink.h>
 #include <fovea/stroke/raster.h>
 
@@ -13,9 +11,7 @@ namespace {
 
 Numpy<vec4> draw(const Strokes& strokes, const std::vector<Pen>& pens, const std::vector<PenTexture>& textures,
                  int width, int height) {
-    Array<vec4> image;
-    without_gil([&] { rasterize(strokes, pens, textures, width, height, image); });
-    return to_image(std::move(image), width, height);
+    return to_image(without_gil([&] { return rasterize(strokes, pens, textures, width, height); }), width, height);
 }
 
 }  // namespace

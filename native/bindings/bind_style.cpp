@@ -35,30 +35,9 @@ struct Member<style::Unknown> {
 
 namespace {
 
-const char* unit_name(style::Unit unit) {
-    static constexpr const char* names[] = {"",      "share", "reference pixels", "degrees", "scene", "millimeters",
-                                            "light", "seed"};
-    return names[static_cast<int>(unit)];
-}
-
-const char* names_name(style::Names names) {
-    static constexpr const char* all[] = {"", "texture", "paper", "datablock", "attribute"};
-    return all[static_cast<int>(names)];
-}
-
-template <typename V>
-struct Inner {
-    using Type = V;
-};
-template <typename T>
-struct Inner<std::optional<T>> {
-    using Type = T;
-};
-
 /// Name of a member's type; records use their own names.
-template <typename V>
-const char* type_name() {
-    using T = typename Inner<V>::Type;
+template <typename T>
+const char* type_name(const T&) {
     if constexpr (std::is_same_v<T, bool>)
         return "switch";
     else if constexpr (std::is_same_v<T, double>)
@@ -76,15 +55,20 @@ const char* type_name() {
     else
         return "";
 }
+template <typename T>
+const char* type_name(const std::optional<T>&) {
+    return type_name(T());
+}
 
 template <typename S, typename V>
 py::dict told(const style::Field<S, V>& field) {
     const style::Domain& domain = field.domain;
+    const V value = S().*field.member;
     py::dict found(py::arg("name") = field.name, py::arg("key") = field.key(), py::arg("label") = field.label,
-                   py::arg("description") = field.description, py::arg("type") = type_name<V>(),
-                   py::arg("group") = field.group, py::arg("default") = Member<V>::to(S().*field.member),
-                   py::arg("min") = domain.least, py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
-                   py::arg("unit") = unit_name(domain.unit), py::arg("names") = names_name(domain.names),
+                   py::arg("description") = field.description, py::arg("type") = type_name(value),
+                   py::arg("group") = field.group, py::arg("default") = value_to(value), py::arg("min") = domain.least,
+                   py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
+                   py::arg("unit") = value_to(domain.unit), py::arg("names") = value_to(domain.names),
                    py::arg("most_letters") = style::most_letters(domain.names));
     if constexpr (std::is_enum_v<V>) found["choices"] = choices<V>();
     return found;

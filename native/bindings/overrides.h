@@ -8,8 +8,6 @@
 
 namespace fovea::bindings {
 
-using namespace draw;
-
 /// Overrides with the Python objects whose memory they borrow.
 struct OwningOverrides {
     Overrides overrides;

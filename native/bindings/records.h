@@ -110,18 +110,16 @@ auto value_to(const V& value) {
 /// Copy of a record with the given members set.
 template <style::Record S>
 S with(S record, const py::kwargs& given) {
-    std::size_t known = 0;
-    style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
-        if (!given.contains(field.name)) return;
-        record.*field.member = value_from<V>(given[field.name], field.name);
-        ++known;
-    });
-    if (known < given.size())
-        for (const auto& [key, value] : given) {
-            bool found = false;
-            style::for_each_field<S>([&](const auto& field) { found |= key.cast<std::string>() == field.name; });
-            if (!found) throw py::type_error("there is no '" + key.cast<std::string>() + "'");
-        }
+    for (const auto& [key, value] : given) {
+        const auto name = key.cast<std::string>();
+        bool found = false;
+        style::for_each_field<S>([&]<typename V>(const style::Field<S, V>& field) {
+            if (name != field.name) return;
+            record.*field.member = value_from<V>(value, name);
+            found = true;
+        });
+        if (!found) throw py::type_error("there is no '" + name + "'");
+    }
     return record;
 }
 

@@ -60,9 +60,7 @@ inline Strokes strokes_of(const std::vector<vec2>& line, const Pen& pen, bool cl
 
 inline Array<vec4> picture(const Strokes& strokes, const Pen& pen, int width, int height,
                            In<PenTexture> textures = {}) {
-    Array<vec4> image;
-    rasterize(strokes, {&pen, 1}, textures, width, height, image);
-    return image;
+    return rasterize(strokes, {&pen, 1}, textures, width, height);
 }
 
 /// Sum of alpha: the area in px that ink covers.

@@ -148,8 +148,7 @@ TEST(Emphasis, PictureBlendsColorsAndInk) {
     blue.texture = 0;
     const PenTexture faint{1, 1, {0.5f}};
     const Drawn drawn(red, blue, emphasis);
-    Array<vec4> image;
-    rasterize(drawn.strokes, drawn.pens, {&faint, 1}, 240, 40, image);
+    const Array<vec4> image = rasterize(drawn.strokes, drawn.pens, {&faint, 1}, 240, 40);
     const vec4 middle = image[20 * 240 + 120];
     EXPECT_NEAR(middle.a, 0.75f, 1e-5f);
     EXPECT_NEAR(middle.r, 0.375f, 1e-5f);

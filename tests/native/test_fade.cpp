@@ -40,8 +40,8 @@ struct Line {
         std::vector<Index> pen_of_run;
         for (std::uint8_t hidden_by : runs.invisibility)
             pen_of_run.push_back(hidden_by ? (hidden_pen ? 1 : none) : (visible_pen ? 0 : none));
-        Array<vec4> image;
-        rasterize(tessellate(clipped, runs, pen_of_run, {}, pens, visibility), pens, {}, 120, 40, image);
+        const Strokes strokes = tessellate(clipped, runs, pen_of_run, {}, pens, visibility);
+        const Array<vec4> image = rasterize(strokes, pens, {}, 120, 40);
         std::vector<float> row;
         for (int x = 0; x < 120; ++x) row.push_back(image[20 * 120 + x].a);
         return row;

@@ -70,8 +70,7 @@ TEST(HiddenStrokes, TheMostHiddenLieBelow) {
         Pen pens[2] = {pen(8.0f), pen(8.0f)};
         pens[first < second ? 0 : 1].look.color = {1.0f, 0.0f, 0.0f};
         const std::vector<Index> pen_of_run{0, 1};
-        Array<vec4> image;
-        rasterize(tessellate(clipped, runs, pen_of_run, {}, pens), pens, {}, 64, 64, image);
+        const Array<vec4> image = rasterize(tessellate(clipped, runs, pen_of_run, {}, pens), pens, {}, 64, 64);
         EXPECT_EQ(image[32 * 64 + 32], vec4(1.0f, 0.0f, 0.0f, 1.0f)) << first << " " << second;
     }
 }

@@ -75,8 +75,8 @@ TEST(Raster, LaterStrokesLieOverEarlierOnes) {
     pens[0].look.color = {1.0f, 0.0f, 0.0f};
     pens[1].look.color = {0.0f, 0.0f, 1.0f};
     const std::vector<Index> pen_of_run{0, 1};
-    Array<vec4> image;
-    rasterize(tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens), pens, {}, 64, 64, image);
+    const Strokes strokes = tessellate(clipped, whole_runs(clipped), pen_of_run, {}, pens);
+    const Array<vec4> image = rasterize(strokes, pens, {}, 64, 64);
     EXPECT_EQ(image[32 * 64 + 32], vec4(0.5f, 0.0f, 0.5f, 1.0f));
     EXPECT_EQ(image[32 * 64 + 15], vec4(1.0f, 0.0f, 0.0f, 1.0f));
     EXPECT_EQ(image[50 * 64 + 32], vec4(0.0f, 0.0f, 0.5f, 0.5f)) << "premultiplied";

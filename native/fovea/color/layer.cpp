@@ -5,12 +5,13 @@
 #include <array>
 
 #include <fovea/color/shader.h>
+#include <fovea/image/lattice.h>
 #include <fovea/visibility/depth.h>
 
 namespace fovea::color {
 namespace {
 
-constexpr int fine_samples = 16;
+constexpr int sample_bits = 4, fine_samples = 1 << sample_bits;
 /// Difference of display colors above which a pixel gets the fine samples.
 constexpr float fine_color = 1.0f / 96.0f;
 
@@ -56,14 +57,6 @@ class Items {
     int width_;
     Array<Index> items_, first_, placement_;
 };
-
-/// Offset of sample i in a pixel: low-discrepancy points, a (0, 4, 2)-net in base 2 (Hammersley), evenly spread for
-/// edges of any direction.
-dvec2 place_in_pixel(int i) {
-    int reversed = 0;
-    for (int bit = 0; bit < 4; ++bit) reversed |= (i >> bit & 1) << (3 - bit);
-    return dvec2(i + 0.5, reversed + 0.5) / double(fine_samples) - 0.5;
-}
 
 class Layer {
    public:
@@ -143,7 +136,7 @@ class Layer {
             }
         vec4 sum(0.0f);
         for (int i = 0; i < fine_samples; ++i)
-            sum += fine_sample(dvec2(x + 0.5, y + 0.5) + place_in_pixel(i), triangles.data(), count);
+            sum += fine_sample(dvec2(x + 0.5, y + 0.5) + place_in_square(i, sample_bits), triangles.data(), count);
         return sum / float(fine_samples);
     }
 

@@ -72,6 +72,11 @@ Array<double> lengths_in_frame(const Paths& paths, const ClippedPaths& clipped) 
     return lengths;
 }
 
+Array<float> inverted(Array<float> values) {
+    parallel_for(values.size(), [&](std::size_t i) { values[i] = 1.0f - values[i]; });
+    return values;
+}
+
 Transfer transfer_of(const style::Transfer& transfer) {
     std::vector<vec2> curve(transfer.curve.begin(), transfer.curve.end());
     return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve);

@@ -23,6 +23,9 @@ Array<float> by_view(const Paths& paths, double of_view, double other);
 /// Per path: pixels of it that lie inside the frame.
 Array<double> lengths_in_frame(const Paths& paths, const ClippedPaths& clipped);
 
+/// 1 - each value: focus from what is painted.
+Array<float> inverted(Array<float> values);
+
 /// Builds the transfer function from its settings.
 Transfer transfer_of(const style::Transfer& transfer);
 

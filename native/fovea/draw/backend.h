@@ -14,14 +14,6 @@ class Frame;
 /// Input of the elision test: bands to rasterize and samples to test, for both backends.
 struct Elision : OwnBands, Bands {};
 
-/// Arguments as of own_bands.
-inline Elision elision_of(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<float> half_width_px,
-                          float reach_px) {
-    OwnBands own = own_bands(clipped, runs, ranks, half_width_px, reach_px);
-    Bands bands = draw_bands(clipped, runs, ranks, own);
-    return {std::move(own), std::move(bands)};
-}
-
 /// Three operations on a Frame whose earlier steps are done. `CpuBackend` is the reference and draws the same picture
 /// on every machine; others may need a graphics context, and are called on the thread that draws the frame.
 class Backend {

@@ -56,17 +56,15 @@ Array<vec2> CpuBackend::elide(const Frame& frame, const Elision& elision) {
 
 Array<vec4> CpuBackend::draw(const Frame& frame) {
     const View& view = frame.job.view;
+    const auto rasterized = [&](const SpineTest* spine) {
+        return rasterize(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, spine);
+    };
+    if (!method_of(frame.job.options.visibility).in_strokes) return rasterized(nullptr);
     Array<vec4> image;
-    if (!method_of(frame.job.options.visibility).in_strokes) {
-        rasterize(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, image);
-        return image;
-    }
     const OwnSides sides = own_sides(*frame.clipped, *frame.job.scene, view);
     each_tile(frame, most_side, reach_px(*frame.strokes), [&](const DepthBuffer& depth) {
         const SpineTest spine(*frame.clipped, sides, depth, {.probes = frame.job.options.probes});
-        Array<vec4> part;
-        rasterize(*frame.strokes, frame.pens.pens, frame.pens.textures, view.width, view.height, part, &spine);
-        add(image, part);
+        add(image, rasterized(&spine));
     });
     return image;
 }

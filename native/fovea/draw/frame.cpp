@@ -22,11 +22,6 @@ namespace {
 constexpr double stub = 12.0;        // reference pixels; remainders of elided lines that are shorter are removed
 constexpr double hands_over = 12.0;  // reference pixels before its end at which a line begins to hand over to another
 
-Array<float> inverted(Array<float> values) {
-    for (float& value : values) value = 1.0f - value;
-    return values;
-}
-
 }  // namespace
 
 Frame::Frame(Job given) : job(std::move(given)) {}
@@ -97,11 +92,8 @@ void Frame::thin() {
         stage("elision", 0.05, [&] {
             const style::Elision& elision = job.style.elision;
             const float cut = float(elision.cut);
-            if (job.near.empty()) {
-                shown = left(cut);
-                return;
-            }
-            shown = left(0.0f);
+            shown = left(job.near.empty() ? cut : 0.0f);
+            if (job.near.empty()) return;
             const ShownLines now =
                 elision::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
             shown = smoothed_in_time(shown, now, job.near, elision.frames);
@@ -186,28 +178,32 @@ ShownLines Frame::shown_lines() {
     return elision::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
 }
 
+/// The painted attribute of that name; empty on all placements if there is none.
+Painted Frame::painted(const std::string& attribute) const {
+    const auto found = job.overrides.painted.find(attribute);
+    return found == job.overrides.painted.end() ? Painted(job.scene->placements.size()) : found->second;
+}
+
 /// Elision opacity per atlas sample, from this frame alone.
 Array<float> Frame::left(float cut) {
     const style::Elision& e = job.style.elision;
-    const std::size_t placements = job.scene->placements.size();
-    const auto painted = [&](const std::string& attribute) {
-        return attribute.empty() ? Array<float>()
-                                 : values_on_paths(*paths, *job.scene, job.overrides.painted_as(attribute, placements));
+    const auto along = [&](const std::string& attribute) {
+        return attribute.empty() ? Array<float>() : values_on_paths(*paths, *job.scene, painted(attribute));
     };
-    const Array<float> priority_paint = painted(e.priority_attribute), density_paint = painted(e.density_attribute);
+    const Array<float> priority_paint = along(e.priority_attribute), density_paint = along(e.density_attribute);
     const Array<float> priorities =
         path_priorities(*paths, *job.scene, job.view, e, job.overrides.importance, priority_paint);
     const Array<Index> ranks = rank_runs(*clipped, *runs, priorities, paths->id);
 
-    Density density{focus, distance, {}, {}};
     Array<float> painted_density, mapped;
     if (!density_paint.empty()) painted_density = values_of_samples(*clipped, density_paint);
     if (job.overrides.density_map) mapped = map_of_samples(*clipped, job.view, *job.overrides.density_map);
-    density.painted = painted_density;
-    density.mapped = mapped;
+    const Density density{focus, distance, painted_density, mapped};
     const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
 
-    const Elision elision = elision_of(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
+    OwnBands own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
+    Bands bands = draw_bands(*clipped, *runs, ranks, own);
+    const Elision elision{std::move(own), std::move(bands)};
     const Array<vec2> crowding = job.backend->elide(*this, elision);
     const ElisionOptions options{float(e.fade_from), cut, stub * scale()};
     return elision_opacities(*clipped, elision, elision_scores(elision, crowding), options);
@@ -220,8 +216,8 @@ Array<float> Frame::focus_along_lines() {
         return Array<float>(clipped->samples, float(style.effects.uniform));
     if (!style.focus.active()) return {};
     if (!style.focus.is_painted()) return focus_of_samples(*clipped, focus_function());
-    const Painted painted = job.overrides.painted_as(style.focus.attribute, job.scene->placements.size());
-    return inverted(values_of_samples(*clipped, values_on_paths(*paths, *job.scene, painted)));
+    const Array<float> values = values_on_paths(*paths, *job.scene, painted(style.focus.attribute));
+    return inverted(values_of_samples(*clipped, values));
 }
 
 Array<float> Frame::distance_along_lines() const {

@@ -121,6 +121,7 @@ class Frame {
     Runs with_ends() const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     Array<float> left(float cut);
+    Painted painted(const std::string& attribute) const;
     Array<float> focus_along_lines();
     Array<float> distance_along_lines() const;
     const Tracer& rays();

@@ -33,12 +33,6 @@ struct Overrides {
         MaterialFilter materials;
     };
     std::vector<Filter> line_sets;
-
-    /// The painted attribute of that name; empty on all placements if there is none.
-    Painted painted_as(const std::string& attribute, std::size_t placements) const {
-        const auto found = painted.find(attribute);
-        return found == painted.end() ? Painted(placements) : found->second;
-    }
 };
 
 }  // namespace fovea::draw

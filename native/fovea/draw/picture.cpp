@@ -100,12 +100,7 @@ Array<float> Frame::focus_of_pixels() {
     const style::Focus& focus = job.style.focus;
     if (!focus.active()) return {};
     if (job.options.focus_step > 1 && focus.basis() != style::FocusBasis::image) return focus_of_fewer_pixels();
-    if (focus.is_painted()) {
-        const Painted painted = job.overrides.painted_as(focus.attribute, job.scene->placements.size());
-        Array<float> image = painted_image(rays(), painted, cancel());
-        parallel_for(image.size(), [&](std::size_t i) { image[i] = 1.0f - image[i]; });
-        return image;
-    }
+    if (focus.is_painted()) return inverted(painted_image(rays(), painted(focus.attribute), cancel()));
     if (focus.basis() == style::FocusBasis::image)
         return focus::focus_of_pixels(job.view, Array<float>(std::size_t(job.view.width) * job.view.height, 0.0f),
                                       focus_function());

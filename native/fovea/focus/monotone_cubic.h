@@ -28,8 +28,7 @@ class MonotoneCubic {
     float operator()(float x) const {
         if (x <= points_.front().x) return points_.front().y;
         if (x >= points_.back().x) return points_.back().y;
-        const auto above = std::lower_bound(points_.begin() + 1, points_.end(), x,
-                                            [](const vec2& point, float value) { return point.x < value; });
+        const auto above = std::ranges::lower_bound(points_.begin() + 1, points_.end(), x, {}, &vec2::x);
         const std::size_t i = std::size_t(above - points_.begin()) - 1;
         const vec2 p = points_[i], q = points_[i + 1];
         const float h = q.x - p.x, t = (x - p.x) / h, s = 1.0f - t;

@@ -25,6 +25,14 @@ struct Lattice {
 /// One value per node.
 using Buffer = Array<float>;
 
+/// Sample i of 2^bits in the square of a node or pixel, relative to its middle: the Hammersley set in base 2, a
+/// (0, bits, 2)-net; low-discrepancy, so equally accurate for edges of any slope.
+inline dvec2 place_in_square(int i, int bits) {
+    int reversed = 0;
+    for (int bit = 0; bit < bits; ++bit) reversed |= (i >> bit & 1) << (bits - 1 - bit);
+    return dvec2(i + 0.5, reversed + 0.5) / double(1 << bits) - 0.5;
+}
+
 /// Lattice over the frame, its margin and `border` more steps on each side. The step is increased where there would be
 /// more than about 2^24 nodes.
 Lattice lattice_over(const View& view, double step_reference_px, int border);

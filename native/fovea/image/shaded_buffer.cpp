@@ -12,7 +12,7 @@ namespace {
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 /// Difference in tone between neighbors above which a node is resampled.
 constexpr float fine_tone = 1.0f / 32.0f;
-constexpr int fine_rays = 32;
+constexpr int ray_bits = 5, fine_rays = 1 << ray_bits;
 
 /// Result of one ray.
 struct Sample {
@@ -94,20 +94,12 @@ bool differ(const Sample& a, const Sample& b) {
     return a.placement != b.placement || std::abs(a.tone - b.tone) > fine_tone;
 }
 
-/// Sample positions in a node's square: Hammersley set in base 2, a (0, 5, 2)-net; low-discrepancy, so equally accurate
-/// for edges of any slope.
-dvec2 place_in_square(int i) {
-    int reversed = 0;
-    for (int bit = 0; bit < 5; ++bit) reversed |= (i >> bit & 1) << (4 - bit);
-    return dvec2(i + 0.5, reversed + 0.5) / double(fine_rays) - 0.5;
-}
-
 /// Resamples a node's square with `fine_rays` rays.
 void sample_finely(const Shader& shader, std::size_t node, int x, int y, ShadedBuffer& buffer) {
     float tone = 0.0f, nearest = nowhere;
     int covered = 0;
     for (int i = 0; i < fine_rays; ++i) {
-        const Sample sample = shader.at(buffer.lattice.px(dvec2(x, y) + place_in_square(i)));
+        const Sample sample = shader.at(buffer.lattice.px(dvec2(x, y) + place_in_square(i, ray_bits)));
         const bool drawn = shader.drawn(sample.placement);
         tone += sample.tone;
         covered += drawn;

@@ -131,10 +131,7 @@ class Projector {
             perimeter > 2.0 * options_.least_length_px[set])
             return false;
         double area = 0.0;
-        for (std::size_t i = 0; i + 1 < p_.clip.size(); ++i) {
-            const dvec2 a = pixels_at(i, 0.0), b = pixels_at(i, 1.0);
-            area += 0.5 * (a.x * b.y - a.y * b.x);
-        }
+        for (std::size_t i = 0; i + 1 < p_.clip.size(); ++i) area += 0.5 * cross(pixels_at(i, 0.0), pixels_at(i, 1.0));
         return std::abs(area) < roundness * perimeter * perimeter;
     }
 

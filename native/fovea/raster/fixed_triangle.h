@@ -99,7 +99,7 @@ class OverTriangle {
     OverTriangle(const FixedTriangle& shape, const Value& a, const Value& b, const Value& c)
         : origin_(shape.corner(0)), at_origin_(a) {
         const dvec2 e = shape.corner(1) - origin_, f = shape.corner(2) - origin_;
-        const double area = e.x * f.y - e.y * f.x;
+        const double area = cross(e, f);
         slope_x_ = ((b - a) * f.y - (c - a) * e.y) / area;
         slope_y_ = ((c - a) * e.x - (b - a) * f.x) / area;
     }

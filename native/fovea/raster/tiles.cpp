@@ -7,6 +7,7 @@ namespace fovea::raster {
 
 namespace {
 
+constexpr int size = 64;  // px
 constexpr std::size_t blocks = 16;
 
 /// Calls body(tile) for every tile that the triangle may touch.
@@ -15,7 +16,6 @@ void for_tiles(const FixedTriangle& triangle, const PixelBox& picture, int acros
     if (triangle.empty()) return;
     const PixelBox box = intersect(triangle.box(), picture);
     if (box.empty()) return;
-    constexpr int size = Tiles::size;
     const int i0 = box.x0 / size, i1 = (box.x1 - 1) / size, j0 = box.y0 / size, j1 = (box.y1 - 1) / size;
     const bool test = i0 != i1 && j0 != j1;  // a diagonal triangle misses most tiles of its box
     for (int j = j0; j <= j1; ++j)
@@ -26,18 +26,17 @@ void for_tiles(const FixedTriangle& triangle, const PixelBox& picture, int acros
 
 }  // namespace
 
-Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int height) {
-    Tiles tiles;
-    tiles.across = (width + Tiles::size - 1) / Tiles::size;
-    tiles.up = (height + Tiles::size - 1) / Tiles::size;
-    const std::size_t count = std::size_t(tiles.across) * tiles.up;
+void for_each_tile(In<vec2> px, In<glm::uvec3> triangles, int width, int height,
+                   const std::function<void(const PixelBox&, In<Index>)>& draw) {
+    const int across = (width + size - 1) / size, up = (height + size - 1) / size;
+    const std::size_t count = std::size_t(across) * up;
     const std::size_t block_size = triangles.size() / blocks + 1;
     const PixelBox picture{0, 0, width, height};
     const auto each = [&](const auto& body) {
         parallel_blocks(triangles.size(), block_size, [&](std::size_t block, std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t) {
                 const glm::uvec3 c = triangles[t];
-                for_tiles(FixedTriangle(px[c[0]], px[c[1]], px[c[2]]), picture, tiles.across,
+                for_tiles(FixedTriangle(px[c[0]], px[c[1]], px[c[2]]), picture, across,
                           [&](std::size_t tile) { body(tile * blocks + block, Index(t)); });
             }
         });
@@ -46,10 +45,18 @@ Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int heig
     std::vector<std::size_t> next(count * blocks, 0);
     each([&](std::size_t list, Index) { ++next[list]; });
     counts_to_offsets(next);
-    for (std::size_t tile = 0; tile <= count; ++tile) tiles.offsets.push_back(next[tile * blocks]);
-    tiles.triangle.resize(next.back());
-    each([&](std::size_t list, Index t) { tiles.triangle[next[list]++] = t; });
-    return tiles;
+    Array<std::size_t> offsets;
+    for (std::size_t tile = 0; tile <= count; ++tile) offsets.push_back(next[tile * blocks]);
+    Array<Index> members(next.back());
+    each([&](std::size_t list, Index t) { members[next[list]++] = t; });
+    parallel_for(
+        count,
+        [&](std::size_t tile) {
+            const int x = int(tile % across) * size, y = int(tile / across) * size;
+            draw(intersect({x, y, x + size, y + size}, picture),
+                 In<Index>(members).subspan(offsets[tile], offsets[tile + 1] - offsets[tile]));
+        },
+        1);
 }
 
 }  // namespace fovea::raster

@@ -2,20 +2,15 @@
 // Binning of triangles into image tiles.
 #pragma once
 
+#include <functional>
+
 #include <fovea/raster/fixed_triangle.h>
 
 namespace fovea::raster {
 
-/// Triangles per tile, in input order.
-struct Tiles {
-    static constexpr int size = 64;  // px
-    int across = 0, up = 0;
-    /// Triangles of tile (i, j): triangle[offsets[i + j * across] .. offsets[i + j * across + 1]].
-    Array<std::size_t> offsets;
-    Array<Index> triangle;
-};
-
-/// Corners in px; triangles that cover no pixel center of the image are dropped.
-Tiles sort_into_tiles(In<vec2> px, In<glm::uvec3> triangles, int width, int height);
+/// Calls draw(tile, members) for each tile of an image, in parallel: its pixels, and the numbers of the triangles that
+/// may cover some of their centers, in input order. `px`: corners.
+void for_each_tile(In<vec2> px, In<glm::uvec3> triangles, int width, int height,
+                   const std::function<void(const PixelBox&, In<Index>)>& draw);
 
 }  // namespace fovea::raster

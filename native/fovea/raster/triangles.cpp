@@ -32,12 +32,14 @@ int first_texel(double edge, int size) {
     return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
 }
 
+/// Homogeneous image coordinates of a corner.
+dvec3 without_depth(const dvec4& corner) { return {corner.x, corner.y, corner.w}; }
+
 /// Depth as a linear function of texel coordinates, solved in homogeneous coordinates without dividing by w, so that
 /// corners behind the eye are allowed. `corner`: (x w, y w, depth w, w) in texels. False if the triangle is seen
 /// edge-on.
 bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
-    const dvec3 a(corner[0].x, corner[0].y, corner[0].w), b(corner[1].x, corner[1].y, corner[1].w),
-        c(corner[2].x, corner[2].y, corner[2].w);
+    const dvec3 a = without_depth(corner[0]), b = without_depth(corner[1]), c = without_depth(corner[2]);
     const double det = glm::dot(a, glm::cross(b, c));
     plane = (glm::cross(b, c) * corner[0].z + glm::cross(c, a) * corner[1].z + glm::cross(a, b) * corner[2].z) / det;
     return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
@@ -77,30 +79,28 @@ void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, co
 
 /// Clips the triangle at the near plane (depth <= 1) and appends the result, at most two triangles.
 void append_clipped(const Source& source, const RasterTarget& target, double away, std::vector<RasterTriangle>& out) {
-    const auto& corner = source.corner;
+    std::array<dvec3, 3> corner;
     std::array<double, 3> inside;
     int kept = 0;
-    for (int i = 0; i < 3; ++i) kept += (inside[i] = corner[i].w - corner[i].z) >= 0.0;
-    if (kept == 0) return;
-    if (kept == 3) {
-        append_on_screen({dvec3(corner[0].x, corner[0].y, corner[0].w), dvec3(corner[1].x, corner[1].y, corner[1].w),
-                          dvec3(corner[2].x, corner[2].y, corner[2].w)},
-                         source, target, away, {true, true, true}, out);
-        return;
+    for (int i = 0; i < 3; ++i) {
+        corner[i] = without_depth(source.corner[i]);
+        inside[i] = source.corner[i].w - source.corner[i].z;
+        kept += inside[i] >= 0.0;
     }
+    if (kept == 0) return;
+    if (kept == 3) return append_on_screen(corner, source, target, away, {true, true, true}, out);
     std::array<dvec3, 4> polygon;
     std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
     int count = 0;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
-        const dvec3 p(corner[i].x, corner[i].y, corner[i].w), q(corner[j].x, corner[j].y, corner[j].w);
         if (inside[i] >= 0.0) {
             of_mesh[count] = true;
-            polygon[count++] = p;
+            polygon[count++] = corner[i];
         }
         if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
             of_mesh[count] = inside[i] < 0.0;
-            polygon[count++] = glm::mix(p, q, inside[i] / (inside[i] - inside[j]));
+            polygon[count++] = glm::mix(corner[i], corner[j], inside[i] / (inside[i] - inside[j]));
         }
     }
     for (int i = 2; i < count; ++i)

@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t runs_per_block = 256;
 constexpr double step_px = 2.0;
 constexpr double alongside = 0.97;  // cosine of 14 degrees: smaller angles count as parallel, in either direction
-constexpr double crossing =
-    3.0;  // times near_px: length over which a line lies beside one that it crosses at that angle
+/// Times near_px: length over which a line lies beside one that it crosses at that angle.
+constexpr double crossing = 3.0;
 
 struct Place {
     dvec2 px, way;
@@ -55,14 +55,10 @@ class Grid {
         low_ = low;
         across_ = std::int64_t((high.x - low.x) / cell_) + 1;
         up_ = std::int64_t((high.y - low.y) / cell_) + 1;
-        Array<Index> counts(std::size_t(across_ * up_), 0);
-        for (const auto& block : found)
-            for (const Place& place : block) ++counts[cell(place.px)];
-        counts_to_offsets(counts);
-        offsets_ = counts;
-        places_.resize(counts.back());
-        for (const auto& block : found)
-            for (const Place& place : block) places_[counts[cell(place.px)]++] = place;
+        cells_ = lists_of<Place>(std::size_t(across_ * up_), [&](const auto& give) {
+            for (const auto& block : found)
+                for (const Place& place : block) give(cell(place.px), place);
+        });
     }
 
     /// Whether a visible run lies alongside `place` within near_px.
@@ -70,13 +66,11 @@ class Grid {
         const dvec2 at = (place.px - low_) / cell_;
         const auto x = std::int64_t(std::floor(at.x)), y = std::int64_t(std::floor(at.y));
         for (std::int64_t j = std::max<std::int64_t>(y - 1, 0); j <= std::min(y + 1, up_ - 1); ++j)
-            for (std::int64_t i = std::max<std::int64_t>(x - 1, 0); i <= std::min(x + 1, across_ - 1); ++i) {
-                const std::size_t c = std::size_t(j * across_ + i);
-                for (Index k = offsets_[c]; k < offsets_[c + 1]; ++k)
-                    if (glm::distance(places_[k].px, place.px) < near_px &&
-                        std::abs(glm::dot(places_[k].way, place.way)) > alongside)
+            for (std::int64_t i = std::max<std::int64_t>(x - 1, 0); i <= std::min(x + 1, across_ - 1); ++i)
+                for (const Place& other : cells_[Index(j * across_ + i)])
+                    if (glm::distance(other.px, place.px) < near_px &&
+                        std::abs(glm::dot(other.way, place.way)) > alongside)
                         return true;
-            }
         return false;
     }
 
@@ -89,8 +83,7 @@ class Grid {
     double cell_;
     dvec2 low_{0.0};
     std::int64_t across_ = 0, up_ = 0;
-    Array<Index> offsets_;
-    std::vector<Place> places_;
+    Lists<Place> cells_;
 };
 
 /// Appends the parts of a hidden run that do not lie alongside a visible one.

@@ -22,19 +22,7 @@ Index beyond_seam(const ClippedPaths& clipped, Index piece) {
     return other != piece && (clipped.ends[other] & seam_start) ? other : none;
 }
 
-/// Sorts spans and merges those that touch.
-void unite(std::vector<Span>& spans) {
-    std::ranges::sort(spans, {}, [](const Span& s) { return std::pair(s.begin, s.end); });
-    std::size_t kept = 0;
-    for (const Span& span : spans) {
-        if (kept > 0 && span.begin <= spans[kept - 1].end + same_place_px) {
-            spans[kept - 1].end = std::max(spans[kept - 1].end, span.end);
-        } else {
-            spans[kept++] = span;
-        }
-    }
-    spans.resize(kept);
-}
+bool touch(const Span& before, const Span& span) { return span.begin <= before.end + same_place_px; }
 
 }  // namespace
 
@@ -68,17 +56,10 @@ float Chain::value(const ClippedPaths& clipped, In<float> values, double at, flo
 
 void Chain::visible(const Runs& runs, const Rows& rows, std::vector<Span>& out) const {
     out.clear();
-    for (const auto& [piece, shift] : parts()) {
-        for (Index r = rows.begin(piece); r < rows.end(piece); ++r) {
-            if (runs.invisibility[r] != 0) continue;
-            const Span span{runs.start_px[r] + shift, runs.end_px[r] + shift};
-            if (!out.empty() && span.begin <= out.back().end + same_place_px) {
-                out.back().end = std::max(out.back().end, span.end);
-            } else {
-                out.push_back(span);
-            }
-        }
-    }
+    for (const auto& [piece, shift] : parts())
+        for (Index r = rows.begin(piece); r < rows.end(piece); ++r)
+            if (runs.invisibility[r] == 0) out.push_back({runs.start_px[r] + shift, runs.end_px[r] + shift});
+    join_spans(out, touch);
     const bool across =
         cyclic && out.size() > 1 && out.front().begin <= begin + same_place_px && out.back().end >= end - same_place_px;
     if (!across) return;
@@ -107,7 +88,8 @@ void Chain::on_piece(Index piece, In<Span> spans, std::vector<Span>& out) const 
         add(span, -length());
         add(span, length());
     }
-    unite(out);
+    std::ranges::sort(out, {}, [](const Span& s) { return std::pair(s.begin, s.end); });
+    join_spans(out, touch);
 }
 
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out) {

@@ -15,6 +15,18 @@ struct Span {
 /// Ends of runs and of pieces closer than this coincide.
 inline constexpr double same_place_px = 1e-6;
 
+/// Joins each span with the one before it where touch(before, span).
+template <typename Touch>
+void join_spans(std::vector<Span>& spans, const Touch& touch) {
+    std::size_t kept = 0;
+    for (const Span& span : spans)
+        if (kept > 0 && touch(spans[kept - 1], span))
+            spans[kept - 1].end = std::max(spans[kept - 1].end, span.end);
+        else
+            spans[kept++] = span;
+    spans.resize(kept);
+}
+
 /// One piece; or, where the frame cuts a closed path, the two pieces that meet at its seam. A closed piece is cyclic.
 /// Arc length is that of the first piece, continued along the second.
 class Chain {
@@ -58,9 +70,9 @@ class Chain {
 /// where they are now visible.
 void replace_visible(const Runs& runs, const Rows& rows, Index piece, In<Span> visible, Runs& out);
 
-/// Applies change(chain, spans) to the visible spans of each chain whose path satisfies `wanted`; runs of other paths
-/// are copied. Visible runs replace hidden ones, which stay otherwise. A chain of two pieces is changed once for each.
-/// Parallel; the result does not depend on the number of threads.
+/// Applies change(path, chain, spans) to the visible spans of each chain whose path satisfies `wanted`; runs of other
+/// paths are copied. Visible runs replace hidden ones, which stay otherwise. A chain of two pieces is changed once for
+/// each. Parallel; the result does not depend on the number of threads.
 template <typename Wanted, typename Change>
 Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted& wanted, const Change& change) {
     const Rows rows = runs_of_pieces(clipped, runs);
@@ -73,7 +85,7 @@ Runs change_visible(const ClippedPaths& clipped, const Runs& runs, const Wanted&
             }
             const Chain chain(clipped, q);
             chain.visible(runs, rows, spans);
-            change(chain, spans);
+            change(clipped.path[q], chain, spans);
             chain.on_piece(q, spans, kept);
             replace_visible(runs, rows, q, kept, out);
         }

@@ -8,15 +8,7 @@ namespace {
 
 /// Joins spans whose gap is shorter than gap_px, across the seam of a closed line, too.
 void join(const Chain& chain, double gap_px, std::vector<Span>& spans) {
-    std::size_t kept = 0;
-    for (const Span& span : spans) {
-        if (kept > 0 && span.begin - spans[kept - 1].end < gap_px) {
-            spans[kept - 1].end = span.end;
-        } else {
-            spans[kept++] = span;
-        }
-    }
-    spans.resize(kept);
+    join_spans(spans, [&](const Span& before, const Span& span) { return span.begin - before.end < gap_px; });
     if (!chain.cyclic || spans.empty()) return;
     const double first = spans.front().begin + chain.length();
     if (chain.is_whole(spans.back()) || first - spans.back().end >= gap_px) return;
@@ -33,9 +25,9 @@ void join(const Chain& chain, double gap_px, std::vector<Span>& spans) {
 Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In<float> spur_px, double speck_px) {
     check(clipped.path.empty() || clipped.path.back() < spur_px.size(), "spur_px: one value per path expected");
     const auto changes = [&](Index path) { return gap_px > 0.0 || spur_px[path] > 0.0f || speck_px > 0.0; };
-    return change_visible(clipped, runs, changes, [&](const Chain& chain, std::vector<Span>& spans) {
+    return change_visible(clipped, runs, changes, [&](Index path, const Chain& chain, std::vector<Span>& spans) {
         join(chain, gap_px, spans);
-        const double spur = spur_px[clipped.path[chain.parts()[0].piece]];
+        const double spur = spur_px[path];
         std::erase_if(spans, [&](const Span& span) {
             const bool from_begin = chain.reaches_begin(span), to_end = chain.reaches_end(span);
             if ((from_begin && to_end) || chain.is_whole(span)) return false;

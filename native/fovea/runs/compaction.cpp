@@ -6,6 +6,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
+#include <fovea/visibility/segment.h>
 
 namespace fovea::runs {
 namespace {
@@ -107,9 +108,7 @@ class Writer {
 CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs) {
     check_runs(clipped, runs);
     const std::size_t count = runs.size();
-    check(
-        clipped.path.empty() || (clipped.path.back() < paths.count() && clipped.source.back() < paths.strength.size()),
-        "compact: these are not the paths that were clipped");
+    check_same_paths(clipped, paths, "compact");
     CompactRuns out;
     resize_columns(out, CompactRuns::run_columns, count);
     out.rows.offsets.resize(count);

@@ -39,8 +39,7 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<st
     if (std::ranges::find(wanted, 1) == wanted.end()) return runs;
     const Array<PassBehind> passes = passes_behind(clipped, runs, wanted);
     const auto changes = [&](Index path) { return wanted[path] != 0; };
-    return change_visible(clipped, runs, changes, [&](const Chain& chain, std::vector<Span>& spans) {
-        const Index path = clipped.path[chain.parts()[0].piece];
+    return change_visible(clipped, runs, changes, [&](Index path, const Chain& chain, std::vector<Span>& spans) {
         const double gap = gap_px[path];
         const bool contour = !of_view.empty() && of_view[path];
         for (const auto& [piece, shift] : chain.parts()) {

@@ -15,8 +15,8 @@ void check_amounts(const ClippedPaths& clipped, In<float> amounts, const char* n
     for (float amount : amounts) check(std::isfinite(amount), std::string(name) + ": not a finite number");
 }
 
-constexpr double hidden_rest_px =
-    1.0;  // length of a line that may be hidden at its end, where a corner touches a surface
+/// Length of a line that may be hidden at its end, where a corner touches a surface.
+constexpr double hidden_rest_px = 1.0;
 
 /// Extension of a span whose line ends `rest` pixels after the span. A line that a surface hides stops at the edge of
 /// that surface; negative amounts apply there, too.
@@ -33,8 +33,7 @@ Runs overshoot(const ClippedPaths& clipped, const Runs& runs, In<float> amount_p
     if (mixed) check_amounts(clipped, other_px, "other_px");
     check(!mixed || mix.size() == clipped.samples, "mix: one value per atlas sample expected");
     const auto changes = [&](Index path) { return amount_px[path] != 0.0f || (mixed && other_px[path] != 0.0f); };
-    return change_visible(clipped, runs, changes, [&](const Chain& chain, std::vector<Span>& spans) {
-        const Index path = clipped.path[chain.parts()[0].piece];
+    return change_visible(clipped, runs, changes, [&](Index path, const Chain& chain, std::vector<Span>& spans) {
         const auto amount = [&](double at) -> double {
             if (!mixed) return amount_px[path];
             return glm::mix(amount_px[path], other_px[path], chain.value(clipped, mix, at, 0.0f));

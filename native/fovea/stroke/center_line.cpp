@@ -16,8 +16,8 @@ constexpr double shortest = 0.05;       // px between neighbors; shorter segment
 constexpr float strength_step = 0.05f;  // change of strength at which a point is kept
 constexpr int taper_steps = 4;
 constexpr double most_overshoot = 1000.0;  // px
-constexpr double tip_width =
-    0.2;  // of a tapered end, in pen widths; above 0, so that corners of the drawing stay closed
+/// Of a tapered end, in pen widths; above 0, so that corners of the drawing stay closed.
+constexpr double tip_width = 0.2;
 
 CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);

@@ -5,7 +5,6 @@
 #include <string>
 
 #include <fovea/base/check.h>
-#include <fovea/base/parallel.h>
 #include <fovea/raster/tiles.h>
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/ink.h>
@@ -24,22 +23,16 @@ class Painter {
         : strokes_(strokes),
           pens_(pens),
           picture_{0, 0, width, height},
-          decided_(picture_),
+          decided_(spine ? intersect(picture_, pixels_of(spine->core())) : picture_),
           image_(image),
-          spine_(spine) {
-        if (spine) decided_ = intersect(picture_, pixels_of(spine->core()));
-        inks_ = fit_textures(pens, textures);
-    }
+          spine_(spine),
+          inks_(fit_textures(pens, textures)) {}
 
-    void tile(const Tiles& tiles, int i, int j) const {
-        const int size = Tiles::size;
-        const PixelBox box = intersect({i * size, j * size, (i + 1) * size, (j + 1) * size}, picture_);
+    void tile(const PixelBox& box, In<Index> triangles) const {
         for (int y = box.y0; y < box.y1; ++y) std::fill_n(row(y) + box.x0, box.x1 - box.x0, vec4(0.0f));
         const PixelBox drawn = intersect(box, decided_);
         if (drawn.empty()) return;
-        const std::size_t list = std::size_t(j) * tiles.across + i;
-        for (std::size_t k = tiles.offsets[list]; k < tiles.offsets[list + 1]; ++k)
-            triangle(strokes_.triangles[tiles.triangle[k]], drawn);
+        for (const Index t : triangles) triangle(strokes_.triangles[t], drawn);
     }
 
    private:
@@ -116,17 +109,16 @@ void check_input(const Strokes& strokes, In<Pen> pens) {
 
 }  // namespace
 
-void rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
-               const SpineTest* spine) {
+Array<vec4> rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height,
+                      const SpineTest* spine) {
     check(width > 0 && height > 0, "raster: the picture needs a positive width and height");
     check_input(strokes, pens);
     if (spine) check_pieces(strokes, *spine);
-    image.resize(std::size_t(width) * height);
+    Array<vec4> image(std::size_t(width) * height);
     const Painter painter(strokes, pens, textures, width, height, image, spine);
-    const Tiles tiles = sort_into_tiles(strokes.px, strokes.triangles, width, height);
-    parallel_for(
-        std::size_t(tiles.across) * tiles.up,
-        [&](std::size_t t) { painter.tile(tiles, int(t % tiles.across), int(t / tiles.across)); }, 1);
+    for_each_tile(strokes.px, strokes.triangles, width, height,
+                  [&](const PixelBox& tile, In<Index> triangles) { painter.tile(tile, triangles); });
+    return image;
 }
 
 }  // namespace fovea::stroke

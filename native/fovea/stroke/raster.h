@@ -8,12 +8,12 @@
 
 namespace fovea::stroke {
 
-/// Draws the strokes into `image` (height rows of width pixels, bottom row first; resized and overwritten):
-/// scene-linear, premultiplied color and alpha, triangles blended in order, fragments as in fragment.h. With `spine`
-/// the opacity of each fragment is multiplied by the spine test at its u, and pixels outside of the depth buffer's core
-/// stay empty. Independent of the number of threads. Throws where a stroke's pen, a pen's texture, a triangle's corner
-/// or (with `spine`) a vertex's piece does not exist, or the size is not positive.
-void rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height, Array<vec4>& image,
-               const SpineTest* spine = nullptr);
+/// Draws the strokes: height rows of width pixels, bottom row first, scene-linear, premultiplied color and alpha,
+/// triangles blended in order, fragments as in fragment.h. With `spine` the opacity of each fragment is multiplied by
+/// the spine test at its u, and pixels outside of the depth buffer's core stay empty. Independent of the number of
+/// threads. Throws where a stroke's pen, a pen's texture, a triangle's corner or (with `spine`) a vertex's piece does
+/// not exist, or the size is not positive.
+Array<vec4> rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, int width, int height,
+                      const SpineTest* spine = nullptr);
 
 }  // namespace fovea::stroke

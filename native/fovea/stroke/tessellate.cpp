@@ -46,13 +46,11 @@ void check_input(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of
 /// The runs that have a pen, by descending invisibility; stable (counting sort).
 Array<Index> drawing_order(const Runs& runs, In<Index> pen_of_run) {
     constexpr int most = std::numeric_limits<std::uint8_t>::max();
-    Array<Index> place(most + 1, 0);  // per invisibility, in descending order
-    for (std::size_t r = 0; r < runs.size(); ++r) place[most - runs.invisibility[r]] += pen_of_run[r] != none;
-    counts_to_offsets(place);
-    Array<Index> order(place.back());
-    for (std::size_t r = 0; r < runs.size(); ++r)
-        if (pen_of_run[r] != none) order[place[most - runs.invisibility[r]]++] = Index(r);
-    return order;
+    const auto each = [&](const auto& give) {
+        for (std::size_t r = 0; r < runs.size(); ++r)
+            if (pen_of_run[r] != none) give(most - runs.invisibility[r], Index(r));
+    };
+    return lists_of<Index>(most + 1, each).values;
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -109,5 +107,12 @@ struct Choice {
 /// Array of Choice indexed by the values of an enumeration; specialized next to each enumeration.
 template <typename Enum>
 inline constexpr int choices_of = 0;
+
+template <>
+inline constexpr Choice choices_of<Unit>[] = {
+    {""}, {"share"}, {"reference pixels"}, {"degrees"}, {"scene"}, {"millimeters"}, {"light"}, {"seed"}};
+
+template <>
+inline constexpr Choice choices_of<Names>[] = {{""}, {"texture"}, {"paper"}, {"datablock"}, {"attribute"}};
 
 }  // namespace fovea::style

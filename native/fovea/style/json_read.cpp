@@ -61,15 +61,9 @@ class Reader {
     Parameters parameters(const JsonValue& json, const LineDefinition& definition) {
         expect(json.type == Type::object, "must map parameters to numbers");
         Parameters found;
-        const auto known = [&](const std::string& key) {
-            return std::ranges::find_if(definition.parameters, [&](const Parameter& p) { return p.name == key; });
-        };
-        for (std::size_t i = 0; i < json.items.size(); ++i) {
-            const auto parameter = known(json.keys[i]);
-            if (parameter == definition.parameters.end()) continue;
-            in(json.keys[i], [&] { found.emplace_back(parameter->name, value_of(json.items[i], *parameter)); });
-        }
-        keep_unknown(json, [&](const std::string& key) { return known(key) != definition.parameters.end(); });
+        read_known(json, definition.parameters, &Parameter::name, [&](const JsonValue& value, const Parameter& known) {
+            found.emplace_back(known.name, value_of(value, known));
+        });
         return found;
     }
 
@@ -163,21 +157,13 @@ class Reader {
         expect(json.type == Type::list, "must be a list");
         list.clear();
         for (std::size_t i = 0; i < json.items.size(); ++i)
-            in(i, [&] {
-                if constexpr (Record<T>)
-                    read(json.items[i], list.emplace_back());
-                else
-                    read(json.items[i], list.emplace_back(), domain);
-            });
+            in(i, [&] { read(json.items[i], list.emplace_back(), domain); });
     }
 
     template <typename T>
     void read(const JsonValue& json, std::optional<T>& value, const Domain& domain) {
         if (json.type == Type::null) return value.reset();
-        if constexpr (Record<T>)
-            read(json, value ? *value : value.emplace());
-        else
-            read(json, value.emplace(), domain);
+        read(json, value ? *value : value.emplace(), domain);
     }
 
     /// "paper" or null: unset.
@@ -194,16 +180,11 @@ class Reader {
 
     void read(const JsonValue& json, Definitions& kinds, const Domain&) {
         expect(json.type == Type::object, "must map lines to their parameters");
-        const auto known = [](const std::string& name) {
-            return std::ranges::find_if(line_definitions(), [&](const auto* d) { return d->name == name; });
-        };
         kinds.clear();
-        for (std::size_t i = 0; i < json.items.size(); ++i) {
-            const auto definition = known(json.keys[i]);
-            if (definition == line_definitions().end()) continue;
-            in(json.keys[i], [&] { kinds.emplace_back(json.keys[i], parameters(json.items[i], **definition)); });
-        }
-        keep_unknown(json, [&](const std::string& key) { return known(key) != line_definitions().end(); });
+        read_known(json, line_definitions(), &LineDefinition::name,
+                   [&](const JsonValue& value, const LineDefinition* known) {
+                       kinds.emplace_back(known->name, parameters(value, *known));
+                   });
     }
 
     double value_of(const JsonValue& json, const Parameter& parameter) {
@@ -218,6 +199,16 @@ class Reader {
         bool found = std::is_same_v<S, Style> && key == "schema";
         for_each_field<S>([&](const auto& field) { found |= field.is_in_files() && key == field.key(); });
         return found;
+    }
+
+    /// Calls take(value, known) for the entries of an object whose key is the name of one of `all`; keeps the others.
+    template <typename All, typename Name, typename Take>
+    void read_known(const JsonValue& json, const All& all, Name name, const Take& take) {
+        const auto find = [&](std::string_view key) { return std::ranges::find(all, key, name); };
+        for (std::size_t i = 0; i < json.items.size(); ++i)
+            if (const auto known = find(json.keys[i]); known != all.end())
+                in(json.keys[i], [&] { take(json.items[i], *known); });
+        keep_unknown(json, [&](const std::string& key) { return find(key) != all.end(); });
     }
 
     template <typename Knows>
@@ -235,14 +226,13 @@ class Reader {
 
 void check_schema(const JsonValue& json) {
     if (json.type != Type::object) throw std::invalid_argument("the style must be a JSON object");
-    const JsonValue missing;
     const JsonValue* found = json.at("schema");
-    const JsonValue* given = found ? found : &missing;
-    if (given->type != Type::whole || given->number < 1)
-        throw std::invalid_argument("schema is " + given->written(false) + ", not the number of a schema: 1 to " +
+    const JsonValue given = found ? *found : JsonValue();
+    if (given.type != Type::whole || given.number < 1)
+        throw std::invalid_argument("schema is " + given.written(false) + ", not the number of a schema: 1 to " +
                                     std::to_string(schema));
-    if (given->number > schema)
-        throw std::invalid_argument("schema is " + given->text +
+    if (given.number > schema)
+        throw std::invalid_argument("schema is " + given.text +
                                     ": a newer version of Fovea wrote the style, this one reads up to " +
                                     std::to_string(schema));
 }

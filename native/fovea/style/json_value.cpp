@@ -133,40 +133,36 @@ std::string quoted(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-void write(const JsonValue& value, int level, std::string& out) {
-    const bool is_object = value.type == Type::object;
-    const auto start_line = [&](int at) {
-        if (at >= 0) out += "\n" + std::string(2 * at, ' ');
-    };
+/// `level`: of indentation; -1: all on one line.
+std::string text_of(const JsonValue& value, int level) {
     switch (value.type) {
         case Type::null:
-            out += "null";
-            return;
+            return "null";
         case Type::boolean:
-            out += value.boolean ? "true" : "false";
-            return;
+            return value.boolean ? "true" : "false";
         case Type::whole:
-            out += value.text;
-            return;
+            return value.text;
         case Type::number:
-            out += digits_of(value.number);
-            return;
+            return digits_of(value.number);
         case Type::text:
-            out += quoted(value.text);
-            return;
+            return quoted(value.text);
         default:
             break;
     }
-    out += is_object ? "{" : "[";
+    const bool is_object = value.type == Type::object;
+    std::string out = is_object ? "{" : "[";
+    const auto start_line = [&](int at) {
+        if (at >= 0) out += "\n" + std::string(2 * at, ' ');
+    };
     const int inner = level < 0 ? level : level + 1;
     for (std::size_t i = 0; i < value.items.size(); ++i) {
         if (i) out += level < 0 ? ", " : ",";
         start_line(inner);
         if (is_object) out += quoted(value.keys[i]) + ": ";
-        write(value.items[i], inner, out);
+        out += text_of(value.items[i], inner);
     }
     if (!value.items.empty()) start_line(level);
-    out += is_object ? "}" : "]";
+    return out + (is_object ? "}" : "]");
 }
 
 }  // namespace
@@ -202,11 +198,7 @@ const JsonValue* JsonValue::at(const Step& step) const {
     return type == Type::list && index < items.size() ? &items[index] : nullptr;
 }
 
-std::string JsonValue::written(bool indent) const {
-    std::string out;
-    write(*this, indent ? 0 : -1, out);
-    return out;
-}
+std::string JsonValue::written(bool indent) const { return text_of(*this, indent ? 0 : -1); }
 
 JsonValue parse_json(std::string_view text) {
     check(text.size() <= largest, "the style has more than 1 MB: that is no style");

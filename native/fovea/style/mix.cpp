@@ -46,19 +46,11 @@ S between(const S& a, const S& b, double share) {
     return mixed;
 }
 
-Pen faint(Pen pen, double opacity) {
-    pen.opacity *= opacity;
-    return pen;
-}
-
-std::optional<Pen> faint(const std::optional<Pen>& pen, double opacity) {
-    return pen ? std::optional(faint(*pen, opacity)) : std::nullopt;
-}
-
-Hidden faint(Hidden hidden, double opacity) {
-    hidden.pen = faint(hidden.pen, opacity);
-    hidden.pen_away = faint(hidden.pen_away, opacity);
-    return hidden;
+/// Scales the opacity of the pens of a line set or of hidden parts.
+template <typename S>
+void fade(S& drawn, double opacity) {
+    drawn.pen.opacity *= opacity;
+    if (drawn.pen_away) drawn.pen_away->opacity *= opacity;
 }
 
 /// The out-of-focus pen of two line sets or hidden pens; one that has none uses its pen in focus.
@@ -71,17 +63,16 @@ std::optional<Pen> mixed_away(const S& a, const S& b, double share) {
 /// Interpolates pens if the ranges are the same; else those of one style fade out, then those of the other fade in.
 std::vector<Hidden> mixed_hidden(const std::vector<Hidden>& a, const std::vector<Hidden>& b, double share) {
     const auto same_range = [](const Hidden& x, const Hidden& y) { return x.first == y.first && x.last == y.last; };
-    std::vector<Hidden> mixed;
+    std::vector<Hidden> mixed = share < 0.5 ? a : b;
     if (std::ranges::equal(a, b, same_range)) {
         for (std::size_t i = 0; i < a.size(); ++i) {
-            mixed.push_back(a[i]);
             mixed[i].pen = between(a[i].pen, b[i].pen, share);
             mixed[i].pen_away = mixed_away(a[i], b[i], share);
         }
         return mixed;
     }
     const double opacity = share < 0.5 ? 1.0 - 2.0 * share : 2.0 * share - 1.0;
-    for (const Hidden& hidden : share < 0.5 ? a : b) mixed.push_back(faint(hidden, opacity));
+    for (Hidden& hidden : mixed) fade(hidden, opacity);
     return mixed;
 }
 
@@ -108,9 +99,8 @@ LineSet fading(const LineSet& set, const Names& kinds, double opacity) {
     LineSet faded = set;
     faded.kinds.clear();
     for (const std::string& kind : kinds) faded.kinds.emplace_back(kind, *find(set.kinds, kind));
-    faded.pen = faint(set.pen, opacity);
-    faded.pen_away = faint(set.pen_away, opacity);
-    for (Hidden& hidden : faded.hidden) hidden = faint(hidden, opacity);
+    fade(faded, opacity);
+    for (Hidden& hidden : faded.hidden) fade(hidden, opacity);
     return faded;
 }
 

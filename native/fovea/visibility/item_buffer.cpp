@@ -129,19 +129,13 @@ class Drawing {
 };
 
 /// Lines by the bands of rows that they touch, in order.
-Rows bin(const std::vector<Line>& lines, int height, Array<Index>& members) {
-    const auto bands = [&](const Line& s, const auto& body) {
-        const auto [begin, end] = rows_of(s, height);
-        for (int b = begin / band_rows; b * band_rows < end; ++b) body(b);
-    };
-    Rows rows;
-    rows.offsets.assign((height + band_rows - 1) / band_rows, 0);
-    for (const Line& s : lines) bands(s, [&](int b) { ++rows.offsets[b]; });
-    counts_to_offsets(rows.offsets);
-    members.resize(rows.offsets.back());
-    Array<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-    for (Index i = 0; i < lines.size(); ++i) bands(lines[i], [&](int b) { members[next[b]++] = i; });
-    return rows;
+Lists<Index> bin(const std::vector<Line>& lines, int height) {
+    return lists_of<Index>((height + band_rows - 1) / band_rows, [&](const auto& give) {
+        for (Index i = 0; i < lines.size(); ++i) {
+            const auto [begin, end] = rows_of(lines[i], height);
+            for (int b = begin / band_rows; b * band_rows < end; ++b) give(b, i);
+        }
+    });
 }
 
 /// Share of the probes of sample j of segment i that find the piece.
@@ -178,16 +172,14 @@ ItemBuffer draw_items(const ClippedPaths& clipped, const DepthBuffer& depth, con
     ItemBuffer buffer{depth.width, depth.height, options.layers, {}};
     buffer.items.assign(std::size_t(depth.width) * depth.height * options.layers, 0);
     const std::vector<Line> lines = lines_of(clipped, depth);
-    Array<Index> members;
-    const Rows rows = bin(lines, depth.height, members);
+    const Lists<Index> bands = bin(lines, depth.height);
     Drawing drawing(depth, options, buffer);
     parallel_for(
-        rows.count(),
+        bands.count(),
         [&](std::size_t band) {
             if (cancel) cancel->poll();
             const int begin = int(band) * band_rows, end = std::min(begin + band_rows, depth.height);
-            for (Index m = rows.begin(Index(band)); m < rows.end(Index(band)); ++m)
-                drawing.draw(lines[members[m]], begin, end);
+            for (const Index line : bands[Index(band)]) drawing.draw(lines[line], begin, end);
         },
         1);
     return buffer;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/visibility/shadow.h>
 
+#include <fovea/project/clip.h>
+
 namespace fovea::visibility {
 
 Shadow::Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin) {
@@ -30,15 +32,12 @@ Shadow::Shadow(In<dvec3> corners, bool orthographic, double near_clip, double ma
 
 Interval Shadow::hides(const dvec3& a, const dvec3& b) const {
     if (!usable_) return {};
-    Interval interval{0.0, 1.0};
-    for (int i = 0; i < count_; ++i) {
-        const dvec4& plane = planes_[i];
-        const double at_a = glm::dot(dvec3(plane), a) + plane.w, at_b = glm::dot(dvec3(plane), b) + plane.w;
-        if (at_a < 0.0 && at_b < 0.0) return {};
-        if (at_a < 0.0) interval.begin = std::max(interval.begin, at_a / (at_a - at_b));
-        if (at_b < 0.0) interval.end = std::min(interval.end, at_a / (at_a - at_b));
+    ClipRange range;
+    for (int i = 0; i < count_ && range.begin <= range.end; ++i) {
+        const dvec3 normal(planes_[i]);
+        clip_plane(glm::dot(normal, a) + planes_[i].w, glm::dot(normal, b) + planes_[i].w, range);
     }
-    return interval;
+    return {range.begin, range.end};
 }
 
 Occluding::Occluding(const Tracer& tracer, const Hit& hit) : placement_(hit.placement) {

@@ -23,19 +23,16 @@ SpineTest::SpineTest(const ClippedPaths& clipped, const OwnSides& sides, const D
 
 float SpineTest::visibility(Index piece, float u) const {
     // The last segment that starts at or before u; arc lengths are rounded to float as in spine_table.
-    Index low = clipped_.pieces.begin(piece), high = clipped_.pieces.end(piece) - 2;
-    while (low < high) {
-        const Index middle = (low + high + 1) / 2;
-        if (float(clipped_.arc_px[middle]) <= u)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    const float start = float(clipped_.arc_px[low]), length = float(clipped_.arc_px[low + 1]) - start;
-    if (!(length > 0.0f)) return visibility_between(clipped_, sides_, low, 0.0f, 0.0f, buffer_, options_);
+    const auto arcs = clipped_.arc_px.begin();
+    const auto after =
+        std::partition_point(arcs + clipped_.pieces.begin(piece) + 1, arcs + clipped_.pieces.end(piece) - 1,
+                             [&](double arc) { return float(arc) <= u; });
+    const Index segment = Index(after - arcs) - 1;
+    const float start = float(after[-1]), length = float(after[0]) - start;
+    if (!(length > 0.0f)) return visibility_between(clipped_, sides_, segment, 0.0f, 0.0f, buffer_, options_);
     const float t0 = std::clamp((u - 0.5f - start) / length, 0.0f, 1.0f);
     const float t1 = std::clamp((u + 0.5f - start) / length, 0.0f, 1.0f);
-    return visibility_between(clipped_, sides_, low, t0, t1, buffer_, options_);
+    return visibility_between(clipped_, sides_, segment, t0, t1, buffer_, options_);
 }
 
 Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
@@ -44,10 +41,9 @@ Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
     parallel_for(
         clipped.pieces.count(),
         [&](std::size_t q) {
-            for (Index i = clipped.pieces.begin(Index(q)); i + 1 < clipped.pieces.end(Index(q)); ++i) {
+            for (Index i = clipped.pieces.begin(Index(q)); i + 1 < clipped.pieces.end(Index(q)); ++i)
                 write_segment(clipped, sides, i, float(clipped.arc_px[i]), float(clipped.arc_px[i + 1]),
                               &table[3 * std::size_t(i)]);
-            }
         },
         256);
     return table;
