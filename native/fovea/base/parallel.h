@@ -36,7 +36,7 @@ struct Cancel {
 
 /// Calls body(i) for every i in [0, count), in blocks of at least `grain`.
 template <typename Body>
-void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096) {
+void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     const auto all_of = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i != end; ++i) body(i);
     };
@@ -47,13 +47,18 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096)
     });
 }
 
+/// The same, with blocks for bodies of a few operations.
+template <typename Body>
+void parallel_for(std::size_t count, const Body& body) {
+    parallel_for(count, 4096, body);
+}
+
 /// Calls body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The blocks
 /// do not depend on the number of threads, so per-block results joined in block order are deterministic.
 template <typename Body>
 void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     const std::size_t blocks = (count + size - 1) / size;
-    const auto one = [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); };
-    parallel_for(blocks, one, 1);
+    parallel_for(blocks, 1, [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); });
 }
 
 /// Per block of parallel_blocks, the Part that fill(part, begin, end) fills, in block order.

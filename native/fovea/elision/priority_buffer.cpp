@@ -70,18 +70,15 @@ PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const 
     const Tiles tiles = sort_into_tiles(bands.px, bands.triangles, width, height);
     const PixelBox picture{0, 0, width, height};
     constexpr int size = Tiles::size;
-    parallel_for(
-        std::size_t(tiles.across) * tiles.up,
-        [&](std::size_t tile) {
-            if (cancel) cancel->poll();
-            const int x = int(tile % tiles.across) * size, y = int(tile / tiles.across) * size;
-            const PixelBox box = intersect({x, y, x + size, y + size}, picture);
-            for (int row = box.y0; row < box.y1; ++row)
-                std::fill_n(&buffer.first[std::size_t(row) * width + box.x0], box.x1 - box.x0, PriorityTexel{});
-            for (std::size_t k = tiles.offsets[tile]; k < tiles.offsets[tile + 1]; ++k)
-                draw_triangle(bands, tiles.triangle[k], box, buffer);
-        },
-        1);
+    parallel_for(std::size_t(tiles.across) * tiles.up, 1, [&](std::size_t tile) {
+        if (cancel) cancel->poll();
+        const int x = int(tile % tiles.across) * size, y = int(tile / tiles.across) * size;
+        const PixelBox box = intersect({x, y, x + size, y + size}, picture);
+        for (int row = box.y0; row < box.y1; ++row)
+            std::fill_n(&buffer.first[std::size_t(row) * width + box.x0], box.x1 - box.x0, PriorityTexel{});
+        for (std::size_t k = tiles.offsets[tile]; k < tiles.offsets[tile + 1]; ++k)
+            draw_triangle(bands, tiles.triangle[k], box, buffer);
+    });
     return buffer;
 }
 

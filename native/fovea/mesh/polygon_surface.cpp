@@ -23,15 +23,12 @@ struct NgonTriangles {
 NgonTriangles ngon_triangles(In<vec3> positions, In<int> corner_verts, In<int> offsets) {
     std::vector<std::vector<Triangle>> cut(offsets.empty() ? 0 : offsets.size() - 1);
     const auto corners_of = [&](std::size_t f) { return offsets[f + 1] - offsets[f]; };
-    parallel_for(
-        cut.size(),
-        [&](std::size_t f) {
-            if (corners_of(f) <= 4 || corners_of(f) > most_corners) return;
-            std::vector<vec3> corners;
-            for (int c = offsets[f]; c < offsets[f + 1]; ++c) corners.push_back(positions[corner_verts[c]]);
-            cut[f] = cut_ears(corners);
-        },
-        64);
+    parallel_for(cut.size(), 64, [&](std::size_t f) {
+        if (corners_of(f) <= 4 || corners_of(f) > most_corners) return;
+        std::vector<vec3> corners;
+        for (int c = offsets[f]; c < offsets[f + 1]; ++c) corners.push_back(positions[corner_verts[c]]);
+        cut[f] = cut_ears(corners);
+    });
     NgonTriangles all;
     for (std::size_t f = 0; f < cut.size(); ++f) {
         const int* verts = corner_verts.data() + offsets[f];

@@ -246,7 +246,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     const auto write = [&](std::size_t i) {
         std::visit([&](const auto* part) { write_found(scene, *part, parts[i].slot, paths); }, parts[i].found);
     };
-    parallel_for(parts.size(), write, 1);
+    parallel_for(parts.size(), 1, write);
     return paths;
 }
 

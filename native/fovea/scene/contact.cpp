@@ -102,7 +102,7 @@ Array<double> curve_lengths(const Crossings& crossings) {
 Crossings without_contact(const Crossings& crossings, const Mapped& first, const Mapped& second, double tolerance) {
     const ContactTest test(first, second, tolerance);
     Array<std::uint8_t> contact(crossings.size());
-    parallel_for(crossings.size(), [&](std::size_t i) { contact[i] = test.touches(crossings[i]); }, 256);
+    parallel_for(crossings.size(), 256, [&](std::size_t i) { contact[i] = test.touches(crossings[i]); });
     Crossings kept, result;
     for (std::size_t i = 0; i < crossings.size(); ++i)
         if (!contact[i]) kept.push_back(crossings[i]);

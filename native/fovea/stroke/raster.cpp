@@ -124,9 +124,8 @@ void rasterize(const Strokes& strokes, In<Pen> pens, In<PenTexture> textures, in
     image.resize(std::size_t(width) * height);
     const Painter painter(strokes, pens, textures, width, height, image, spine);
     const Tiles tiles = sort_into_tiles(strokes.px, strokes.triangles, width, height);
-    parallel_for(
-        std::size_t(tiles.across) * tiles.up,
-        [&](std::size_t t) { painter.tile(tiles, int(t % tiles.across), int(t / tiles.across)); }, 1);
+    parallel_for(std::size_t(tiles.across) * tiles.up, 1,
+                 [&](std::size_t t) { painter.tile(tiles, int(t % tiles.across), int(t / tiles.across)); });
 }
 
 }  // namespace fovea::stroke

@@ -181,15 +181,12 @@ ItemBuffer draw_items(const ClippedPaths& clipped, const DepthBuffer& depth, con
     Array<Index> members;
     const Rows rows = bin(lines, depth.height, members);
     Drawing drawing(depth, options, buffer);
-    parallel_for(
-        rows.count(),
-        [&](std::size_t band) {
-            if (cancel) cancel->poll();
-            const int begin = int(band) * band_rows, end = std::min(begin + band_rows, depth.height);
-            for (Index m = rows.begin(Index(band)); m < rows.end(Index(band)); ++m)
-                drawing.draw(lines[members[m]], begin, end);
-        },
-        1);
+    parallel_for(rows.count(), 1, [&](std::size_t band) {
+        if (cancel) cancel->poll();
+        const int begin = int(band) * band_rows, end = std::min(begin + band_rows, depth.height);
+        for (Index m = rows.begin(Index(band)); m < rows.end(Index(band)); ++m)
+            drawing.draw(lines[members[m]], begin, end);
+    });
     return buffer;
 }
 
