@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <mutex>
 #include <new>
 #include <vector>
@@ -23,13 +24,13 @@ class Freed {
    public:
     Freed() { blocks_.reserve(keeps_large_memory / large_memory + 1); }
 
-    /// A block of this size; null if there is none.
+    /// The block of this size that was freed last; null if there is none.
     void* take(std::size_t size) {
         const std::lock_guard lock(mutex_);
-        const auto found = std::ranges::find(blocks_, size, &Block::size);
-        if (found == blocks_.end()) return nullptr;
+        const auto found = std::ranges::find(blocks_.rbegin(), blocks_.rend(), size, &Block::size);
+        if (found == blocks_.rend()) return nullptr;
         void* const start = found->start;
-        blocks_.erase(found);
+        blocks_.erase(std::next(found).base());
         kept_ -= size;
         return start;
     }
