@@ -19,9 +19,6 @@ struct Column {
     const char* doc;  ///< shape, type, meaning, unit
 };
 
-template <typename Structure, typename Value>
-Column(const char*, Array<Value> Structure::*, const char*) -> Column<Structure, Value>;
-
 /// Calls visit(column) for each column of a group, in order.
 template <typename Columns, typename Visit>
 void for_each_column(const Columns& columns, const Visit& visit) {
