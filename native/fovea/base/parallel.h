@@ -113,6 +113,15 @@ void counts_to_offsets(Counts& counts) {
     counts.push_back(sum);
 }
 
+/// The values at the positions i for which kept(i) is true, in order.
+template <typename T, typename Kept>
+Array<T> values_where(const Array<T>& values, const Kept& kept) {
+    Array<T> found;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (kept(i)) found.push_back(values[i]);
+    return found;
+}
+
 /// Lists of counts[k] indices each, copied from the iterator first(k).
 template <typename First>
 Lists<Index> lists_from(Array<Index> counts, const First& first) {
@@ -120,24 +129,29 @@ Lists<Index> lists_from(Array<Index> counts, const First& first) {
     lists.offsets = std::move(counts);
     counts_to_offsets(lists.offsets);
     lists.values.resize(lists.offsets.back());
-    parallel_for(lists.count(), [&](std::size_t k) {
-        std::copy_n(first(Index(k)), lists.size(Index(k)), lists.values.begin() + lists.begin(Index(k)));
-    });
+    parallel_for(lists.count(),
+                 [&](std::size_t k) { std::copy_n(first(Index(k)), lists.size(Index(k)), lists[Index(k)].begin()); });
     return lists;
 }
 
 /// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order.
-/// `each` runs twice (once to count, once to fill) and must make the same calls both times.
-template <typename T, typename Each>
-Lists<T> lists_of(std::size_t count, const Each& each) {
+/// `each` runs twice (once to count, once to fill) and must make the same calls both times. count_up(number) adds one
+/// and returns the number before; atomically, if `each` makes calls at the same time, whose order is then lost.
+template <typename T, typename Each, typename CountUp>
+Lists<T> lists_of(std::size_t count, const Each& each, const CountUp& count_up) {
     Lists<T> lists;
     lists.offsets.assign(count, 0);
-    each([&](std::size_t list, const T&) { ++lists.offsets[list]; });
+    each([&](std::size_t list, const T&) { count_up(lists.offsets[list]); });
     counts_to_offsets(lists.offsets);
     lists.values.resize(lists.offsets.back());
     Array<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
-    each([&](std::size_t list, const T& value) { lists.values[next[list]++] = value; });
+    each([&](std::size_t list, const T& value) { lists.values[count_up(next[list])] = value; });
     return lists;
+}
+
+template <typename T, typename Each>
+Lists<T> lists_of(std::size_t count, const Each& each) {
+    return lists_of<T>(count, each, [](Index& number) { return number++; });
 }
 
 }  // namespace fovea::base

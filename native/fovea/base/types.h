@@ -82,6 +82,7 @@ template <typename T>
 struct Lists : Rows {
     Array<T> values;
     In<T> operator[](Index i) const { return {values.data() + begin(i), size(i)}; }
+    std::span<T> operator[](Index i) { return {values.data() + begin(i), size(i)}; }
 };
 
 }  // namespace fovea::base
