@@ -68,16 +68,13 @@ class ExactTrace {
     ExactCurves run() {
         parallel_for(values_.size(), [&](std::size_t k) { values_[k] = at_(grid_.point[k], grid_.curvature[k]); });
         std::vector<ExactCurves> rows(n_);
-        parallel_for(
-            n_,
-            [&](std::size_t j) {
-                for (int i = 0; i < n_; ++i) {
-                    const int a = int(j) * (n_ + 1) + i, b = a + 1, c = b + n_ + 1, d = a + n_ + 1;
-                    add({a, b, c}, rows[j]);
-                    add({a, c, d}, rows[j]);
-                }
-            },
-            8);
+        parallel_for(n_, 8, [&](std::size_t j) {
+            for (int i = 0; i < n_; ++i) {
+                const int a = int(j) * (n_ + 1) + i, b = a + 1, c = b + n_ + 1, d = a + n_ + 1;
+                add({a, b, c}, rows[j]);
+                add({a, c, d}, rows[j]);
+            }
+        });
         ExactCurves curves;
         for (const ExactCurves& row : rows) curves.insert(curves.end(), row.begin(), row.end());
         return curves;

@@ -86,7 +86,7 @@ TEST(Threads, ThatAskACacheAtOnceGetTheSameQuantityWhichIsMadeOnce) {
     const auto squares = [&] {
         ++made;
         std::vector<int> values(10000);
-        parallel_for(values.size(), [&](std::size_t i) { values[i] = int(i * i % 97); }, 16);
+        parallel_for(values.size(), 16, [&](std::size_t i) { values[i] = int(i * i % 97); });
         return values;
     };
     std::vector<std::shared_ptr<const std::vector<int>>> found(4);
@@ -114,7 +114,7 @@ TEST(Threads, ALoopEndsWhenAnotherThreadCancelsIt) {
     const auto until_cancelled = [&](std::size_t) {
         for (begun = true;; std::this_thread::yield()) cancel.poll();
     };
-    EXPECT_THROW(parallel_for(64, until_cancelled, 1), Cancelled);
+    EXPECT_THROW(parallel_for(64, 1, until_cancelled), Cancelled);
     other.join();
 }
 

@@ -19,9 +19,6 @@ struct Column {
     const char* doc;  ///< shape, type, meaning, unit
 };
 
-template <typename Structure, typename Value>
-Column(const char*, Array<Value> Structure::*, const char*) -> Column<Structure, Value>;
-
 /// Calls visit(column) for each column of a group, in order.
 template <typename Columns, typename Visit>
 void for_each_column(const Columns& columns, const Visit& visit) {
@@ -69,15 +66,12 @@ Strips join_strips(std::vector<Strips>& parts, const char* name) {
     Strips all;
     resize_columns(all, Strips::vertex_columns, vertices.back());
     all.triangles.resize(triangles.back());
-    parallel_for(
-        parts.size(),
-        [&](std::size_t i) {
-            const Strips part = std::move(parts[i]);
-            copy_columns(part, Strips::vertex_columns, all, vertices[i]);
-            std::ranges::transform(part.triangles, all.triangles.begin() + triangles[i],
-                                   [&](glm::uvec3 t) { return t + Index(vertices[i]); });
-        },
-        1);
+    parallel_for(parts.size(), 1, [&](std::size_t i) {
+        const Strips part = std::move(parts[i]);
+        copy_columns(part, Strips::vertex_columns, all, vertices[i]);
+        std::ranges::transform(part.triangles, all.triangles.begin() + triangles[i],
+                               [&](glm::uvec3 t) { return t + Index(vertices[i]); });
+    });
     return all;
 }
 

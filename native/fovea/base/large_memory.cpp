@@ -5,21 +5,12 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <mutex>
 #include <new>
 #include <vector>
 
 namespace fovea::base {
-
-#ifdef FOVEA_LARGE_MEMORY_IN_HEAP
-
-void* allocate_large(std::size_t bytes) { return ::operator new(bytes); }
-
-void free_large(void* memory, std::size_t) noexcept { ::operator delete(memory); }
-
-std::size_t large_memory_kept() { return 0; }
-
-#else
 
 namespace {
 
@@ -31,15 +22,15 @@ struct Block {
 /// Freed blocks, kept for later arrays.
 class Freed {
    public:
-    Freed() { blocks_.reserve(keeps_large_memory / large_memory); }
+    Freed() { blocks_.reserve(keeps_large_memory / large_memory + 1); }
 
-    /// A block of this size; null if there is none.
+    /// The block of this size that was freed last; null if there is none.
     void* take(std::size_t size) {
         const std::lock_guard lock(mutex_);
-        const auto found = std::ranges::find(blocks_, size, &Block::size);
-        if (found == blocks_.end()) return nullptr;
+        const auto found = std::ranges::find(blocks_.rbegin(), blocks_.rend(), size, &Block::size);
+        if (found == blocks_.rend()) return nullptr;
         void* const start = found->start;
-        blocks_.erase(found);
+        blocks_.erase(std::next(found).base());
         kept_ -= size;
         return start;
     }
@@ -47,13 +38,9 @@ class Freed {
     /// The oldest blocks make room for it.
     void give(Block block) noexcept {
         const std::lock_guard lock(mutex_);
-        shrink(keeps_large_memory - std::min(block.size, keeps_large_memory));
-        if (block.size > keeps_large_memory) {
-            std::free(block.start);
-            return;
-        }
         blocks_.push_back(block);
         kept_ += block.size;
+        shrink(keeps_large_memory);
     }
 
     void clear() {
@@ -67,14 +54,12 @@ class Freed {
     }
 
    private:
-    void shrink(std::size_t size) noexcept {
-        const auto end = std::ranges::find_if(blocks_, [&](const Block& block) {
-            if (kept_ <= size) return true;
-            std::free(block.start);
-            kept_ -= block.size;
-            return false;
-        });
-        blocks_.erase(blocks_.begin(), end);
+    void shrink(std::size_t most) noexcept {
+        while (kept_ > most) {
+            std::free(blocks_.front().start);
+            kept_ -= blocks_.front().size;
+            blocks_.erase(blocks_.begin());
+        }
     }
 
     std::mutex mutex_;
@@ -109,7 +94,5 @@ void* allocate_large(std::size_t bytes) {
 void free_large(void* memory, std::size_t bytes) noexcept { freed().give({memory, size_class(bytes)}); }
 
 std::size_t large_memory_kept() { return freed().kept(); }
-
-#endif
 
 }  // namespace fovea::base

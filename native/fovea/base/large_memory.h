@@ -17,12 +17,15 @@ namespace fovea::base {
 /// Bytes from which arrays take memory here instead of from the heap.
 inline constexpr std::size_t large_memory = std::size_t(4) << 20;
 
-/// Bytes of freed memory that are kept for the next arrays.
+/// Bytes of freed memory that are kept for the next arrays; 0: they take all from the heap.
 #ifdef FOVEA_LARGE_MEMORY_IN_HEAP
 inline constexpr std::size_t keeps_large_memory = 0;
 #else
 inline constexpr std::size_t keeps_large_memory = std::size_t(256) << 20;
 #endif
+
+/// Whether an array of so many bytes takes its memory here.
+constexpr bool is_large(std::size_t bytes) { return keeps_large_memory > 0 && bytes >= large_memory; }
 
 /// Uninitialized memory, aligned for any type. Every frame needs the same images, and a heap returns such blocks to the
 /// system, which clears each page again when it is touched: so freed blocks are kept for later ones of similar size.

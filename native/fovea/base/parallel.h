@@ -36,7 +36,7 @@ struct Cancel {
 
 /// Calls body(i) for every i in [0, count), in blocks of at least `grain`.
 template <typename Body>
-void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096) {
+void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     const auto all_of = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i != end; ++i) body(i);
     };
@@ -47,13 +47,18 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = 4096)
     });
 }
 
+/// The same, with blocks for bodies of a few operations.
+template <typename Body>
+void parallel_for(std::size_t count, const Body& body) {
+    parallel_for(count, 4096, body);
+}
+
 /// Calls body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The blocks
 /// do not depend on the number of threads, so per-block results joined in block order are deterministic.
 template <typename Body>
 void parallel_blocks(std::size_t count, std::size_t size, const Body& body) {
     const std::size_t blocks = (count + size - 1) / size;
-    const auto one = [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); };
-    parallel_for(blocks, one, 1);
+    parallel_for(blocks, 1, [&](std::size_t b) { body(b, b * size, std::min(count, (b + 1) * size)); });
 }
 
 /// Per block of parallel_blocks, the Part that fill(part, begin, end) fills, in block order.
@@ -108,6 +113,15 @@ void counts_to_offsets(Counts& counts) {
     counts.push_back(sum);
 }
 
+/// The values at the positions i for which kept(i) is true, in order.
+template <typename T, typename Kept>
+Array<T> values_where(const Array<T>& values, const Kept& kept) {
+    Array<T> found;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (kept(i)) found.push_back(values[i]);
+    return found;
+}
+
 /// Lists of counts[k] indices each, copied from the iterator first(k).
 template <typename First>
 Lists<Index> lists_from(Array<Index> counts, const First& first) {
@@ -115,24 +129,29 @@ Lists<Index> lists_from(Array<Index> counts, const First& first) {
     lists.offsets = std::move(counts);
     counts_to_offsets(lists.offsets);
     lists.values.resize(lists.offsets.back());
-    parallel_for(lists.count(), [&](std::size_t k) {
-        std::copy_n(first(Index(k)), lists.size(Index(k)), lists.values.begin() + lists.begin(Index(k)));
-    });
+    parallel_for(lists.count(),
+                 [&](std::size_t k) { std::copy_n(first(Index(k)), lists.size(Index(k)), lists[Index(k)].begin()); });
     return lists;
 }
 
 /// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order.
-/// `each` runs twice (once to count, once to fill) and must make the same calls both times.
-template <typename T, typename Each>
-Lists<T> lists_of(std::size_t count, const Each& each) {
+/// `each` runs twice (once to count, once to fill) and must make the same calls both times. count_up(number) adds one
+/// and returns the number before; atomically, if `each` makes calls at the same time, whose order is then lost.
+template <typename T, typename Each, typename CountUp>
+Lists<T> lists_of(std::size_t count, const Each& each, const CountUp& count_up) {
     Lists<T> lists;
     lists.offsets.assign(count, 0);
-    each([&](std::size_t list, const T&) { ++lists.offsets[list]; });
+    each([&](std::size_t list, const T&) { count_up(lists.offsets[list]); });
     counts_to_offsets(lists.offsets);
     lists.values.resize(lists.offsets.back());
     Array<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
-    each([&](std::size_t list, const T& value) { lists.values[next[list]++] = value; });
+    each([&](std::size_t list, const T& value) { lists.values[count_up(next[list])] = value; });
     return lists;
+}
+
+template <typename T, typename Each>
+Lists<T> lists_of(std::size_t count, const Each& each) {
+    return lists_of<T>(count, each, [](Index& number) { return number++; });
 }
 
 }  // namespace fovea::base

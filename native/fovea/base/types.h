@@ -46,13 +46,13 @@ struct UninitializedAllocator : std::allocator<T> {
     T* allocate(std::size_t count) {
         if (count > SIZE_MAX / sizeof(T)) throw std::bad_array_new_length();
         const std::size_t bytes = count * sizeof(T);
-        return bytes < large_memory ? std::allocator<T>::allocate(count) : static_cast<T*>(allocate_large(bytes));
+        return is_large(bytes) ? static_cast<T*>(allocate_large(bytes)) : std::allocator<T>::allocate(count);
     }
     void deallocate(T* memory, std::size_t count) noexcept {
-        if (count * sizeof(T) < large_memory)
-            std::allocator<T>::deallocate(memory, count);
-        else
+        if (is_large(count * sizeof(T)))
             free_large(memory, count * sizeof(T));
+        else
+            std::allocator<T>::deallocate(memory, count);
     }
     template <typename U>
     void construct(U* p) noexcept {
@@ -82,6 +82,7 @@ template <typename T>
 struct Lists : Rows {
     Array<T> values;
     In<T> operator[](Index i) const { return {values.data() + begin(i), size(i)}; }
+    std::span<T> operator[](Index i) { return {values.data() + begin(i), size(i)}; }
 };
 
 }  // namespace fovea::base

@@ -34,18 +34,15 @@ ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor&
       pixel_to_ray_(pixel_to_ray(view)),
       placed_(scene.placements.size()) {
     check(colors.size() == scene.placements.size(), "colors: one entry per placement expected");
-    parallel_for(
-        placed_.size(),
-        [&](std::size_t i) {
-            const Placement& placement = scene.placements[i];
-            if (colors[i]) check_color(*colors[i], *placement.surface);
-            placed_[i].object_to_view = view.world_to_view * placement.object_to_world;
-            placed_[i].normal_to_view = glm::mat3(glm::transpose(glm::inverse(dmat3(placed_[i].object_to_view))));
-            const bool brings_normals = colors[i] && !colors[i]->normals.empty();
-            if (lighting.shading() != Shading::flat && !brings_normals && in_frame(placement, view, 0.0))
-                placed_[i].normals = corner_normals(*placement.surface);
-        },
-        1);
+    parallel_for(placed_.size(), 1, [&](std::size_t i) {
+        const Placement& placement = scene.placements[i];
+        if (colors[i]) check_color(*colors[i], *placement.surface);
+        placed_[i].object_to_view = view.world_to_view * placement.object_to_world;
+        placed_[i].normal_to_view = glm::mat3(glm::transpose(glm::inverse(dmat3(placed_[i].object_to_view))));
+        const bool brings_normals = colors[i] && !colors[i]->normals.empty();
+        if (lighting.shading() != Shading::flat && !brings_normals && in_frame(placement, view, 0.0))
+            placed_[i].normals = corner_normals(*placement.surface);
+    });
 }
 
 SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {

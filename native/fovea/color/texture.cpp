@@ -56,21 +56,18 @@ ColorTexture::ColorTexture(In<float> pixels, int width, int height, int channels
         const Level& fine = levels_.back();
         Level half{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
         half.texels.resize(std::size_t(half.width) * half.height);
-        parallel_for(
-            half.height,
-            [&](std::size_t y) {
-                for (int x = 0; x < half.width; ++x) {
-                    vec3 sum(0.0f);
-                    for (int i = 0; i < 4; ++i) {
-                        const int fx = std::min(2 * x + (i & 1), fine.width - 1);
-                        const int fy = std::min(2 * int(y) + (i >> 1), fine.height - 1);
-                        sum += linear(fine.texels[std::size_t(fy) * fine.width + fx]);
-                    }
-                    Texel& texel = half.texels[y * half.width + x];
-                    for (int c = 0; c < 3; ++c) texel[c] = byte_of(encoded_of(0.25f * sum[c]));
+        parallel_for(half.height, 16, [&](std::size_t y) {
+            for (int x = 0; x < half.width; ++x) {
+                vec3 sum(0.0f);
+                for (int i = 0; i < 4; ++i) {
+                    const int fx = std::min(2 * x + (i & 1), fine.width - 1);
+                    const int fy = std::min(2 * int(y) + (i >> 1), fine.height - 1);
+                    sum += linear(fine.texels[std::size_t(fy) * fine.width + fx]);
                 }
-            },
-            16);
+                Texel& texel = half.texels[y * half.width + x];
+                for (int c = 0; c < 3; ++c) texel[c] = byte_of(encoded_of(0.25f * sum[c]));
+            }
+        });
         levels_.push_back(std::move(half));
     }
 }

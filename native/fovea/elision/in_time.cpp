@@ -37,13 +37,10 @@ class Keys {
         for (const Index p : some) starts.push_back(on_edges(p) ? paths_.rows.size(p) - 1 : 1);
         counts_to_offsets(starts);
         Array<Part> found(starts.back());
-        parallel_for(
-            some.size(),
-            [&](std::size_t k) {
-                for (Index i = starts[k]; i < starts[k + 1]; ++i)
-                    found[i] = part(some[k], paths_.rows.begin(some[k]) + i - starts[k]);
-            },
-            256);
+        parallel_for(some.size(), 256, [&](std::size_t k) {
+            for (Index i = starts[k]; i < starts[k + 1]; ++i)
+                found[i] = part(some[k], paths_.rows.begin(some[k]) + i - starts[k]);
+        });
         parallel_sort(found.begin(), found.end(), [](const Part& a, const Part& b) {
             return a.key != b.key ? a.key < b.key : a.path != b.path ? a.path < b.path : a.from < b.from;
         });
@@ -147,21 +144,18 @@ ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Sc
     }
     counts_to_offsets(lines.rows.offsets);
     lines.samples.resize(lines.rows.offsets.back());
-    parallel_for(
-        order.size(),
-        [&](std::size_t s) {
-            Sample* sample = &lines.samples[lines.rows.begin(Index(s))];
-            for (Index k = own.runs.begin(order[s]); k < own.runs.end(order[s]); ++k, ++sample) {
-                const OnPath& place = places[own.sample[k]];
-                const vec4& at = own.place[k];
-                const bool inside = at.x >= 0.0f && at.x < float(width) && at.y >= 0.0f && at.y < float(height);
-                const Part part = keys.part(lines.path[s], place.point);
-                const double length = part.to - part.from;
-                *sample = {own.sample[k], part.key,    length != 0.0 ? (place.arc - part.from) / length : 0.0,
-                           place.arc,     place.reach, inside ? shown[own.sample[k]] : ShownLines::unseen};
-            }
-        },
-        64);
+    parallel_for(order.size(), 64, [&](std::size_t s) {
+        Sample* sample = &lines.samples[lines.rows.begin(Index(s))];
+        for (Index k = own.runs.begin(order[s]); k < own.runs.end(order[s]); ++k, ++sample) {
+            const OnPath& place = places[own.sample[k]];
+            const vec4& at = own.place[k];
+            const bool inside = at.x >= 0.0f && at.x < float(width) && at.y >= 0.0f && at.y < float(height);
+            const Part part = keys.part(lines.path[s], place.point);
+            const double length = part.to - part.from;
+            *sample = {own.sample[k], part.key,    length != 0.0 ? (place.arc - part.from) / length : 0.0,
+                       place.arc,     place.reach, inside ? shown[own.sample[k]] : ShownLines::unseen};
+        }
+    });
     Array<Index> drawn(lines.path);
     const auto rest = std::ranges::unique(drawn);
     drawn.erase(rest.begin(), rest.end());
@@ -175,25 +169,22 @@ Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNe
     for (const auto& [away, lines] : near)
         check(away != 0 && std::abs(away) <= frames, "smoothing in time: a frame is not near by");
     Array<float> smooth(shown.begin(), shown.end());
-    parallel_for(
-        now.path.size(),
-        [&](std::size_t stretch) {
-            std::vector<Frame> others;
-            for (const auto& [away, lines] : near) others.emplace_back(*lines);
-            for (Index i = now.rows.begin(Index(stretch)); i < now.rows.end(Index(stretch)); ++i) {
-                const Sample& sample = now.samples[i];
-                if (sample.shown < 0.0f) continue;
-                double weight = frames + 1.0, sum = weight * sample.shown;
-                for (std::size_t k = 0; k < near.size(); ++k) {
-                    const double there = others[k].at(sample, now.hidden[stretch]);
-                    if (there < 0.0) continue;
-                    weight += frames + 1.0 - std::abs(near[k].first);
-                    sum += (frames + 1.0 - std::abs(near[k].first)) * there;
-                }
-                smooth[sample.number] = float(sum / weight);
+    parallel_for(now.path.size(), 64, [&](std::size_t stretch) {
+        std::vector<Frame> others;
+        for (const auto& [away, lines] : near) others.emplace_back(*lines);
+        for (Index i = now.rows.begin(Index(stretch)); i < now.rows.end(Index(stretch)); ++i) {
+            const Sample& sample = now.samples[i];
+            if (sample.shown < 0.0f) continue;
+            double weight = frames + 1.0, sum = weight * sample.shown;
+            for (std::size_t k = 0; k < near.size(); ++k) {
+                const double there = others[k].at(sample, now.hidden[stretch]);
+                if (there < 0.0) continue;
+                weight += frames + 1.0 - std::abs(near[k].first);
+                sum += (frames + 1.0 - std::abs(near[k].first)) * there;
             }
-        },
-        64);
+            smooth[sample.number] = float(sum / weight);
+        }
+    });
     return smooth;
 }
 

@@ -14,12 +14,9 @@ constexpr std::size_t taps_aside = 4;
 /// Calls body(begin, end) for the samples of every run.
 template <typename Body>
 void for_runs(const Rows& runs, const Body& body) {
-    parallel_for(
-        runs.count(),
-        [&](std::size_t r) {
-            if (runs.size(Index(r)) > 0) body(runs.begin(Index(r)), runs.end(Index(r)));
-        },
-        64);
+    parallel_for(runs.count(), 64, [&](std::size_t r) {
+        if (runs.size(Index(r)) > 0) body(runs.begin(Index(r)), runs.end(Index(r)));
+    });
 }
 
 /// Sliding-window reduction by `better` (minimum or maximum): out[i] is that of values[i] .. values[i + length - 1],

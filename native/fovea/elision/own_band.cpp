@@ -113,7 +113,7 @@ OwnBands own_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> rank
     std::vector<std::size_t> bases;
     for (const OwnBands& part : parts) bases.push_back(part.sample.size());
     counts_to_offsets(bases);
-    parallel_for(parts.size(), [&](std::size_t b) { copy_columns(parts[b], OwnBands::columns, own, bases[b]); }, 1);
+    parallel_for(parts.size(), 1, [&](std::size_t b) { copy_columns(parts[b], OwnBands::columns, own, bases[b]); });
     own.reach_px = reach_px;
     return own;
 }

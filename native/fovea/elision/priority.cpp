@@ -139,7 +139,7 @@ Array<float> path_priorities(const Paths& paths, const Scene& scene, const View&
           "priority: one painted value per point or per path expected");
     const Terms terms(paths, scene, view, weights, object, painted);
     Array<float> priorities(paths.count());
-    parallel_for(paths.count(), [&](std::size_t p) { priorities[p] = terms.of_path(Index(p)); }, 256);
+    parallel_for(paths.count(), 256, [&](std::size_t p) { priorities[p] = terms.of_path(Index(p)); });
     return priorities;
 }
 

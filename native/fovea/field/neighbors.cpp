@@ -14,24 +14,14 @@
 namespace fovea::field {
 namespace {
 
-Index next_of(Index& count) { return std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed); }
-
 /// Like lists_of, in parallel; each list is sorted afterwards, so that the order of filling does not matter. visit(i,
 /// give) calls give(list, value) for the values of element i.
 template <typename Visit>
 Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
-    Lists<Index> lists;
-    lists.offsets.assign(size, 0);
-    parallel_for(count, [&](std::size_t i) { visit(i, [&](Index list, Index) { next_of(lists.offsets[list]); }); });
-    counts_to_offsets(lists.offsets);
-    lists.values.resize(lists.offsets.back());
-    Array<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
-    parallel_for(count, [&](std::size_t i) {
-        visit(i, [&](Index list, Index value) { lists.values[next_of(next[list])] = value; });
-    });
-    parallel_for(size, [&](std::size_t k) {
-        std::sort(lists.values.begin() + lists.begin(Index(k)), lists.values.begin() + lists.end(Index(k)));
-    });
+    const auto each = [&](const auto& give) { parallel_for(count, [&](std::size_t i) { visit(i, give); }); };
+    const auto count_up = [](Index& number) { return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed); };
+    Lists<Index> lists = lists_of<Index>(size, each, count_up);
+    parallel_for(size, [&](std::size_t k) { std::ranges::sort(lists[Index(k)]); });
     return lists;
 }
 
@@ -151,9 +141,8 @@ Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_end
     Array<Index> kept(triangles.count());
     parallel_for(kept.size(), [&](std::size_t i) {
         const Index v = static_cast<Index>(i);
-        kept[v] = triangles.size(v);
-        if (hard_ends.size(v) == 0) return;
-        kept[v] = keep_largest_sector(surface, v, hard_ends[v], {&triangles.values[triangles.begin(v)], kept[v]});
+        kept[v] =
+            hard_ends.size(v) == 0 ? triangles.size(v) : keep_largest_sector(surface, v, hard_ends[v], triangles[v]);
     });
     return kept;
 }
@@ -173,8 +162,8 @@ Neighbors find_neighbors(const Surface& surface, double hard_angle) {
             give(surface.edges[e].y, surface.edges[e].x);
         });
         parallel_for(count, [&](std::size_t v) { result.hard[v] = ends.size(Index(v)) > 0; });
-        const auto first = [&](Index v) { return around.values.begin() + around.begin(v); };
-        result.triangles = lists_from(kept_triangles(surface, ends, around), first);
+        result.triangles =
+            lists_from(kept_triangles(surface, ends, around), [&](Index v) { return around[v].begin(); });
     } else {
         result.triangles = std::move(around);
     }

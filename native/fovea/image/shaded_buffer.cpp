@@ -31,16 +31,13 @@ class Shader {
         to_lamp_ = glm::mat3(turn * raise);
         const auto& placements = tracer.scene().placements;
         placed_.resize(placements.size());
-        parallel_for(
-            placed_.size(),
-            [&](std::size_t i) {
-                const Placement& placement = placements[i];
-                if (!(placement.usage & usage_draw) || !in_frame(placement, tracer.view(), lattice_margin)) return;
-                placed_[i].normals = corner_normals(*placement.surface);
-                const dmat3 to_view(tracer.view().world_to_view * placement.object_to_world);
-                placed_[i].normal_to_view = glm::mat3(glm::transpose(glm::inverse(to_view)));
-            },
-            1);
+        parallel_for(placed_.size(), 1, [&](std::size_t i) {
+            const Placement& placement = placements[i];
+            if (!(placement.usage & usage_draw) || !in_frame(placement, tracer.view(), lattice_margin)) return;
+            placed_[i].normals = corner_normals(*placement.surface);
+            const dmat3 to_view(tracer.view().world_to_view * placement.object_to_world);
+            placed_[i].normal_to_view = glm::mat3(glm::transpose(glm::inverse(to_view)));
+        });
     }
 
     bool drawn(Index placement) const { return placement != none && placed_[placement].normals != nullptr; }

@@ -11,10 +11,7 @@ Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, 
             for (const CurvePiece& piece : part) give(piece.triangle / bucket, piece);
     });
     parallel_for(pieces.count(), [&](std::size_t b) {
-        if (pieces.size(Index(b)) > 1)
-            std::stable_sort(pieces.values.begin() + pieces.begin(Index(b)),
-                             pieces.values.begin() + pieces.end(Index(b)),
-                             [](const CurvePiece& x, const CurvePiece& y) { return x.triangle < y.triangle; });
+        if (pieces.size(Index(b)) > 1) std::ranges::stable_sort(pieces[Index(b)], {}, &CurvePiece::triangle);
     });
     return std::move(pieces.values);
 }

@@ -64,7 +64,7 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
         Corner corners[3] = {strongest[t.x], strongest[t.y], strongest[t.z]};
         const auto strong = [&](const Corner& c) { return c.strength > thresholds.low; };
         if (!std::any_of(corners, corners + 3, strong) || !agree(*fields, t, corners)) return;
-        const auto at = [&](Index v) -> const Corner& { return corners[v == t.x ? 0 : v == t.y ? 1 : 2]; };
+        const auto at = [&](Index v) -> const Corner& { return corners[corner_of(t, v)]; };
         append_zero(
             surface, *sides, triangle, [&](Index v) { return at(v).bend; },
             [&](Index v) { return at(v).strength - thresholds.low; }, thresholds, out);

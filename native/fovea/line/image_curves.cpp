@@ -98,12 +98,10 @@ Curves keep_strong(const Curves& pieces, double least) {
         length[set] += glm::distance(dvec3(piece.point[0]), dvec3(piece.point[1]));
         strong[set] |= std::max(piece.strength[0], piece.strength[1]) >= 1.0f;
     }
-    Curves kept;
-    for (Index i = 0; i < pieces.size(); ++i) {
-        const Index set = joined.name(i);
-        if (strong[set] && length[set] >= least) kept.push_back(pieces[i]);
-    }
-    return kept;
+    return values_where(pieces, [&](std::size_t i) {
+        const Index set = joined.name(Index(i));
+        return strong[set] && length[set] >= least;
+    });
 }
 
 Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pieces) {

@@ -57,13 +57,10 @@ inline constexpr int lattice_border = fit_reach;
 template <typename Node, typename Make>
 Array<Node> per_node(const Lattice& lattice, const Make& make) {
     Array<Node> nodes(lattice.size());
-    parallel_for(
-        lattice.height - 2 * lattice_border,
-        [&](std::size_t row) {
-            const int y = int(row) + lattice_border;
-            for (int x = lattice_border; x < lattice.width - lattice_border; ++x) nodes[lattice.at(x, y)] = make(x, y);
-        },
-        8);
+    parallel_for(lattice.height - 2 * lattice_border, 8, [&](std::size_t row) {
+        const int y = int(row) + lattice_border;
+        for (int x = lattice_border; x < lattice.width - lattice_border; ++x) nodes[lattice.at(x, y)] = make(x, y);
+    });
     return nodes;
 }
 

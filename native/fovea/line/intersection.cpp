@@ -128,18 +128,16 @@ std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, 
     return pairs;
 }
 
-/// Per position in `drawn`: 1 if the placement overlaps at least `heap` others of the same surface.
-Array<std::uint8_t> heaped_placements(const Scene& scene, In<Index> drawn,
-                                      const std::vector<std::pair<Index, Index>>& overlaps) {
+/// Per position in `drawn`: how many others of the same surface the placement overlaps.
+Array<Index> overlapping_alike(const Scene& scene, In<Index> drawn,
+                               const std::vector<std::pair<Index, Index>>& overlaps) {
     Array<Index> alike(drawn.size(), 0);
     for (const auto& [i, j] : overlaps) {
         if (scene.placements[drawn[i]].surface != scene.placements[drawn[j]].surface) continue;
         ++alike[i];
         ++alike[j];
     }
-    Array<std::uint8_t> heaped(drawn.size());
-    for (std::size_t i = 0; i < heaped.size(); ++i) heaped[i] = alike[i] >= heap;
-    return heaped;
+    return alike;
 }
 
 std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersection& values) {
@@ -148,9 +146,9 @@ std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersecti
         for (const Index placement : drawn) pairs.push_back({placement, placement});
     if (!values.between) return pairs;
     const auto overlaps = overlapping_placements(scene, drawn);
-    const Array<std::uint8_t> heaped = heaped_placements(scene, drawn, overlaps);
+    const Array<Index> alike = overlapping_alike(scene, drawn, overlaps);
     for (const auto& [i, j] : overlaps) {
-        if (heaped[i] && heaped[j]) continue;
+        if (alike[i] >= heap && alike[j] >= heap) continue;
         Pair pair{drawn[i], drawn[j]};
         if (scene.placements[pair.second].id < scene.placements[pair.first].id) std::swap(pair.first, pair.second);
         if (relate(scene, pair)) {
@@ -195,7 +193,7 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
     }
     std::vector<std::size_t> jobs;
     for (const auto& [key, i] : missing) jobs.push_back(i);
-    parallel_blocks(jobs.size(), 1, [&](std::size_t j, std::size_t, std::size_t) {
+    parallel_for(jobs.size(), 1, [&](std::size_t j) {
         const std::size_t i = jobs[j];
         stores[i]->keep(pairs[i].key, frame, find_pair(scene, pairs[i], cancel));
     });

@@ -75,7 +75,7 @@ class Parameters {
             const auto write = [&](auto member) {
                 using Number = std::remove_reference_t<decltype(result.*member)>;
                 // No member is larger than the struct; for instantiations with larger types gcc would warn.
-                if constexpr (sizeof(Number) <= sizeof(P)) result.*member = converted<Number>(values[i]);
+                if constexpr (sizeof(Number) <= sizeof(P)) result.*member = static_cast<Number>(values[i]);
             };
             std::visit(write, all_[i].member);
         }
@@ -89,14 +89,6 @@ class Parameters {
     }
 
    private:
-    template <typename Number>
-    static Number converted(double value) {
-        if constexpr (std::is_same_v<Number, bool>)
-            return value != 0.0;
-        else
-            return static_cast<Number>(value);
-    }
-
     P passed(const Values& values) const { return read(values); }
     template <typename Other>
     Other& passed(Other& other) const {

@@ -19,13 +19,10 @@ bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
 
 Curves find(const SurfaceView& seen, const Values&) {
     Curves pieces = find_smooth_contour(seen, [](Index) { return 1.0f; });
-    parallel_for(
-        pieces.size(),
-        [&](std::size_t i) {
-            const float strength = is_outer(seen, pieces[i]) ? 1.0f : 0.0f;
-            pieces[i].strength[0] = pieces[i].strength[1] = strength;
-        },
-        64);
+    parallel_for(pieces.size(), 64, [&](std::size_t i) {
+        const float strength = is_outer(seen, pieces[i]) ? 1.0f : 0.0f;
+        pieces[i].strength[0] = pieces[i].strength[1] = strength;
+    });
     return pieces;
 }
 

@@ -22,14 +22,6 @@ struct ZeroCrossing {
     }
 };
 
-/// Crossing by linear interpolation of values of unlike sign (zero counts as positive) at the side's ends; independent
-/// of the triangle from which the side is visited.
-inline ZeroCrossing crossing(const TriangleSides& sides, Index side, float at_a, float at_b) {
-    const Edge e = sides.vertices[side];
-    const float t = at_a / (at_a - at_b);
-    return {side, e.x, e.y, t >= 0.0f && t <= 1.0f ? t : 0.5f};
-}
-
 // Templates below are static: the compiler inlines what is called once only where nothing else can call it.
 
 /// Calls emit(triangle, out) for all triangles in parallel; the pieces are in the order of the triangles.
@@ -89,9 +81,11 @@ static void append_zero(const Surface& surface, const TriangleSides& sides, Inde
     if (!std::isfinite(f[0] + f[1] + f[2])) return;
     const int alone = positive[0] == positive[1] ? 2 : positive[0] == positive[2] ? 1 : 0;
     const glm::uvec3& of = sides.of_triangle[triangle];
-    const auto cross = [&](Index side) {
+    // By linear interpolation between the side's ends, in their order: independent of the triangle it is visited from.
+    const auto cross = [&](Index side) -> ZeroCrossing {
         const Edge e = sides.vertices[side];
-        return crossing(sides, side, value(e.x), value(e.y));
+        const float a = value(e.x), t = a / (a - value(e.y));
+        return {side, e.x, e.y, t >= 0.0f && t <= 1.0f ? t : 0.5f};
     };
     const ZeroCrossing ends[2] = {cross(of[alone]), cross(of[(alone + 2) % 3])};
     append_trimmed(positions_of(surface), triangle, ends, margin, strength, out);

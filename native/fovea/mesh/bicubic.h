@@ -39,35 +39,34 @@ struct Bicubic {
         return result;
     }
 
+    /// The derivative, of an order up to 3, of a[0] + a[1] x + a[2] x^2 + a[3] x^3.
+    template <int order>
+    static dvec3 derivative(const dvec3 (&a)[4], double x) {
+        if constexpr (order == 0) return a[0] + x * (a[1] + x * (a[2] + x * a[3]));
+        if constexpr (order == 1) return a[1] + x * (2.0 * a[2] + x * 3.0 * a[3]);
+        if constexpr (order == 2) return 2.0 * a[2] + x * 6.0 * a[3];
+        return 6.0 * a[3];
+    }
+
     /// Returns S(u, v) and writes all derivatives up to third order to `jet`.
     dvec3 at(double u, double v, ParametricJet& jet) const {
-        dvec3 along_v[4][4];  // per derivative by v: coefficients of the powers of u
+        dvec3 by_v[4][4];  // per derivative by v: coefficients of the powers of u
         for (int i = 0; i < 4; ++i) {
-            const dvec3(&a)[4] = c[i];
-            along_v[0][i] = a[0] + v * (a[1] + v * (a[2] + v * a[3]));
-            along_v[1][i] = a[1] + v * (2.0 * a[2] + v * 3.0 * a[3]);
-            along_v[2][i] = 2.0 * a[2] + v * 6.0 * a[3];
-            along_v[3][i] = 6.0 * a[3];
+            by_v[0][i] = derivative<0>(c[i], v);
+            by_v[1][i] = derivative<1>(c[i], v);
+            by_v[2][i] = derivative<2>(c[i], v);
+            by_v[3][i] = derivative<3>(c[i], v);
         }
-        const auto value = [&](int d) {
-            const dvec3(&a)[4] = along_v[d];
-            return a[0] + u * (a[1] + u * (a[2] + u * a[3]));
-        };
-        const auto first = [&](int d) {
-            const dvec3(&a)[4] = along_v[d];
-            return a[1] + u * (2.0 * a[2] + u * 3.0 * a[3]);
-        };
-        const auto second = [&](int d) { return 2.0 * along_v[d][2] + u * 6.0 * along_v[d][3]; };
-        jet.u = first(0);
-        jet.v = value(1);
-        jet.uu = second(0);
-        jet.uv = first(1);
-        jet.vv = value(2);
-        jet.uuu = 6.0 * along_v[0][3];
-        jet.uuv = second(1);
-        jet.uvv = first(2);
-        jet.vvv = value(3);
-        return value(0);
+        jet.u = derivative<1>(by_v[0], u);
+        jet.v = derivative<0>(by_v[1], u);
+        jet.uu = derivative<2>(by_v[0], u);
+        jet.uv = derivative<1>(by_v[1], u);
+        jet.vv = derivative<0>(by_v[2], u);
+        jet.uuu = derivative<3>(by_v[0], u);
+        jet.uuv = derivative<2>(by_v[1], u);
+        jet.uvv = derivative<1>(by_v[2], u);
+        jet.vvv = derivative<0>(by_v[3], u);
+        return derivative<0>(by_v[0], u);
     }
 };
 

@@ -14,33 +14,27 @@ namespace {
 /// Polygons with more corners are not ear-clipped, which may take quadratic time; Surface triangulates them as a fan.
 constexpr int most_corners = 1 << 14;
 
-struct NgonTriangles {
-    std::vector<glm::ivec3> vertices;
-    std::vector<int> polygon;
-};
-
-/// Triangles of the polygons with more than four corners.
-NgonTriangles ngon_triangles(In<vec3> positions, In<int> corner_verts, In<int> offsets) {
+/// Triangles of the polygons with more than four corners, and the polygon of each.
+std::pair<std::vector<glm::ivec3>, std::vector<int>> ngon_triangles(In<vec3> positions, In<int> corner_verts,
+                                                                    In<int> offsets) {
     std::vector<std::vector<Triangle>> cut(offsets.empty() ? 0 : offsets.size() - 1);
     const auto corners_of = [&](std::size_t f) { return offsets[f + 1] - offsets[f]; };
-    parallel_for(
-        cut.size(),
-        [&](std::size_t f) {
-            if (corners_of(f) <= 4 || corners_of(f) > most_corners) return;
-            std::vector<vec3> corners;
-            for (int c = offsets[f]; c < offsets[f + 1]; ++c) corners.push_back(positions[corner_verts[c]]);
-            cut[f] = cut_ears(corners);
-        },
-        64);
-    NgonTriangles all;
+    parallel_for(cut.size(), 64, [&](std::size_t f) {
+        if (corners_of(f) <= 4 || corners_of(f) > most_corners) return;
+        std::vector<vec3> corners;
+        for (int c = offsets[f]; c < offsets[f + 1]; ++c) corners.push_back(positions[corner_verts[c]]);
+        cut[f] = cut_ears(corners);
+    });
+    std::vector<glm::ivec3> triangles;
+    std::vector<int> polygons;
     for (std::size_t f = 0; f < cut.size(); ++f) {
         const int* verts = corner_verts.data() + offsets[f];
         for (const Triangle& t : cut[f]) {
-            all.vertices.push_back({verts[t.x], verts[t.y], verts[t.z]});
-            all.polygon.push_back(int(f));
+            triangles.push_back({verts[t.x], verts[t.y], verts[t.z]});
+            polygons.push_back(int(f));
         }
     }
-    return all;
+    return {std::move(triangles), std::move(polygons)};
 }
 
 }  // namespace
@@ -70,16 +64,15 @@ PolygonEdges polygon_edges(In<int> polygon_offsets, In<int> corner_verts) {
 std::shared_ptr<Surface> polygon_surface(const std::string& name, In<vec3> positions, In<int> corner_verts,
                                          In<int> polygon_offsets, In<int> material) {
     const PolygonEdges edges = polygon_edges(polygon_offsets, corner_verts);
-    const NgonTriangles ngons = ngon_triangles(positions, corner_verts, polygon_offsets);
-    MeshArrays mesh;
-    mesh.positions = positions;
-    mesh.edge_verts = edges.edge_verts;
-    mesh.corner_verts = corner_verts;
-    mesh.corner_edges = edges.corner_edges;
-    mesh.polygon_offsets = polygon_offsets;
-    mesh.ngon_triangles = ngons.vertices;
-    mesh.ngon_polygon = ngons.polygon;
-    mesh.material = material;
+    const auto [triangles, triangle_polygons] = ngon_triangles(positions, corner_verts, polygon_offsets);
+    const MeshArrays mesh{.positions = positions,
+                          .edge_verts = edges.edge_verts,
+                          .corner_verts = corner_verts,
+                          .corner_edges = edges.corner_edges,
+                          .polygon_offsets = polygon_offsets,
+                          .ngon_triangles = triangles,
+                          .ngon_polygon = triangle_polygons,
+                          .material = material};
     return std::make_shared<Surface>(name, mesh);
 }
 

@@ -135,27 +135,24 @@ void LimitPatches::evaluate(const std::string& name, In<vec3> cage_positions) {
     evaluate_patches();
     positions.resize(anchors_.size());
     jets.resize(anchors_.size());
-    parallel_for(anchors_.size(), [&](std::size_t v) { evaluate_vertex(Index(v)); }, 256);
+    parallel_for(anchors_.size(), 256, [&](std::size_t v) { evaluate_vertex(Index(v)); });
 }
 
 void LimitPatches::evaluate_patches() {
     bicubic_.resize(handles_.size());
-    parallel_for(
-        handles_.size(),
-        [&](std::size_t i) {
-            if (!is_bicubic(Index(i))) return;
-            // OpenSubdiv's derivatives are with respect to the face's parameters; `size` rescales them to the patch's.
-            // The depth also counts the first split of non-quads.
-            const double size = 1.0 / (1 << table_->GetPatchParam(handles_[i]).GetDepth());
-            PatchCorner corner[4];
-            for (int k = 0; k < 4; ++k) {
-                ParametricJet jet;
-                const dvec3 p = by_basis({Index(i), float(k & 1), float(k >> 1)}, jet);
-                corner[k] = {p, size * jet.u, size * jet.v, size * size * jet.uv};
-            }
-            bicubic_[i] = Bicubic::through(corner);
-        },
-        64);
+    parallel_for(handles_.size(), 64, [&](std::size_t i) {
+        if (!is_bicubic(Index(i))) return;
+        // OpenSubdiv's derivatives are with respect to the face's parameters; `size` rescales them to the patch's.
+        // The depth also counts the first split of non-quads.
+        const double size = 1.0 / (1 << table_->GetPatchParam(handles_[i]).GetDepth());
+        PatchCorner corner[4];
+        for (int k = 0; k < 4; ++k) {
+            ParametricJet jet;
+            const dvec3 p = by_basis({Index(i), float(k & 1), float(k >> 1)}, jet);
+            corner[k] = {p, size * jet.u, size * jet.v, size * size * jet.uv};
+        }
+        bicubic_[i] = Bicubic::through(corner);
+    });
 }
 
 /// Position, and derivatives up to second order, from OpenSubdiv's basis.

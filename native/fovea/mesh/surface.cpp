@@ -139,12 +139,11 @@ void Surface::take_topology(const MeshArrays& mesh) {
     mark(mesh.seam, mark_seam);
     mark(mesh.edge_mark, mark_edge);
 
-    ngon_triangles_.assign(mesh.ngon_triangles.begin(), mesh.ngon_triangles.end());
-    if (!ngon_triangles_.empty()) {
-        ngon_rows_.offsets.assign(polygon_total, 0);
-        for (int polygon : mesh.ngon_polygon) ++ngon_rows_.offsets[polygon];
-        counts_to_offsets(ngon_rows_.offsets);
-    }
+    if (!mesh.ngon_polygon.empty())
+        ngon_triangles_ = lists_of<Triangle>(polygon_total, [&](const auto& give) {
+            for (std::size_t t = 0; t < mesh.ngon_polygon.size(); ++t)
+                give(mesh.ngon_polygon[t], Triangle(mesh.ngon_triangles[t]));
+        });
 }
 
 void Surface::build_edge_corners() {

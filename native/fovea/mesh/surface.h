@@ -183,9 +183,8 @@ class Surface : public SurfaceArrays {
     std::string name_;
     Rows polygons_;  // corners of polygons
     Array<Index> corner_verts_, corner_edges_;
-    Lists<Index> edge_corners_;  // corners whose side runs along each mesh edge
-    Array<Triangle> ngon_triangles_;
-    Rows ngon_rows_;  // per polygon: its range of ngon_triangles_
+    Lists<Index> edge_corners_;       // corners whose side runs along each mesh edge
+    Lists<Triangle> ngon_triangles_;  // per polygon; no lists where no polygon has any
     Array<std::uint8_t> polygon_occludes_;
     Array<Index> corner_facet_;  // per corner: the facet bounded by the side that starts there
 

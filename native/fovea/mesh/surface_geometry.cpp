@@ -118,13 +118,12 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
 }
 
 void Surface::triangulate(const Array<std::uint8_t>& skip) {
-    const bool has_ngons = !ngon_triangles_.empty();
+    const auto given = [&](std::size_t f) { return ngon_triangles_.count() ? ngon_triangles_.size(Index(f)) : 0; };
     auto& offsets = polygon_triangles_.offsets;
     offsets.resize(polygon_count());
     parallel_for(polygon_count(), [&](std::size_t f) {
         const Index corners = polygons_.size(f);
-        const Index given = has_ngons ? ngon_rows_.size(f) : 0;
-        offsets[f] = skip[f] ? 0 : corners > 4 && given ? given : corners - 2;
+        offsets[f] = skip[f] ? 0 : corners > 4 && given(f) ? given(f) : corners - 2;
     });
     counts_to_offsets(offsets);
     triangles.resize(offsets.back());
@@ -133,8 +132,8 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
         const In<Index> v = polygon_vertices(Index(f));
         Triangle* out = triangles.data() + polygon_triangles_.begin(f);
         const Index corners = polygons_.size(f), count = polygon_triangles_.size(f);
-        if (corners > 4 && has_ngons && ngon_rows_.size(f)) {
-            std::copy_n(ngon_triangles_.data() + ngon_rows_.begin(f), count, out);
+        if (corners > 4 && given(f)) {
+            std::ranges::copy(ngon_triangles_[Index(f)], out);
         } else if (corners == 4) {
             // Split along diagonal 0-2, unless it lies outside (a concave quad): then the two halves would face
             // opposite ways.
@@ -267,22 +266,20 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
 void Surface::sort_occluding() {
     // Occluding triangles go first, so that the BVH uses a prefix of the array.
     occluding_triangles = static_cast<Index>(triangles.size());
-    if (!polygon_occludes_.empty()) {
-        Array<Index> order(triangles.size());
-        std::iota(order.begin(), order.end(), 0);
-        const auto middle = std::stable_partition(order.begin(), order.end(), [&](Index t) {
-            return polygon_occludes_[facet_polygon[triangle_facet[t]]] != 0;
-        });
-        occluding_triangles = static_cast<Index>(middle - order.begin());
-        Array<Triangle> sorted_triangles(triangles.size());
-        Array<Index> sorted_facets(triangles.size());
-        parallel_for(order.size(), [&](std::size_t t) {
-            sorted_triangles[t] = triangles[order[t]];
-            sorted_facets[t] = triangle_facet[order[t]];
-        });
-        triangles.swap(sorted_triangles);
-        triangle_facet.swap(sorted_facets);
-    }
+    if (polygon_occludes_.empty()) return;
+    Array<Index> order(triangles.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto middle = std::stable_partition(
+        order.begin(), order.end(), [&](Index t) { return polygon_occludes_[facet_polygon[triangle_facet[t]]] != 0; });
+    occluding_triangles = static_cast<Index>(middle - order.begin());
+    Array<Triangle> sorted_triangles(triangles.size());
+    Array<Index> sorted_facets(triangles.size());
+    parallel_for(order.size(), [&](std::size_t t) {
+        sorted_triangles[t] = triangles[order[t]];
+        sorted_facets[t] = triangle_facet[order[t]];
+    });
+    triangles.swap(sorted_triangles);
+    triangle_facet.swap(sorted_facets);
 }
 
 void Surface::bound() {

@@ -25,16 +25,15 @@ TriangleSides number_sides(const Surface& surface) {
             give(e.x, Corner{e.y, static_cast<Index>(c)});
         }
     });
-    Array<Corner>& corners = sides_at.values;
     // number of sides of each vertex, then (prefix sum) the number of its first side
     Array<Index> first(surface.vertex_count());
     parallel_for(first.size(), [&](std::size_t v) {
-        const auto begin = corners.begin() + sides_at.begin(Index(v)), end = begin + sides_at.size(Index(v));
-        std::sort(begin, end, [](const Corner& a, const Corner& b) {
+        const std::span<Corner> corners = sides_at[Index(v)];
+        std::ranges::sort(corners, [](const Corner& a, const Corner& b) {
             return a.other != b.other ? a.other < b.other : a.corner < b.corner;
         });
         Index sides = 0;
-        for (auto it = begin; it != end; ++it) sides += it == begin || it->other != (it - 1)->other;
+        for (std::size_t i = 0; i < corners.size(); ++i) sides += i == 0 || corners[i].other != corners[i - 1].other;
         first[v] = sides;
     });
     counts_to_offsets(first);
@@ -43,9 +42,9 @@ TriangleSides number_sides(const Surface& surface) {
     sides.vertices.resize(first.back());
     parallel_for(surface.vertex_count(), [&](std::size_t v) {
         Index number = first[v] - 1;
-        const Index begin = sides_at.begin(Index(v));
-        for (Index i = begin; i < sides_at.end(Index(v)); ++i) {
-            if (i == begin || corners[i].other != corners[i - 1].other)
+        const std::span<Corner> corners = sides_at[Index(v)];
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (i == 0 || corners[i].other != corners[i - 1].other)
                 sides.vertices[++number] = Edge(static_cast<Index>(v), corners[i].other);
             sides.of_triangle[corners[i].corner / 3][int(corners[i].corner % 3)] = number;
         }

@@ -110,12 +110,9 @@ CurveChains without_doubles(const CurveChains& chains, const Surface& surface, I
     const auto sides = triangle_sides(surface);
     // Safe in parallel: chains of one level share no triangle, and curves that run along contours have only one level.
     Array<std::uint8_t> removed(surface.triangles.size(), 0);
-    parallel_for(
-        chains.rows.count(),
-        [&](std::size_t c) {
-            mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, corners, removed);
-        },
-        16);
+    parallel_for(chains.rows.count(), 16, [&](std::size_t c) {
+        mark_long_stretches(chains, static_cast<Index>(c), surface, *sides, near, corners, removed);
+    });
     return without_triangles(chains, removed);
 }
 

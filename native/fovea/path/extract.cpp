@@ -60,13 +60,12 @@ dvec3 eye_of(const View& view, const Placement& placed) {
 SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view,
                     const Tracer& tracer) {
     const Placement& placed = scene.placements[placement];
-    SurfaceView seen{.surface = surface};
-    seen.object_to_view = view.world_to_view * placed.object_to_world * dmat4(glm::inverse(surface.stretch()));
-    seen.orthographic = view.orthographic;
-    seen.eye_obj = surface.stretch() * eye_of(view, placed);
-    seen.placement = placement;
-    seen.tracer = &tracer;
-    return seen;
+    return {.surface = surface,
+            .eye_obj = surface.stretch() * eye_of(view, placed),
+            .orthographic = view.orthographic,
+            .placement = placement,
+            .object_to_view = view.world_to_view * placed.object_to_world * dmat4(glm::inverse(surface.stretch())),
+            .tracer = &tracer};
 }
 
 /// Whether a set requests view-dependent features, which a contour may duplicate.
@@ -84,8 +83,7 @@ Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<
     for (const PlacedSet& set : sets)
         if (asked_of(set) & kinds) asking.push_back(&set);
     return path::triangles_without(surface, [&](int material) {
-        const auto has = [&](const PlacedSet* set) { return set->has_material(material); };
-        return std::any_of(asking.begin(), asking.end(), has);
+        return std::ranges::any_of(asking, [&](const PlacedSet* set) { return set->has_material(material); });
     });
 }
 
@@ -209,7 +207,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
 
     std::vector<PlacementPaths> found(drawn.size());
     std::vector<std::vector<PlacedSet>> placed_sets(scene.placements.size());
-    parallel_blocks(drawn.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    parallel_for(drawn.size(), 1, [&](std::size_t i) {
         cancel.poll();
         const Placement& placed = scene.placements[drawn[i]];
         const auto surface = as_placed(placed.surface, placed.object_to_world);
@@ -246,7 +244,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     const auto write = [&](std::size_t i) {
         std::visit([&](const auto* part) { write_found(scene, *part, parts[i].slot, paths); }, parts[i].found);
     };
-    parallel_for(parts.size(), write, 1);
+    parallel_for(parts.size(), 1, write);
     return paths;
 }
 

@@ -122,7 +122,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
     if (of_surface)
         for (std::size_t i = 0; i < chains.size(); ++i) find(i);
     else
-        parallel_for(chains.size(), find, 1);
+        parallel_for(chains.size(), 1, find);
     std::vector<FoundCurves> found;
     Claims claims(seen.surface);
     for (const Share& share : plan.shares) {

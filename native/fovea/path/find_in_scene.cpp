@@ -32,10 +32,7 @@ struct Shared {
 std::shared_ptr<const CurveChains> chain_kept(const KeptCurves& curves, In<std::uint8_t> kept) {
     return curves.derived.get<CurveChains>(kept.empty() ? 0 : hash_of(kept), [&] {
         if (kept.empty()) return chain_curves(curves.pieces);
-        Curves pieces;
-        for (std::size_t i = 0; i < kept.size(); ++i)
-            if (kept[i]) pieces.push_back(curves.pieces[i]);
-        return chain_curves(pieces);
+        return chain_curves(values_where(curves.pieces, [&](std::size_t i) { return kept[i]; }));
     });
 }
 

@@ -154,28 +154,25 @@ CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool unifor
     for (const Stretch& stretch : stretches) out.rows.offsets.push_back(points += stretch.points());
     resize_columns(out, CurveChains::curve_columns, stretches.size());
     resize_columns(out, CurveChains::point_columns, points);
-    parallel_for(
-        stretches.size(),
-        [&](std::size_t s) {
-            const Stretch& stretch = stretches[s];
-            const Walk walk(chains, stretch.chain);
-            Index lowest = none;
-            for (Index n = 0, o = out.rows.offsets[s]; n < stretch.points(); ++n, ++o) {
-                const bool last = n + 1 == stretch.points();
-                const Place place = n == 0 ? stretch.begin : last ? stretch.end : Place{stretch.begin.i + n, 0.0f};
-                const Index here = walk.at(place.i);
-                out.point[o] = walk.point(place);
-                out.strength[o] = uniform ? 1.0f : walk.strength(place);
-                // The segment that starts at the last point is not part of the interval.
-                out.triangle[o] = last && n > 0 ? out.triangle[o - 1] : chains.triangle[here];
-                out.other[o] = last && n > 0 ? out.other[o - 1] : chains.other[here];
-                out.side[o] = place.t > 0.0f ? none : chains.side[here];
-                lowest = std::min(lowest, out.triangle[o]);
-            }
-            out.closed[s] = stretch.closed;
-            out.anchor[s] = chains.anchor[stretch.chain] >> 32 << 32 | lowest;
-        },
-        64);
+    parallel_for(stretches.size(), 64, [&](std::size_t s) {
+        const Stretch& stretch = stretches[s];
+        const Walk walk(chains, stretch.chain);
+        Index lowest = none;
+        for (Index n = 0, o = out.rows.offsets[s]; n < stretch.points(); ++n, ++o) {
+            const bool last = n + 1 == stretch.points();
+            const Place place = n == 0 ? stretch.begin : last ? stretch.end : Place{stretch.begin.i + n, 0.0f};
+            const Index here = walk.at(place.i);
+            out.point[o] = walk.point(place);
+            out.strength[o] = uniform ? 1.0f : walk.strength(place);
+            // The segment that starts at the last point is not part of the interval.
+            out.triangle[o] = last && n > 0 ? out.triangle[o - 1] : chains.triangle[here];
+            out.other[o] = last && n > 0 ? out.other[o - 1] : chains.other[here];
+            out.side[o] = place.t > 0.0f ? none : chains.side[here];
+            lowest = std::min(lowest, out.triangle[o]);
+        }
+        out.closed[s] = stretch.closed;
+        out.anchor[s] = chains.anchor[stretch.chain] >> 32 << 32 | lowest;
+    });
     return out;
 }
 

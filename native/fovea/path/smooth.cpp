@@ -223,9 +223,8 @@ class Smoother {
 
 void smooth(CurveChains& chains, const Surface& surface, const Smoothing& options) {
     const auto sides = triangle_sides(surface);
-    parallel_for(
-        chains.rows.count(),
-        [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, options).run(); }, 16);
+    parallel_for(chains.rows.count(), 16,
+                 [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, options).run(); });
 }
 
 void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature) {
@@ -245,9 +244,8 @@ void lift(CurveChains& chains, const Surface& surface, In<Curvature> curvature) 
         if (high > farthest * length) rise *= farthest * length / high;
         chains.point[i] += rise;
     });
-    parallel_for(
-        chains.rows.count(),
-        [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, {}).run_free(); }, 16);
+    parallel_for(chains.rows.count(), 16,
+                 [&](std::size_t c) { Smoother(chains, static_cast<Index>(c), surface, *sides, {}).run_free(); });
 }
 
 }  // namespace fovea::path

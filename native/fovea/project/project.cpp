@@ -315,7 +315,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
         copy_columns(part, ClippedPaths::point_columns, all, point);
         for (std::size_t i = 0; i < part.px.size(); ++i) all.sample_start[point + i] += Index(samples[b]);
     };
-    parallel_for(parts.size(), copy, 1);
+    parallel_for(parts.size(), 1, copy);
     return all;
 }
 

@@ -49,14 +49,11 @@ void for_each_tile(In<vec2> px, In<glm::uvec3> triangles, int width, int height,
     for (std::size_t tile = 0; tile <= count; ++tile) offsets.push_back(next[tile * blocks]);
     Array<Index> members(next.back());
     each([&](std::size_t list, Index t) { members[next[list]++] = t; });
-    parallel_for(
-        count,
-        [&](std::size_t tile) {
-            const int x = int(tile % across) * size, y = int(tile / across) * size;
-            draw(intersect({x, y, x + size, y + size}, picture),
-                 In<Index>(members).subspan(offsets[tile], offsets[tile + 1] - offsets[tile]));
-        },
-        1);
+    parallel_for(count, 1, [&](std::size_t tile) {
+        const int x = int(tile % across) * size, y = int(tile / across) * size;
+        draw(intersect({x, y, x + size, y + size}, picture),
+             In<Index>(members).subspan(offsets[tile], offsets[tile + 1] - offsets[tile]));
+    });
 }
 
 }  // namespace fovea::raster

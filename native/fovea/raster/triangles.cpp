@@ -224,18 +224,15 @@ void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Can
         if (cancel) cancel->poll();
         std::vector<Binned> binned(std::min(group_blocks, blocks.size() - start));
         const auto bin = [&](std::size_t i) { binned[i] = bin_block(meshes, blocks[start + i], target, bands); };
-        parallel_for(binned.size(), bin, 1);
-        parallel_for(
-            bands,
-            [&](std::size_t band) {
-                const int begin = int(band) * raster_band_rows, end = std::min(begin + raster_band_rows, target.height);
-                for (const Binned& part : binned)
-                    for (const Index member : part.bands[Index(band)]) {
-                        const RasterTriangle& t = part.triangles[member];
-                        draw(t, std::max(begin, t.y0), std::min(end, t.y1));
-                    }
-            },
-            1);
+        parallel_for(binned.size(), 1, bin);
+        parallel_for(bands, 1, [&](std::size_t band) {
+            const int begin = int(band) * raster_band_rows, end = std::min(begin + raster_band_rows, target.height);
+            for (const Binned& part : binned)
+                for (const Index member : part.bands[Index(band)]) {
+                    const RasterTriangle& t = part.triangles[member];
+                    draw(t, std::max(begin, t.y0), std::min(end, t.y1));
+                }
+        });
     }
 }
 

@@ -29,17 +29,22 @@ struct Quiet {
     ~Quiet() { omerr().enable(); }
 };
 
-/// Triangles of a polygon: those given, or a quad split along its shorter diagonal. `ngon_triangle`: in, the first of
-/// this polygon or of a later one; out, the first of a later one.
-std::vector<glm::ivec3> triangles_of(const RepairedMesh& mesh, int polygon, std::size_t& ngon_triangle) {
-    std::vector<glm::ivec3> found;
-    for (; ngon_triangle < mesh.ngon_polygon.size() && mesh.ngon_polygon[ngon_triangle] == polygon; ++ngon_triangle)
-        found.push_back(mesh.ngon_triangles[ngon_triangle]);
+/// The triangles that a mesh comes with for a polygon.
+In<glm::ivec3> given_triangles(const RepairedMesh& mesh, int polygon) {
+    const auto found = std::ranges::equal_range(mesh.ngon_polygon, polygon);
+    return In<glm::ivec3>(mesh.ngon_triangles).subspan(found.begin() - mesh.ngon_polygon.begin(), found.size());
+}
+
+/// Triangles of a polygon: those given, or a quad split along its shorter diagonal.
+std::vector<glm::ivec3> triangles_of(const RepairedMesh& mesh, int polygon) {
     const int first = mesh.polygon_offsets[polygon], corners = mesh.polygon_offsets[polygon + 1] - first;
     const int* v = mesh.corner_verts.data() + first;
     const auto apart = [&](int a, int b) { return glm::distance(dvec3(mesh.positions[a]), dvec3(mesh.positions[b])); };
     if (corners == 3) return {{v[0], v[1], v[2]}};
-    if (corners != 4) return found;
+    if (corners != 4) {
+        const In<glm::ivec3> given = given_triangles(mesh, polygon);
+        return {given.begin(), given.end()};
+    }
     if (apart(v[0], v[2]) <= apart(v[1], v[3])) return {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}};
     return {{v[1], v[2], v[3]}, {v[1], v[3], v[0]}};
 }
@@ -100,9 +105,8 @@ Triangulated::Triangulated(const RepairedMesh& source) {
     for (const vec3& p : source.positions) mesh.add_vertex(from_glm(p));
     for (const auto v : mesh.vertices()) mesh.data(v).number = static_cast<Index>(v.idx());
     std::vector<int> taken;
-    std::size_t ngon_triangle = 0;
     for (int f = 0; f + 1 < static_cast<int>(source.polygon_offsets.size()); ++f)
-        (add(mesh, triangles_of(source, f, ngon_triangle), f) ? taken : refused).push_back(f);
+        (add(mesh, triangles_of(source, f), f) ? taken : refused).push_back(f);
     for (const int f : taken)
         each_edge(mesh, source, f, [&](auto e, int edge) { mesh.data(e).marks = marks_of(source, edge); });
     for (const int f : refused) {
@@ -136,15 +140,12 @@ RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
         }
         finish(mesh.data(f).polygon);
     }
-    std::size_t t = 0;
     for (const int f : refused) {
         for (int c = source.polygon_offsets[f]; c < source.polygon_offsets[f + 1]; ++c) {
             out.corner_verts.push_back(number[source.corner_verts[c]]);
             corner_marks.push_back(marks_of(source, source.corner_edges[c]));
         }
-        while (t < source.ngon_polygon.size() && source.ngon_polygon[t] < f) ++t;
-        for (; t < source.ngon_polygon.size() && source.ngon_polygon[t] == f; ++t) {
-            const glm::ivec3& v = source.ngon_triangles[t];
+        for (const glm::ivec3& v : given_triangles(source, f)) {
             out.ngon_triangles.push_back({number[v.x], number[v.y], number[v.z]});
             out.ngon_polygon.push_back(static_cast<int>(out.polygon_offsets.size()) - 1);
         }

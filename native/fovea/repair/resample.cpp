@@ -96,14 +96,11 @@ void relax(HalfEdges& mesh, const NearestPoint& surface) {
     Smoother smoother(mesh);
     smoother.initialize(Smoother::Tangential, Smoother::C0);
     smoother.smooth(1);
-    parallel_for(
-        mesh.n_vertices(),
-        [&](std::size_t i) {
-            const HalfEdges::VertexHandle v(static_cast<int>(i));
-            if (mesh.status(v).locked() || mesh.is_isolated(v)) return;
-            if (const auto p = surface(vec3(to_glm(mesh.point(v))))) mesh.set_point(v, from_glm(*p));
-        },
-        256);
+    parallel_for(mesh.n_vertices(), 256, [&](std::size_t i) {
+        const HalfEdges::VertexHandle v(static_cast<int>(i));
+        if (mesh.status(v).locked() || mesh.is_isolated(v)) return;
+        if (const auto p = surface(vec3(to_glm(mesh.point(v))))) mesh.set_point(v, from_glm(*p));
+    });
 }
 
 double mean_edge(const HalfEdges& mesh) {

@@ -102,14 +102,10 @@ Array<double> curve_lengths(const Crossings& crossings) {
 Crossings without_contact(const Crossings& crossings, const Mapped& first, const Mapped& second, double tolerance) {
     const ContactTest test(first, second, tolerance);
     Array<std::uint8_t> contact(crossings.size());
-    parallel_for(crossings.size(), [&](std::size_t i) { contact[i] = test.touches(crossings[i]); }, 256);
-    Crossings kept, result;
-    for (std::size_t i = 0; i < crossings.size(); ++i)
-        if (!contact[i]) kept.push_back(crossings[i]);
+    parallel_for(crossings.size(), 256, [&](std::size_t i) { contact[i] = test.touches(crossings[i]); });
+    const Crossings kept = values_where(crossings, [&](std::size_t i) { return !contact[i]; });
     const Array<double> lengths = curve_lengths(kept);
-    for (std::size_t i = 0; i < kept.size(); ++i)
-        if (lengths[i] > shortest_curve * tolerance) result.push_back(kept[i]);
-    return result;
+    return values_where(kept, [&](std::size_t i) { return lengths[i] > shortest_curve * tolerance; });
 }
 
 }  // namespace fovea::scene

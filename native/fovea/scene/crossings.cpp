@@ -44,17 +44,14 @@ struct Piece {
 class Grid {
    public:
     Grid(const TriangleTree& first, const Box& second) {
-        double size = 0.0;
         for (const Box& box : {first.bounds(), second})
             for (int i = 0; i < 3; ++i)
-                size = std::max({size, std::abs(double(box.low[i])), std::abs(double(box.high[i]))});
-        usable_ = size > 0.0 && size < 1e18;
+                size_ = std::max({size_, std::abs(double(box.low[i])), std::abs(double(box.high[i]))});
         int exponent = 0;
-        std::frexp(size, &exponent);  // size < 2^exponent
+        std::frexp(size_, &exponent);  // size_ < 2^exponent
         scale_ = std::ldexp(1.0, 38 - exponent);
-        size_ = size;
     }
-    bool usable() const { return usable_; }
+    bool usable() const { return size_ > 0.0 && size_ < 1e18; }
     /// Contact tolerance, and grid step; both in object space.
     double tolerance() const { return contact_tolerance * size_; }
     double step() const { return 1.0 / scale_; }
@@ -67,7 +64,6 @@ class Grid {
     vec3 back(const dvec3& p) const { return vec3(p / scale_); }
 
    private:
-    bool usable_ = false;
     double scale_ = 1.0, size_ = 0.0;
 };
 
@@ -245,10 +241,7 @@ Crossings numbered(In<Piece> pieces, const Grid& grid) {
     parallel_sort(same.begin(), same.end());
     Array<std::uint8_t> again(crossings.size(), 0);
     for (std::size_t i = 1; i < same.size(); ++i) again[same[i].second] = same[i].first == same[i - 1].first;
-    Crossings once;
-    for (std::size_t i = 0; i < crossings.size(); ++i)
-        if (!again[i]) once.push_back(crossings[i]);
-    return once;
+    return values_where(crossings, [&](std::size_t i) { return !again[i]; });
 }
 
 Crossings find(const Mapped& first, const Mapped& second, bool within, const Cancel& cancel) {

@@ -21,7 +21,7 @@ Array<float> holdout_image(const Tracer& tracer, const Cancel& cancel) {
     };
     const View& view = tracer.view();
     Array<float> image(std::size_t(view.width) * view.height);
-    parallel_blocks(view.height, 1, [&](std::size_t y, std::size_t, std::size_t) {
+    parallel_for(view.height, 1, [&](std::size_t y) {
         cancel.poll();
         for (int x = 0; x < view.width; ++x) image[y * view.width + x] = cut_at(dvec2(x + 0.5, y + 0.5));
     });

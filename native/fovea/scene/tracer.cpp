@@ -69,8 +69,7 @@ std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) con
 }
 
 double Tracer::plane_share(const Hit& hit, const Ray& ray) const {
-    dvec3 corner[3];
-    corners(hit.placement, hit.triangle, corner);
+    const auto corner = corners(hit.placement, hit.triangle);
     const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
     return glm::dot(normal, corner[0] - dvec3(ray.origin)) / glm::dot(normal, dvec3(ray.direction));
 }
@@ -113,13 +112,12 @@ Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool c
         const auto& base = scene_.facet_base;
         const auto other =
             static_cast<Index>(std::upper_bound(base.begin(), base.end(), other_facet) - base.begin() - 1);
-        Ignore ignore{.placement = placement, .facet = surface.triangle_facet[triangle]};
-        ignore.other_placement = other;
-        ignore.other_facet = other_facet - base[other];
-        return ignore;
+        return {.placement = placement,
+                .facet = surface.triangle_facet[triangle],
+                .other_placement = other,
+                .other_facet = other_facet - base[other]};
     }
-    dvec3 c[3];
-    corners(placement, triangle, c);
+    const auto c = corners(placement, triangle);
     const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
     Ignore ignore{.placement = placement, .around = surface.triangles[triangle]};
     const dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
@@ -134,17 +132,17 @@ Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool c
     return ignore;
 }
 
-void Tracer::corners(Index placement, Index triangle, dvec3 out[3]) const {
+std::array<dvec3, 3> Tracer::corners(Index placement, Index triangle) const {
     const Surface& surface = *scene_.placements[placement].surface;
-    const Triangle& vertices = surface.triangles[triangle];
-    for (int i = 0; i < 3; ++i)
-        out[i] = dvec3(bvh_->object_to_view[placement] * dvec4(dvec3(surface.positions[vertices[i]]), 1.0));
+    const auto in_view = [&](Index vertex) {
+        return dvec3(bvh_->object_to_view[placement] * dvec4(dvec3(surface.positions[vertex]), 1.0));
+    };
+    const Triangle& t = surface.triangles[triangle];
+    return {in_view(t.x), in_view(t.y), in_view(t.z)};
 }
 
 Outline Tracer::outline(const Hit& hit) const {
-    Outline triangle;
-    corners(hit.placement, hit.triangle, triangle.corners);
-    triangle.triangle = hit.triangle;
+    const auto c = corners(hit.placement, hit.triangle);
     const Surface& surface = *scene_.placements[hit.placement].surface;
     const Triangle& here = surface.triangles[hit.triangle];
     // hit.triangle - 1 wraps around for the first one, and is then out of range
@@ -164,13 +162,11 @@ Outline Tracer::outline(const Hit& hit) const {
                 beyond = i;
         }
         if (shared != 2 || alone < 0) continue;
-        dvec3 others[3];
-        corners(hit.placement, next, others);
-        const dvec3* c = triangle.corners;
-        const Outline quad{{c[alone], c[(alone + 1) % 3], others[beyond], c[(alone + 2) % 3]}, 4, hit.triangle, next};
+        const dvec3 opposite = corners(hit.placement, next)[beyond];
+        const Outline quad{{c[alone], c[(alone + 1) % 3], opposite, c[(alone + 2) % 3]}, 4, hit.triangle, next};
         if (is_flat_and_convex(quad)) return quad;
     }
-    return triangle;
+    return {{c[0], c[1], c[2]}, 3, hit.triangle};
 }
 
 }  // namespace fovea::scene

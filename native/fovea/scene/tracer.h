@@ -2,6 +2,7 @@
 // Ray casting in a scene, from a view. Wraps scene/bvh, the only code that uses Embree.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -117,7 +118,7 @@ class Tracer {
 
    private:
     /// Corners of a triangle, in view space.
-    void corners(Index placement, Index triangle, dvec3 out[3]) const;
+    std::array<dvec3, 3> corners(Index placement, Index triangle) const;
     /// Ray from the eye, or from the near plane, to a point; empty (far_t <= near_t) if the point is before the near
     /// plane.
     Ray ray_to(const vec3& point) const;

@@ -24,7 +24,7 @@ class Nearest {
           across_((view.width + side - 1) / side),
           image_(std::size_t(view.width) * view.height),
           tiles_(std::size_t(across_) * ((view.height + side - 1) / side)) {
-        parallel_for(view.height, [&](std::size_t y) { std::fill_n(row(int(y)), width_, nothing); }, 16);
+        parallel_for(view.height, 16, [&](std::size_t y) { std::fill_n(row(int(y)), width_, nothing); });
     }
 
     /// Rasterizes rows y0 to y1 (excluded), which lie in one row of tiles.
@@ -97,17 +97,14 @@ Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
     draw_triangles(raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0})),
                    depth_meshes(tracer.scene(), view, 0.0), &cancel,
                    [&](const RasterTriangle& triangle, int y0, int y1) { nearest.draw(triangle, y0, y1); });
-    parallel_for(
-        view.height,
-        [&](std::size_t y) {
-            float* const row = nearest.row(int(y));
-            std::transform(row, row + view.width, row, [&](float nearness) {
-                if (nearness == nothing) return background_depth;
-                const float distance = view.orthographic ? -nearness : static_cast<float>(view.near_clip / nearness);
-                return distance >= 0.0f ? std::min(distance, background_depth) : background_depth;
-            });
-        },
-        16);
+    parallel_for(view.height, 16, [&](std::size_t y) {
+        float* const row = nearest.row(int(y));
+        std::transform(row, row + view.width, row, [&](float nearness) {
+            if (nearness == nothing) return background_depth;
+            const float distance = view.orthographic ? -nearness : static_cast<float>(view.near_clip / nearness);
+            return distance >= 0.0f ? std::min(distance, background_depth) : background_depth;
+        });
+    });
     return nearest.take();
 }
 

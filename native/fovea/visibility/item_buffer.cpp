@@ -174,14 +174,11 @@ ItemBuffer draw_items(const ClippedPaths& clipped, const DepthBuffer& depth, con
     const std::vector<Line> lines = lines_of(clipped, depth);
     const Lists<Index> bands = bin(lines, depth.height);
     Drawing drawing(depth, options, buffer);
-    parallel_for(
-        bands.count(),
-        [&](std::size_t band) {
-            if (cancel) cancel->poll();
-            const int begin = int(band) * band_rows, end = std::min(begin + band_rows, depth.height);
-            for (const Index line : bands[Index(band)]) drawing.draw(lines[line], begin, end);
-        },
-        1);
+    parallel_for(bands.count(), 1, [&](std::size_t band) {
+        if (cancel) cancel->poll();
+        const int begin = int(band) * band_rows, end = std::min(begin + band_rows, depth.height);
+        for (const Index line : bands[Index(band)]) drawing.draw(lines[line], begin, end);
+    });
     return buffer;
 }
 

@@ -39,20 +39,16 @@ std::vector<PlacedSurface> place(const Scene& scene, const View& view) {
     to_pixels[1][1] = 0.5 * view.height;
     const dmat4 view_to_depth = to_pixels * view_to_depth_clip(view, layout);
     std::vector<PlacedSurface> placed(scene.placements.size());
-    parallel_for(
-        placed.size(),
-        [&](std::size_t i) {
-            const Placement& placement = scene.placements[i];
-            const dmat4 object_to_view = view.world_to_view * placement.object_to_world;
-            placed[i].surface = placement.surface.get();
-            placed[i].occludes = placement.usage & usage_occlude;
-            placed[i].triangles =
-                placement.surface->cache().get<FacetTriangles>(0, [&] { return facet_triangles(*placement.surface); });
-            placed[i].eye_obj =
-                glm::inverse(object_to_view) * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1));
-            placed[i].plane_to_depth = glm::transpose(glm::inverse(view_to_depth * object_to_view));
-        },
-        64);
+    parallel_for(placed.size(), 64, [&](std::size_t i) {
+        const Placement& placement = scene.placements[i];
+        const dmat4 object_to_view = view.world_to_view * placement.object_to_world;
+        placed[i].surface = placement.surface.get();
+        placed[i].occludes = placement.usage & usage_occlude;
+        placed[i].triangles =
+            placement.surface->cache().get<FacetTriangles>(0, [&] { return facet_triangles(*placement.surface); });
+        placed[i].eye_obj = glm::inverse(object_to_view) * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1));
+        placed[i].plane_to_depth = glm::transpose(glm::inverse(view_to_depth * object_to_view));
+    });
     return placed;
 }
 

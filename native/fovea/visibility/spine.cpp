@@ -38,14 +38,11 @@ float SpineTest::visibility(Index piece, float u) const {
 Array<vec4> spine_table(const ClippedPaths& clipped, const OwnSides& sides) {
     check_sides(clipped, sides, "spine test");
     Array<vec4> table(3 * clipped.px.size(), vec4(0.0f));
-    parallel_for(
-        clipped.pieces.count(),
-        [&](std::size_t q) {
-            for (Index i = clipped.pieces.begin(Index(q)); i + 1 < clipped.pieces.end(Index(q)); ++i)
-                write_segment(clipped, sides, i, float(clipped.arc_px[i]), float(clipped.arc_px[i + 1]),
-                              &table[3 * std::size_t(i)]);
-        },
-        256);
+    parallel_for(clipped.pieces.count(), 256, [&](std::size_t q) {
+        for (Index i = clipped.pieces.begin(Index(q)); i + 1 < clipped.pieces.end(Index(q)); ++i)
+            write_segment(clipped, sides, i, float(clipped.arc_px[i]), float(clipped.arc_px[i + 1]),
+                          &table[3 * std::size_t(i)]);
+    });
     return table;
 }
 
