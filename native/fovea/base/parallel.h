@@ -53,6 +53,14 @@ void parallel_for(std::size_t count, const Body& body) {
     parallel_for(count, 4096, body);
 }
 
+/// make(i) for every i in [0, count).
+template <typename T, typename Make>
+Array<T> parallel_map(std::size_t count, const Make& make) {
+    Array<T> made(count);
+    parallel_for(count, [&](std::size_t i) { made[i] = make(i); });
+    return made;
+}
+
 /// Calls body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The blocks
 /// do not depend on the number of threads, so per-block results joined in block order are deterministic.
 template <typename Body>

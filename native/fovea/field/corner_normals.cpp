@@ -30,18 +30,17 @@ CornerNormals find_normals(const Surface& surface) {
     const auto fields = fields_of(surface);
     const auto smooth = neighbors_of(surface), all = neighbors_of(surface, no_hard_edges);
     CornerNormals normals;
-    normals.vertex.resize(surface.vertex_count());
-    parallel_for(normals.vertex.size(), [&](std::size_t v) { normals.vertex[v] = fields->curvature[v].normal; });
+    const auto fitted = [&](std::size_t v) { return fields->curvature[v].normal; };
+    normals.vertex = parallel_map<vec3>(surface.vertex_count(), fitted);
     const auto own = [&](std::size_t t) { return vec3(surface.facet_plane[surface.triangle_facet[t]]); };
     const auto fits = [&](Index v, const vec3& facet) {
         return !smooth->hard[v] && glm::dot(normals.vertex[v], facet) > 0.0f;
     };
 
-    normals.first.resize(surface.triangles.size());
-    parallel_for(normals.first.size(), [&](std::size_t t) {
+    normals.first = parallel_map<Index>(surface.triangles.size(), [&](std::size_t t) {
         const Triangle& c = surface.triangles[t];
         const vec3 facet = own(t);
-        normals.first[t] = fits(c.x, facet) && fits(c.y, facet) && fits(c.z, facet) ? 0 : 3;
+        return fits(c.x, facet) && fits(c.y, facet) && fits(c.z, facet) ? 0 : 3;
     });
     Index total = 0;
     for (Index& first : normals.first) {

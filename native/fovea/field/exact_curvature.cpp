@@ -56,8 +56,7 @@ CurvatureD curvature_of(const HeightJetD& jet) {
 }
 
 Array<Curvature> curvature_of(const Array<HeightJet>& jets) {
-    Array<Curvature> result(jets.size());
-    parallel_for(jets.size(), [&](std::size_t v) {
+    return parallel_map<Curvature>(jets.size(), [&](std::size_t v) {
         const HeightJet& jet = jets[v];
         HeightJetD exact;
         // Rounding to float has left them neither unit nor orthogonal.
@@ -68,9 +67,8 @@ Array<Curvature> curvature_of(const Array<HeightJet>& jets) {
         }
         for (int i = 0; i < 3; ++i) exact.second[i] = jet.second[i];
         for (int i = 0; i < 4; ++i) exact.third[i] = jet.third[i];
-        result[v] = rounded(curvature_of(exact));
+        return rounded(curvature_of(exact));
     });
-    return result;
 }
 
 }  // namespace fovea::field

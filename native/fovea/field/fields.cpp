@@ -123,13 +123,12 @@ float feature_size_of(const Surface& surface, const Neighbors& neighbors, const 
 
 /// Fields of a stretched surface.
 Fields map_fields(const Surface& surface, const Fields& source, const FieldOptions& options) {
-    Fields fields{Array<Curvature>(source.curvature.size()), 0.0f, source.reason};
     const dmat3 inverse = glm::inverse(surface.stretch());
-    parallel_for(fields.curvature.size(),
-                 [&](std::size_t v) { fields.curvature[v] = rounded(mapped(source.curvature[v], inverse)); });
+    const auto of_vertex = [&](std::size_t v) { return rounded(mapped(source.curvature[v], inverse)); };
+    auto curvature = parallel_map<Curvature>(source.curvature.size(), of_vertex);
     const auto neighbors = neighbors_of(*surface.source(), options.hard_angle);
-    fields.feature_size = feature_size_of(surface, *neighbors, fields.curvature);
-    return fields;
+    const float feature_size = feature_size_of(surface, *neighbors, curvature);
+    return {std::move(curvature), feature_size, source.reason};
 }
 
 Fields make_fields(const Surface& surface, const FieldOptions& options) {

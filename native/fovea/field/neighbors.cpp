@@ -37,8 +37,8 @@ class HardEdges {
 
     /// Per edge of the surface.
     Array<std::uint8_t> find() const {
-        Array<std::uint8_t> hard(surface_.edges.size());
-        parallel_for(hard.size(), [&](std::size_t e) { hard[e] = told(Index(e)) || folded(Index(e)); });
+        auto hard = parallel_map<std::uint8_t>(surface_.edges.size(),
+                                               [&](std::size_t e) { return told(Index(e)) || folded(Index(e)); });
         drop_stray(hard);
         return hard;
     }
@@ -138,13 +138,10 @@ Index keep_largest_sector(const Surface& surface, Index v, In<Index> hard_ends, 
 
 /// Reduces the triangles of each vertex with hard edges (given by their other ends) to one sector; returns the counts.
 Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_ends, Lists<Index>& triangles) {
-    Array<Index> kept(triangles.count());
-    parallel_for(kept.size(), [&](std::size_t i) {
+    return parallel_map<Index>(triangles.count(), [&](std::size_t i) {
         const Index v = static_cast<Index>(i);
-        kept[v] =
-            hard_ends.size(v) == 0 ? triangles.size(v) : keep_largest_sector(surface, v, hard_ends[v], triangles[v]);
+        return hard_ends.size(v) == 0 ? triangles.size(v) : keep_largest_sector(surface, v, hard_ends[v], triangles[v]);
     });
-    return kept;
 }
 
 Neighbors find_neighbors(const Surface& surface, double hard_angle) {

@@ -8,8 +8,7 @@
 
 namespace fovea::field {
 Array<vec3> vertex_normals(const Surface& surface, const Neighbors& neighbors) {
-    Array<vec3> normals(surface.vertex_count());
-    parallel_for(normals.size(), [&](std::size_t v) {
+    return parallel_map<vec3>(surface.vertex_count(), [&](std::size_t v) {
         dvec3 sum(0.0);
         for (const Index t : neighbors.triangles[Index(v)]) {
             const auto [a, b] = sides_from(surface, t, Index(v));
@@ -17,9 +16,8 @@ Array<vec3> vertex_normals(const Surface& surface, const Neighbors& neighbors) {
             if (weight > 0.0) sum += glm::cross(a, b) / weight;
         }
         const double length = glm::length(sum);
-        normals[v] = length > 0.0 && length < HUGE_VAL ? vec3(sum / length) : vec3(0.0f);
+        return length > 0.0 && length < HUGE_VAL ? vec3(sum / length) : vec3(0.0f);
     });
-    return normals;
 }
 
 dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {
@@ -44,20 +42,17 @@ dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {
 
 Array<float> vertex_areas(const Surface& surface, const Neighbors& neighbors) {
     // Once per triangle, not once per corner.
-    Array<vec3> corners(surface.triangles.size());
-    parallel_for(corners.size(), [&](std::size_t t) {
+    const auto corners = parallel_map<vec3>(surface.triangles.size(), [&](std::size_t t) {
         const Triangle& tri = surface.triangles[t];
         const auto at = [&](Index v) { return dvec3(surface.positions[v]); };
-        corners[t] = vec3(corner_areas(at(tri.x), at(tri.y), at(tri.z)));
+        return vec3(corner_areas(at(tri.x), at(tri.y), at(tri.z)));
     });
-    Array<float> areas(surface.vertex_count());
-    parallel_for(areas.size(), [&](std::size_t v) {
+    return parallel_map<float>(surface.vertex_count(), [&](std::size_t v) {
         double sum = 0.0;
         for (const Index t : neighbors.triangles[Index(v)])
             sum += corners[t][corner_of(surface.triangles[t], Index(v))];
-        areas[v] = static_cast<float>(sum);
+        return static_cast<float>(sum);
     });
-    return areas;
 }
 
 }  // namespace fovea::field

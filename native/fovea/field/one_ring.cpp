@@ -25,10 +25,9 @@ class OneRing {
         : surface_(surface), neighbors_(neighbors), normals_(vertex_normals(surface, neighbors)) {}
 
     Array<Curvature> run() {
-        faces_.resize(surface_.triangles.size());
-        parallel_for(faces_.size(), [&](std::size_t t) { faces_[t] = face_of(Index(t)); });
-        result_.resize(surface_.vertex_count());
-        parallel_for(result_.size(), [&](std::size_t v) { result_[v] = second_order(Index(v)); });
+        faces_ = parallel_map<Face>(surface_.triangles.size(), [&](std::size_t t) { return face_of(Index(t)); });
+        result_ =
+            parallel_map<Curvature>(surface_.vertex_count(), [&](std::size_t v) { return second_order(Index(v)); });
         thirds_.resize(faces_.size());
         usable_.resize(faces_.size());
         parallel_for(faces_.size(), [&](std::size_t t) { find_third(Index(t)); });

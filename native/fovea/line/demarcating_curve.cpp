@@ -53,10 +53,9 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
-    Array<Corner> strongest(surface.vertex_count());
-    parallel_for(strongest.size(), [&](std::size_t v) {
+    const auto strongest = parallel_map<Corner>(surface.vertex_count(), [&](std::size_t v) {
         const Curvature& c = fields->curvature[v];
-        strongest[v] = corner(c, demarcating(c));
+        return corner(c, demarcating(c));
     });
     const auto sides = triangle_sides(surface);
     return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {

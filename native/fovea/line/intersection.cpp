@@ -165,14 +165,13 @@ std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair
     const Crossings crossings =
         pair.first == pair.second ? cross_itself(first, cancel) : cross(first, second, pair.second_to_first, cancel);
     auto curves = std::make_shared<KeptCurves>();
-    curves->pieces.resize(crossings.size());
-    parallel_for(crossings.size(), [&](std::size_t i) {
+    curves->pieces = parallel_map<CurvePiece>(crossings.size(), [&](std::size_t i) -> CurvePiece {
         const Crossing& c = crossings[i];
-        curves->pieces[i] = {.triangle = c.triangle[0],
-                             .side = {c.end[0], c.end[1]},
-                             .point = {c.point[0], c.point[1]},
-                             .strength = {1.0f, 1.0f},
-                             .other = c.triangle[1]};
+        return {.triangle = c.triangle[0],
+                .side = {c.end[0], c.end[1]},
+                .point = {c.point[0], c.point[1]},
+                .strength = {1.0f, 1.0f},
+                .other = c.triangle[1]};
     });
     return curves;
 }

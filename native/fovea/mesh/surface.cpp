@@ -121,8 +121,8 @@ void Surface::take_topology(const MeshArrays& mesh) {
     if (polygons_.offsets.empty()) polygons_.offsets.push_back(0);
     corner_verts_.assign(mesh.corner_verts.begin(), mesh.corner_verts.end());
     const Array<Index> number = edge_numbers(mesh);
-    corner_edges_.resize(mesh.corner_edges.size());
-    parallel_for(corner_edges_.size(), [&](std::size_t c) { corner_edges_[c] = number[mesh.corner_edges[c]]; });
+    corner_edges_ =
+        parallel_map<Index>(mesh.corner_edges.size(), [&](std::size_t c) { return number[mesh.corner_edges[c]]; });
     edges.resize(edge_count);
     parallel_for(edge_count, [&](std::size_t e) { edges[number[e]] = Edge(mesh.edge_verts[e]); });
     mesh_edges = static_cast<Index>(edge_count);

@@ -101,17 +101,15 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
     };
     const auto same_vertices = [&](Index a, Index b) {
         const In<Index> of_a = polygon_vertices(a), of_b = polygon_vertices(b);
-        return std::ranges::all_of(of_a, [&](Index v) { return std::ranges::find(of_b, v) != of_b.end(); });
+        return of_a.size() == of_b.size() && sum(a) == sum(b) &&
+               std::ranges::all_of(of_a, [&](Index v) { return std::ranges::find(of_b, v) != of_b.end(); });
     };
-    Array<std::uint8_t> duplicate(polygon_count(), 0);
-    parallel_for(polygon_count(), [&](std::size_t f) {
-        if (skip[f]) return;
-        for (const Index corner : edge_corners_[corner_edges_[polygons_.begin(f)]]) {
+    const auto duplicate = parallel_map<std::uint8_t>(polygon_count(), [&](std::size_t f) {
+        const auto is_earlier = [&](Index corner) {
             const Index other = corner_polygon[corner];
-            if (other >= f || skip[other] || polygons_.size(other) != polygons_.size(f)) continue;
-            duplicate[f] = sum(other) == sum(f) && same_vertices(other, f);
-            if (duplicate[f]) break;
-        }
+            return other < f && !skip[other] && same_vertices(other, Index(f));
+        };
+        return !skip[f] && std::ranges::any_of(edge_corners_[corner_edges_[polygons_.begin(f)]], is_earlier);
     });
     report_.duplicate_polygons = static_cast<Index>(std::count(duplicate.begin(), duplicate.end(), 1));
     for (Index f = 0; f < polygon_count(); ++f) skip[f] |= duplicate[f];
@@ -119,14 +117,12 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
 
 void Surface::triangulate(const Array<std::uint8_t>& skip) {
     const auto given = [&](std::size_t f) { return ngon_triangles_.count() ? ngon_triangles_.size(Index(f)) : 0; };
-    auto& offsets = polygon_triangles_.offsets;
-    offsets.resize(polygon_count());
-    parallel_for(polygon_count(), [&](std::size_t f) {
+    polygon_triangles_.offsets = parallel_map<Index>(polygon_count(), [&](std::size_t f) {
         const Index corners = polygons_.size(f);
-        offsets[f] = skip[f] ? 0 : corners > 4 && given(f) ? given(f) : corners - 2;
+        return skip[f] ? 0 : corners > 4 && given(f) ? given(f) : corners - 2;
     });
-    counts_to_offsets(offsets);
-    triangles.resize(offsets.back());
+    counts_to_offsets(polygon_triangles_.offsets);
+    triangles.resize(polygon_triangles_.offsets.back());
     parallel_for(polygon_count(), [&](std::size_t f) {
         if (skip[f]) return;
         const In<Index> v = polygon_vertices(Index(f));
@@ -272,14 +268,8 @@ void Surface::sort_occluding() {
     const auto middle = std::stable_partition(
         order.begin(), order.end(), [&](Index t) { return polygon_occludes_[facet_polygon[triangle_facet[t]]] != 0; });
     occluding_triangles = static_cast<Index>(middle - order.begin());
-    Array<Triangle> sorted_triangles(triangles.size());
-    Array<Index> sorted_facets(triangles.size());
-    parallel_for(order.size(), [&](std::size_t t) {
-        sorted_triangles[t] = triangles[order[t]];
-        sorted_facets[t] = triangle_facet[order[t]];
-    });
-    triangles.swap(sorted_triangles);
-    triangle_facet.swap(sorted_facets);
+    triangles = parallel_map<Triangle>(order.size(), [&](std::size_t t) { return triangles[order[t]]; });
+    triangle_facet = parallel_map<Index>(order.size(), [&](std::size_t t) { return triangle_facet[order[t]]; });
 }
 
 void Surface::bound() {

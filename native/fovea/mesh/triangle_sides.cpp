@@ -26,15 +26,14 @@ TriangleSides number_sides(const Surface& surface) {
         }
     });
     // number of sides of each vertex, then (prefix sum) the number of its first side
-    Array<Index> first(surface.vertex_count());
-    parallel_for(first.size(), [&](std::size_t v) {
+    Array<Index> first = parallel_map<Index>(surface.vertex_count(), [&](std::size_t v) {
         const std::span<Corner> corners = sides_at[Index(v)];
         std::ranges::sort(corners, [](const Corner& a, const Corner& b) {
             return a.other != b.other ? a.other < b.other : a.corner < b.corner;
         });
         Index sides = 0;
         for (std::size_t i = 0; i < corners.size(); ++i) sides += i == 0 || corners[i].other != corners[i - 1].other;
-        first[v] = sides;
+        return sides;
     });
     counts_to_offsets(first);
     TriangleSides sides;

@@ -66,10 +66,9 @@ StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& se
 void find_facing(SurfaceView& seen) {
     const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
     const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
-    seen.facing.resize(surface.facet_count());
-    parallel_for(seen.facing.size(), [&](std::size_t f) {
+    seen.facing = parallel_map<std::uint8_t>(surface.facet_count(), [&](std::size_t f) {
         const dvec4 plane(surface.facet_plane[f]);
-        seen.facing[f] = glm::dot(dvec3(plane), eye) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
+        return glm::dot(dvec3(plane), eye) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
     });
 }
 
@@ -92,8 +91,8 @@ Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& 
                 labelled.kinds[e] = kinds[s][e];
             }
     });
-    labelled.kept_labels.resize(lines.edges.size());
-    parallel_for(lines.edges.size(), [&](std::size_t i) { labelled.kept_labels[i] = label[lines.edges[i]]; });
+    const auto kept_label = [&](std::size_t i) { return label[lines.edges[i]]; };
+    labelled.kept_labels = parallel_map<std::uint8_t>(lines.edges.size(), kept_label);
     std::size_t next = 0;
     for (Index e = 0; e < edges; ++e) {
         if (next < lines.edges.size() && lines.edges[next] == e) {
@@ -107,9 +106,7 @@ Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& 
 }
 
 Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
-    Array<Kinds> kinds(chains.edge.size());
-    parallel_for(kinds.size(), [&](std::size_t i) { kinds[i] = edge_kinds[chains.edge[i]]; });
-    return kinds;
+    return parallel_map<Kinds>(chains.edge.size(), [&](std::size_t i) { return edge_kinds[chains.edge[i]]; });
 }
 
 /// Number of lines at each vertex, capped at 2.
@@ -122,12 +119,10 @@ Array<std::uint8_t> lines_at_vertices(const Surface& surface, In<Index> kept, In
 }
 
 Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& lines_at) {
-    Array<std::uint8_t> free(chains.rows.count());
-    parallel_for(free.size(), [&](std::size_t c) {
+    return parallel_map<std::uint8_t>(chains.rows.count(), [&](std::size_t c) {
         const Index first = chains.vertex[chains.rows.begin(c)], last = chains.vertex[chains.rows.end(c) - 1];
-        free[c] = (lines_at[first] < 2 ? free_start : 0) | (lines_at[last] < 2 ? free_end : 0);
+        return (lines_at[first] < 2 ? free_start : 0) | (lines_at[last] < 2 ? free_end : 0);
     });
-    return free;
 }
 
 }  // namespace

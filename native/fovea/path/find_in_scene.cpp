@@ -45,11 +45,10 @@ std::shared_ptr<const CurveChains> of_set(const Shared& shared, std::size_t s, I
         shares = shares || shared.any(before, definition);
     }
     if (!shares) return chain_kept(*shared.part.curves, {});
-    Array<std::uint8_t> kept(pieces.size());
-    parallel_for(pieces.size(), [&](std::size_t i) {
-        kept[i] = shared.has(s, definition, pieces[i]);
-        for (std::size_t before = 0; before < s && kept[i]; ++before)
-            kept[i] = !shared.has(before, definition, pieces[i]);
+    const auto kept = parallel_map<std::uint8_t>(pieces.size(), [&](std::size_t i) {
+        bool has = shared.has(s, definition, pieces[i]);
+        for (std::size_t before = 0; before < s && has; ++before) has = !shared.has(before, definition, pieces[i]);
+        return has;
     });
     const bool none_kept = std::all_of(kept.begin(), kept.end(), [](std::uint8_t k) { return !k; });
     return none_kept ? nullptr : chain_kept(*shared.part.curves, kept);

@@ -50,10 +50,9 @@ bool any_beside(const Surface& surface, Index edge, const Holds& holds) {
 /// Per triangle: 1 unless holds(material) is true.
 template <typename Holds>
 Array<std::uint8_t> triangles_without(const Surface& surface, const Holds& holds) {
-    Array<std::uint8_t> without(surface.triangles.size());
-    parallel_for(without.size(),
-                 [&](std::size_t t) { without[t] = !holds(material_of_triangle(surface, static_cast<Index>(t))); });
-    return without;
+    return parallel_map<std::uint8_t>(surface.triangles.size(), [&](std::size_t t) {
+        return !holds(material_of_triangle(surface, static_cast<Index>(t)));
+    });
 }
 
 }  // namespace fovea::path

@@ -21,39 +21,34 @@ struct Placed {
 };
 
 Array<Index> morton_order(const Surface& surface) {
-    Array<Placed> placed(surface.triangles.size());
     const dvec3 low = dvec3(surface.center) - double(surface.radius);
     const double cells = surface.radius > 0.0f ? 524288.0 / surface.radius : 0.0;
-    parallel_for(placed.size(), [&](std::size_t t) {
+    auto placed = parallel_map<Placed>(surface.triangles.size(), [&](std::size_t t) -> Placed {
         const Box box = box_of(surface, static_cast<Index>(t));
         const dvec3 at = (0.5 * (dvec3(box.low) + dvec3(box.high)) - low) * cells;
         const auto cell = [](double place) { return place > 0.0 ? Index(std::min(place, 1048575.0)) : 0u; };
-        placed[t] = {along_curve({cell(at.x), cell(at.y), cell(at.z)}), static_cast<Index>(t)};
+        return {along_curve({cell(at.x), cell(at.y), cell(at.z)}), static_cast<Index>(t)};
     });
     parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
     });
-    Array<Index> order(placed.size());
-    parallel_for(order.size(), [&](std::size_t i) { order[i] = placed[i].triangle; });
-    return order;
+    return parallel_map<Index>(placed.size(), [&](std::size_t i) { return placed[i].triangle; });
 }
 
 /// Bounding boxes of each `each` consecutive boxes.
 Array<Box> boxes_over(const Array<Box>& below, Index each) {
-    Array<Box> boxes((below.size() + each - 1) / each);
-    parallel_for(boxes.size(), [&](std::size_t i) {
-        boxes[i] = below[each * i];
+    return parallel_map<Box>((below.size() + each - 1) / each, [&](std::size_t i) {
+        Box box = below[each * i];
         for (std::size_t k = each * i + 1; k < std::min<std::size_t>(each * (i + 1), below.size()); ++k)
-            boxes[i] = {glm::min(boxes[i].low, below[k].low), glm::max(boxes[i].high, below[k].high)};
+            box = {glm::min(box.low, below[k].low), glm::max(box.high, below[k].high)};
+        return box;
     });
-    return boxes;
 }
 
 TriangleTree make_tree(const Surface& surface) {
     TriangleTree tree;
     tree.order = morton_order(surface);
-    tree.boxes.resize(tree.order.size());
-    parallel_for(tree.order.size(), [&](std::size_t i) { tree.boxes[i] = box_of(surface, tree.order[i]); });
+    tree.boxes = parallel_map<Box>(tree.order.size(), [&](std::size_t i) { return box_of(surface, tree.order[i]); });
     if (tree.boxes.empty()) return tree;
     tree.levels.push_back(boxes_over(tree.boxes, TriangleTree::leaf_size));
     while (tree.levels.back().size() > 1) tree.levels.push_back(boxes_over(tree.levels.back(), 2));
