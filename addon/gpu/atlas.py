@@ -4,7 +4,6 @@
 import numpy as np
 
 from .. import native
-from .program import layout_constants
 from .texture import Target, row_width, upload_row
 
 
@@ -31,7 +30,8 @@ class Atlas:
                 self._programs.cover(
                     program,
                     {**batch.samplers, **samplers},
-                    **layout_constants(layout),
+                    border=(layout.border_x, layout.border_y),
+                    buffer_scale=float(layout.scale),
                     tile=layout.core,
                     sample_total=batch.count,
                     **constants,

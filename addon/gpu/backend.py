@@ -11,7 +11,7 @@ from .atlas import Atlas
 from .clock import Clock
 from .elision import ElisionPass, border_of
 from .items import ItemPass, item_of_point
-from .program import Programs, layout_constants, triangles
+from .program import Programs, triangles
 from .strokes import StrokePass, box_of, boxes
 from .texture import Target, size_limit, upload_row
 
@@ -157,7 +157,8 @@ class Backend(native.load().Backend):
     def _draw_seen(self, frame, layout, box, passes, segments):
         depth = self._depth(frame, layout)
         samplers = {"segments": segments, **_looked_into(depth)}
-        return passes.draw(box, "spine", samplers, **layout_constants(layout), **_looks(frame))
+        border = (layout.border_x, layout.border_y)
+        return passes.draw(box, "spine", samplers, border=border, buffer_scale=float(layout.scale), **_looks(frame))
 
     def _put(self, image, box, target):
         """Copies a Target to its box (left, lower, right, upper) of an image."""

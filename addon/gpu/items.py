@@ -4,7 +4,7 @@
 import numpy as np
 
 from .. import native
-from .program import layout_constants, triangles
+from .program import triangles
 from .texture import Target
 
 
@@ -41,8 +41,9 @@ class ItemPass:
         program = self._programs.bind(
             "item",
             {"segments": batch.samplers["segments"], "items": batch.samplers["items"], **samplers},
-            **layout_constants(layout),
+            border=(layout.border_x, layout.border_y),
             buffer_size=(layout.width, layout.height),
+            buffer_scale=float(layout.scale),
             slope_factor=options.slope_factor,
             bias=options.bias,
             layers_in_front=layers_in_front,

@@ -102,11 +102,6 @@ class Programs:
         self._cover.draw(self.bind(name, samplers, **constants))
 
 
-def layout_constants(layout):
-    """Push constants for looking up a place in the depth buffer of a DepthLayout."""
-    return {"border": (layout.border_x, layout.border_y), "buffer_scale": float(layout.scale)}
-
-
 def triangles(attributes, corners=None):
     """A GPUBatch of triangles. `attributes`: {name: array per vertex}; `corners`: (T, 3) vertex indices, None: each
     three consecutive vertices are a triangle."""
