@@ -65,14 +65,15 @@ std::shared_ptr<Surface> polygon_surface(const std::string& name, In<vec3> posit
                                          In<int> polygon_offsets, In<int> material) {
     const PolygonEdges edges = polygon_edges(polygon_offsets, corner_verts);
     const auto [triangles, triangle_polygons] = ngon_triangles(positions, corner_verts, polygon_offsets);
-    const MeshArrays mesh{.positions = positions,
-                          .edge_verts = edges.edge_verts,
-                          .corner_verts = corner_verts,
-                          .corner_edges = edges.corner_edges,
-                          .polygon_offsets = polygon_offsets,
-                          .ngon_triangles = triangles,
-                          .ngon_polygon = triangle_polygons,
-                          .material = material};
+    MeshArrays mesh;
+    mesh.positions = positions;
+    mesh.edge_verts = edges.edge_verts;
+    mesh.corner_verts = corner_verts;
+    mesh.corner_edges = edges.corner_edges;
+    mesh.polygon_offsets = polygon_offsets;
+    mesh.ngon_triangles = triangles;
+    mesh.ngon_polygon = triangle_polygons;
+    mesh.material = material;
     return std::make_shared<Surface>(name, mesh);
 }
 
