@@ -82,7 +82,8 @@ Mesh icosphere(int levels, bool irregular, unsigned seed) {
     std::uniform_real_distribution<double> jitter(-0.25 * edge, 0.25 * edge);
     Mesh mesh("icosphere", {});
     for (dvec3& q : p) {
-        const dvec3 move(jitter(random), jitter(random), jitter(random));
+        const double z = jitter(random), y = jitter(random), x = jitter(random);
+        const dvec3 move(x, y, z);
         mesh.positions.push_back(vec3(glm::normalize(q + (irregular ? move : dvec3(0)))));
     }
     for (const glm::ivec3& t : triangles) mesh.add_polygon({t.x, t.y, t.z});

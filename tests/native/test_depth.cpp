@@ -90,8 +90,8 @@ Mesh random_triangles(int count, unsigned seed) {
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
     Mesh mesh;
     for (int i = 0; i < count; ++i) {
-        const vec3 center(4 * unit(random), 3 * unit(random), -4.0f + 4 * unit(random));
-        const auto corner = [&] { return center + vec3(unit(random), unit(random), unit(random)); };
+        const vec3 center{4 * unit(random), 3 * unit(random), -4.0f + 4 * unit(random)};
+        const auto corner = [&] { return center + vec3{unit(random), unit(random), unit(random)}; };
         const vec3 a = corner(), b = corner(), c = corner();
         mesh.add(a, b, c);
     }

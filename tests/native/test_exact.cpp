@@ -232,9 +232,9 @@ TEST(Exact, AFloorOfAnySizeAndSlantHidesNothingThatStandsOnIt) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> any(-1, 1);
     for (int k = 0; k < 60; ++k) {
-        const dvec3 axis = glm::normalize(dvec3(any(random), any(random), any(random)));
+        const dvec3 axis = glm::normalize(dvec3{any(random), any(random), any(random)});
         const dmat4 turn = glm::mat4_cast(glm::angleAxis(3.0 * any(random), axis));
-        const dvec3 eye(8.0 * glm::normalize(dvec2(any(random), any(random))), 0.1 + 3.0 * std::abs(any(random)));
+        const dvec3 eye{8.0 * glm::normalize(dvec2{any(random), any(random)}), 0.1 + 3.0 * std::abs(any(random))};
         const View view = perspective(dvec3(turn * dvec4(eye, 1.0)), {0, 0, 0});
         const auto turned = [&](Mesh mesh) {
             for (vec3& p : mesh.positions) p = vec3(turn * dvec4(dvec3(p), 1.0));

@@ -17,9 +17,14 @@ namespace {
 
 dmat4 random_motion(std::mt19937& random, double spread, double size) {
     std::uniform_real_distribution<double> unit(-1, 1);
-    const auto any = [&] { return dvec3(unit(random), unit(random), unit(random)); };
-    const dmat4 turn = glm::mat4_cast(glm::angleAxis(3.0 * unit(random), glm::normalize(any() + dvec3(1e-3))));
-    return moved(spread * any()) * turn * scaled(size * (0.6 + 0.4 * any()));
+    const auto any = [&] {
+        const double z = unit(random), y = unit(random), x = unit(random);
+        return dvec3(x, y, z);
+    };
+    const dvec3 axis = glm::normalize(any() + dvec3(1e-3));
+    const double angle = 3.0 * unit(random);
+    const dvec3 by = size * (0.6 + 0.4 * any()), at = spread * any();
+    return moved(at) * glm::mat4_cast(glm::angleAxis(angle, axis)) * scaled(by);
 }
 
 /// Boxes, spheres and open shapes thrown into each other.

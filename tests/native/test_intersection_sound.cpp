@@ -53,12 +53,13 @@ TEST(Intersection, BrokenAndThinTrianglesLeaveNoGaps) {
 TEST(Intersection, IsClosedWhereSurfacesAre) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
-    const auto any = [&] { return dvec3(unit(random), unit(random), unit(random)); };
+    const auto any = [&] { return dvec3{unit(random), unit(random), unit(random)}; };
     const Mesh shapes[] = {box(), sphere(9), tetrahedron(), torus(1, 0.4, 16, 8)};
     std::vector<Placement> placements;
     for (std::uint64_t i = 0; i < 60; ++i) {
-        const dmat4 turn = turned(3.0 * unit(random), any() + dvec3(1e-3));
-        placements.push_back(put(shapes[i % 4], moved(1.5 * any()) * turn * scaled(0.4 + 0.3 * any()), i));
+        const double angle = 3.0 * unit(random);
+        const dvec3 axis = any() + dvec3(1e-3), at = 1.5 * any(), by = 0.4 + 0.3 * any();
+        placements.push_back(put(shapes[i % 4], moved(at) * turned(angle, axis) * scaled(by), i));
     }
     const Found found(placements);
     EXPECT_GT(found.count, 100u);

@@ -130,7 +130,7 @@ TEST(Sampled, LinesOfASurfaceAreSeenAndLinesJustBehindAreNot) {
     const Rectangle face(vec3(-5, -0.5f, -1), vec3(5, -0.5f, -1), vec3(5, -0.5f, -30), vec3(-5, -0.5f, -30), 0);
     ClippedPaths on, behind;
     for (int i = 0; i < 200; ++i) {
-        const dvec3 a(unit(random), -0.5, -3 - std::abs(unit(random))), b(unit(random), -0.5, -4 + unit(random));
+        const dvec3 a{unit(random), -0.5, -3 - std::abs(unit(random))}, b{unit(random), -0.5, -4 + unit(random)};
         add_piece(view, on, {a, b});
         add_piece(view, behind, {a - dvec3(0, 2e-3, 0), b - dvec3(0, 2e-3, 0)});
     }
@@ -156,9 +156,9 @@ TEST(Sampled, SameWithOneAndManyThreads) {
     std::vector<Rectangle> faces;
     ClippedPaths clipped;
     for (int i = 0; i < 300; ++i) {
-        const dvec3 c(2 * unit(random), 1.5 * unit(random), -6 + 2 * unit(random));
+        const dvec3 c{2 * unit(random), 1.5 * unit(random), -6 + 2 * unit(random)};
         faces.emplace_back(c, c + dvec3(.5, 0, .2), c + dvec3(.5, .5, -.2), c + dvec3(0, .5, 0), Index(i));
-        add_piece(view, clipped, {c, c + dvec3(unit(random), unit(random), unit(random))});
+        add_piece(view, clipped, {c, c + dvec3{unit(random), unit(random), unit(random)}});
     }
     const std::vector<RasterMesh> meshes(faces.begin(), faces.end());
     const Array<float> many = visibility_of(view, clipped, meshes, 2, 4);

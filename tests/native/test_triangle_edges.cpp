@@ -19,14 +19,14 @@ TEST(TriangleEdges, CodesKeepAnEdgeWithinTheirError) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
     for (int i = 0; i < 20000; ++i) {
-        vec3 edge(unit(random) * 0.5f + 0.5f, unit(random), unit(random));
+        vec3 edge{unit(random) * 0.5f + 0.5f, unit(random), unit(random)};
         const float size = std::abs(edge.y) + std::abs(edge.z);
         edge.y /= size;
         edge.z /= size;
         const float any = 0.01f + std::abs(unit(random));  // edges come in any length
         const vec3 found = formula.edge_of_code(code(edge.x * any, edge.y * any, edge.z * any));
         EXPECT_NEAR(std::abs(found.y) + std::abs(found.z), 1.0f, 1e-6f);
-        const vec2 off(unit(random), unit(random));
+        const vec2 off{unit(random), unit(random)};
         EXPECT_NEAR(found.x + found.y * off.x + found.z * off.y, edge.x + edge.y * off.x + edge.z * off.y,
                     1.0f / 64.0f + 1.0f / 510.0f + 1e-5f);
     }
