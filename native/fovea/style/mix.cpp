@@ -18,6 +18,9 @@ double between(const double& a, const double& b, double share) { return a + (b -
 
 int between(const int& a, const int& b, double share) { return int(std::nearbyint(a + (b - a) * share)); }
 
+template <Record S>
+S between(const S& a, const S& b, double share);
+
 template <int N>
 glm::vec<N, double> between(const glm::vec<N, double>& a, const glm::vec<N, double>& b, double share) {
     return a + (b - a) * share;
