@@ -59,14 +59,21 @@ def package(target, folder=None):
 
 
 def install(target):
-    """Installs and enables the package, unless identical files are installed already."""
+    """Installs and enables the package, unless identical files are installed already. Several parts of the tests may
+    ask for it at once: it is installed once, as another time would replace the module under a Blender that runs."""
     folder = stage(target)
     content = _content(folder)
     stamp = target.work / "installed"
-    if stamp.exists() and stamp.read_text() == content and _is_installed(target, content):
+
+    def installed():
+        return stamp.exists() and stamp.read_text() == content and _is_installed(target, content)
+
+    if installed():
         return
     archive = package(target, folder)
     with target.lock():
+        if installed():  # by another part, meanwhile
+            return
         log = extension(target, "installing", "install-file", "-r", "user_default", "--enable", archive)
         if not _is_installed(target, content):
             raise StepFailed(f"Blender did not install the extension; the last lines of {log}:\n{tail(log, 25)}")

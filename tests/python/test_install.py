@@ -65,3 +65,15 @@ def test_a_lost_folder_is_installed_again(installation):
 def test_another_package_is_installed(installation):
     (installation.staged / "__init__.py").write_text("VERSION = 2")
     assert installation.install() == 2
+
+
+def test_what_another_part_installs_meanwhile_is_left_alone(installation, monkeypatch):
+    (installation.staged / "__init__.py").write_text("VERSION = 2")
+
+    def packed_while_another_part_installs(target, folder):
+        monkeypatch.setattr(package, "package", lambda target, folder: folder)
+        assert installation.install() == 2
+        return folder
+
+    monkeypatch.setattr(package, "package", packed_while_another_part_installs)
+    assert installation.install() == 2
