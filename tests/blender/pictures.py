@@ -54,10 +54,11 @@ def layered(scene, path):
     # Blender 5 writes each pass as a part of its own.
     info = subprocess.run(["oiiotool", "--info", "-v", "-a", str(path)], capture_output=True, text=True, check=True)
     lists = [line.split(":", 1)[1] for line in info.stdout.splitlines() if "channel list:" in line]
-    found, one = {}, path.with_name("channel.exr")
-    for index, names in enumerate(lists):
-        for name in (name.split("(")[0].strip() for name in names.split(",")):
-            pick = ["--subimage", str(index), "--ch", name, "--chnames", "R"]
-            subprocess.run(["oiiotool", str(path), *pick, "-o", str(one)], check=True)
-            found[name] = pixels_of(one)[..., 0]
-    return found
+    names = [(i, name.split("(")[0].strip()) for i, names in enumerate(lists) for name in names.split(",")]
+    # One process for all channels, as it takes most of a second to start.
+    files = {name: path.with_name(f"channel-{n}.exr") for n, (_, name) in enumerate(names)}
+    command = ["oiiotool"]
+    for part, name in names:
+        command += [str(path), "--subimage", str(part), "--ch", name, "--chnames", "R", "-o", str(files[name])]
+    subprocess.run(command, check=True)
+    return {name: pixels_of(file)[..., 0] for name, file in files.items()}
