@@ -112,7 +112,7 @@ std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, 
         const Placement& placement = scene.placements[placements[i]];
         const auto tree = triangle_tree(*placement.surface);
         if (tree->empty()) continue;
-        const Box box = tree->bounds().mapped(Affine(placement.object_to_world));
+        const Box box = tree->bounds.mapped(Affine(placement.object_to_world));
         if (box.meets(box)) entries.push_back({box, i});  // false for NaN
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {

@@ -9,6 +9,7 @@
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/scene/contact.h>
+#include <fovea/scene/four_planes.h>
 #include <fovea/scene/orientation.h>
 
 namespace fovea::scene {
@@ -44,7 +45,7 @@ struct Piece {
 class Grid {
    public:
     Grid(const TriangleTree& first, const Box& second) {
-        for (const Box& box : {first.bounds(), second})
+        for (const Box& box : {first.bounds, second})
             for (int i = 0; i < 3; ++i)
                 size_ = std::max({size_, std::abs(double(box.low[i])), std::abs(double(box.high[i]))});
         int exponent = 0;
@@ -56,10 +57,10 @@ class Grid {
     double tolerance() const { return contact_tolerance * size_; }
     double step() const { return 1.0 / scale_; }
 
-    /// Rounds to the grid. Adding 0.0 turns -0 into +0, as positions are compared and hashed by their bits.
+    /// Rounds to the grid. Zeros are positive, as positions are compared and hashed by their bits.
     dvec3 point(const dvec3& p) const {
-        return {std::nearbyint(p.x * scale_) + 0.0, std::nearbyint(p.y * scale_) + 0.0,
-                std::nearbyint(p.z * scale_) + 0.0};
+        constexpr double units = 0x1.8p52;  // a sum with it has no digits below 1; |p * scale_| < 2^39
+        return p * scale_ + units - units;
     }
     vec3 back(const dvec3& p) const { return vec3(p / scale_); }
 
@@ -119,7 +120,11 @@ struct Heights {
             size = std::max(size, squared(along));
         }
     }
-    double farthest() const { return std::max(std::abs(lowest), std::abs(highest)); }
+    /// Whether no corner is farther than `distance` from the plane.
+    bool within(double distance) const {
+        const double farthest = std::max(-lowest, highest);
+        return farthest * farthest <= distance * distance * squared(normal);
+    }
     /// Whether all corners stay on one side even after all points are rounded to a grid with this step. Moving one
     /// point changes the volume by at most its displacement times the area of the other three, which is at most twice
     /// `size`, for each of four points; the bound is wide enough to cover rounding errors of the volumes, too.
@@ -138,12 +143,11 @@ class Finder {
         : mapped_{first, second}, grid_(grid), within_(within) {}
 
     void meet(Index first, Index second, std::vector<Piece>& out) const {
+        const Plain plain_a = plain(0, first), plain_b = plain(1, second);
         // bits 0 to 2: corners of the second triangle that the first has, too; bits 3 to 5: of the first
         unsigned shared = 0;
-        const auto& all = mapped_[0].surface.triangles;
         const auto mark = [&](int i, int j) { shared |= 8u << i | 1u << j; };
-        if (within_ && count_shared(all[first], all[second], mark) > 1) return;
-        const Plain plain_a = plain(0, first), plain_b = plain(1, second);
+        if (within_ && count_shared(plain_a.p, plain_b.p, mark) > 1) return;
         if (apart(plain_a, plain_b, shared)) return;
         const Corners a = on_grid(plain_a, 0), b = on_grid(plain_b, 1);
         if (a.collapsed() || b.collapsed()) return;
@@ -196,9 +200,10 @@ class Finder {
         if (of_b.on_one_side(grid_.step())) return true;
         const Heights of_a(a, b, shared >> 3);
         if (of_a.on_one_side(grid_.step())) return true;
-        const double length_a = glm::length(of_b.normal), length_b = glm::length(of_a.normal);
-        return (of_b.farthest() <= grid_.tolerance() * length_a || of_a.farthest() <= grid_.tolerance() * length_b) &&
-               glm::length(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * length_a * length_b;
+        // Coplanar; lengths by their squares.
+        const double of_normals = Heights::squared(of_b.normal) * Heights::squared(of_a.normal);
+        return (of_b.within(grid_.tolerance()) || of_a.within(grid_.tolerance())) &&
+               Heights::squared(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * flat_sine * of_normals;
     }
 
     /// Orientation of the corners of `c` relative to `over`; false if all but the shared one are on one side.
@@ -220,19 +225,25 @@ class Finder {
 
 /// Numbers the ends of segments; removes duplicates, which arise where triangles coincide.
 Crossings numbered(In<Piece> pieces, const Grid& grid) {
-    Crossings crossings;
-    std::vector<std::uint64_t> ids;
-    for (const Piece& piece : pieces)
-        for (const End& end : piece.end) ids.push_back(end.id);
-    parallel_sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    const auto number = [&](const End& end) {
-        return static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), end.id) - ids.begin());
+    struct Numbered {
+        std::uint64_t id;
+        Index end;  ///< 2 i + k is end k of piece i
     };
-    for (const Piece& p : pieces)
-        crossings.push_back({{p.triangle[0], p.triangle[1]},
-                             {number(p.end[0]), number(p.end[1])},
-                             {grid.back(p.end[0].point), grid.back(p.end[1].point)}});
+    Array<Numbered> ends(2 * pieces.size());
+    for (Index i = 0; i < ends.size(); ++i) ends[i] = {pieces[i / 2].end[i % 2].id, i};
+    parallel_sort(ends.begin(), ends.end(),
+                  [](const Numbered& a, const Numbered& b) { return a.id != b.id ? a.id < b.id : a.end < b.end; });
+    Crossings crossings(pieces.size());
+    Index number = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        number += i > 0 && ends[i].id != ends[i - 1].id;
+        crossings[ends[i].end / 2].end[ends[i].end % 2] = number;
+    }
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        for (int k = 0; k < 2; ++k) {
+            crossings[i].triangle[k] = pieces[i].triangle[k];
+            crossings[i].point[k] = grid.back(pieces[i].end[k].point);
+        }
     std::vector<std::pair<std::uint64_t, Index>> same(crossings.size());
     for (Index i = 0; i < same.size(); ++i) {
         const auto [low, high] = std::minmax(crossings[i].end[0], crossings[i].end[1]);
@@ -244,20 +255,50 @@ Crossings numbered(In<Piece> pieces, const Grid& grid) {
     return values_where(crossings, [&](std::size_t i) { return !again[i]; });
 }
 
+/// Pairs of triangles in two leaves.
+struct Leaves {
+    const TriangleTree &a, &b;
+    const SingleMap& b_to_a;
+    float margin;  ///< exceeds what rounding to the grid moves a box by
+    float step;    ///< of the grid
+    bool within;
+
+    /// Calls found(triangle of a, triangle of b) for the pairs that may cross.
+    template <typename Found>
+    void each_pair(Index leaf_a, Index leaf_b, const Found& found) const {
+        const FourTriangles& of_a = a.leaves[leaf_a];
+        const FourTriangles of_b = within ? b.leaves[leaf_b] : b_to_a.mapped(b.leaves[leaf_b]);
+        const float error = within ? step : step + b_to_a.error();
+        const FourBoxes boxes_a = of_a.boxes(), boxes_b = of_b.boxes();
+        unsigned meeting[4], any = 0;
+        for (int j = 0; j < 4; ++j) {
+            meeting[j] = boxes_a.meeting(boxes_b[j].grown(margin + error));
+            if (within && leaf_a == leaf_b) meeting[j] &= (1u << j) - 1;
+            any |= meeting[j];
+        }
+        if (any == 0) return;
+        const FourPlanes planes(of_a, error, within);
+        for (int j = 0; j < 4; ++j)
+            if (meeting[j] != 0)
+                for_each_lane(planes.may_cross(meeting[j], of_b, j),
+                              [&](int i) { found(a.order[4 * leaf_a + i], b.order[4 * leaf_b + j]); });
+    }
+};
+
 Crossings find(const Mapped& first, const Mapped& second, bool within, const Cancel& cancel) {
     const auto tree_a = triangle_tree(first.surface), tree_b = triangle_tree(second.surface);
     if (tree_a->empty() || tree_b->empty()) return {};
-    const Grid grid(*tree_a, tree_b->bounds().mapped(second.map));
+    const Grid grid(*tree_a, tree_b->bounds.mapped(second.map));
     if (!grid.usable()) return {};
+    const SingleMap single(second.map, tree_b->bounds);
+    const Leaves leaves{*tree_a, *tree_b, single, static_cast<float>(grid.tolerance()), static_cast<float>(grid.step()),
+                        within};
     const Finder finder(first, second, grid, within);
-    const auto visit = [&](Index i, Index j, std::vector<Piece>& out) {
-        finder.meet(tree_a->order[i], tree_b->order[j], out);
-    };
-    // The margin exceeds what rounding to the grid moves a box by.
-    const TreeMeeting meeting(*tree_a, *tree_b, second.map, static_cast<float>(grid.tolerance()), within, visit);
+    const TreeMeeting meeting(*tree_a, *tree_b, single, leaves.margin, within);
     const auto pieces = parallel_collect<Piece>(meeting.block_count(), 1, [&](std::size_t b, std::size_t, auto& out) {
         cancel.poll();
-        meeting.block(b, out);
+        meeting.block(
+            b, [&](Index i, Index j) { leaves.each_pair(i, j, [&](Index s, Index t) { finder.meet(s, t, out); }); });
     });
     return without_contact(numbered(pieces, grid), first, second, grid.tolerance());
 }

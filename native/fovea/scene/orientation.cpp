@@ -28,10 +28,18 @@ Wide minor(const Row& a, const Row& b, const Row& c) {
     return a.x * twice(b.y, b.z, c.y, c.z) - a.y * twice(b.x, b.z, c.x, c.z) + a.z * twice(b.x, b.y, c.x, c.y);
 }
 
-/// Determinant of the rows (x, y, z, w); for four points a, b, c, d it equals that of (a - d, b - d, c - d).
+/// Determinant of the rows (x, y, z, w).
 Wide determinant(const Row (&r)[4]) {
     return -r[0].w * minor(r[1], r[2], r[3]) + r[1].w * minor(r[0], r[2], r[3]) - r[2].w * minor(r[0], r[1], r[3]) +
            r[3].w * minor(r[0], r[1], r[2]);
+}
+
+/// The same for four points, from the differences between three of them and the last.
+Wide volume(const dvec3& a, const dvec3& b, const dvec3& c) {
+    const auto row = [](const dvec3& p) {
+        return Row{static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y), static_cast<std::int64_t>(p.z), 0};
+    };
+    return minor(row(a), row(b), row(c));
 }
 
 int sign_of(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
@@ -86,9 +94,9 @@ Orientation orientation(const dvec3 (&p)[4], unsigned second) {
                         std::abs(a.z) * (std::abs(xy) + std::abs(yx));
     // Shewchuk's bound: (7 + 56 u) u with u = 2^-53.
     if (std::abs(value) > 7.8e-16 * size) return {value, value > 0.0 ? 1 : -1};
-    const Row rows[4] = {row_of(p[0]), row_of(p[1]), row_of(p[2]), row_of(p[3])};
-    const Wide exact = determinant(rows);
+    const Wide exact = volume(a, b, c);
     if (const int sign = sign_of(exact)) return {static_cast<double>(exact), sign};
+    const Row rows[4] = {row_of(p[0]), row_of(p[1]), row_of(p[2]), row_of(p[3])};
     const bool both = second != 0 && second != 15;
     return {0.0, both ? shifted_sign(rows, second) : simulated_sign(p, rows)};
 }

@@ -9,11 +9,10 @@
 namespace fovea::scene {
 namespace {
 
-Box box_of(const Surface& surface, Index triangle) {
-    const Triangle& t = surface.triangles[triangle];
-    const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
-    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
-}
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Number of pairs of nodes from which the work is not divided further.
+constexpr std::size_t enough_blocks = 64;
 
 struct Placed {
     std::uint64_t code;
@@ -23,11 +22,13 @@ struct Placed {
 Array<Index> morton_order(const Surface& surface) {
     const dvec3 low = dvec3(surface.center) - double(surface.radius);
     const double cells = surface.radius > 0.0f ? 524288.0 / surface.radius : 0.0;
-    auto placed = parallel_map<Placed>(surface.triangles.size(), [&](std::size_t t) -> Placed {
-        const Box box = box_of(surface, static_cast<Index>(t));
-        const dvec3 at = (0.5 * (dvec3(box.low) + dvec3(box.high)) - low) * cells;
+    auto placed = parallel_map<Placed>(surface.triangles.size(), [&](std::size_t i) -> Placed {
+        const Triangle& t = surface.triangles[i];
+        const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
+        const vec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
+        const dvec3 at = (0.5 * (dvec3(from) + dvec3(to)) - low) * cells;
         const auto cell = [](double place) { return place > 0.0 ? Index(std::min(place, 1048575.0)) : 0u; };
-        return {along_curve({cell(at.x), cell(at.y), cell(at.z)}), static_cast<Index>(t)};
+        return {along_curve({cell(at.x), cell(at.y), cell(at.z)}), static_cast<Index>(i)};
     });
     parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
@@ -35,23 +36,64 @@ Array<Index> morton_order(const Surface& surface) {
     return parallel_map<Index>(placed.size(), [&](std::size_t i) { return placed[i].triangle; });
 }
 
-/// Bounding boxes of each `each` consecutive boxes.
-Array<Box> boxes_over(const Array<Box>& below, Index each) {
-    return parallel_map<Box>((below.size() + each - 1) / each, [&](std::size_t i) {
-        Box box = below[each * i];
-        for (std::size_t k = each * i + 1; k < std::min<std::size_t>(each * (i + 1), below.size()); ++k)
-            box = {glm::min(box.low, below[k].low), glm::max(box.high, below[k].high)};
-        return box;
+FourTriangles leaf_of(const Surface& surface, In<Index> triangles) {
+    FourTriangles leaf;
+    for (int lane = 0; lane < 4; ++lane)
+        for (int k = 0; k < 3; ++k) {
+            const bool used = static_cast<std::size_t>(lane) < triangles.size();
+            const Index vertex = used ? surface.triangles[triangles[lane]][k] : Index(-1);
+            for (int axis = 0; axis < 3; ++axis)
+                leaf.corner[k][axis][lane] = used ? surface.positions[vertex][axis] : infinity;
+        }
+    return leaf;
+}
+
+/// Box around four.
+Box around(const FourBoxes& boxes) {
+    Box all = boxes[0];
+    for (int lane = 1; lane < 4; ++lane)
+        all = {glm::min(all.low, boxes[lane].low), glm::max(all.high, boxes[lane].high)};
+    return all;
+}
+
+/// Boxes of the triangles of a leaf; a lane that is not used has the empty box.
+FourBoxes used_boxes(const FourTriangles& leaf) {
+    FourBoxes boxes = leaf.boxes();
+    for (Four& high : boxes.high) high = high == infinity ? four(-infinity) : high;
+    return boxes;
+}
+
+Array<FourBoxes> four_by_four(const Array<Box>& boxes) {
+    return parallel_map<FourBoxes>((boxes.size() + 3) / 4, [&](std::size_t j) {
+        FourBoxes four;
+        for (int lane = 0; lane < 4; ++lane) {
+            const std::size_t i = 4 * j + lane;
+            const Box box = i < boxes.size() ? boxes[i] : Box{vec3(infinity), vec3(-infinity)};
+            for (int axis = 0; axis < 3; ++axis) {
+                four.low[axis][lane] = box.low[axis];
+                four.high[axis][lane] = box.high[axis];
+            }
+        }
+        return four;
     });
 }
 
 TriangleTree make_tree(const Surface& surface) {
     TriangleTree tree;
     tree.order = morton_order(surface);
-    tree.boxes = parallel_map<Box>(tree.order.size(), [&](std::size_t i) { return box_of(surface, tree.order[i]); });
-    if (tree.boxes.empty()) return tree;
-    tree.levels.push_back(boxes_over(tree.boxes, TriangleTree::leaf_size));
-    while (tree.levels.back().size() > 1) tree.levels.push_back(boxes_over(tree.levels.back(), 2));
+    if (tree.order.empty()) return tree;
+    const std::size_t leaves = (tree.order.size() + 3) / 4;
+    tree.leaves = parallel_map<FourTriangles>(leaves, [&](std::size_t i) {
+        return leaf_of(surface,
+                       In<Index>(tree.order).subspan(4 * i, std::min<std::size_t>(4, tree.order.size() - 4 * i)));
+    });
+    auto boxes = parallel_map<Box>(leaves, [&](std::size_t i) { return around(used_boxes(tree.leaves[i])); });
+    while (boxes.size() > 1) {
+        tree.levels.push_back(four_by_four(boxes));
+        const Array<FourBoxes>& level = tree.levels.back();
+        boxes = parallel_map<Box>(level.size(), [&](std::size_t i) { return around(level[i]); });
+    }
+    tree.bounds = boxes[0];
     return tree;
 }
 
@@ -64,6 +106,89 @@ Box Box::mapped(const Affine& map) const {
     // Exceeds the rounding errors of the map and of the conversion to single precision.
     reach += 4.0 * std::numeric_limits<float>::epsilon() * (glm::abs(at) + reach);
     return {vec3(at - reach), vec3(at + reach)};
+}
+
+FourBoxes FourTriangles::boxes() const {
+    FourBoxes boxes;
+    for (int axis = 0; axis < 3; ++axis) {
+        boxes.low[axis] = lesser(corner[0][axis], lesser(corner[1][axis], corner[2][axis]));
+        boxes.high[axis] = greater(corner[0][axis], greater(corner[1][axis], corner[2][axis]));
+    }
+    return boxes;
+}
+
+SingleMap::SingleMap(const Affine& map, const Box& bounds) {
+    const dvec3 farthest = glm::max(glm::abs(dvec3(bounds.low)), glm::abs(dvec3(bounds.high)));
+    double size = 0.0;  // of the largest sum of magnitudes
+    for (int axis = 0; axis < 3; ++axis) {
+        double sum = std::abs(map[3][axis]);
+        for (int column = 0; column < 4; ++column) {
+            m_[column][axis] = static_cast<float>(map[column][axis]);
+            if (column < 3) sum += std::abs(map[column][axis]) * farthest[column];
+        }
+        size = std::max(size, sum);
+    }
+    // Three roundings of products and sums, and one of each coefficient; twice as much for boxes, from middle and half.
+    error_ = static_cast<float>(8.0 * std::numeric_limits<float>::epsilon() * size);
+}
+
+FourTriangles SingleMap::mapped(const FourTriangles& triangles) const {
+    FourTriangles image;
+    for (int k = 0; k < 3; ++k) {
+        const Four* p = triangles.corner[k];
+        for (int axis = 0; axis < 3; ++axis)
+            image.corner[k][axis] = m_[0][axis] * p[0] + m_[1][axis] * p[1] + m_[2][axis] * p[2] + m_[3][axis];
+    }
+    return image;
+}
+
+FourBoxes SingleMap::mapped(const FourBoxes& boxes) const {
+    FourBoxes image;
+    Four middle[3], half[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        middle[axis] = 0.5f * (boxes.low[axis] + boxes.high[axis]);
+        half[axis] = 0.5f * (boxes.high[axis] - boxes.low[axis]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        Four at = four(m_[3][axis]), reach = four(error_);
+        for (int column = 0; column < 3; ++column) {
+            at += m_[column][axis] * middle[column];
+            reach += std::abs(m_[column][axis]) * half[column];
+        }
+        image.low[axis] = at - reach;
+        image.high[axis] = at + reach;
+    }
+    return image;
+}
+
+FourBoxes TreeMeeting::of_b(const FourBoxes& boxes) const {
+    FourBoxes image = within_ ? boxes : b_to_a_.mapped(boxes);
+    for (int axis = 0; axis < 3; ++axis) {
+        image.low[axis] -= margin_;
+        image.high[axis] += margin_;
+    }
+    return image;
+}
+
+TreeMeeting::TreeMeeting(const TriangleTree& a, const TriangleTree& b, const SingleMap& b_to_a, float margin,
+                         bool within)
+    : a_(a), b_(b), b_to_a_(b_to_a), margin_(margin), within_(within) {
+    const auto high = [](const TriangleTree& tree) { return static_cast<Index>(tree.levels.size()); };
+    constexpr float farthest = std::numeric_limits<float>::max();  // less than the corners of empty boxes
+    const Box everywhere{vec3(-farthest), vec3(farthest)};
+    blocks_.push_back({high(a), 0, high(b), 0, everywhere, everywhere});
+    bool divided = true;
+    while (divided && blocks_.size() < enough_blocks) {
+        divided = false;
+        for (const Pair& pair : std::exchange(blocks_, {})) {
+            if (pair.of_leaves()) {
+                blocks_.push_back(pair);
+                continue;
+            }
+            divided = true;
+            each_below(pair, [&](const Pair& below) { blocks_.push_back(below); });
+        }
+    }
 }
 
 std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface) {

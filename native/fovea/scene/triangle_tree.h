@@ -4,6 +4,7 @@
 
 #include <glm/mat4x3.hpp>
 
+#include <fovea/base/four.h>
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/surface.h>
 
@@ -15,99 +16,133 @@ using Affine = glm::dmat4x3;
 struct Box {
     vec3 low, high;
 
-    /// Whether the boxes overlap or touch. Branchless, as the outcome of each comparison is unpredictable.
+    /// Whether the boxes overlap or touch. False for an empty box, and for NaN.
     bool meets(const Box& other) const {
-        return bool(unsigned(low.x <= other.high.x) & unsigned(other.low.x <= high.x) &
-                    unsigned(low.y <= other.high.y) & unsigned(other.low.y <= high.y) &
-                    unsigned(low.z <= other.high.z) & unsigned(other.low.z <= high.z));
+        return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high));
     }
     Box grown(float by) const { return {low - by, high + by}; }
     /// A box that contains the image of this one.
     Box mapped(const Affine& map) const;
 };
 
-/// Triangles of a surface in Morton order (Lauterbach et al., "Fast BVH Construction on GPUs", CGF 2009), with boxes
-/// over runs of 1, 2, 4, ... leaves. Object space.
-struct TriangleTree {
-    static constexpr Index leaf_size = 4;
+/// Four boxes. A lane that is not used has a box that meets none.
+struct FourBoxes {
+    Four low[3], high[3];
 
-    Array<Index> order;  ///< triangles in Morton order; leaf i is the run of leaf_size that starts at leaf_size * i
-    Array<Box> boxes;    ///< per entry of `order`
-    std::vector<Array<Box>>
-        levels;  ///< node j of level k bounds nodes 2 j and 2 j + 1 of level k - 1; the last has one
-
-    bool empty() const { return levels.empty(); }
-    const Box& bounds() const { return levels.back()[0]; }
-    /// The highest level with at least `nodes` nodes, else the leaves.
-    Index level_of(std::size_t nodes) const {
-        Index level = static_cast<Index>(levels.size()) - 1;
-        while (level > 0 && levels[level].size() < nodes) --level;
-        return level;
+    Box operator[](int lane) const {
+        return {{low[0][lane], low[1][lane], low[2][lane]}, {high[0][lane], high[1][lane], high[2][lane]}};
     }
+    /// Bit i is set if lane i overlaps or touches `box`.
+    unsigned meeting(const Box& box) const {
+        FourInts met = (low[0] <= box.high.x) & (high[0] >= box.low.x);
+        met &= (low[1] <= box.high.y) & (high[1] >= box.low.y);
+        return bits(met & (low[2] <= box.high.z) & (high[2] >= box.low.z));
+    }
+};
+
+/// Corners of four triangles. A lane that is not used has all of them at infinity.
+struct FourTriangles {
+    Four corner[3][3];  ///< of corner and axis
+
+    FourBoxes boxes() const;
+    vec3 at(int lane, int k) const { return {corner[k][0][lane], corner[k][1][lane], corner[k][2][lane]}; }
+};
+
+/// Triangles of a surface in Morton order (Lauterbach et al., "Fast BVH Construction on GPUs", CGF 2009), with boxes
+/// over runs of 4, 16, 64, ... of them. Object space.
+struct TriangleTree {
+    Array<Index> order;           ///< triangles in Morton order
+    Array<FourTriangles> leaves;  ///< of four consecutive entries of `order`
+    /// Lane i of node j of levels[0] bounds leaf 4 j + i; of levels[k], node 4 j + i of levels[k - 1]. The last has one
+    /// node; there are none above a single leaf.
+    std::vector<Array<FourBoxes>> levels;
+    Box bounds;
+
+    bool empty() const { return leaves.empty(); }
 };
 
 /// Cached with the surface.
 std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface);
 
-/// Simultaneous traversal of two trees: calls visit(i, j, out) for the positions in `order` of all triangles i of `a`
-/// and j of `b` whose boxes overlap when those of `b` are grown by `margin`. `b_to_a` maps object space of b to that of
-/// a. With `within` (a and b are the same tree, and the map is not used) every pair comes once, with i < j. The work is
-/// divided into blocks that do not depend on the number of threads.
-template <typename Visit>
+/// An affine map in single precision, and the bound of its errors.
+class SingleMap {
+   public:
+    /// For points in `bounds`.
+    SingleMap(const Affine& map, const Box& bounds);
+    /// Bound of the error of each coordinate of a mapped point.
+    float error() const { return error_; }
+    FourTriangles mapped(const FourTriangles& triangles) const;
+    /// Boxes that contain the images.
+    FourBoxes mapped(const FourBoxes& boxes) const;
+
+   private:
+    float m_[4][3];
+    float error_;
+};
+
+/// Simultaneous traversal of two trees: calls visit(a, b) for all pairs of leaves in which the boxes of two triangles
+/// overlap once those of `b` are mapped to the object space of a and grown by `margin`, or else for a few more. With
+/// `within` (a and b are the same tree, and the map is not used) a <= b. The work is divided into blocks that do not
+/// depend on the number of threads.
 class TreeMeeting {
    public:
-    TreeMeeting(const TriangleTree& a, const TriangleTree& b, const Affine& b_to_a, float margin, bool within,
-                const Visit& visit)
-        : a_(a), b_(b), b_to_a_(b_to_a), margin_(margin), within_(within), visit_(visit) {}
+    TreeMeeting(const TriangleTree& a, const TriangleTree& b, const SingleMap& b_to_a, float margin, bool within);
 
-    std::size_t block_count() const { return a_.levels[start_a_].size() * b_.levels[start_b_].size(); }
-    template <typename Out>
-    void block(std::size_t block, Out& out) const {
-        const std::size_t parts = b_.levels[start_b_].size();
-        const Index b = static_cast<Index>(block % parts);
-        nodes(start_a_, static_cast<Index>(block / parts), start_b_, b, of_b(b_.levels[start_b_][b]), out);
+    std::size_t block_count() const { return blocks_.size(); }
+    template <typename Visit>
+    void block(std::size_t block, const Visit& visit) const {
+        descend(blocks_[block], visit);
     }
 
    private:
-    Box of_b(const Box& box) const { return (within_ ? box : box.mapped(b_to_a_)).grown(margin_); }
+    /// A node of each tree. Level 0 are the leaves, level k nodes of levels[k - 1].
+    struct Pair {
+        Index level_a, a, level_b, b;
+        Box box_a, box_b;  ///< in the object space of a; that of b is grown
 
-    /// `box_b`: box of node b, mapped and grown by of_b.
-    template <typename Out>
-    void nodes(Index level_a, Index a, Index level_b, Index b, const Box& box_b, Out& out) const {
-        // All of b precedes a: these pairs come in the other order.
-        if (within_ && (std::uint64_t(b) + 1) << level_b <= std::uint64_t(a) << level_a) return;
-        if (!a_.levels[level_a][a].meets(box_b)) return;
-        if (level_a == 0 && level_b == 0) {
-            leaves(a, b, out);
-        } else if (level_a >= level_b) {
-            for (Index child = 2 * a; child < std::min<std::size_t>(2 * a + 2, a_.levels[level_a - 1].size()); ++child)
-                nodes(level_a - 1, child, level_b, b, box_b, out);
-        } else {
-            const Array<Box>& below = b_.levels[level_b - 1];
-            for (Index child = 2 * b; child < std::min<std::size_t>(2 * b + 2, below.size()); ++child)
-                nodes(level_a, a, level_b - 1, child, of_b(below[child]), out);
+        bool of_leaves() const { return level_a == 0 && level_b == 0; }
+    };
+
+    FourBoxes of_b(const FourBoxes& boxes) const;
+
+    /// Calls found(pair) for the pairs of children that meet.
+    template <typename Found>
+    void each_below(const Pair& p, const Found& found) const {
+        if (p.level_a > p.level_b) {
+            const FourBoxes& boxes = a_.levels[p.level_a - 1][p.a];
+            for_each_lane(boxes.meeting(p.box_b),
+                          [&](int i) { found(Pair{p.level_a - 1, 4 * p.a + i, p.level_b, p.b, boxes[i], p.box_b}); });
+            return;
         }
+        const FourBoxes boxes_b = of_b(b_.levels[p.level_b - 1][p.b]);
+        for_each_lane(boxes_b.meeting(p.box_a), [&](int j) {
+            const Box box_b = boxes_b[j];
+            if (p.level_b > p.level_a) {
+                found(Pair{p.level_a, p.a, p.level_b - 1, 4 * p.b + j, p.box_a, box_b});
+                return;
+            }
+            const FourBoxes& boxes_a = a_.levels[p.level_a - 1][p.a];
+            unsigned meeting = boxes_a.meeting(box_b);
+            if (within_ && p.a == p.b) meeting &= (2u << j) - 1;
+            for_each_lane(meeting, [&](int i) {
+                found(Pair{p.level_a - 1, 4 * p.a + i, p.level_b - 1, 4 * p.b + j, boxes_a[i], box_b});
+            });
+        });
     }
 
-    template <typename Out>
-    void leaves(Index a, Index b, Out& out) const {
-        constexpr Index size = TriangleTree::leaf_size;
-        const Index end_a = std::min<std::size_t>(size * (a + 1), a_.order.size());
-        const Index end_b = std::min<std::size_t>(size * (b + 1), b_.order.size());
-        for (Index j = size * b; j < end_b; ++j) {
-            const Box box = of_b(b_.boxes[j]);
-            if (!a_.levels[0][a].meets(box)) continue;
-            for (Index i = size * a; i < (within_ ? std::min(end_a, j) : end_a); ++i)
-                if (a_.boxes[i].meets(box)) visit_(i, j, out);
-        }
+    template <typename Visit>
+    void descend(const Pair& pair, const Visit& visit) const {
+        if (pair.of_leaves())
+            visit(pair.a, pair.b);
+        else
+            each_below(pair, [&](const Pair& below) { descend(below, visit); });
     }
 
     const TriangleTree &a_, &b_;
-    const Affine& b_to_a_;
+    const SingleMap& b_to_a_;
     const float margin_;
     const bool within_;
-    const Visit& visit_;
-    const Index start_a_ = a_.level_of(64), start_b_ = b_.level_of(8);
+    std::vector<Pair> blocks_;
 };
 
 }  // namespace fovea::scene
