@@ -10,7 +10,7 @@
 namespace fovea::runs {
 
 StretchGrid::StretchGrid(Array<Stretch>&& stretches) : stretches_(std::move(stretches)) {
-    constexpr double least_px = 4.0, most_px = 64.0;
+    constexpr double least_px = 0.5, most_px = 64.0;
     dvec2 low(1e30), high(-1e30);
     for (const Stretch& stretch : stretches_) {
         low = glm::min(low, dvec2(glm::min(stretch.a, stretch.b)));
