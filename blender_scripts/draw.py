@@ -19,7 +19,7 @@ import framing
 import picture
 import scenes
 import sheet
-from command import draw_options
+from command import draw_options, model_files
 from command.target import SHARED
 
 
@@ -39,14 +39,44 @@ def main(words):
 
 def open_scene(spec):
     """Opens a .blend, or imports a model or builds a named scene in an empty file. The add-on stays enabled."""
-    if spec.endswith(".blend"):
+    if model_files.is_blend(spec):
         open_file(Path(spec).absolute())
         return
     bpy.ops.wm.read_homefile(use_empty=True)
-    if spec.endswith(".obj"):
-        bpy.ops.wm.obj_import(filepath=str(Path(spec).absolute()))
+    if model_files.is_model(spec):
+        import_model(Path(spec).absolute())
     else:
         scenes.build(spec, SHARED if SHARED.is_dir() else None)
+
+
+def import_model(path):
+    """Imports a model with Blender's own importer, up axis and scale as it sets them. ValueError if this Blender has
+    none for such files, or it imports nothing."""
+    suffix = model_files.suffix(path)
+    importers = filter(None, map(operator, model_files.IMPORTERS[suffix]))
+    importer = next(importers, None)
+    if not importer:
+        raise ValueError(f"{path.name}: this Blender imports no {suffix} files")
+    refused = f"{path.name}: Blender cannot import this file"
+    try:
+        done = importer(filepath=str(path)) == {"FINISHED"}
+    except RuntimeError as error:  # with a traceback where the importer is written in Python
+        raise ValueError(f"{refused}: {ending.sentence(str(error)).rpartition('; ')[2]}") from error
+    if not done:
+        raise ValueError(refused)
+    if not len(framing.visible_points(bpy.context.evaluated_depsgraph_get())):
+        raise ValueError(f"{path.name}: there is nothing in this file to draw")
+
+
+def operator(name):
+    """The operator "module.name"; None if this Blender has none of the name."""
+    module, _, function = name.partition(".")
+    found = getattr(getattr(bpy.ops, module), function)
+    try:
+        found.get_rna_type()
+    except KeyError:
+        return None
+    return found
 
 
 def open_file(path):
@@ -89,7 +119,7 @@ def set_lens(camera, lens):
 
 
 def keeps_own(options):
-    return not options.scene.endswith(draw_options.MODELS)
+    return not model_files.is_model(options.scene)
 
 
 def set_drawing(scene, options):

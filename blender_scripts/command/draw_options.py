@@ -7,9 +7,8 @@ from pathlib import Path
 
 import scenes
 
-from . import output, quantities
+from . import model_files, output, quantities
 
-MODELS = (".obj",)
 PICTURES = (".png", ".exr")
 TILE = (480, 360)  # pixels of a tile of a sheet
 # Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.
@@ -34,7 +33,7 @@ def default_output(spec, kind="fovea"):
 
 
 def is_file(spec):
-    return Path(spec).suffix in (".blend", *MODELS)
+    return model_files.is_blend(spec) or model_files.is_model(spec)
 
 
 def pictures(options):
@@ -56,7 +55,7 @@ def _numbered(path, frames):
 def _parser():
     parser = argparse.ArgumentParser("fovea draw")
     add = parser.add_argument
-    add("scene", nargs="?", help="MODEL.obj, SCENE.blend or a scene's NAME[:N]")
+    add("scene", nargs="?", help="MODEL.obj (or .glb, .fbx, ...), SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
     add(
         "--size",
@@ -116,9 +115,8 @@ def _check(options):
         if not Path(options.scene).is_file():
             raise ValueError(f"there is no file {options.scene}")
     elif Path(options.scene).suffix:
-        raise ValueError(
-            f"{options.scene}: a scene is a {', '.join(MODELS)} or .blend file, or one of {scenes.names()}"
-        )
+        models = ", ".join(model_files.IMPORTERS)
+        raise ValueError(f"{options.scene}: a scene is a {models} or .blend file, or one of {scenes.names()}")
     else:
         scenes.parse(options.scene)
     if options.scene == "demo" and not (options.style or options.lines or options.focus or options.focus_painted):

@@ -46,6 +46,13 @@ def test_the_picture_of_a_model_never_replaces_one_of_the_users(tmp_path):
     assert draw_options.parse(["boxes:10"]).output.name == "boxes-10-fovea.png"
 
 
+@pytest.mark.parametrize("name", ["chair.glb", "CHAIR.FBX", "Chair.Obj", "chair.svg", "room.BLEND"])
+def test_a_file_is_known_by_its_suffix_however_it_is_written(tmp_path, name):
+    (tmp_path / name).touch()
+    options = draw_options.parse([str(tmp_path / name)])
+    assert options.output == Path.cwd() / f"{Path(name).stem}-fovea.png"
+
+
 def test_frames_are_numbered_files(tmp_path):
     options = draw_options.parse(["boxes:2", "--frames", "9-10", "-o", str(tmp_path / "out.exr")])
     assert [path.name for path in draw_options.pictures(options)] == ["out_0009.exr", "out_0010.exr"]
@@ -96,7 +103,7 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
     "words, reason",
     [
         (["missing.obj"], "no file missing.obj"),
-        (["model.stl"], ".obj or .blend"),
+        (["model.doc"], ".svg or .blend"),
         (["nowhere"], "no scene is called 'nowhere'"),
         (["-o", "picture.jpg"], ".png or .exr"),
         (["-o", "no/such/folder/x.png"], "no folder"),

@@ -101,7 +101,9 @@ def test_it_draws(blender, installed, tmp_path):
     assert status == 0 and picture.stat().st_size > 300, said
 
 
-@pytest.mark.parametrize("text, reason", [("o empty\n", "no mesh to frame"), ("v 0 0 0\n", "no size to frame")])
+@pytest.mark.parametrize(
+    "text, reason", [("o empty\n", "nothing in this file to draw"), ("v 0 0 0\n", "no size to frame")]
+)
 def test_what_cannot_be_drawn_writes_no_picture(blender, installed, tmp_path, text, reason):
     model, picture = tmp_path / "empty.obj", tmp_path / "picture.png"
     model.write_text(text)
