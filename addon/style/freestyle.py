@@ -30,9 +30,16 @@ PARAMETERS = {"crease": lambda settings: {"angle": 180 - math.degrees(settings.c
 _RELATIVE_HEIGHT = 480  # image height in pixels that Freestyle's relative thickness refers to
 
 
+def is_on(scene):
+    """Whether Freestyle draws its own lines over the scene's renders, whatever their engine."""
+    return scene.render.use_freestyle and any(layer.use and layer.use_freestyle for layer in scene.view_layers)
+
+
 def style_of(scene, layer):
     """(Style, sentences about settings that could not be converted) from a view layer's Freestyle settings."""
     settings, told, sets = layer.freestyle_settings, [], []
+    if settings.mode == "SCRIPT":
+        told.append("the Python style modules, which draw in place of the line sets")
     for line_set in settings.linesets:
         if not line_set.show_render:
             continue
@@ -59,10 +66,18 @@ def _line_set(line_set, kinds, scene):
     return style.LineSet(
         name=line_set.name,
         kinds=kinds,
+        **_collection(line_set),
         least_length=min(least * _pixel(scene), 1000.0),
         pen=pen if first == 0 else style.Pen(opacity=0.0),
         hidden=hidden,
     )
+
+
+def _collection(line_set):
+    """The filter by collection of a Freestyle line set, as keyword arguments of LineSet."""
+    if not (line_set.select_by_collection and line_set.collection):
+        return {}
+    return {"collection": line_set.collection.name, "outside": line_set.collection_negation == "EXCLUSIVE"}
 
 
 def _range(line_set):
@@ -83,7 +98,8 @@ def _pen(chosen, scene):
         width=width,
         width_unit="reference" if relative else "pixels",
         texture="dashes" if chosen.use_dashed_line else "solid",
-        cap="round" if chosen.caps == "ROUND" else "butt",
+        # Whatever the line style has: Freestyle's strokes overlap where they meet; without that, butt caps leave gaps.
+        cap="round",
     )
 
 
@@ -101,14 +117,14 @@ def _unmatched(line_set):
         yield "lines that are of all its edge types at once"
     if line_set.select_by_edge_types and any(getattr(line_set, f"exclude_{word}") for word in KINDS):
         yield "edge types that it excludes"
-    if line_set.select_by_collection:
-        yield "lines of a collection alone"
     if line_set.select_by_face_marks:
         yield "face marks"
     for words in ("color", "alpha", "thickness", "geometry"):
         # Every new line style has a Sampling modifier.
         if any(modifier.use and modifier.type != "SAMPLING" for modifier in getattr(chosen, f"{words}_modifiers")):
             yield f"{words} modifiers"
+    if any(slot and slot.texture for slot in chosen.texture_slots):
+        yield "textures"
     if chosen.use_length_max:
         yield "the greatest length of lines"
 

@@ -8,9 +8,9 @@ from ..style import style_data
 from ..style.line_set_operators import edited
 from .common import ENGINE, draw_pen, fold
 from .focus import draw_focus
+from .hints import draw_hints
 from .lines import draw_list
 from .style import draw_gallery, draw_style
-from .view_transform import draw_view_transform
 
 
 class _SidePanel:
@@ -33,7 +33,7 @@ class VIEW3D_PT_fovea_style(_SidePanel, bpy.types.Panel):
 
     def show(self, layout, context):
         if context.engine == ENGINE:
-            draw_view_transform(layout, context.scene)
+            draw_hints(layout, context.scene)
         draw_style(layout, context)
         if body := fold(layout, "side_gallery", "Gallery"):
             draw_gallery(body)

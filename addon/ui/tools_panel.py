@@ -3,7 +3,7 @@
 
 import bpy
 
-LINES = ("fovea.render_lines", "fovea.bake_strokes", "fovea.match_freestyle", "fovea.report")
+LINES = ("fovea.render_lines", "fovea.bake_strokes", "fovea.match_freestyle", "fovea.match_line_art", "fovea.report")
 
 
 class VIEW3D_PT_fovea_tools(bpy.types.Panel):
@@ -29,7 +29,8 @@ def _in_menu(self, _context):
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)
-    self.layout.operator("fovea.standard_view")
+    for name in ("standard_view", "freestyle_off", "line_art_off"):
+        self.layout.operator(f"fovea.{name}")
 
 
 MENUS = {"TOPBAR_MT_fovea": _in_menu}

@@ -49,7 +49,7 @@ def test_pens(scene):
     add_set(scene, color=(0.8, 0.1, 0.2), alpha=0.5, thickness=4.0, caps="BUTT")
     scene.render.line_thickness_mode = "RELATIVE"
     pen = matched(scene)[0].line_sets[0].pen
-    assert pen.color == pytest.approx((0.8, 0.1, 0.2)) and pen.opacity == 0.5 and pen.cap == "butt"
+    assert pen.color == pytest.approx((0.8, 0.1, 0.2)) and pen.opacity == 0.5 and pen.cap == "round"
     assert (pen.width, pen.width_unit) == (9.0, "reference")  # 4 pixels of an image 480 high
     scene.render.line_thickness_mode, scene.render.line_thickness = "ABSOLUTE", 1.5
     pen = matched(scene)[0].line_sets[0].pen
@@ -75,6 +75,39 @@ def test_what_is_not_taken_over_is_told(scene):
     line_set.linestyle.thickness_modifiers.new("Along", "ALONG_STROKE")
     told = matched(scene)[1]
     assert "'Set': thickness modifiers" in told and "'Set': lines that are not of its edge types" in told
+
+
+def test_style_modules_and_textures_are_told(scene):
+    line_set = add_set(scene)
+    line_set.linestyle.texture_slots.add().texture = bpy.data.textures.new("Grain", "NOISE")
+    scene.view_layers[0].freestyle_settings.mode = "SCRIPT"
+    told = matched(scene)[1]
+    assert "the Python style modules, which draw in place of the line sets" in told and "'Set': textures" in told
+
+
+@pytest.mark.parametrize("negation, outside", [("INCLUSIVE", False), ("EXCLUSIVE", True)])
+def test_collections_are_taken_over(scene, negation, outside):
+    line_set = add_set(scene)
+    line_set.select_by_collection, line_set.collection_negation = True, negation
+    assert matched(scene)[0].line_sets[0].collection == "", "none is chosen"
+    line_set.collection = bpy.data.collections.new("Trees")
+    chosen, told = matched(scene)
+    assert (chosen.line_sets[0].collection, chosen.line_sets[0].outside, told) == ("Trees", outside, [])
+
+
+def test_while_it_is_on_the_panel_and_the_report_say_so_and_a_button_turns_it_off(scene):
+    hints, report = part("ui.hints"), part("render.report")
+
+    def told():
+        assert bpy.ops.fovea.report() == {"FINISHED"}
+        return bpy.data.texts[report.TEXT].as_string()
+
+    scene.view_settings.view_transform = "Standard"
+    scene.view_layers[0].use_freestyle = True
+    assert hints.RENDER_PT_fovea_hints.poll(bpy.context) and report.OVER in told()
+    assert bpy.ops.fovea.freestyle_off() == {"FINISHED"}
+    assert not hints.RENDER_PT_fovea_hints.poll(bpy.context) and report.OVER not in told()
+    assert not scene.render.use_freestyle and not bpy.ops.fovea.freestyle_off.poll()
 
 
 def test_the_scene_draws_with_it(scene, tmp_path):

@@ -14,6 +14,7 @@ NAMES = frozenset(catalogue.by_name())
 LINES = PROJECT / "native" / "fovea" / "line"
 EXEMPT = {
     "addon/style/freestyle.py": "an importer: a table says which lines Freestyle's edge types are",
+    "addon/style/line_art.py": "an importer: a table says which lines Line Art's edge types are",
 }
 
 

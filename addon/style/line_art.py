@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Match Line Art: a Style from the Line Art modifiers of a scene's Grease Pencil objects."""
+
+import math
+
+import bpy
+import numpy as np
+
+from .. import style
+from ..scene import camera
+from ..scene.line_kinds import definitions
+from ..scene.operator import Operator
+from . import style_data
+
+# Line Art's edge type -> line definitions; loose edges are drawn as borders.
+KINDS = {
+    "contour": ("contour", "border"),
+    "loose": ("border",),
+    "crease": ("crease",),
+    "intersection": ("intersection",),
+    "material": ("material_boundary",),
+    "edge_mark": ("edge_mark",),
+}
+# Setting of a modifier that is not converted -> what it says.
+UNMATCHED = {
+    "use_light_contour": "contours as light sees them",
+    "use_shadow": "cast shadows",
+    "use_face_mark": "face marks",
+    "use_material_mask": "material masks",
+    "use_intersection_mask": "intersection masks",
+    "use_custom_camera": "a camera of its own",
+    "fill_strokes": "fills",
+    "source_vertex_group": "vertex groups",
+}
+DEFAULT_WIDTH = 1.5  # reference pixels, where no distance from the camera is known
+WIDTHS = 0.25, 50.0  # limits of a width, in reference pixels
+
+
+def modifiers_of(scene):
+    """(object, modifier) of the Line Art modifiers that renders show."""
+    for obj in scene.objects:
+        if obj.type == "GREASEPENCIL" and not obj.hide_render:
+            yield from ((obj, modifier) for modifier in obj.modifiers if _is_line_art(modifier))
+
+
+def _is_line_art(modifier):
+    return modifier.type == "LINEART" and modifier.show_render
+
+
+def style_of(scene, depsgraph):
+    """(Style, sentences about settings that could not be converted) from the Line Art modifiers of a scene."""
+    told, sets = [], []
+    for obj, modifier in modifiers_of(scene):
+        name = f"{obj.name}: {modifier.name}"
+        told += [f"'{name}': {what}" for what in _unmatched(obj, modifier)]
+        source = _source(modifier)
+        if source is None:
+            told.append(f"'{name}': it has no source")
+        elif kinds := _kinds(modifier):
+            sets.append(_line_set(name, modifier, kinds, source, _width(modifier, scene, depsgraph)))
+    return style.Style(line_sets=tuple(sets)), told
+
+
+def _source(modifier):
+    """The filter of the LineSet, as keyword arguments; None: the modifier draws nothing."""
+    if modifier.source_type == "SCENE":
+        return {}
+    if modifier.source_type == "OBJECT":
+        return {"object": modifier.source_object.name} if modifier.source_object else None
+    collection = modifier.source_collection
+    return {"collection": collection.name, "outside": modifier.use_invert_collection} if collection else None
+
+
+def _kinds(modifier):
+    """{definition: parameters} of a modifier."""
+    names = dict.fromkeys(name for word in KINDS if getattr(modifier, f"use_{word}") for name in KINDS[word])
+    if "contour" in names and modifier.silhouette_filtering != "NONE":
+        names = {"silhouette" if name == "contour" else name: None for name in names}
+    # Its angle is between faces, not normals.
+    crease = {"angle": 180 - math.degrees(modifier.crease_threshold)}
+    return {name: crease if name == "crease" else {} for name in names}
+
+
+def _line_set(name, modifier, kinds, source, width):
+    first = modifier.level_start
+    last = max(first, modifier.level_end) if modifier.use_multiple_levels else first
+    color = _color(modifier.target_material)
+    pen = style.Pen(color=color[:3], opacity=min(color[3] * modifier.opacity, 1.0), width=width)
+    hidden = (style.Hidden(pen=pen, first=max(first, 1), last=last),) if last > 0 else ()
+    return style.LineSet(
+        name=name, kinds=kinds, pen=pen if first == 0 else style.Pen(opacity=0.0), hidden=hidden, **source
+    )
+
+
+def _color(material):
+    """RGBA of a Grease Pencil material's strokes; black without one."""
+    pencil = material and material.grease_pencil
+    return tuple(pencil.color) if pencil else (0.0, 0.0, 0.0, 1.0)
+
+
+def _width(modifier, scene, depsgraph):
+    """Width in reference pixels. Strokes of Grease Pencil have a width in space: what it is at the mean distance of the
+    scene's objects."""
+    in_space = modifier.radius if hasattr(modifier, "radius") else modifier.thickness / 1000  # `radius` is the width
+    if not scene.camera:
+        return DEFAULT_WIDTH
+    view = camera.of_scene(depsgraph)
+    middles = [
+        np.array(obj.matrix_world) @ np.append(np.mean(obj.bound_box, axis=0), 1.0)
+        for obj in scene.objects
+        if obj.type == "MESH" and obj.visible_get()
+    ]
+    distances = [-(view.world_to_view @ middle)[2] for middle in middles]
+    ahead = [distance for distance in distances if distance > view.near_clip]
+    if not ahead:
+        return DEFAULT_WIDTH
+    distance = 1.0 if view.orthographic else float(np.mean(ahead))
+    width = in_space * float(view.view_to_clip[1, 1]) / distance / 2 * view.frame[3] / view.reference_scale
+    return min(max(width, WIDTHS[0]), WIDTHS[1])
+
+
+def _unmatched(obj, modifier):
+    """Yields phrases on settings of a modifier, and of its object's others, that are not converted."""
+    yield from (what for name, what in UNMATCHED.items() if _is_set(getattr(modifier, name, False)))
+    if modifier.use_invert_silhouette and modifier.silhouette_filtering != "NONE":
+        yield "lines inside the silhouette alone"
+    others = [other.name for other in obj.modifiers if other.show_render and other.type != "LINEART"]
+    if others:
+        yield f"the modifiers {', '.join(others)}"
+
+
+def _is_set(value):
+    """Of a switch, a text, or an array of switches."""
+    return bool(value) if isinstance(value, (bool, str)) else any(value)
+
+
+class FOVEA_OT_match_line_art(Operator, bpy.types.Operator):
+    """Take over the scene's Line Art modifiers: edge types, crease angle, source, levels, and the width, color and
+    opacity of their strokes"""
+
+    bl_idname = "fovea.match_line_art"
+    bl_label = "Match Line Art"
+
+    @classmethod
+    def hindrance(cls, context):
+        if not any(modifiers_of(context.scene)):
+            return "The scene has no Line Art modifier that renders show: there is nothing to match"
+        return None if definitions() else "Fovea's native module cannot be used in this Blender"
+
+    def act(self, context):
+        chosen, told = style_of(context.scene, context.evaluated_depsgraph_get())
+        if not chosen.line_sets:
+            raise style.StyleError("; ".join(["The Line Art modifiers draw nothing that Fovea could", *told]))
+        style_data.use(context.scene, chosen, "Line Art")
+        if told:
+            self.report({"WARNING"}, f"Not taken over: {'; '.join(told)}")

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Match Line Art: settings of Line Art modifiers are converted to Fovea's."""
+
+import math
+
+import bpy
+import pytest
+from pictures import box_scene, drawn, ink
+from the_addon import part
+
+line_art, properties = part("style.line_art"), part("render.properties")
+
+
+@pytest.fixture
+def scene():
+    return box_scene()
+
+
+def add_modifier(scene, source="SCENE", color=(0, 0, 0, 1), **settings):
+    pencils = bpy.data.grease_pencils_v3 if hasattr(bpy.data, "grease_pencils_v3") else bpy.data.grease_pencils
+    obj = bpy.data.objects.new("Lines", pencils.new("Lines"))
+    scene.collection.objects.link(obj)
+    obj.data.layers.new("Lines").frames.new(scene.frame_current)
+    material = bpy.data.materials.new("Ink")
+    bpy.data.materials.create_gpencil_data(material)
+    material.grease_pencil.color = color
+    obj.data.materials.append(material)
+    modifier = obj.modifiers.new("Line Art", "LINEART")
+    modifier.source_type, modifier.target_layer, modifier.target_material = source, "Lines", material
+    for name, value in settings.items():
+        setattr(modifier, name, value)
+    return modifier
+
+
+def set_width(modifier, width):
+    """Sets the width of strokes in space."""
+    if hasattr(modifier, "radius"):
+        modifier.radius = width
+    else:
+        modifier.thickness = round(width * 1000)
+
+
+def matched(scene):
+    return line_art.style_of(scene, bpy.context.evaluated_depsgraph_get())
+
+
+def test_edge_types_and_the_crease_angle(scene):
+    add_modifier(scene, use_material=True, use_loose=False, crease_threshold=math.radians(150))
+    chosen, told = matched(scene)
+    kinds = chosen.line_sets[0].kinds
+    assert set(kinds) == {"contour", "border", "crease", "intersection", "material_boundary", "edge_mark"}
+    assert kinds["crease"]["angle"] == pytest.approx(30, abs=1e-4) and told == []
+
+
+def test_the_silhouette_alone(scene):
+    add_modifier(scene, silhouette_filtering="INDIVIDUAL")
+    kinds = matched(scene)[0].line_sets[0].kinds
+    assert "silhouette" in kinds and "contour" not in kinds
+
+
+@pytest.mark.parametrize(
+    "levels, visible, hidden",
+    [
+        ((False, 0, 0), True, None),
+        ((False, 2, 5), False, (2, 2)),
+        ((True, 0, 3), True, (1, 3)),
+        ((True, 1, 2), False, (1, 2)),
+    ],
+)
+def test_levels_are_numbers_of_surfaces_in_front(scene, levels, visible, hidden):
+    modifier = add_modifier(scene)
+    modifier.use_multiple_levels, modifier.level_start, modifier.level_end = levels
+    found = matched(scene)[0].line_sets[0]
+    assert (found.pen.opacity > 0) == visible
+    assert [(h.first, h.last) for h in found.hidden] == ([hidden] if hidden else [])
+
+
+def test_the_source_is_a_filter(scene):
+    collection = bpy.data.collections.new("Trees")
+    add_modifier(scene, "COLLECTION", source_collection=collection, use_invert_collection=True)
+    add_modifier(scene, "OBJECT", source_object=bpy.data.objects["Box"])
+    add_modifier(scene, "COLLECTION")
+    chosen, told = matched(scene)
+    first, second = chosen.line_sets
+    assert (first.collection, first.outside, first.object) == ("Trees", True, "")
+    assert (second.collection, second.object) == ("", "Box")
+    assert len(told) == 1 and "has no source" in told[0]
+
+
+def test_the_width_is_that_of_its_strokes_in_the_picture(scene):
+    """At the distance of the box, whose middle is the origin."""
+    modifier = add_modifier(scene)
+    set_width(modifier, 0.02)
+    camera = scene.camera
+    bpy.context.view_layer.update()
+    distance = (camera.matrix_world.inverted() @ bpy.data.objects["Box"].matrix_world.translation).z
+    corners = camera.data.view_frame(scene=scene)
+    height = abs((corners[0].y - corners[2].y) / corners[0].z) * -distance
+    expected = 0.02 / height * 1080
+    assert matched(scene)[0].line_sets[0].pen.width == pytest.approx(expected, rel=0.01)
+
+
+def test_what_is_not_taken_over_is_told(scene):
+    modifier = add_modifier(scene, use_light_contour=True)
+    modifier.id_data.modifiers.new("Shaky", "GREASE_PENCIL_NOISE")
+    told = matched(scene)[1]
+    assert any("contours as light sees them" in words for words in told)
+    assert any("the modifiers Shaky" in words for words in told)
+
+
+def test_modifiers_that_renders_do_not_show_are_left_out(scene):
+    add_modifier(scene).show_render = False
+    add_modifier(scene).id_data.hide_render = True
+    assert not bpy.ops.fovea.match_line_art.poll()
+    with pytest.raises(RuntimeError, match="no Line Art modifier"):
+        bpy.ops.fovea.match_line_art()
+
+
+def test_the_scene_draws_with_it(scene, tmp_path):
+    modifier = add_modifier(scene, color=(1, 0, 0, 1))
+    set_width(modifier, 0.05)
+    assert bpy.ops.fovea.match_line_art() == {"FINISHED"}
+    (found,) = properties.style_of(scene).line_sets
+    assert found.pen.color == pytest.approx((1, 0, 0)) and found.pen.width > 2
+    assert part("ui.hints").RENDER_PT_fovea_hints.poll(bpy.context), "Blender draws its strokes over the picture"
+    assert bpy.ops.fovea.line_art_off() == {"FINISHED"} and not bpy.ops.fovea.line_art_off.poll()
+    assert not part("ui.hints").RENDER_PT_fovea_hints.poll(bpy.context)
+    picture = drawn(scene, tmp_path / "matched.png")
+    lined = ink(picture) > 0.5
+    assert lined.any() and (picture[lined][:, 0] > 0.9).all() and (picture[lined][:, 1] < 0.4).all()
