@@ -39,20 +39,27 @@ def progress(context):
 
 
 class FOVEA_OT_render_lines(_OfRender, bpy.types.Operator):
-    """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them. The
-    scene may use any render engine"""
+    """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them, and open
+    it. The scene may use any render engine"""
 
     bl_idname = "fovea.render_lines"
     bl_label = "Render Line Layer to Image"
 
     name: bpy.props.StringProperty(name="Name", description="Of the image", default="Lines")
 
+    def invoke(self, context, _event):
+        """Opens the image, too, which scripts that execute the operator may not want."""
+        done = self.execute(context)
+        if done == {"FINISHED"}:
+            open_image(context, self.image)
+        return done
+
     def act(self, context):
         with progress(context) as tell:
             drawn = as_rendered.look(context, partial(session.final_image, lines_alone=True, tell=tell))
         if drawn is None:
             raise CannotDraw("Stopped before the lines were drawn")
-        image = image_of(self.name, drawn.lines)
+        image = self.image = image_of(self.name, drawn.lines)
         self.report({"INFO"}, f"The lines are in the image '{image.name}'")
 
 
@@ -65,6 +72,21 @@ def image_of(name, pixels):
     image.update()
     image.pack()
     return image
+
+
+def open_image(context, image):
+    """Shows an image in an image editor; where there is none, in one that Blender opens as it does for renders, which
+    the preferences say (none at all, maybe)."""
+    if not _image_editors(context):
+        bpy.ops.render.view_show("INVOKE_DEFAULT")
+    for editor in _image_editors(context)[:1]:
+        editor.image = image
+
+
+def _image_editors(context):
+    areas = (area for window in context.window_manager.windows for area in window.screen.areas)
+    editors = (area.spaces.active for area in areas if area.type == "IMAGE_EDITOR")
+    return [editor for editor in editors if editor.mode == "VIEW" and not editor.use_image_pin]
 
 
 class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):

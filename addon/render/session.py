@@ -39,14 +39,19 @@ def last_statistics():
     return dict(_statistics)
 
 
-def register_passes(engine, scene_, layer):
+def wanted_passes(scene_, layer):
+    """{name of a pass: whether renders of a view layer have it}."""
     chosen = _style_of(scene_)
-    wanted = {
+    return {
         "Lines": True,
-        "Color": chosen and chosen.has_color(),
-        "Focus": chosen and chosen.focus.active(),
+        "Color": bool(chosen and chosen.has_color()),
+        "Focus": bool(chosen and chosen.focus.active()),
         "Depth": layer.use_pass_z,
     }
+
+
+def register_passes(engine, scene_, layer):
+    wanted = wanted_passes(scene_, layer)
     engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
     for name, channels in PASSES.items():
         if wanted[name]:

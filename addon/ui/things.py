@@ -9,6 +9,12 @@ from ..scene.line_kinds import property_name
 from ..style import style_data
 from .common import FoveaPanel, fold, fold_switch
 
+ABSENT = {  # pass -> why renders do not have it
+    "Color": "the style has no color layer",
+    "Focus": "there is no place to look at",
+    "Depth": "it is off",
+}
+
 
 class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
     bl_label = "Line Drawing"
@@ -97,3 +103,9 @@ class VIEWLAYER_PT_fovea(FoveaPanel, bpy.types.Panel):
 
     def show(self, layout, context):
         layout.prop(context.view_layer, "use_pass_z", text="Depth")
+        layout.separator()
+        column = layout.column(align=True)
+        for name, wanted in session.wanted_passes(context.scene, context.view_layer).items():
+            row = column.row()
+            row.active = wanted
+            row.label(text=name if wanted else f"{name}: {ABSENT[name]}", icon="CHECKMARK" if wanted else "BLANK1")

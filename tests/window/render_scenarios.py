@@ -43,3 +43,21 @@ def beside_a_viewport(_folder):
     told["undone"] = "Lines" in bpy.data.collections
     watch.end()
     return told
+
+
+def line_layer(_folder):
+    """The line layer rendered twice from its button."""
+    yield from opened()
+
+    def shown():
+        areas = (area for window in bpy.context.window_manager.windows for area in window.screen.areas)
+        return [area.spaces.active.image.name for area in areas if area.type == "IMAGE_EDITOR"]
+
+    with screen.override():
+        done = bpy.ops.fovea.render_lines("INVOKE_DEFAULT") == {"FINISHED"}
+    yield from screen.rest(0.5)
+    told = {"done": done, "shown": shown()}
+    with screen.override():
+        bpy.ops.fovea.render_lines("INVOKE_DEFAULT")
+    yield from screen.rest(0.5)
+    return told | {"again": shown(), "windows": len(bpy.context.window_manager.windows)}

@@ -10,3 +10,9 @@ def test_operators_ask_a_render_beside_a_viewport(play):
     assert found["windows"] == 1, "no window opens for a render that shows nothing"
     assert found["engine"] == "BLENDER_WORKBENCH"
     assert found["strokes"] > 0 and not found["undone"]
+
+
+def test_the_line_layer_is_shown_once_it_is_rendered(play):
+    found = play("line_layer", file="render_scenarios.py")
+    assert found["done"] and found["shown"] == ["Lines"], "in a window, as there is no image editor"
+    assert found["again"] == ["Lines.001"] and found["windows"] == 2, "in the same one"
