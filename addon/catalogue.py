@@ -10,6 +10,7 @@ A definition is a dict of
 - slow: extraction is slow for each view, so drafts omit it
 - stand_ins: {definition: {parameter: value}} that drafts draw instead, only along an object's outer silhouette
 - reads_edge_marks: whether it needs Freestyle's edge marks, which are read only on demand
+- usual: what artists draw with; panels fold the others
 - parameters: dicts of name, label, default, min, max, unit ("degrees", "pixels", "bool" or ""), meaning, and
   per_object: whether objects may override the value.
 Definitions are in the registry's order.

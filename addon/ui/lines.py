@@ -35,9 +35,10 @@ class RENDER_PT_fovea_lines(StylePanel, bpy.types.Panel):
         held = style_data.of(context.scene).fovea
         draw_list(layout, held)
         if line_set := edited(held):
-            draw_filter(layout, line_set)
+            draw_pen_of_visible(layout, line_set)
             draw_kinds(layout, held, line_set)
-            draw_pens(layout, context.scene, line_set)
+            draw_filter(layout, line_set)
+            draw_other_pens(layout, context.scene, line_set)
 
 
 def draw_list(layout, held):
@@ -77,12 +78,24 @@ def is_for_all(line_set):
 
 
 def draw_kinds(layout, held, line_set):
-    """Draws the switches of all definitions by scope, and the parameters of those that are on."""
+    """Draws the switches of all definitions, usual ones first and the others folded, and the parameters of those that
+    are on."""
     before = list(held.line_sets)[: held.line_set_index]
+    usual = [definition for definition in definitions() if definition["usual"]]
+    more = [definition for definition in definitions() if not definition["usual"]]
+    if body := fold(layout, "line_types", "Line Types", closed=False):
+        _draw_scopes(body, line_set, usual, before)
+    on = sum(getattr(line_set.kinds, definition["name"]) for definition in more)
+    if body := fold(layout, "more_line_types", f"More Line Types ({on} on)" if on else "More Line Types"):
+        _draw_scopes(body, line_set, more, before)
+
+
+def _draw_scopes(body, line_set, wanted, before):
     for scope, title in SCOPES.items():
-        group = [definition for definition in definitions() if definition["scope"] == scope]
-        body = fold(layout, f"lines_{scope}", title, closed=False) if group else None
-        for definition in group if body else ():
+        group = [definition for definition in wanted if definition["scope"] == scope]
+        if group:
+            body.label(text=title)
+        for definition in group:
             _draw_kind(body, line_set, definition, before)
 
 
@@ -93,17 +106,23 @@ def _draw_kind(body, line_set, definition, before):
     switch.use_property_split = False
     switch.prop(kinds, name)
     # Inactive if an unfiltered set above has the kind already, or if it is in image space and the set has filters.
-    taken = any(getattr(above.kinds, name) and is_for_all(above) for above in before)
-    switch.active = not taken and (is_for_all(line_set) or not definition["in_image"])
+    taker = next((above for above in before if getattr(above.kinds, name) and is_for_all(above)), None)
+    switch.active = taker is None and (is_for_all(line_set) or not definition["in_image"])
+    if taker and getattr(kinds, name):
+        body.label(text=f"Taken by '{taker.name}' above", icon="INFO")
     if getattr(kinds, name):
         for parameter in definition["parameters"]:
             body.prop(kinds, f"{name}_{parameter['name']}")
 
 
-def draw_pens(layout, scene, line_set):
+def draw_pen_of_visible(layout, line_set):
     if body := fold(layout, "pen", "Pen", closed=False):
-        draw_properties(body, line_set, ("corner_angle", "least_length", "overshoot", "halo"))
         draw_pen(body, line_set.pen)
+        draw_properties(body, line_set, ("corner_angle", "least_length", "overshoot", "halo"))
+
+
+def draw_other_pens(layout, scene, line_set):
+    """Draws the pens out of focus and of hidden lines."""
     if body := fold_switch(layout, "pen_away", line_set, "away"):
         body.prop(line_set, "overshoot_away")
         draw_pen(body, line_set.pen_away)

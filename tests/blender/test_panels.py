@@ -4,7 +4,7 @@
 import bpy
 import pytest
 from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
-from the_addon import lines_of, only_lines, own_style, part
+from the_addon import lines_of, only_lines, own_style, part, use_style
 
 properties, registration = part("render.properties"), part("scene.registration")
 
@@ -64,14 +64,29 @@ def test_each_definition_is_shown_once_and_the_parameters_of_those_that_are_on(s
         assert owners.keys() & set(shown) == wanted
 
 
-def test_definitions_are_grouped_by_what_they_depend_on(scene):
-    scopes = part("ui.lines").SCOPES
+def test_usual_definitions_come_first_each_group_by_what_its_lines_depend_on(scene):
+    scopes = list(part("ui.lines").SCOPES)
     assert {definition["scope"] for definition in catalogue.definitions()} <= set(scopes)
     layout = shown_by(part("ui.lines").RENDER_PT_fovea_lines)
-    scope_of = {d["name"]: d["scope"] for d in catalogue.definitions()}
-    found = [scope_of[name] for name in layout.shown if name in scope_of]
-    assert found == sorted(found, key=list(scopes).index)
-    assert [title for title in layout.titles if title in scopes.values()] == [scopes[s] for s in dict.fromkeys(found)]
+    place = {d["name"]: (not d["usual"], scopes.index(d["scope"])) for d in catalogue.definitions()}
+    found = [place[name] for name in layout.shown if name in place]
+    assert found == sorted(found) and 8 < sum(not research for research, _ in found) < 16
+
+
+def test_a_kind_that_a_set_above_takes_says_which(scene):
+    held = use_style(scene, "plain")
+    assert held.line_sets[0].kinds.contour
+    assert bpy.ops.fovea.line_set_duplicate() == {"FINISHED"}
+    held.line_sets[0].name = "Outlines"
+
+    def taken():
+        titles = shown_by(part("ui.lines").RENDER_PT_fovea_lines).titles
+        return [title for title in titles if title.startswith("Taken by")]
+
+    held.line_set_index = 0
+    assert not taken()
+    held.line_set_index = 1
+    assert set(taken()) == {"Taken by 'Outlines' above"}
 
 
 def test_every_effect_shows_its_curve(scene):

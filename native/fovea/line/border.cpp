@@ -21,6 +21,7 @@ extern const LineDefinition border = {
     .scope = Scope::surface,
     .importance = 0.6,
     .rule = EdgeRule{mark},
+    .usual = true,
 };
 
 }  // namespace fovea::line

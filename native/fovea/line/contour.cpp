@@ -35,6 +35,7 @@ extern const LineDefinition contour = {
     .importance = 0.7,
     .rule = EdgeRule{mark},
     .smooth_twin = &smooth_contour,
+    .usual = true,
 };
 
 }  // namespace fovea::line

@@ -46,6 +46,7 @@ extern const LineDefinition crease = {
     .importance = 0.5,
     .parameters = parameters,
     .rule = EdgeRule{parameters.of(mark)},
+    .usual = true,
 };
 
 }  // namespace fovea::line

@@ -126,6 +126,7 @@ struct LineDefinition {
     std::vector<StandIn> stand_ins = {};
     /// Needs Freestyle edge marks, which are only read from Blender if some definition needs them.
     bool reads_edge_marks = false;
+    bool usual = false;  ///< what artists draw with; panels fold the others
 };
 
 /// Default values of a definition's parameters.

@@ -32,6 +32,7 @@ extern const LineDefinition edge_mark = {
     .parameters = parameters,
     .rule = EdgeRule{parameters.of(mark)},
     .reads_edge_marks = true,
+    .usual = true,
 };
 
 }  // namespace fovea::line

@@ -213,6 +213,7 @@ extern const LineDefinition intersection = {
     .importance = 0.4,
     .parameters = parameters,
     .rule = SceneRule{parameters.of(find)},
+    .usual = true,
 };
 
 }  // namespace fovea::line

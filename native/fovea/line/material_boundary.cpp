@@ -27,6 +27,7 @@ extern const LineDefinition material_boundary = {
     .scope = Scope::surface,
     .importance = 0.4,
     .rule = EdgeRule{mark},
+    .usual = true,
 };
 
 }  // namespace fovea::line

@@ -86,6 +86,7 @@ extern const LineDefinition silhouette = {
     .smooth_twin = &smooth_silhouette,
     .slow = true,
     .stand_ins = {{&contour}, {&border}},
+    .usual = true,
 };
 
 }  // namespace fovea::line

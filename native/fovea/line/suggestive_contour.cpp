@@ -16,6 +16,7 @@ extern const LineDefinition suggestive_contour = {
     .importance = 0.3,
     .parameters = suggestive_parameters(0.01),
     .rule = feature_rule(suggestive_parameters(0.01), 2, find_suggestive, 1.0f),
+    .usual = true,
 };
 
 }  // namespace fovea::line

@@ -16,6 +16,7 @@ extern const LineDefinition valley = {
     .importance = 0.25,
     .parameters = crest_parameters(),
     .rule = feature_rule(crest_parameters(), 1, find_crests, -1.0f),
+    .usual = true,
 };
 
 }  // namespace fovea::line
