@@ -101,7 +101,9 @@ def _pens():
 
 
 def _color():
-    on_paper = switch("On Paper", "Where there is nothing, and where colors fade, the paper shows", default=True)
+    on_paper = switch(
+        "Use Paper as Background", "Where there is nothing, and where colors fade, the paper shows", default=True
+    )
     return {"on_paper": on_paper, "background": _optional(style.Color, "background", (1.0, 1.0, 1.0))}
 
 

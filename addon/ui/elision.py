@@ -12,7 +12,7 @@ PAINTED = "painted"  # the weight that has an effect only with a painted attribu
 
 
 class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
-    bl_label = "Elision"
+    bl_label = "Line Thinning"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw_header(self, context):
@@ -22,7 +22,7 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
         elision = style_data.of(context.scene).fovea.elision
         layout.active = elision.enabled
         if context.scene.fovea.visibility == "SPINE":
-            layout.label(text="The spine test knows too late what is seen to thin it", icon="INFO")
+            layout.label(text="No thinning: Per Pixel visibility knows too late what is seen", icon="INFO")
         draw_properties(layout, elision, ("fade_from", "cut", "frames"))
         if body := fold(layout, "elision_priority", "Priority"):
             body.active = elision.enabled

@@ -10,7 +10,7 @@ from .common import StylePanel, draw_pen, draw_properties, fold, fold_switch
 
 FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # filter -> name in bpy.data
 # The registry's scope of a definition, which says what its lines depend on -> title.
-SCOPES = {"view": "Lines of the View", "surface": "Lines of the Shape", "scene": "Lines of the Scene"}
+SCOPES = {"view": "View-Dependent", "surface": "Surface", "scene": "Object and Image"}
 
 
 class FOVEA_UL_line_sets(bpy.types.UIList):
@@ -136,7 +136,7 @@ def _draw_hidden(body, scene, line_set):
     if hidden is None:
         return
     if scene.fovea.visibility == "SPINE":
-        body.label(text="The spine test draws visible lines only", icon="INFO")
+        body.label(text="Per Pixel visibility draws visible lines only", icon="INFO")
     elif scene.fovea.visibility != "EXACT":
         body.label(text="Sampled visibility counts one surface at most", icon="INFO")
     draw_properties(body, hidden, ("first", "last"))

@@ -22,8 +22,8 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
         files = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
         files.operator("fovea.style_import", text="Import")
         files.operator("fovea.style_export", text="Export")
-        files.operator("fovea.style_save", text="Save")
-        files.operator("fovea.style_update", text="Update")
+        files.operator("fovea.style_save", text="Save Preset")
+        files.operator("fovea.style_update", text="Update Preset")
         row = layout.row(align=True)
         row.operator("fovea.style_mark_asset", text="Mark as Asset", icon="ASSET_MANAGER")
         row.operator("fovea.style_clear_asset", text="", icon="X")
@@ -54,5 +54,5 @@ def draw_gallery(layout):
         column.operator("fovea.style_apply", text=style_data.title(name)).style = name
     if style_files.user_names():
         row = layout.row(align=True)
-        row.operator_menu_enum("fovea.style_rename", "style", text="Rename One of Yours")
-        row.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")
+        row.operator_menu_enum("fovea.style_rename", "style", text="Rename Preset")
+        row.operator_menu_enum("fovea.style_delete", "style", text="Delete Preset")

@@ -150,7 +150,7 @@ def test_the_report_names_what_was_left_out_and_why():
     assert bpy.ops.fovea.report() == {"FINISHED"}
     text = bpy.data.texts[report.TEXT].as_string()
     told = {line.split("'")[1]: line for line in text.splitlines() if line.startswith("  '")}
-    assert "is ignored" in told["Ignored"] and "hidden in viewports" in told["Hidden"]
+    assert "is excluded" in told["Ignored"] and "hidden in viewports" in told["Hidden"]
     assert "invisible to cameras" in told["Unseen"] and "no faces" in told["Nothing"]
     assert "1 faces have no area" in told["Flat"] and "Box" not in told
     assert "objects and instances: 2, meshes: 2," in text
