@@ -95,7 +95,7 @@ def _curvature_properties():
         "curvature_estimator": choice(
             "Curvature", "How curvature, which many lines follow, is found", items=ESTIMATORS
         ),
-        "curvature_rings": whole_number("Radius", rings, min=0, max=32),
+        "curvature_rings": whole_number("Radius (Edges)", rings, min=0, max=32),
         "curvature_smoothing": number("Smoothing", smoothing, min=0.0, max=8.0),
     }
 

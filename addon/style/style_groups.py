@@ -135,6 +135,7 @@ def _style():
         **{part(cls): PointerProperty(type=_groups[cls]) for cls in parts},
         "line_sets": CollectionProperty(type=_groups[style.LineSet]),
         "line_set_index": IntProperty(name="Line Set", description="The line set that is edited", min=0),
+        "effect_index": IntProperty(name="Effect", description="The node of the effect that is edited", min=0),
     }
 
 
