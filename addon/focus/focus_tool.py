@@ -13,7 +13,7 @@ class PickFocusTool(bpy.types.WorkSpaceTool):
     bl_space_type, bl_context_mode = "VIEW_3D", "OBJECT"
     bl_idname, bl_label = TOOL, "Pick Focus"
     bl_description = "Click what to look at; Shift adds another place"
-    bl_icon, bl_cursor = "ops.generic.cursor", "EYEDROPPER"
+    bl_icon, bl_cursor = "ops.paint.eyedropper_add", "EYEDROPPER"
     bl_keymap = tuple(
         (
             "fovea.pick_focus",
