@@ -11,9 +11,9 @@ PLACES = np.array([(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)], np.float32) 
 
 
 def on_plane(before, now, depth):
-    """(6, 4) float32 clip coordinates in the View `now` of PLACES on a picture of the View `before`. `depth`: distance of
-    the plane from the eye of `before`; what lies at that depth is where the scene has it, and if only the direction of
-    the view has changed, so is everything else."""
+    """(6, 4) float32 clip coordinates in the View `now` of PLACES on a picture of the View `before`. `depth`: distance
+    of the plane from the eye of `before`; what lies at that depth is where the scene has it, and if only the direction
+    of the view has changed, so is everything else."""
     to_clip = before.view_to_clip
     w = -to_clip[3, 2] * depth + to_clip[3, 3]
     ndc = 2 * PLACES.astype(np.float64) - 1

@@ -41,8 +41,8 @@ def opened():
 
 
 def followed(shown):
-    """Performs the page's actions from the second to the eighth. `shown()`: generator to run at each picture. What has a
-    key is done by it, and what is clicked in a panel by what the click calls."""
+    """Performs the page's actions from the second to the eighth. `shown()`: generator to run at each picture. What has
+    a key is done by it, and what is clicked in a panel by what the click calls."""
     scene = bpy.context.scene
     yield from pointer(middle())
     with screen.override():

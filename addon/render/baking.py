@@ -9,8 +9,8 @@ NUMBERS = {"strength": "FLOAT", "opacity": "FLOAT", "radius": "FLOAT", "kinds": 
 
 
 def parts(lines, index):
-    """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, color (M, 4) float32, NUMBERS (M,), and
-    per polyline size, closed and pen. The last point of a closed polyline, which repeats the first, is dropped."""
+    """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, color (M, 4) float32, NUMBERS (M,),
+    and per polyline size, closed and pen. The last point of a closed polyline, which repeats the first, is dropped."""
     size = np.diff(lines.offsets)
     wanted = lines.line_set == index
     last = np.zeros(len(lines.points), bool)

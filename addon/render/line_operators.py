@@ -13,7 +13,6 @@ from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import as_rendered, baking, drawn_lines, properties, reading, session
 
-
 ENGINE = "FOVEA"
 
 

@@ -25,8 +25,8 @@ def follow(animated, places, path=LINE_SET):
 
 
 def take_place(animated, start, other, names):
-    """Moves F-curves and drivers whose RNA paths begin with `start` to paths that begin with `other`; those there for the
-    properties `names` are removed."""
+    """Moves F-curves and drivers whose RNA paths begin with `start` to paths that begin with `other`; those there for
+    the properties `names` are removed."""
     data, gone = animated.animation_data, {f"{other}{name}" for name in names}
     for owner in (data.drivers, *curves(animated)) if data else ():
         for channel in [channel for channel in owner if channel.data_path in gone]:

@@ -64,7 +64,12 @@ def _listen(*_arguments):
     learn()
 
 
-_HANDLERS = (("depsgraph_update_post", _followed), ("save_pre", _followed), ("load_post", _listen), ("undo_post", learn))
+_HANDLERS = (
+    ("depsgraph_update_post", _followed),
+    ("save_pre", _followed),
+    ("load_post", _listen),
+    ("undo_post", learn),
+)
 
 
 def register():

@@ -46,6 +46,9 @@ class RecordingLayout:
     def prop_search(self, owner, name, *_where, **_options):
         self.prop(owner, name)
 
+    def template_icon(self, icon_value, scale):
+        assert icon_value > 0 and scale > 1
+
     def template_icon_view(self, owner, name, **_options):
         assert name in owner.bl_rna.properties, name
 

@@ -51,8 +51,8 @@ def orbit(folder):
 
 
 def held_up(folder):
-    """What is seen before the first picture is there; then what is seen of it while the view has turned and the next one
-    is not there yet, where the box is seen then, and where the last picture has it."""
+    """What is seen before the first picture is there; then what is seen of it while the view has moved and the next
+    one is not there yet, where the box is seen then, and where the last picture has it."""
     with held() as drawings:
         opening = opened("boxes:1")
         for pause in opening:
@@ -81,7 +81,12 @@ def held_up(folder):
     yield from screen.until(lambda: is_calm())
     screen.swap()
     told["moved"] = float((now - was).length)
-    found = {"before": (before, was), "there": (stale, now), "not there": (stale, was), "after": (screen.picture(), now)}
+    found = {
+        "before": (before, was),
+        "there": (stale, now),
+        "not there": (stale, was),
+        "after": (screen.picture(), now),
+    }
     told["ink"] = {name: dark(*words) for name, words in found.items()}
     return told
 

@@ -48,7 +48,6 @@ struct CompactRuns {
 /// is a point, too, and the run continues in the direction of the line's last 3 pixels, at the depth of its end. Throws
 /// std::invalid_argument where runs, pieces and paths do not belong together. Parallel; the result does not depend on
 /// the number of threads.
-CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs, 
-                    const Lists<double>& knots = {});
+CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs, const Lists<double>& knots = {});
 
 }  // namespace fovea::runs

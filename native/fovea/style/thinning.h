@@ -40,7 +40,7 @@ struct Elision {
               number(0, 8, 8)},
         Field{"length", &Elision::length, "Length", "Of crowding lines, how far long ones stay before short ones",
               weight, weights},
-        Field{"kind", &Elision::kind, "Kind", "How far outlines stay before creases, and creases before smooth lines",
+        Field{"kind", &Elision::kind, "Line Type", "How far outlines stay before creases, and creases before smooth lines",
               weight, weights},
         Field{"strength", &Elision::strength, "Strength",
               "Of crowding lines, how far strong ones stay before weak ones", weight, weights},
