@@ -138,6 +138,9 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         self.near, self.far = (getattr(scene.fovea, name) for name in names)
         return context.window_manager.invoke_props_dialog(self, confirm_text="Key Focus")
 
+    def cancel(self, context):
+        context.scene.fovea.pull_object = None
+
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True

@@ -47,7 +47,7 @@ class RecordingLayout:
         self.prop(owner, name)
 
     def template_icon(self, icon_value, scale):
-        assert icon_value > 0 and scale > 1
+        assert icon_value >= 0 and scale > 1  # 0: Blender has no icons without a window
 
     def template_icon_view(self, owner, name, **_options):
         assert name in owner.bl_rna.properties, name

@@ -36,7 +36,7 @@ def test_the_pictures_of_line_thinning_are_of_the_same_boards_with_fewer_lines_f
     off, on = (1 - pixels(STYLES / f"thinning_{word}.jpg")[..., 0] for word in ("off", "on"))
     ink = [(off[rows].sum(), on[rows].sum()) for rows in np.array_split(np.arange(len(off)), 4)]
     ratios = [b / a for a, b in ink if a > 50]
-    assert min(ratios) < 0.8 and max(ratios) > 0.9, "far away and near"
+    assert ratios == sorted(ratios, reverse=True) and ratios[0] > 3 * ratios[-1], "from near, below, to far away, above"
 
 
 def test_a_sheet_has_a_tile_for_each_of_its_drawings(tmp_path, monkeypatch):
