@@ -78,7 +78,9 @@ def test_radii_of_the_dialog_have_the_units_of_the_place(scene, model, radii):
     scene.fovea.focus_model = model
     dialog, layout = pull.FOVEA_OT_focus_pull, RecordingLayout()
     known = bpy.ops.fovea.focus_pull.get_rna_type().properties
-    dialog.draw(SimpleNamespace(layout=layout, target="LOCATION", bl_rna=SimpleNamespace(properties=known)), bpy.context)
+    dialog.draw(
+        SimpleNamespace(layout=layout, target="LOCATION", bl_rna=SimpleNamespace(properties=known)), bpy.context
+    )
     assert [name for name in layout.shown if name.startswith(("near", "far"))] == radii
     assert all((known[name].unit == "LENGTH") == (model == "SCENE") for name in radii)
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs read back as polylines: their ends on the line, in the image and in space.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-
 #include <set>
+#include <tbb/global_control.h>
 
 #include <fovea/runs/compaction.h>
 
@@ -67,10 +66,12 @@ TEST(Compaction, KnotsArePointsOnTheLineAndNothingElseChanges) {
         Lists<double> knots;
         knots.offsets = {0, 2, 2, 3};
         knots.values = {first + 1.0, middle - 1.0, 5.0};
-        const CompactRuns plain = compact(clipped, wires.paths, runs), found = compact(clipped, wires.paths, runs, knots);
+        const CompactRuns plain = compact(clipped, wires.paths, runs),
+                          found = compact(clipped, wires.paths, runs, knots);
         ASSERT_EQ(found.px.size(), plain.px.size() + 3u);
         for (Index r = 0; r < 3; ++r) {
-            std::set<double> wanted(plain.arc_px.begin() + plain.rows.begin(r), plain.arc_px.begin() + plain.rows.end(r));
+            std::set<double> wanted(plain.arc_px.begin() + plain.rows.begin(r),
+                                    plain.arc_px.begin() + plain.rows.end(r));
             wanted.insert(knots[r].begin(), knots[r].end());
             const std::vector<double> arcs(found.arc_px.begin() + found.rows.begin(r),
                                            found.arc_px.begin() + found.rows.end(r));
