@@ -706,6 +706,9 @@ class Polylines:
     def pen(self) -> NDArray[numpy.uint32]:
         """(R,) uint32 of the style's pens, as Pens numbers them; 0xffffffff: none"""
     @property
+    def pen_away(self) -> NDArray[numpy.uint32]:
+        """(R,) uint32 the pen out of focus; without one, `pen`"""
+    @property
     def shown(self) -> NDArray[numpy.float32]:
         """(R,) float32 in [0, 1] that elision leaves"""
     @property
@@ -724,6 +727,9 @@ class Polylines:
     def kinds(self) -> NDArray[numpy.uint32]:
         """(M,) uint32 bits of what the segment from the point is, of the last point what that before it is; see
         line_definitions()"""
+    @property
+    def mix(self) -> NDArray[numpy.float32]:
+        """(M, 4) float32 in [0, 1]: how far color, texture, width and opacity are those of `pen_away`"""
 
 class View:
     """A camera and its image; see addon/stages.py."""

@@ -32,12 +32,12 @@ class Quality:
 QUALITIES = (
     Quality(),
     Quality(probes=4, focus_step=2, blur=False),
-    Quality(probes=4, depth_scale=2, step=2.0, focus_step=2, blur=False, hidden=False, elision=False),
-    Quality(1.0, 4.0, 1, 1, focus_step=4, blur=False, hidden=False, elision=False, definitions=False),
+    Quality(0.5, 2.0, 4, 2, focus_step=2, blur=False),
+    Quality(0.5, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False),
     Quality(0.5, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False, definitions=False),
     Quality(0.34, 4.0, 1, 1, focus_step=2, blur=False, hidden=False, elision=False, definitions=False),
 )
-UNKNOWN = 3  # index of the quality drawn when nothing has been measured
+UNKNOWN = 4  # index of the quality drawn when nothing has been measured
 
 # Stage -> members of Quality that its cost depends on. All other stages cost the same in every quality.
 DEPENDS = {

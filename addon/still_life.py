@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scene for thumbnails of styles: a jug, a ball and a box on a round table, as plain arrays.
-
-It contains smooth and flat surfaces, sharp edges and occlusion.
+"""The scenes for thumbnails, as plain arrays: of styles a jug, a ball and a box on a round table, which have smooth and
+flat surfaces, sharp edges and occlusion; of line thinning, boards one behind the other.
 """
 
 from dataclasses import dataclass
@@ -38,6 +37,13 @@ def shapes():
         _turned("Jug", _rounded(np.array(_JUG)), (-0.45, 0.15), (0.12, 0.3, 0.5)),
         _turned("Ball", ball, (0.42, -0.75), (0.75, 0.16, 0.07)),
         _box("Box", (0.85, 0.4), (0.45, 0.32, 0.42), 1.1, (0.72, 0.55, 0.16)),
+    )
+
+
+def boards():
+    """The Shapes of upright boards in a row, whose edges crowd the more the farther they are away."""
+    return tuple(
+        _box(f"Board {i}", (-0.45, -1.3 + 0.22 * i), (0.8, 0.02, 0.45), 0.0, (0.8, 0.8, 0.8)) for i in range(20)
     )
 
 

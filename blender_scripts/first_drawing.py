@@ -2,17 +2,21 @@
 """Performs the steps of addon/docs/first_drawing.md in Blender's window and saves the page's pictures. Runs inside that
 window (window/inside.py)."""
 
-import subprocess
 from pathlib import Path
 
 import bpy
 import sheet
 from bl_ext.user_default.fovea.render import caretaker
+from bpy_extras.view3d_utils import location_3d_to_region_2d
 from command import pages
+from mathutils import Vector
 from window import screen
 
 LAST = 48  # frame
-DOOR = (0.475, 0.4)  # first focus, as fractions of the viewport's width and height
+CUBE = (0.95, -1.0, 0.6)  # a place on the cube that the camera sees: the first focus
+DIGITS = {"-": "MINUS", "3": "THREE"}  # characters that are typed -> types of their events
+
+_at = [0, 0]  # pixel of the window where the pointer is
 
 
 def steps(folder, output):
@@ -23,15 +27,13 @@ def steps(folder, output):
         yield from settled()
         sheet.save(screen.whole(), Path(output) / f"{next(names)}.jpg")
 
-    yield from opened(folder)
+    yield from opened()
     yield from followed(shown)
 
 
-def opened(folder):
-    """Opens the demo scene, written by `fovea scene`, in Blender's default window, with the render tab shown."""
-    path, script = str(folder / "demo.blend"), Path(__file__).with_name("save_scene.py")
-    subprocess.run([bpy.app.binary_path, "-b", "-P", str(script), "--", "demo", "-o", path], check=True)
-    bpy.ops.wm.open_mainfile(filepath=path, load_ui=False)
+def opened():
+    """Blender as it starts, with the render tab shown."""
+    bpy.ops.wm.read_homefile(app_template="")
     yield from screen.rest(0.3)
     areas = bpy.context.window_manager.windows[0].screen.areas
     beside = next(area for area in areas if area.type == "PROPERTIES")
@@ -39,27 +41,73 @@ def opened(folder):
 
 
 def followed(shown):
-    """Performs the page's actions from the second to the eighth. `shown()`: generator to run at each picture."""
+    """Performs the page's actions from the second to the eighth. `shown()`: generator to run at each picture. What has
+    a key is done by it, and what is clicked in a panel by what the click calls."""
     scene = bpy.context.scene
+    yield from pointer(middle())
     with screen.override():
-        bpy.ops.view3d.view_camera()
-    screen.space().region_3d.view_camera_zoom = 29.0  # the frame fills the viewport
+        bpy.ops.mesh.primitive_monkey_add()
+    yield from typed("g", "x", "-", "3")
+    yield from pressed("RET")
     scene.render.engine = "FOVEA"
+    with screen.override():
+        bpy.ops.fovea.standard_view()
     yield from shown()
+    yield from pressed("NUMPAD_0")
+    yield from pressed("HOME")
+    yield from screen.rest(0.5)
     screen.space().shading.type = "RENDERED"
     yield from shown()
-    with screen.override():
-        bpy.ops.fovea.style_apply(style="watercolor")
+    bpy.context.window_manager.fovea_gallery = "watercolor"
     yield from shown()
     yield from sidebar()
-    where = screen.region()
-    with screen.override():
-        bpy.ops.fovea.pick_focus("EXEC_DEFAULT", x=round(DOOR[0] * where.width), y=round(DOOR[1] * where.height))
+    yield from pressed("F", alt=True)
+    yield from pointer(seen(CUBE))
+    yield from pressed("LEFTMOUSE")
     yield from shown()
+    scene.frame_end = LAST
+    yield from pointer(middle())
     with screen.override():
-        bpy.ops.fovea.focus_pull("EXEC_DEFAULT", target="OBJECT", object="Bicycle", frame_start=1, frame_end=LAST)
+        bpy.ops.fovea.focus_pull("INVOKE_DEFAULT")
+    yield from screen.rest(0.5)
+    yield from pressed("RET")
     scene.frame_set(LAST)
     yield from shown()
+
+
+def middle():
+    """The middle of the 3D viewport, in pixels of the window."""
+    where = screen.region()
+    return where.x + where.width // 2, where.y + where.height // 2
+
+
+def seen(place):
+    """Where a place of the scene is seen in the 3D viewport, in pixels of the window."""
+    where = screen.region()
+    px = location_3d_to_region_2d(where, screen.space().region_3d, Vector(place))
+    return round(where.x + px.x), round(where.y + px.y)
+
+
+def pointer(px):
+    """Moves the pointer to a pixel of the window."""
+    window = bpy.context.window_manager.windows[0]
+    _at[:] = px
+    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=px[0], y=px[1])
+    yield from screen.rest(0.3)
+
+
+def typed(*characters):
+    for character in characters:
+        yield from pressed(DIGITS.get(character, character.upper()), unicode=character)
+
+
+def pressed(kind, **told):
+    """Presses and releases a key or button where the pointer is."""
+    window = bpy.context.window_manager.windows[0]
+    for value in ("PRESS", "RELEASE"):
+        words = {key: word for key, word in told.items() if key != "unicode" or value == "PRESS"}
+        window.event_simulate(type=kind, value=value, x=_at[0], y=_at[1], **words)
+        yield from screen.rest(0.1)
 
 
 def sidebar():

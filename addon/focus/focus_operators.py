@@ -105,12 +105,19 @@ class FOVEA_OT_pick_focus(Operator, bpy.types.Operator):
         name="Add", description="Look there, too, beside the places there are", options={"SKIP_SAVE"}
     )
 
+    here: bpy.props.BoolProperty(
+        name="Here", description="Pick at the pointer, without a click", options={"SKIP_SAVE", "HIDDEN"}
+    )
+
     @classmethod
     def hindrance(cls, context):
         fits = context.mode in {"OBJECT", "EDIT_MESH", "POSE"} and context.scene is not None
         return None if fits else "Focus is picked in Object, Edit or Pose mode"
 
     def invoke(self, context, event):
+        if self.here:
+            self.x, self.y = event.mouse_region_x, event.mouse_region_y
+            return self.execute(context)
         self._tell(context, PROMPT)
         context.workspace.status_text_set(_draw_keys)
         context.window.cursor_modal_set("EYEDROPPER")

@@ -5,7 +5,7 @@ import bpy
 
 from ..scene import animation
 from ..scene.operator import Operator
-from . import focus_kinds, focus_places
+from . import focus_kinds, focus_places, focus_settings
 
 
 class FOVEA_OT_focus_place_add(Operator, bpy.types.Operator):
@@ -39,6 +39,9 @@ class FOVEA_OT_focus_place_remove(Operator, bpy.types.Operator):
     index: bpy.props.IntProperty(
         name="Index", description="Of the further places, from 0; -1: the last one", default=-1
     )
+    first: bpy.props.BoolProperty(
+        name="First", description="Remove the first place: the next one takes its part", options={"SKIP_SAVE"}
+    )
 
     @classmethod
     def hindrance(cls, context):
@@ -47,6 +50,9 @@ class FOVEA_OT_focus_place_remove(Operator, bpy.types.Operator):
 
     def act(self, context):
         points = context.scene.fovea.focus_points
+        if self.first:
+            self.index = 0
+            _put_first(context.scene)
         gone, count = self.index % len(points) if self.index < 0 else self.index, len(points)
         if gone >= count:
             raise ValueError(f"There are only {count} further places")
@@ -54,3 +60,11 @@ class FOVEA_OT_focus_place_remove(Operator, bpy.types.Operator):
         left = [None if i == gone else i - (i > gone) for i in range(count)]
         animation.follow(context.scene, left, animation.FOCUS_POINT)
         context.scene.update_tag()
+
+
+def _put_first(scene):
+    """Makes the first place what the second one is, with what animates that."""
+    settings, second = scene.fovea, scene.fovea.focus_points[0]
+    for name in focus_settings.POINT:
+        setattr(settings, name, getattr(second, name))
+    animation.take_place(scene, "fovea.focus_points[0].", "fovea.", focus_settings.POINT)

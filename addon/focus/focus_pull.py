@@ -23,11 +23,14 @@ TARGETS = [
 ]
 
 
-RADIUS = {
-    "description": "Radius in the end, in the units of the place's own; less than 0: as it is",
-    "default": -1.0,
-    "soft_min": 0.0,
-}
+RADIUS = {"default": -1.0, "soft_min": 0.0}
+IN_SCENE = {"description": "Radius in the end; less than 0: as it is", "subtype": "DISTANCE", **RADIUS}
+IN_FRAME = {"description": "Radius in the end, in heights of the frame", "options": {"SKIP_SAVE"}, **RADIUS}
+
+
+def same_in_frame(name):
+    """The keywords of a property that shows the number of another one without its unit."""
+    return {"get": lambda self: getattr(self, name), "set": lambda self, radius: setattr(self, name, radius)}
 
 
 class Track:
@@ -110,8 +113,11 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
     )
     frame_start: bpy.props.IntProperty(name="Start", description="The focus sets out at this frame", default=1)
     frame_end: bpy.props.IntProperty(name="End", description="The focus is there at this frame", default=250)
-    near: bpy.props.FloatProperty(name="Inner Radius", **RADIUS)
-    far: bpy.props.FloatProperty(name="Outer Radius", **RADIUS)
+    near: bpy.props.FloatProperty(name="Inner Radius", **IN_SCENE)
+    far: bpy.props.FloatProperty(name="Outer Radius", **IN_SCENE)
+    near_heights: bpy.props.FloatProperty(name="Inner Radius (Heights)", **IN_FRAME, **same_in_frame("near"))
+    far_heights: bpy.props.FloatProperty(name="Outer Radius (Heights)", **IN_FRAME, **same_in_frame("far"))
+    asked: bpy.props.BoolProperty(options={"HIDDEN", "SKIP_SAVE"})  # the object is that of the dialog
     easing: bpy.props.EnumProperty(
         name="Easing", description="How the focus sets out and arrives", items=EASINGS, default="SINE"
     )
@@ -124,6 +130,7 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         scene, active = context.scene, context.object
         if active and active != scene.fovea.focus_object:
             self.object = active.name
+        self.asked, scene.fovea.pull_object = True, scene.objects.get(self.object)
         self.target = "OBJECT" if self.object in scene.objects else "CURSOR"
         self.location = scene.cursor.location
         self.frame_start, self.frame_end = frames_of(scene)
@@ -131,19 +138,27 @@ class FOVEA_OT_focus_pull(Operator, bpy.types.Operator):
         self.near, self.far = (getattr(scene.fovea, name) for name in names)
         return context.window_manager.invoke_props_dialog(self, confirm_text="Key Focus")
 
+    def cancel(self, context):
+        context.scene.fovea.pull_object = None
+
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
         layout.prop(self, "target")
         if self.target == "OBJECT":
-            layout.prop_search(self, "object", context.scene, "objects")
+            layout.prop(context.scene.fovea, "pull_object", text="Object")
         elif self.target == "LOCATION":
             layout.prop(self, "location")
-        for name in ("frame_start", "frame_end", "near", "far", "easing"):
+        in_frame = focus_kinds.of(context.scene.fovea).in_frame
+        radii = ("near_heights", "far_heights") if in_frame else ("near", "far")
+        for name in ("frame_start", "frame_end", *radii, "easing"):
             layout.prop(self, name)
 
     def act(self, context):
         scene = context.scene
+        if self.asked:
+            chosen, scene.fovea.pull_object = scene.fovea.pull_object, None
+            self.object = chosen.name if chosen else ""
         if problem := self._problem(scene):
             raise CannotDraw(problem)
         at = self._at(scene)

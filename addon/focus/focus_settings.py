@@ -38,6 +38,7 @@ def annotations():
         "focus_attribute": text("Attribute", painted, default="focus", maxlen=MOST_LETTERS),
         **_point_annotations(),
         "focus_points": CollectionProperty(type=FoveaFocusPoint, **more),
+        "pull_object": pointer("To", "The object that Focus Pull leads to", type=bpy.types.Object, options={"HIDDEN"}),
     }
 
 
@@ -85,13 +86,16 @@ def _point_annotations():
     told = "The place to look at where there is no object"
     return {
         "focus_place": vector("Place", at, precision=3, step=1, **place),
-        "focus_near": number(near[0], f"{near[1]}, in heights of the frame", default=0.1, **in_image),
-        "focus_far": number(far[0], f"{far[1]}, in heights of the frame", default=0.6, **in_image),
+        "focus_near": number(f"{near[0]} (Heights)", f"{near[1]}, in heights of the frame", default=0.1, **in_image),
+        "focus_far": number(f"{far[0]} (Heights)", f"{far[1]}, in heights of the frame", default=0.6, **in_image),
         "focus_object": pointer("Object", "Its origin, or its surface, is what to look at", type=bpy.types.Object),
         "focus_location": vector("Location", told, size=3, subtype="XYZ", unit="LENGTH"),
         "focus_near_distance": number(*near, default=1.0, **in_scene),
         "focus_far_distance": number(*far, default=5.0, **in_scene),
     }
+
+
+POINT = tuple(_point_annotations())  # names of the properties of a focus point
 
 
 class FoveaFocusPoint(bpy.types.PropertyGroup):

@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws an image into the 3D viewport that Blender is drawing."""
 
+import blf
 import gpu
+import numpy as np
 from gpu_extras.presets import draw_texture_2d
 
+from .program import triangles
 from .texture import upload
+
+_PLACES = np.array([(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)], np.float32)
+_WHOLE = np.column_stack([2 * _PLACES - 1, np.zeros(len(_PLACES)), np.ones(len(_PLACES))]), _PLACES
 
 
 class Picture:
@@ -13,17 +19,32 @@ class Picture:
     def __init__(self, pixels):
         self._texture = upload(pixels, "RGBA16F")
 
-    def show(self, programs, engine, scene, width, height):
+    def show(self, programs, engine, scene, width, height, moved=None):
         """Draws it over a region of width x height pixels: in the scene's display space if the texture has that size,
-        else interpolated linearly by the program `magnify`. `programs`: a program.Programs."""
+        else interpolated linearly by the program `magnify`. `moved`: None, or (6, 4) clip coordinates of two triangles
+        and the (6, 2) places on the picture that they show. `programs`: a program.Programs."""
         gpu.state.blend_set("ALPHA_PREMULT")
-        if (self._texture.width, self._texture.height) == (width, height):
+        if moved is None and (self._texture.width, self._texture.height) == (width, height):
             engine.bind_display_space_shader(scene)
             draw_texture_2d(self._texture, (0, 0), width, height)
             engine.unbind_display_space_shader()
         else:
-            programs.cover("magnify", {"picture": self._texture}, region_size=(width, height))
+            corners, places = moved or _WHOLE
+            batch = triangles({"corner": corners, "place": places})
+            batch.draw(programs.bind("magnify", {"picture": self._texture}))
         gpu.state.blend_set("NONE")
+
+
+def say(text, width, height, size):
+    """Draws a line of text in the middle of a region of width x height pixels; `size`: of its letters in pixels."""
+    blf.size(0, size)
+    across, _ = blf.dimensions(0, text)
+    blf.color(0, 1.0, 1.0, 1.0, 1.0)
+    blf.enable(0, blf.SHADOW)
+    blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
+    blf.position(0, (width - across) / 2, (height - size) / 2, 0)
+    blf.draw(0, text)
+    blf.disable(0, blf.SHADOW)
 
 
 def is_software():

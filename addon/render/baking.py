@@ -9,8 +9,8 @@ NUMBERS = {"strength": "FLOAT", "opacity": "FLOAT", "radius": "FLOAT", "kinds": 
 
 
 def parts(lines, index):
-    """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, NUMBERS (M,), and per polyline size,
-    closed and pen. The last point of a closed polyline, which repeats the first, is dropped."""
+    """The DrawnLines of one line set, as a dict of arrays: points (M, 3) float32, color (M, 4) float32, NUMBERS (M,),
+    and per polyline size, closed and pen. The last point of a closed polyline, which repeats the first, is dropped."""
     size = np.diff(lines.offsets)
     wanted = lines.line_set == index
     last = np.zeros(len(lines.points), bool)
@@ -20,6 +20,7 @@ def parts(lines, index):
     found["kinds"] = lines.kinds[at].view(np.int32)
     found["invisibility"] = np.repeat(lines.invisibility, size)[at].astype(np.int32)
     found["points"] = lines.points[at].astype(np.float32)
+    found["color"] = np.column_stack([lines.color[at], np.ones(at.sum(), np.float32)])
     found |= {"size": (size - lines.closed)[wanted], "closed": lines.closed[wanted], "pen": lines.pen[wanted]}
     return found
 
@@ -34,6 +35,7 @@ def mesh(name, found):
     data.edges.foreach_set("vertices", edges.ravel())
     for attribute, kind in NUMBERS.items():
         data.attributes.new(attribute, kind, "POINT").data.foreach_set("value", found[attribute])
+    data.attributes.new("color", "FLOAT_COLOR", "POINT").data.foreach_set("color", found["color"].ravel())
     data.update()
     return data
 
@@ -61,10 +63,22 @@ def grease_pencil(name, found, pens, frame):
     attributes["position"].data.foreach_set("vector", found["points"].ravel())
     for attribute in ("radius", "opacity", "strength"):
         _attribute(attributes, attribute, "FLOAT", "POINT").data.foreach_set("value", found[attribute])
+    colors = _attribute(attributes, "vertex_color", "FLOAT_COLOR", "POINT").data
+    colors.foreach_set("color", _apart(found, pens).ravel())
     _attribute(attributes, "cyclic", "BOOLEAN", "CURVE").data.foreach_set("value", found["closed"])
     index = np.searchsorted(used, found["pen"]).astype(np.int32)
     _attribute(attributes, "material_index", "INT", "CURVE").data.foreach_set("value", index)
     return data
+
+
+def _apart(found, pens):
+    """(M, 4) float32 colors that cover those of the materials, alpha 1, along strokes that focus gives another color;
+    elsewhere alpha 0, so that materials color their strokes."""
+    own = np.repeat(np.array([pens[pen].color for pen in found["pen"]], np.float32), found["size"], axis=0)
+    other = np.abs(found["color"][:, :3] - own).max(axis=1) > 1e-4
+    stroke = np.repeat(np.arange(len(found["size"])), found["size"])
+    changed = np.bincount(stroke[other], minlength=len(found["size"])) > 0
+    return np.where(changed[stroke][:, None], found["color"], np.float32(0))
 
 
 def _attribute(attributes, name, kind, domain):

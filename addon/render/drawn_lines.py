@@ -20,6 +20,7 @@ class DrawnLines:
     strength: np.ndarray  # (M,) float32 in [0, 1]
     opacity: np.ndarray  # (M,) float32 in [0, 1], the pen's opacity times the polyline's opacity factor of elision
     radius: np.ndarray  # (M,) float32, scene units: half the pen's width in pixels, unprojected at the point's depth
+    color: np.ndarray  # (M, 3) float32, scene-linear; as opacity and radius, that of the pen in and out of focus, mixed
     kinds: np.ndarray  # (M,) uint32 of the segment that starts at the point, bit i: the registry's definition i
     closed: np.ndarray  # (R,) bool, the last point repeats the first
     invisibility: np.ndarray  # (R,) uint8, quantitative invisibility: number of surfaces that hide it
@@ -41,16 +42,25 @@ def _drawn(found, view, style):
     count, pen, left = np.diff(found.offsets.astype(np.int64)), found.pen, found.shown
     kept = (pen != native.UNSET) & (left > _LEAST)
     at = np.repeat(kept, count)
-    pens, pen_of_point = style.pens(), np.repeat(pen, count)[at]
+    pens = style.pens()
     widths = np.array([style.width_px(p, view.reference_scale) for p in pens], np.float32)
     opacity = np.array([p.opacity for p in pens], np.float32)
+    color = np.array([p.color for p in pens], np.float32)
+    near, away = (np.repeat(which, count)[at] for which in (pen, found.pen_away))
+    mix = dict(zip(("color", "texture", "width", "opacity"), found.mix[at].T))
+
+    def mixed(values, effect):
+        share = mix[effect].reshape(-1, *[1] * (values.ndim - 1))
+        return (1 - share) * values[near] + share * values[away]
+
     position = found.position_view[at].astype(np.float64)
     return DrawnLines(
         offsets=np.concatenate([[0], np.cumsum(count[kept])]),
         points=line_arrays.placed(position, np.linalg.inv(view.world_to_view)),
         strength=found.strength[at],
-        opacity=opacity[pen_of_point] * np.repeat(left, count)[at],
-        radius=(0.5 * widths[pen_of_point] * _unit(view, position)).astype(np.float32),
+        opacity=mixed(opacity, "opacity") * np.repeat(left, count)[at],
+        radius=(0.5 * mixed(widths, "width") * _unit(view, position)).astype(np.float32),
+        color=mixed(color, "color"),
         kinds=found.kinds[at],
         closed=found.closed[kept].astype(bool),
         invisibility=found.invisibility[kept],

@@ -13,6 +13,8 @@ from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import as_rendered, baking, drawn_lines, properties, reading, session
 
+ENGINE = "FOVEA"
+
 
 class _OfRender(Operator):
     """One that draws the context's scene."""
@@ -116,7 +118,18 @@ class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
             collection.objects.link(obj)
             # Visibility is already resolved, and lines on surfaces would z-fight with them.
             obj.show_in_front = True
-        self.report({"INFO"}, f"{len(lines.closed)} strokes in {len(made)} objects")
+        told = f"{len(lines.closed)} strokes in {len(made)} objects of the collection '{collection.name}'"
+        if self.kind == "GREASE_PENCIL" and scene.render.engine == ENGINE:
+            _hide(context.view_layer, collection)
+            told += ", hidden while Fovea draws the same lines: its eye and camera in the outliner show it"
+        self.report({"INFO"}, told)
+
+
+def _hide(view_layer, collection):
+    """Hides a collection of the scene in viewports and renders: Blender draws Grease Pencil over any engine's picture,
+    so all lines would be there twice."""
+    view_layer.layer_collection.children[collection.name].hide_viewport = True
+    collection.hide_render = True
 
 
 def _lines(engine, depsgraph):

@@ -8,8 +8,9 @@ from ..gpu import viewport as gpu_viewport
 from ..scene.property_kinds import choice, whole_number
 from . import gpu_context
 
-AUTOMATIC = ("AUTO", "Automatic", "Exact in renders and on software OpenGL, the segment atlas in viewports", 0)
+AUTOMATIC = ("AUTO", "Automatic", "Exact in renders and on software OpenGL, Fast (Sampled) in other viewports", 0)
 LOOKS = ("probes", "depth_scale")
+ADVANCED = {"spine", "item_buffer"}  # methods of the core for special cases, listed below the others
 QUALITY = {
     "AUTO": LOOKS,
     "ATLAS": LOOKS,
@@ -23,19 +24,22 @@ def properties():
     """Property annotations for the scene's settings."""
     probes = "How often the depth buffer is looked into for every sample: more is smoother and slower"
     scale = "Texels of the depth buffer to a pixel, along each axis: more is more precise and slower"
-    layers = "Lines that a texel of the item buffer holds"
+    layers = "Lines that are told apart at a texel"
     return {
         "visibility": choice("Method", "How it is decided what is hidden", items=[AUTOMATIC, *_known()]),
-        "probes": choice("Probes", probes, items=PROBES, default="9"),
+        "probes": choice("Samples", probes, items=PROBES, default="9"),
         "depth_scale": whole_number("Depth Scale", scale, default=2, min=1, max=3),
         "layers": whole_number("Layers", layers, default=3, min=1, max=3),
     }
 
 
 def _known():
-    """Items of an enumeration: the core's methods, numbered in its order; none without the core."""
+    """Items of an enumeration: the core's methods, numbered in its order, the advanced ones under a heading; none
+    without the core."""
     known = () if native.problem() else native.load().VISIBILITY
-    return [(name.upper(), *words, number) for number, (name, *words) in enumerate(known, start=1)]
+    items = {name: (name.upper(), *words, number) for number, (name, *words) in enumerate(known, start=1)}
+    usual = [item for name, item in items.items() if name not in ADVANCED]
+    return [*usual, ("", "Advanced", ""), *(items[name] for name in items if name in ADVANCED)]
 
 
 def quality(settings):
@@ -48,7 +52,7 @@ def choose(engine, settings, *, in_viewport):
     context is bound.
 
     The environment variable FOVEA_BACKEND overrides the scene's setting. AUTO visibility is exact in renders, so that
-    frames from different machines agree, and the segment atlas in viewports with a hardware GPU. The backend is stored
+    frames from different machines agree, and sampled in viewports with a hardware GPU. The backend is stored
     in the engine, which lives as long as the context: through an animation, or while a viewport is open.
     """
     wanted = os.environ.get("FOVEA_BACKEND", settings.backend).upper()

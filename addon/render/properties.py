@@ -45,15 +45,15 @@ BACKENDS = [
     ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
 ]
 USAGES = [
-    ("BOTH", "Draw and Occlude", "Has lines and hides what lies behind"),
-    ("OCCLUDE", "Occlude Only", "Hides what lies behind, has no lines"),
-    ("DRAW", "Draw Only", "Has lines and hides nothing"),
-    ("IGNORE", "Ignore", "Is not there"),
+    ("BOTH", "Include", "Has lines and hides what lies behind"),
+    ("OCCLUDE", "Occlusion Only", "Hides what lies behind, has no lines"),
+    ("DRAW", "No Occlusion", "Has lines and hides nothing"),
+    ("IGNORE", "Exclude", "Is not there"),
 ]
 ESTIMATORS = [
-    ("AUTOMATIC", "Automatic", "Jets, their degree and rings by how noisy the mesh is"),
-    ("JETS", "Jets", "Polynomials fitted to the surroundings of each vertex"),
-    ("ONE_RING", "One-Ring", "Differences of normals: fast, for regular meshes"),
+    ("AUTOMATIC", "Automatic", "Accurate, over a radius by how noisy the mesh is"),
+    ("JETS", "Accurate", "Polynomials fitted to the surroundings of each vertex"),
+    ("ONE_RING", "Fast", "Differences of neighboring normals, for regular meshes"),
 ]
 OCCLUSIONS = [
     ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is see-through as a whole, as glass is"),
@@ -89,13 +89,13 @@ def _object_group(kinds):
 
 
 def _curvature_properties():
-    rings = "How far around each vertex jets are fitted, 0: by how noisy the mesh is"
+    rings = "How many edges around each vertex count, 0: by how noisy the mesh is"
     smoothing = "How far curvature is averaged, in edge lengths; never across hard edges"
     return {
         "curvature_estimator": choice(
             "Curvature", "How curvature, which many lines follow, is found", items=ESTIMATORS
         ),
-        "curvature_rings": whole_number("Rings", rings, min=0, max=32),
+        "curvature_rings": whole_number("Radius (Edges)", rings, min=0, max=32),
         "curvature_smoothing": number("Smoothing", smoothing, min=0.0, max=8.0),
     }
 
@@ -119,9 +119,9 @@ def _shape_properties():
     level = "Each face becomes 2 x 2 per level; at least the levels of a subdivision modifier at the end"
     length = {"subtype": "DISTANCE", "min": 0.0, "soft_max": 10.0, "step": 0.1, "precision": 4}
     return {
-        "refine": switch("Refine", refine),
+        "refine": switch("Limit Surface", refine),
         "refine_level": whole_number("Level", level, default=2, min=1, max=6),
-        "repair_orient": switch("Face Outwards", "Turn faces that disagree with their neighbors"),
+        "repair_orient": switch("Recalculate Outside", "Turn faces that disagree with their neighbors"),
         "repair_resample": whole_number("Resample", "Steps towards triangles of equal sides", min=0, max=50),
         "repair_edge_length": number("Edge Length", "Of the triangles; 0: as the mesh has it on average", **length),
     }

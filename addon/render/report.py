@@ -17,7 +17,7 @@ TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
 OVER = "Freestyle is on: it draws its own lines over the picture, and takes longer than all that is told below"
 USAGES = {  # usages of objects that have no lines, explained
-    "IGNORE": "is ignored, as its line drawing setting says",
+    "IGNORE": "is excluded, as its line drawing setting says",
     "OCCLUDE": "only hides what lies behind it, as its line drawing setting says",
 }
 STAGES = {  # stages of a picture, with labels
@@ -28,7 +28,7 @@ STAGES = {  # stages of a picture, with labels
     "project": "projecting lines",
     "visibility": "what is hidden",
     "runs": "joining, tidying",
-    "elision": "elision",
+    "elision": "line thinning",
     "shape": "shaping strokes",
     "strokes": "drawing strokes",
     "color": "colors under lines",

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from .. import budget, native, pipeline
+from .. import budget, moved_picture, native, pipeline
 from ..gpu import program as gpu_program
 from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
@@ -21,6 +21,8 @@ from . import caretaker, changes, methods, session, worker
 
 PATIENCE = 0.25  # seconds that a draw of the region waits for its picture
 WORD = 0.3  # seconds between progress messages in the header
+DRAWING = "Fovea: drawing…"  # in the middle of a viewport until its first picture is there
+LETTERS = 16  # height of its letters in pixels of Blender's interface
 
 _of_region = weakref.WeakValueDictionary()  # address of a region -> its Viewport
 
@@ -84,6 +86,7 @@ class Viewport:
         self._programs = gpu_program.Programs()
         self.wanted = self.shown = self.job = None
         self._warm = None  # Read scene of the last finished picture
+        self._begun = False  # whether it was said that the first picture is on its way
         self.playing = False
         self._said_at = 0.0
 
@@ -93,6 +96,8 @@ class Viewport:
         if _render_runs_alone():
             self.wanted = None  # found anew after the render
             engine.update_stats("Fovea", "The viewport waits for the render")
+        elif not self._begun:
+            self._begun = True  # seen before the scene is read, which may take long
         # A slow draft is finished, not restarted: else nothing new would be shown until the view rests.
         elif job is None or not job.draft or job.wait(job.started + PATIENCE - start):
             self._take(engine)
@@ -104,9 +109,19 @@ class Viewport:
                 caretaker.note_change()
         if not self.is_final():
             caretaker.look_after(self, engine)
+        size = context.region.width, context.region.height
         if self.shown:
-            size = context.region.width, context.region.height
-            self.shown.image.show(self._programs, engine, depsgraph.scene, *size)
+            self.shown.image.show(self._programs, engine, depsgraph.scene, *size, self._moved(context, view))
+        else:
+            gpu_viewport.say(DRAWING, *size, LETTERS * context.preferences.system.ui_scale)
+
+    def _moved(self, context, view):
+        """Where the picture shown is seen now, for Picture.show, if it was drawn from another view; else None."""
+        before = self.shown.wanted.view
+        if _seen(before) == _seen(view):
+            return None
+        depth = moved_picture.depth_of(before, context.region_data.view_location)
+        return moved_picture.on_plane(before, view, depth), moved_picture.PLACES
 
     def is_final(self):
         """Whether the picture shown is current and needs no refinement now."""

@@ -24,6 +24,17 @@ def follow(animated, places, path=LINE_SET):
                 channel.data_path = f"{found[1]}{place}{found[3]}"
 
 
+def take_place(animated, start, other, names):
+    """Moves F-curves and drivers whose RNA paths begin with `start` to paths that begin with `other`; those there for
+    the properties `names` are removed."""
+    data, gone = animated.animation_data, {f"{other}{name}" for name in names}
+    for owner in (data.drivers, *curves(animated)) if data else ():
+        for channel in [channel for channel in owner if channel.data_path in gone]:
+            owner.remove(channel)
+        for channel in [channel for channel in owner if channel.data_path.startswith(start)]:
+            channel.data_path = other + channel.data_path.removeprefix(start)
+
+
 def own_action(tree):
     """Gives a copied style its own copy of the action, keeping the assigned slot."""
     data = tree.animation_data

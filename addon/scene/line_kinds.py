@@ -87,7 +87,7 @@ def group():
     found = {}
     for definition in definitions():
         name = definition["name"]
-        found[name] = switch(definition["label"], f"{definition['description']}.\n{definition['source']}")
+        found[name] = switch(definition["label"], definition["description"])
         for parameter in definition["parameters"]:
             found[property_name(definition, parameter)] = parameter_property(parameter)
     return new_group("FoveaLineKinds", "Kinds of lines and their parameters.", found)

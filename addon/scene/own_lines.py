@@ -59,11 +59,11 @@ def kinds():
 
 def annotations(kinds):
     """Property annotations for an object's settings; `kinds`: the registered group of `kinds()`."""
-    told = "Of the lines that the line sets draw, this object and instances of it have only these kinds"
-    found = {"own_kinds": switch("Own Line Kinds", told), "kinds": PointerProperty(type=kinds)}
+    told = "Of the lines that the line sets draw, this object and instances of it have only these types"
+    found = {"own_kinds": switch("Override Line Types", told), "kinds": PointerProperty(type=kinds)}
     for known in parameters():
         name = label(*known)
         told = f"This object, and instances of it, have their own {name.lower()} in all line sets"
-        found[switch_name(*known)] = switch(f"Own {name}", told)
+        found[switch_name(*known)] = switch(f"Override {name}", told)
         found[property_name(*known)] = parameter_property(known[1], name)
     return found

@@ -6,10 +6,11 @@ import bpy
 
 
 def classes_of(module):
-    """The Blender classes that a module defines, except render engines, which gpu_context.py registers."""
+    """The Blender classes that a module defines, except render engines, which gpu_context.py registers, and tools,
+    which are no classes to Blender."""
     defined = [cls for cls in vars(module).values() if isinstance(cls, type) and cls.__module__ == module.__name__]
-    engine, any_class = bpy.types.RenderEngine, bpy.types.bpy_struct
-    return [cls for cls in defined if issubclass(cls, any_class) and not issubclass(cls, engine)]
+    others = bpy.types.RenderEngine, bpy.types.WorkSpaceTool
+    return [cls for cls in defined if issubclass(cls, bpy.types.bpy_struct) and not issubclass(cls, others)]
 
 
 def register(module):

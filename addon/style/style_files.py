@@ -99,7 +99,7 @@ def picture(name):
 
 def _of_user(name):
     if name not in user_names():
-        raise style.StyleError(f"there is no saved style '{name}' of yours")
+        raise style.StyleError(f"there is no preset '{name}' of yours")
     return user_folder() / f"{name}.json"
 
 

@@ -101,7 +101,9 @@ def _pens():
 
 
 def _color():
-    on_paper = switch("On Paper", "Where there is nothing, and where colors fade, the paper shows", default=True)
+    on_paper = switch(
+        "Use Paper as Background", "Where there is nothing, and where colors fade, the paper shows", default=True
+    )
     return {"on_paper": on_paper, "background": _optional(style.Color, "background", (1.0, 1.0, 1.0))}
 
 
@@ -133,6 +135,7 @@ def _style():
         **{part(cls): PointerProperty(type=_groups[cls]) for cls in parts},
         "line_sets": CollectionProperty(type=_groups[style.LineSet]),
         "line_set_index": IntProperty(name="Line Set", description="The line set that is edited", min=0),
+        "effect_index": IntProperty(name="Effect", description="The node of the effect that is edited", min=0),
     }
 
 

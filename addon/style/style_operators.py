@@ -127,9 +127,9 @@ class FOVEA_OT_style_export(OnStyle, bpy.types.Operator, ExportHelper):
 
 
 class FOVEA_OT_style_save(OnStyle, bpy.types.Operator):
-    """Keep the scene's style among your own, for other files. One of yours with that name is replaced"""
+    """Keep the scene's style as a preset, for other files. A preset of yours with that name is replaced"""
 
-    bl_idname, bl_label = "fovea.style_save", "Save Style"
+    bl_idname, bl_label = "fovea.style_save", "Save Style Preset"
     bl_options = {"UNDO"}  # no REGISTER: changing the name in the redo panel would write another file
 
     name: StringProperty(name="Name", description="Of the style; none: as the scene's is named", maxlen=60)
@@ -147,10 +147,10 @@ class FOVEA_OT_style_save(OnStyle, bpy.types.Operator):
 
 
 class FOVEA_OT_style_update(OnStyle, bpy.types.Operator):
-    """Write the scene's style over the saved one that it came from, with its numbers as they are at this frame. This
+    """Write the scene's style over the preset that it came from, with its numbers as they are at this frame. This
     cannot be undone"""
 
-    bl_idname, bl_label = "fovea.style_update", "Update Saved Style"
+    bl_idname, bl_label = "fovea.style_update", "Update Style Preset"
     bl_options = {"REGISTER"}
 
     @classmethod
@@ -158,12 +158,12 @@ class FOVEA_OT_style_update(OnStyle, bpy.types.Operator):
         source = tree.fovea.source
         if source in style_files.user_names():
             return None
-        gone = f"The saved style '{source}' is no more" if source else "This style does not come from a saved one"
-        return f"{gone}: press Save to keep it among yours"
+        gone = f"The preset '{source}' is no more" if source else "This style does not come from a preset of yours"
+        return f"{gone}: press Save Preset to keep it as one"
 
     def invoke(self, context, event):
         source = style_data.of(context.scene).fovea.source
-        words = {"title": f"Write over the saved style '{source}'?", "confirm_text": "Update"}
+        words = {"title": f"Write over the preset '{source}'?", "confirm_text": "Update"}
         return context.window_manager.invoke_confirm(self, event, **words)
 
     def act(self, context):
@@ -173,19 +173,19 @@ class FOVEA_OT_style_update(OnStyle, bpy.types.Operator):
 
 
 class _OnSaved(StyleOperator):
-    """Of one of the user's saved styles."""
+    """Of one of the user's presets."""
 
     bl_options = {"REGISTER"}
 
     @classmethod
     def hindrance(cls, _context):
-        return None if style_files.user_names() else "There are no saved styles of yours: Save keeps one"
+        return None if style_files.user_names() else "There are no presets of yours: Save Preset keeps one"
 
 
 class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
-    """Give the file of one of your styles another name. This cannot be undone"""
+    """Give one of your presets another name. This cannot be undone"""
 
-    bl_idname, bl_label = "fovea.style_rename", "Rename Saved Style"
+    bl_idname, bl_label = "fovea.style_rename", "Rename Style Preset"
 
     style: EnumProperty(name="Style", description="One of yours", items=_users)
     name: StringProperty(name="Name", description="The name it shall have", maxlen=60)
@@ -203,9 +203,9 @@ class FOVEA_OT_style_rename(_OnSaved, bpy.types.Operator):
 
 
 class FOVEA_OT_style_delete(_OnSaved, bpy.types.Operator):
-    """Delete the file of one of your styles; scenes that draw with it keep theirs. This cannot be undone"""
+    """Delete one of your presets; scenes that draw with it keep theirs. This cannot be undone"""
 
-    bl_idname, bl_label = "fovea.style_delete", "Delete Saved Style"
+    bl_idname, bl_label = "fovea.style_delete", "Delete Style Preset"
 
     style: EnumProperty(name="Style", description="One of yours", items=_users)
 

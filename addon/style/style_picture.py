@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Thumbnails of styles: renders of a fixed small scene (still_life.py) by the native module. They use no Blender data,
+"""Thumbnails of styles: renders of fixed small scenes (still_life.py) by the native module. They use no Blender data,
 so they do not depend on the open file."""
 
 from functools import lru_cache
@@ -15,11 +15,11 @@ OVERSIZE = 2  # supersampling factor along each axis
 HEIGHT = 480.0  # height of the thumbnail in reference pixels; sets the size of pens
 
 
-def draw(drawn):
-    """The thumbnail of a Style: (SIZE, SIZE, 3) uint8 sRGB, bottom row first. native.Unavailable without the native
-    module."""
+def draw(drawn, shapes=still_life.shapes):
+    """The thumbnail of a Style: (SIZE, SIZE, 3) uint8 sRGB, bottom row first. `shapes`: the function of still_life that
+    makes the scene. native.Unavailable without the native module."""
     core = native.load()
-    placed, sources = _scene(core)
+    placed, sources = _scene(core, shapes)
     world_to_view, clip, near, far = still_life.view()
     size = OVERSIZE * SIZE
     seen = scene.seen(core, View(world_to_view, clip, size, size, False, near, far, size / HEIGHT))
@@ -39,11 +39,11 @@ def _look():
     return style.Focus(model="image", points=(style.FocusPlace(at=(0.4, 0.45, 0.0), near=0.1, far=0.75),))
 
 
-@lru_cache(maxsize=1)
-def _scene(core):
-    """(native Scene, native ColorSources) of the still life."""
+@lru_cache(maxsize=2)
+def _scene(core, shapes):
+    """(native Scene, native ColorSources) of the shapes that a function of still_life makes."""
     surfaces, colors = [], []
-    for shape in still_life.shapes():
+    for shape in shapes():
         edges = core.PolygonEdges(shape.offsets, shape.corners)
         mesh = core.Mesh(
             positions=shape.positions,

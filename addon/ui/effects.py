@@ -1,11 +1,46 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: effects of focus and of distance, each with its response curve."""
+"""Panel: what answers to focus and to distance, as a list with the response curve of the chosen effect."""
 
 import bpy
 
 from .. import style
 from ..style import style_curves, style_data, style_groups
-from .common import StylePanel, draw_properties, fold
+from .common import StylePanel, draw_properties
+
+PARTS = {"effects": "", "distance": "By Distance: "}  # part of a style with effects -> what its labels begin with
+
+
+def declared():
+    """{name of its curve's node: (part, declaration)} of all effects, in order."""
+    records = {"effects": style.Effects, "distance": style.Distance}
+    found = ((part, field) for part in PARTS for field in style_groups.transfers(records[part]).values())
+    return {style_curves.node_name(part, field["name"]): (part, field) for part, field in found}
+
+
+def heeded(held, part, field):
+    """Whether an effect can show: lines need a pen out of focus, colors a color layer."""
+    effects = held.effects
+    if field["group"] == "colors":
+        return held.color.shading != "PLAIN" and effects.colors != "NONE"
+    return any(line_set.away for line_set in held.line_sets) and (part != "effects" or effects.lines != "NONE")
+
+
+class FOVEA_UL_effects(bpy.types.UIList):
+    """Effects, each with its strength; the items are the nodes of their curves."""
+
+    def draw_item(self, _context, layout, tree, node, _icon, _active_data, _active, _index=0, _flag=0):
+        part, field = declared()[node.name]
+        row = layout.split(factor=0.6)
+        row.active = heeded(tree.fovea, part, field)
+        row.label(text=PARTS[part] + field["label"])
+        row.prop(getattr(getattr(tree.fovea, part), field["name"]), "strength", text="", emboss=False, slider=True)
+
+    def filter_items(self, _context, tree, _property):
+        order = list(declared())
+        flags = [self.bitflag_filter_item if node.name in order else 0 for node in tree.nodes]
+        places = {name: place for place, name in enumerate(order)}
+        ranked = sorted(range(len(tree.nodes)), key=lambda i: (places.get(tree.nodes[i].name, len(order)), i))
+        return flags, [ranked.index(i) for i in range(len(ranked))]
 
 
 class RENDER_PT_fovea_effects(StylePanel, bpy.types.Panel):
@@ -15,31 +50,25 @@ class RENDER_PT_fovea_effects(StylePanel, bpy.types.Panel):
     def show(self, layout, context):
         tree = style_data.of(context.scene)
         held = tree.fovea
-        effects, distance, color = held.effects, held.distance, held.color.shading != "PLAIN"
-        away = any(line_set.away for line_set in held.line_sets)
-        draw_properties(layout, effects, ("lines", "colors"))
-        draw_properties(layout, effects, ("uniform",), "UNIFORM" in (effects.lines, effects.colors))
-        if not away:
+        draw_properties(layout, held.effects, ("lines", "colors"))
+        draw_properties(layout, held.effects, ("uniform",), "UNIFORM" in (held.effects.lines, held.effects.colors))
+        if not any(line_set.away for line_set in held.line_sets):
             layout.label(text="No line set has a pen out of focus", icon="INFO")
-        heeded = {"lines": away and effects.lines != "NONE", "colors": color and effects.colors != "NONE"}
-        for name, declared in style_groups.transfers(style.Effects).items():
-            body = _draw_transfer(layout, tree, "effects", declared, heeded[declared["group"]])
-            if body and name == "blur":
-                draw_properties(body, effects, ("blur_radius",), effects.blur.strength > 0)
-        if body := fold(layout, "distance", "By Distance"):
-            draw_properties(body, distance, ("near", "far"), away)
-            for declared in style_groups.transfers(style.Distance).values():
-                _draw_transfer(body, tree, "distance", declared, away)
+        layout.template_list("FOVEA_UL_effects", "", tree, "nodes", held, "effect_index", rows=6)
+        if held.effect_index < len(tree.nodes):
+            _draw_effect(layout, held, tree.nodes[held.effect_index])
 
 
-def _draw_transfer(layout, tree, part, declared, heeded):
-    """Draws a transfer function; returns the section's body, or None if it is closed."""
-    name = declared["name"]
-    transfer = getattr(getattr(tree.fovea, part), name)
-    body = fold(layout, f"{part}_{name}", declared["label"], heeded=heeded and transfer.strength > 0)
-    if body:
-        body.active = heeded
-        draw_properties(body, transfer, ("start", "end", "strength"))
-        if node := tree.nodes.get(style_curves.node_name(part, name)):
-            body.template_curve_mapping(node, "mapping")
-    return body
+def _draw_effect(layout, held, node):
+    """Draws the effect of a curve's node, if it is one."""
+    if node.name not in declared():
+        return
+    part, field = declared()[node.name]
+    group, body = getattr(held, part), layout.column()
+    body.active = heeded(held, part, field)
+    draw_properties(body, getattr(group, field["name"]), ("start", "end", "strength"))
+    body.template_curve_mapping(node, "mapping")
+    if field["name"] == "blur":
+        draw_properties(body, group, ("blur_radius",))
+    if part == "distance":
+        draw_properties(body, group, ("near", "far"))

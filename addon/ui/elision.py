@@ -6,13 +6,15 @@ import bpy
 from .. import style
 from ..style import style_data
 from ..style.style_groups import plain_fields
+from . import thumbnails
 from .common import StylePanel, draw_properties, fold
 
+PICTURES = style.FOLDER  # beside the thumbnails of styles, which the same script draws
 PAINTED = "painted"  # the weight that has an effect only with a painted attribute
 
 
 class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
-    bl_label = "Elision"
+    bl_label = "Line Thinning"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw_header(self, context):
@@ -22,7 +24,8 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
         elision = style_data.of(context.scene).fovea.elision
         layout.active = elision.enabled
         if context.scene.fovea.visibility == "SPINE":
-            layout.label(text="The spine test knows too late what is seen to thin it", icon="INFO")
+            layout.label(text="No thinning: Per Pixel visibility knows too late what is seen", icon="INFO")
+        _draw_pictures(layout)
         draw_properties(layout, elision, ("fade_from", "cut", "frames"))
         if body := fold(layout, "elision_priority", "Priority"):
             body.active = elision.enabled
@@ -34,6 +37,17 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
             body.active = elision.enabled
             _draw_attribute(body, elision, "density_attribute", context.object)
             body.prop(elision, "density_image")
+
+
+def _draw_pictures(layout):
+    """Draws what thinning does: boards, whose edges crowd far away, without and with it."""
+    row = layout.row()
+    for word in ("Off", "On"):
+        column = row.column(align=True)
+        column.template_icon(icon_value=thumbnails.icon_of_file(PICTURES / f"thinning_{word.lower()}.jpg"), scale=5.0)
+        name = column.row()
+        name.alignment = "CENTER"
+        name.label(text=word)
 
 
 def _draw_attribute(layout, elision, name, obj):

@@ -22,19 +22,25 @@ def draw_focus(layout, settings):
         layout.prop(settings, name)
     if not kind.place:
         return
-    _draw_place(layout, settings, kind)
-    for index, place in enumerate(settings.focus_points):
+    if not settings.focus_points:
+        _draw_place(layout, settings, kind)
+        return
+    for number, place in enumerate((settings, *settings.focus_points), start=1):
         box = layout.box()
         row = box.row()
-        row.label(text=f"Place {index + 2}")
-        row.operator("fovea.focus_place_remove", text="", icon="X", emboss=False).index = index
+        row.label(text=f"Place {number}")
+        remove = row.operator("fovea.focus_place_remove", text="", icon="X", emboss=False)
+        remove.first, remove.index = number == 1, max(number - 2, 0)
         _draw_place(box, place, kind)
-    if settings.focus_points:
-        layout.prop(settings, "focus_combine")
+    layout.prop(settings, "focus_combine")
 
 
 def _draw_place(layout, place, kind):
-    column = layout.column()
+    """Draws a focus point; of one that an Empty marks, the Empty's location, which is what is keyed."""
+    layout.use_property_decorate = True
+    column, mark = layout.column(), place.focus_object
     for name in kind.place:
-        if name != "focus_location" or place.focus_object is None:
+        if name != "focus_location" or mark is None:
             column.prop(place, name)
+        elif mark.type == "EMPTY":
+            column.prop(mark, "location")

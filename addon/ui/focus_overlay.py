@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An overlay of 3D viewports that shows focus as colors: warm in focus, cool out of focus.
+"""An overlay of 3D viewports, the focus heat map: warm in focus, cool out of focus.
 
 When a viewport is drawn after a change of its view, the focus or the scene, the native module evaluates focus per pixel
 at a low resolution that fits into the time budget; when changes have stopped, once more at SCALE. Idle viewports are
@@ -167,7 +167,7 @@ handle = None
 def register():
     global handle
     bpy.types.WindowManager.fovea_show_focus = bpy.props.BoolProperty(
-        name="Focus as Colors",
+        name="Focus Heat Map",
         description="Show in 3D viewports what is in focus (red) and out of it (blue), while overlays are shown",
         options={"SKIP_SAVE"},
         update=_toggled,

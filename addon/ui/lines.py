@@ -6,11 +6,11 @@ import bpy
 from ..scene.line_kinds import definitions
 from ..style import FILTERS, style_data
 from ..style.line_set_operators import edited, edited_hidden
+from ..style.renamed import KINDS
 from .common import StylePanel, draw_pen, draw_properties, fold, fold_switch
 
-FILTERED_BY = {"collection": "collections", "object": "objects", "material": "materials"}  # filter -> name in bpy.data
 # The registry's scope of a definition, which says what its lines depend on -> title.
-SCOPES = {"view": "Lines of the View", "surface": "Lines of the Shape", "scene": "Lines of the Scene"}
+SCOPES = {"view": "View-Dependent", "surface": "Surface", "scene": "Object and Image"}
 
 
 class FOVEA_UL_line_sets(bpy.types.UIList):
@@ -62,7 +62,7 @@ def draw_filter(layout, line_set):
     """Draws the filters of a line set by collection, object and material, each with a button to invert it."""
     column = layout.column()
     for name, others in FILTERS.items():
-        chosen, known = getattr(line_set, name), FILTERED_BY[name]
+        chosen, known = getattr(line_set, name), KINDS[name]
         row = column.row(align=True)
         search = row.row(align=True)
         search.use_property_decorate = False
@@ -136,7 +136,7 @@ def _draw_hidden(body, scene, line_set):
     if hidden is None:
         return
     if scene.fovea.visibility == "SPINE":
-        body.label(text="The spine test draws visible lines only", icon="INFO")
+        body.label(text="Per Pixel visibility draws visible lines only", icon="INFO")
     elif scene.fovea.visibility != "EXACT":
         body.label(text="Sampled visibility counts one surface at most", icon="INFO")
     draw_properties(body, hidden, ("first", "last"))

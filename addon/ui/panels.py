@@ -4,10 +4,11 @@
 import bpy
 
 from .common import ENGINE
+from .simplify import PANELS as SIMPLIFY
 
 # Blender's panels declare their engines in COMPAT_ENGINES; those in ALSO are enabled without BLENDER_RENDER in it.
 ALSO = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface"}
-NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter"}
+NOT = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "VIEWLAYER_PT_filter", *SIMPLIFY}
 
 
 def _blender_panels():

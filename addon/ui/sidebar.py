@@ -6,11 +6,11 @@ import bpy
 from ..focus import focus_kinds
 from ..style import style_data
 from ..style.line_set_operators import edited
-from .common import ENGINE, draw_pen, fold
+from .common import ENGINE, draw_pen
 from .focus import draw_focus
 from .hints import draw_hints
 from .lines import draw_list
-from .style import draw_gallery, draw_style
+from .style import draw_style
 
 
 class _SidePanel:
@@ -35,8 +35,6 @@ class VIEW3D_PT_fovea_style(_SidePanel, bpy.types.Panel):
         if context.engine == ENGINE:
             draw_hints(layout, context.scene)
         draw_style(layout, context)
-        if body := fold(layout, "side_gallery", "Gallery"):
-            draw_gallery(body)
 
 
 class VIEW3D_PT_fovea_focus(_SidePanel, bpy.types.Panel):

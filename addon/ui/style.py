@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel: the scene's style, and the gallery of styles."""
+"""Panel: the scene's style, with the gallery of styles."""
 
 import bpy
 
 from .. import catalogue, native, style
 from ..style import style_data, style_files
-from .common import FoveaPanel, fold
-from .thumbnails import icon_of
+from .common import FoveaPanel
+from .gallery import draw_gallery
 
 
 class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
@@ -22,37 +22,27 @@ class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
         files = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
         files.operator("fovea.style_import", text="Import")
         files.operator("fovea.style_export", text="Export")
-        files.operator("fovea.style_save", text="Save")
-        files.operator("fovea.style_update", text="Update")
+        files.operator("fovea.style_save", text="Save Preset")
+        files.operator("fovea.style_update", text="Update Preset")
+        if style_files.user_names():
+            files.operator_menu_enum("fovea.style_rename", "style", text="Rename Preset")
+            files.operator_menu_enum("fovea.style_delete", "style", text="Delete Preset")
         row = layout.row(align=True)
         row.operator("fovea.style_mark_asset", text="Mark as Asset", icon="ASSET_MANAGER")
         row.operator("fovea.style_clear_asset", text="", icon="X")
         mixing = layout.column()
         mixing.use_property_split = True
-        mixing.prop(context.scene.fovea, "mixed_style")
+        mixing.prop(context.scene.fovea, "mixed_style", placeholder="Style")
         factor = mixing.column()
         factor.enabled = context.scene.fovea.mixed_style is not None
         factor.prop(context.scene.fovea, "mix")
-        if gallery := fold(layout, "gallery", "Gallery"):
-            draw_gallery(gallery)
 
 
 def draw_style(layout, context):
-    """Draws the selector of the scene's style, with a button to create or copy one."""
+    """Draws the gallery, and the selector of the scene's style with a button to create or copy one."""
+    draw_gallery(layout, context)
     settings = context.scene.fovea
     own = style_data.of(context.scene) is not None
     layout.template_ID(settings, "style", new="fovea.style_duplicate" if own else "fovea.style_new")
     if not own:
         layout.label(text=f"{style_data.title(style.DEFAULT)}, as it ships", icon="INFO")
-
-
-def draw_gallery(layout):
-    grid = layout.grid_flow(columns=0, even_columns=True, even_rows=True)
-    for name in style_files.names():
-        column, icon = grid.column(align=True), icon_of(name)
-        column.template_icon(icon_value=icon, scale=6.0)
-        column.operator("fovea.style_apply", text=style_data.title(name)).style = name
-    if style_files.user_names():
-        row = layout.row(align=True)
-        row.operator_menu_enum("fovea.style_rename", "style", text="Rename One of Yours")
-        row.operator_menu_enum("fovea.style_delete", "style", text="Delete One of Yours")

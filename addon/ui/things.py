@@ -8,6 +8,7 @@ from ..scene import own_lines
 from ..scene.line_kinds import property_name
 from ..style import style_data
 from .common import FoveaPanel, fold, fold_switch
+from .lines import SCOPES
 
 ABSENT = {  # pass -> why renders do not have it
     "Color": "the style has no color layer",
@@ -58,10 +59,13 @@ def _draw_own_lines(layout, settings, drawn, has_lines):
         value.prop(settings, property_name(definition, parameter), text="")
     if body := fold_switch(layout, "own_kinds", settings, "own_kinds", has_lines):
         body.use_property_split = False
-        for definition in own_lines.switchable():
-            row = body.row()
-            row.active = definition["name"] in drawn
-            row.prop(settings.kinds, definition["name"])
+        for scope, title in SCOPES.items():
+            body.label(text=title)
+            for definition in own_lines.switchable():
+                if definition["scope"] == scope:
+                    row = body.row()
+                    row.active = definition["name"] in drawn
+                    row.prop(settings.kinds, definition["name"])
 
 
 def _draw_curvature(layout, obj):

@@ -95,7 +95,7 @@ def draw_steps(target):
     output.mkdir(parents=True, exist_ok=True)
     script = PROJECT / "blender_scripts" / f"{STEPS}.py"
     with tempfile.TemporaryDirectory() as folder:
-        how = {"size": WINDOW, "timeout": 300}
+        how = {"size": WINDOW, "timeout": 300, "simulate": True}
         window.play(target.blender, target.environment(), script, "steps", Path(folder), (output,), **how)
     for name in pages.STEPS:
         print(output / f"{name}.jpg")

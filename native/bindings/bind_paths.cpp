@@ -95,6 +95,7 @@ void bind_paths(py::module_& m) {
     bind_columns(polylines, CompactRuns::run_columns);
     bind_columns(polylines, Polylines::pen_columns);
     bind_columns(polylines, CompactRuns::point_columns);
+    bind_columns(polylines, Polylines::mix_columns);
 }
 
 }  // namespace fovea::bindings

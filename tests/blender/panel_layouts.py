@@ -46,8 +46,11 @@ class RecordingLayout:
     def prop_search(self, owner, name, *_where, **_options):
         self.prop(owner, name)
 
-    def template_icon(self, **_options):
-        pass
+    def template_icon(self, icon_value, scale):
+        assert icon_value >= 0 and scale > 1  # 0: Blender has no icons without a window
+
+    def template_icon_view(self, owner, name, **_options):
+        assert name in owner.bl_rna.properties, name
 
     def template_curve_mapping(self, node, name):
         assert getattr(node, name).curves
@@ -57,6 +60,7 @@ class RecordingLayout:
         return self
 
     column = grid_flow = box = split = row
+    first = index = None  # of operators
 
     def panel(self, _name, default_closed=False):
         return self, self

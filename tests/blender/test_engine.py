@@ -120,8 +120,8 @@ def test_passes_in_a_multilayer_exr(scene, tmp_path):
     [
         ("AUTO", "exact"),
         ("EXACT", "exact"),
-        ("ATLAS", "segment atlas, 4 probes x 3"),
-        ("SPINE", "spine test, 4 probes x 3"),
+        ("ATLAS", "sampled, 4 samples x 3"),
+        ("SPINE", "spine test, 4 samples x 3"),
         ("ITEM_BUFFER", "item buffer, 2 layers x 3"),
     ],
 )

@@ -28,6 +28,17 @@ def test_a_thumbnail_is_what_ships_beside_its_style(tmp_path):
     assert drawn.shape == ships.shape and np.abs(drawn - ships).mean() < 0.02
 
 
+def test_the_pictures_of_line_thinning_are_of_the_same_boards_with_fewer_lines_far_away(tmp_path):
+    thumbnails.thinning(tmp_path)
+    for name in ("thinning_off.jpg", "thinning_on.jpg"):
+        drawn, ships = (pixels(folder / name) for folder in (tmp_path, STYLES))
+        assert drawn.shape == ships.shape and np.abs(drawn - ships).mean() < 0.02
+    off, on = (1 - pixels(STYLES / f"thinning_{word}.jpg")[..., 0] for word in ("off", "on"))
+    ink = [(off[rows].sum(), on[rows].sum()) for rows in np.array_split(np.arange(len(off)), 4)]
+    ratios = [b / a for a, b in ink if a > 50]
+    assert ratios == sorted(ratios, reverse=True) and ratios[0] > 3 * ratios[-1], "from near, below, to far away, above"
+
+
 def test_a_sheet_has_a_tile_for_each_of_its_drawings(tmp_path, monkeypatch):
     tiles = [("with lines", ["--style", "plain"]), ("without", ["--style", "plain", "--without", "lines"])]
     monkeypatch.setitem(variants.variants.SHEETS, "least", ("boxes:2", tiles))

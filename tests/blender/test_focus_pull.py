@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Focus pulls from scripts: keyframes, motion, undo."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
+from panel_layouts import RecordingLayout
 from the_addon import a_box_to_look_at, part
 
-places = part("focus.focus_places")
+places, pull = part("focus.focus_places"), part("focus.focus_pull")
 
 
 @pytest.fixture
@@ -58,6 +61,28 @@ def test_a_pull_in_the_image(scene):
     bpy.ops.fovea.focus_pull(target="OBJECT", object="Box", frame_start=1, frame_end=20)
     found = values(scene, "focus_place")
     assert found[0] == pytest.approx((0.1, 0.2)) and found[2] == pytest.approx((0.5, 0.5), abs=1e-4)
+
+
+def test_the_dialog_asks_for_an_object_that_can_be_picked_and_leads_there(scene):
+    bpy.ops.fovea.pick_focus(location=(-4, 0, 0))
+    scene.fovea.pull_object = scene.objects["Box"]
+    bpy.ops.fovea.focus_pull(asked=True, target="OBJECT", frame_start=1, frame_end=20)
+    assert values(scene, "location", scene.fovea.focus_object)[2] == pytest.approx((1, 2, 0))
+    assert scene.fovea.pull_object is None, "it is no setting of the scene"
+    with pytest.raises(RuntimeError, match="Choose an object"):
+        bpy.ops.fovea.focus_pull(asked=True, target="OBJECT", frame_start=1, frame_end=20)
+
+
+@pytest.mark.parametrize("model, radii", [("SCENE", ["near", "far"]), ("IMAGE", ["near_heights", "far_heights"])])
+def test_radii_of_the_dialog_have_the_units_of_the_place(scene, model, radii):
+    scene.fovea.focus_model = model
+    dialog, layout = pull.FOVEA_OT_focus_pull, RecordingLayout()
+    known = bpy.ops.fovea.focus_pull.get_rna_type().properties
+    dialog.draw(
+        SimpleNamespace(layout=layout, target="LOCATION", bl_rna=SimpleNamespace(properties=known)), bpy.context
+    )
+    assert [name for name in layout.shown if name.startswith(("near", "far"))] == radii
+    assert all((known[name].unit == "LENGTH") == (model == "SCENE") for name in radii)
 
 
 def test_a_pull_of_a_location_without_a_mark(scene):

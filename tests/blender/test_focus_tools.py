@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix, Vector
+from panel_layouts import RecordingLayout
 from the_addon import a_box_to_look_at, box_mesh, fovea, new_object, part
 
 KINDS = part("focus.focus_kinds").KINDS
@@ -103,6 +104,34 @@ def test_places_are_removed_with_what_animates_them(scene):
     assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not keyed(scene)
     assert bpy.ops.fovea.focus_place_remove(index=1) == {"CANCELLED"} and len(points) == 1
     assert bpy.ops.fovea.focus_place_remove() == {"FINISHED"} and not bpy.ops.fovea.focus_place_remove.poll()
+
+
+def test_the_first_place_is_removed_alone_and_the_next_one_takes_its_part(scene):
+    for x in range(3):
+        bpy.ops.fovea.pick_focus(location=(x, 0, 0), add=x > 0)
+    settings, points = scene.fovea, scene.fovea.focus_points
+    marks = [place.focus_object for place in places.places(settings)]
+    points[0].focus_far_distance, points[1].focus_far_distance = 7, 9
+    for owner in (settings, *points):
+        owner.keyframe_insert("focus_far_distance", frame=1)
+    assert bpy.ops.fovea.focus_place_remove(first=True) == {"FINISHED"}
+    assert [place.focus_object for place in places.places(settings)] == marks[1:]
+    assert [place.focus_far_distance for place in places.places(settings)] == [7, 9]
+    curves = {c.data_path: c.evaluate(1) for bag in part("scene.animation").curves(scene) for c in bag}
+    assert curves == {"fovea.focus_far_distance": 7, "fovea.focus_points[0].focus_far_distance": 9}
+    assert bpy.ops.fovea.focus_place_remove(first=True) == {"FINISHED"} and settings.focus_object == marks[2]
+    assert not bpy.ops.fovea.focus_place_remove.poll() and marks[0].name in scene.objects
+
+
+def test_the_location_of_the_empty_that_marks_a_place_is_in_the_panel_where_its_keys_are_seen(scene):
+    bpy.ops.fovea.pick_focus(location=(1, 2, 3))
+    layout = RecordingLayout()
+    part("ui.focus").draw_focus(layout, scene.fovea)
+    assert (scene.fovea.focus_object, "location") in layout.props and layout.use_property_decorate
+    scene.fovea.focus_object = scene.objects["Box"]
+    layout = RecordingLayout()
+    part("ui.focus").draw_focus(layout, scene.fovea)
+    assert "location" not in layout.shown, "an object's own place is not the focus's to change"
 
 
 def test_the_active_object_is_one_more_place(scene):

@@ -134,6 +134,71 @@ def test_what_elision_takes_away_is_not_baked(scene, tmp_path):
     assert drawn_thinned < 0.6 * drawn_whole and thinned < 0.6 * whole
 
 
+def values(obj, name, size=1):
+    """(M,) or (M, size) values of a point attribute of a baked mesh."""
+    attribute = obj.data.attributes[name]
+    found = np.empty(len(attribute.data) * size, np.float32)
+    attribute.data.foreach_get("value" if size == 1 else "color", found)
+    return found.reshape(-1, size) if size > 1 else found
+
+
+@pytest.fixture
+def unfocused(scene):
+    """The box with its focus at the left of the image: red, wide and opaque there, blue, thin and pale at the right."""
+    line_set = lines_of(scene)
+    scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 16.0  # a pixel is 1/10
+    line_set.away = True
+    line_set.pen.color, line_set.pen.opacity, line_set.pen.width = (1, 0, 0), 1.0, 30.0
+    line_set.pen_away.color, line_set.pen_away.opacity, line_set.pen_away.width = (0, 0, 1), 0.25, 15.0
+    fovea = scene.fovea
+    fovea.focus_model, fovea.focus_place, fovea.focus_near, fovea.focus_far = "IMAGE", (0.3, 0.5), 0.0, 0.5
+    return scene
+
+
+def test_baked_strokes_are_as_wide_as_opaque_and_of_the_color_as_focus_has_them(unfocused):
+    def baked_values():
+        bpy.ops.fovea.bake_strokes(kind="MESH")
+        (obj,) = baked()
+        found = values(obj, "color", 4), values(obj, "opacity"), values(obj, "radius"), len(obj.data.vertices)
+        bpy.data.collections.remove(bpy.data.collections["Lines"])
+        return found
+
+    color, opacity, radius, points = baked_values()
+    away = color[:, 2]
+    assert away.max() - away.min() > 0.5, "in focus at one side, out of it at the other"
+    np.testing.assert_allclose(color, np.column_stack([1 - away, 0 * away, away, 1 + 0 * away]), atol=1e-5)
+    np.testing.assert_allclose(opacity, 1 - 0.75 * away, atol=1e-5)
+    unit = 0.5 * 0.1 * SIZE[1] / 1080
+    np.testing.assert_allclose(radius, unit * (30 - 15 * away), rtol=1e-4)
+    unfocused.fovea.focus_model = "NONE"
+    assert baked_values()[3] < points, "where focus changes along an edge there are points"
+
+
+def test_strokes_of_grease_pencil_have_the_color_of_focus_and_else_that_of_their_material(unfocused):
+    def colors():
+        bpy.ops.fovea.bake_strokes(kind="GREASE_PENCIL")
+        attribute = baked()[0].data.layers[0].frames[0].drawing.attributes["vertex_color"]
+        found = np.empty(4 * len(attribute.data), np.float32)
+        attribute.data.foreach_get("color", found)
+        bpy.data.collections.remove(bpy.data.collections["Lines"])
+        return found.reshape(-1, 4)
+
+    found = colors()
+    assert (found[:, 3] == 1).any() and np.ptp(found[found[:, 3] == 1, 2]) > 0.5
+    unfocused.fovea.focus_model = "NONE"
+    assert (colors()[:, 3] == 0).all()
+
+
+@pytest.mark.parametrize("kind, engine, hidden", [
+    ("GREASE_PENCIL", "FOVEA", True), ("GREASE_PENCIL", "BLENDER_WORKBENCH", False), ("MESH", "FOVEA", False)
+])  # fmt: skip
+def test_baked_strokes_are_hidden_where_blender_would_draw_them_over_the_same_lines(scene, kind, engine, hidden):
+    scene.render.engine = engine
+    assert bpy.ops.fovea.bake_strokes(kind=kind) == {"FINISHED"}
+    seen = bpy.context.view_layer.layer_collection.children["Lines"]
+    assert (seen.hide_viewport, bpy.data.collections["Lines"].hide_render) == (hidden, hidden)
+
+
 def test_the_report_names_what_was_left_out_and_why():
     scene = empty_scene()
     new_object(box_mesh(), "Box")
@@ -150,7 +215,7 @@ def test_the_report_names_what_was_left_out_and_why():
     assert bpy.ops.fovea.report() == {"FINISHED"}
     text = bpy.data.texts[report.TEXT].as_string()
     told = {line.split("'")[1]: line for line in text.splitlines() if line.startswith("  '")}
-    assert "is ignored" in told["Ignored"] and "hidden in viewports" in told["Hidden"]
+    assert "is excluded" in told["Ignored"] and "hidden in viewports" in told["Hidden"]
     assert "invisible to cameras" in told["Unseen"] and "no faces" in told["Nothing"]
     assert "1 faces have no area" in told["Flat"] and "Box" not in told
     assert "objects and instances: 2, meshes: 2," in text

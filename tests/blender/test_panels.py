@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panels show every property, describe each in Blender's way, and every one can be set."""
 
+from types import SimpleNamespace
+
 import bpy
 import pytest
 from panel_layouts import RecordingLayout, catalogue, context, drawn_panels, full_scene, leaves, owners, shown_by
@@ -44,7 +46,10 @@ def test_a_menu_has_every_operator_so_that_it_is_found():
 
 
 def test_every_property_of_a_style_is_in_a_panel_and_tells_what_it_does(scene):
-    shown = set(shown_by().shown)
+    shown = set()
+    for index in range(len(scene.fovea.style.nodes)):
+        scene.fovea.style.fovea.effect_index = index
+        shown |= set(shown_by().shown)
     for path, prop in leaves(own_style(scene)):
         assert prop.identifier in shown or path.endswith(".name"), path
         assert len(prop.description.split()) > 2 or path.endswith(".name"), path
@@ -89,9 +94,25 @@ def test_a_kind_that_a_set_above_takes_says_which(scene):
     assert set(taken()) == {"Taken by 'Outlines' above"}
 
 
-def test_every_effect_shows_its_curve(scene):
-    found = shown_by(part("ui.effects").RENDER_PT_fovea_effects).curves
-    assert sorted(found) == sorted(node.name for node in scene.fovea.style.nodes) and len(found) == 12
+def test_every_effect_is_in_the_list_and_shows_its_curve_and_numbers_when_it_is_chosen(scene):
+    effects, tree = part("ui.effects"), scene.fovea.style
+    assert sorted(effects.declared()) == sorted(node.name for node in tree.nodes) and len(tree.nodes) == 12
+    shown = set()
+    for index, node in enumerate(tree.nodes):
+        tree.fovea.effect_index = index
+        layout = shown_by(effects.RENDER_PT_fovea_effects)
+        assert layout.curves == [node.name]
+        shown |= {name for owner, name in layout.props}
+    assert {"start", "end", "strength", "blur_radius", "near", "far"} <= shown
+
+
+def test_the_list_of_effects_is_in_the_order_of_the_declarations_and_has_no_other_nodes(scene):
+    effects, tree = part("ui.effects"), scene.fovea.style
+    tree.nodes.new("ShaderNodeMath")
+    fake = SimpleNamespace(bitflag_filter_item=1)
+    flags, order = effects.FOVEA_UL_effects.filter_items(fake, None, tree, "nodes")
+    listed = [tree.nodes[order.index(place)].name for place in range(len(order))]
+    assert listed[:12] == list(effects.declared()) and flags.count(1) == 12
 
 
 @pytest.mark.parametrize("visibility, told", [("AUTO", True), ("ATLAS", True), ("EXACT", False)])

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Drafts resemble the final picture: stand-ins for slow line definitions are drawn where these are, with their pens."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from native_core import box, core, scene, sphere, view
 
 from addon import budget, pipeline, style
 
-DRAFT = budget.QUALITIES[3]
+DRAFT = replace(budget.QUALITIES[4], scale=1.0)
 THICK, THIN = style.Pen(width=8.0), style.Pen(width=2.0)
 OUTLINE = style.LineSet(kinds={"silhouette": {}}, pen=THICK, least_length=0)
 LINES = style.LineSet(kinds={"contour": {}, "crease": {}, "border": {}}, pen=THIN, least_length=0)

@@ -89,9 +89,9 @@ def test_how_curvature_is_estimated_is_asked_for_and_told(tmp_path):
 
     assert reason(definition="border") == "", "borders know nothing of curvature"
     assert "jets" in reason()
-    assert reason("--estimator", "one_ring") == "one-rings as asked for"
+    assert reason("--estimator", "one_ring") == "fast (one-rings) as asked for"
     asked = reason("--estimator", "jets", "--degree", "3", "--rings", "2", "--smoothing", "1.5")
-    assert asked == "jets as asked for of degree 3 over 2 rings, smoothed over 1.5 edges"
+    assert asked == "accurate (jets) as asked for, degree 3, radius 2, smoothed over 1.5 edges"
     for wrong in (("--degree", "5"), ("--rings", "99"), ("--smoothing", "-1")):
         with pytest.raises(ValueError, match="wave: "):
             reason(*wrong)

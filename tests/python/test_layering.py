@@ -60,6 +60,7 @@ MODULES = {
     "curve_fit": "native",
     "pipeline": "native stages style",
     "budget": "catalogue",
+    "moved_picture": "",
 }
 # Its folders: each imports itself, those before it, and all modules; `gpu` only the module of the core.
 FOLDERS = "gpu scene focus style render ui".split()

@@ -23,20 +23,22 @@ def follow(folder):
         yield from first_drawing.settled()
         pictures.append(screen.picture())
 
-    yield from first_drawing.opened(folder)
+    yield from first_drawing.opened()
+    began = sorted(obj.name for obj in bpy.context.scene.objects)
     yield from first_drawing.followed(shown)
     scene = bpy.context.scene
-    told = {"pictures": len(pictures) == len(pages.STEPS), "range": [scene.frame_start, scene.frame_end]}
+    told = {"began": began, "place": list(scene.objects["Suzanne"].location)}
+    told |= {"pictures": len(pictures) == len(pages.STEPS), "range": [scene.frame_start, scene.frame_end]}
     told["changes"] = [float(np.abs(a - b).mean()) for a, b in zip(pictures[1:], pictures[2:])]
     told["played"] = yield from played(scene)
     scene.render.resolution_percentage = 30
     drawn = {}
-    for name, frame in (("door", 1), ("bicycle", first_drawing.LAST)):
+    for name, frame in (("cube", 1), ("monkey", first_drawing.LAST)):
         scene.frame_set(frame)
         place = places.location(scene.fovea)
         where[name] = world_to_camera_view(scene, scene.camera, place)
         drawn[name] = still(folder, name)
-    told["led"] = (place - scene.objects["Bicycle"].matrix_world.translation).length
+    told["led"] = (place - scene.objects["Suzanne"].matrix_world.translation).length
     told["contrast"] = {at: {name: contrast(drawn[name], where[at]) for name in drawn} for at in where}
     return told
 

@@ -128,6 +128,30 @@ def picking(folder):
     return told
 
 
+def tool(folder):
+    """The key chooses the tool of the toolbar; clicks and Shift clicks pick, without asking for another click."""
+    yield from opened()
+    where = screen.region()
+    x, y = where.x + 200, where.y + 200
+    move((200, 200))
+    yield from screen.rest(0.2)
+    event(type="F", value="PRESS", x=x, y=y, alt=True)
+    yield from screen.rest(0.1)
+    event(type="F", value="RELEASE", x=x, y=y, alt=True)
+    yield from screen.rest(0.3)
+    told = {"tool": bpy.context.workspace.tools.from_space_view3d_mode("OBJECT").idname}
+    yield from click(pixel((0.5, 0.5, 1)))
+    told["clicked"] = state()
+    yield from click(pixel((4, 0, 1)), shift=True)
+    told["added"] = state()
+    yield from click((30, 30))
+    told["missed"] = state()
+    screen.space().show_region_toolbar = True
+    yield from screen.rest(0.5)
+    np.save(folder / "tool.npy", screen.whole())
+    return told
+
+
 def in_camera(folder):
     """A click and drags in camera view, where the place is one of the image."""
     scene = yield from opened()

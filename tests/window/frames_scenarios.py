@@ -93,7 +93,7 @@ def rendering(folder):
         yield from steps.step(name, operator, "EXEC_DEFAULT", True, **words)
         told[name] = [len(bpy.data.images) - before[0], len(bpy.data.objects) > before[1]]
         yield from steps.step(f"{name} undone", bpy.ops.ed.undo)
-    names = [name for name in steps.pictures if name not in ("start", "strokes")]  # Blender draws strokes over it
+    names = [name for name in steps.pictures if name != "start"]
     told["same"] = {name: steps.differ("start", name) for name in names}
     return told | {"calm": (yield from calm())}
 

@@ -3,7 +3,10 @@
 
 import bpy
 import numpy as np
-from showing import SHARED, Steps, calm, caretaker, opened, side_by_side, threads, turn
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+from mathutils import Vector
+from showing import SHARED, Steps, calm, caretaker, is_calm, opened, side_by_side, threads, turn
+from slow import held
 from the_addon import box_mesh, new_object, part
 from window import screen
 
@@ -45,6 +48,67 @@ def orbit(folder):
         yield
     yield from watch.refined()
     return {"first": first, "moving": moving, "refined": refined, "idle": idle, "back": back, "plenty": watch.drafts}
+
+
+def held_up(folder):
+    """What is seen before the first picture is there; then what is seen of it while the view has moved and the next
+    one is not there yet, where the box is seen then, and where the last picture has it."""
+    with held() as drawings:
+        opening = opened("boxes:1")
+        for pause in opening:
+            yield pause
+            if drawings.begun:
+                break
+        yield from screen.rest(0.5)
+        screen.swap()
+        told = {"at first": bright(screen.picture(), screen.region().width // 2, screen.region().height // 2, 40)}
+        np.save(folder / "first.npy", screen.picture())
+        drawings.go.set()
+        yield from opening
+    space = screen.space()
+    space.region_3d.view_perspective, space.region_3d.view_location = "PERSP", (0, 0, 0)
+    space.region_3d.view_distance = 14
+    yield from screen.rest(0.5)
+    yield from screen.until(lambda: is_calm())
+    screen.swap()
+    before, was = screen.picture(), corner()
+    with held():
+        space.region_3d.view_location = (0, 0, 1)
+        yield from screen.rest(0.8)
+        screen.swap()
+        stale, now = screen.picture(), corner()
+        np.save(folder / "stale.npy", stale)
+    yield from screen.until(lambda: is_calm())
+    screen.swap()
+    told["moved"] = float((now - was).length)
+    found = {
+        "before": (before, was),
+        "there": (stale, now),
+        "not there": (stale, was),
+        "after": (screen.picture(), now),
+    }
+    told["ink"] = {name: dark(*words) for name, words in found.items()}
+    return told
+
+
+def corner():
+    """Where the upper corner of the box is seen that is in front, in pixels of the region."""
+    box = next(obj for obj in bpy.context.scene.objects if obj.type == "MESH")
+    region, view = screen.region(), screen.space().region_3d
+    eye = view.view_matrix.inverted().translation
+    near = min((box.matrix_world @ Vector(c) for c in box.bound_box), key=lambda place: (place - eye).length)
+    return location_3d_to_region_2d(region, view, near)
+
+
+def dark(picture, at, reach=6):
+    """How dark the darkest pixel around a place of a picture is."""
+    x, y = round(at.x), round(at.y)
+    return float(1 - picture[y - reach : y + reach + 1, x - reach : x + reach + 1].min())
+
+
+def bright(picture, x, y, reach):
+    """How many pixels around a place are bright."""
+    return int((picture[y - reach : y + reach, x - reach : x + reach].min(axis=2) > 0.9).sum())
 
 
 def shapes(folder):

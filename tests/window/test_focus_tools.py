@@ -17,6 +17,15 @@ def test_focus_is_picked_by_a_click(play):
     assert found["undone"] == found["before"]
 
 
+def test_the_tool_of_the_toolbar_picks_with_each_click(play):
+    found = play("tool", file=FILE, simulate=True)
+    assert found["tool"] == "fovea.pick_focus_tool", "Alt F"
+    assert found["clicked"]["model"] == "SCENE" and len(found["clicked"]["places"]) == 1
+    assert found["clicked"]["places"][0] == pytest.approx([0.5, 0.5, 1], abs=0.1)
+    assert len(found["added"]["places"]) == 2
+    assert found["missed"] == found["added"], "nothing is under the pointer there"
+
+
 def test_the_place_in_the_image(play):
     found = play("in_camera", file=FILE, simulate=True)
     assert found["picked"] == pytest.approx([0.25, 0.5], abs=0.005)

@@ -24,3 +24,11 @@ def test_shapes_styles_playback_and_two_viewports(play):
     assert found["after playing"] == 0
     assert found["two"] == [0, 0]
     assert found["calm"]
+
+
+def test_before_the_first_picture_there_are_words_and_an_old_one_moves_with_the_view(play):
+    found = play("held_up")
+    assert found["at first"] > 50, "Fovea: drawing..."
+    assert found["moved"] > 20
+    ink = found["ink"]
+    assert min(ink["before"], ink["there"], ink["after"]) > 0.4 and ink["not there"] < 0.1

@@ -121,20 +121,22 @@ void Frame::ink() {
     done_ = Step::ink;
 }
 
+Emphasis Frame::emphasis(In<float> opacity) const {
+    const style::Effects& effects = job.style.effects;
+    return {.focus = focus,
+            .distance = distance,
+            .shown = opacity,
+            .color = transfer_of(effects.color),
+            .texture = transfer_of(effects.texture),
+            .width = transfer_of(effects.width),
+            .opacity = transfer_of(effects.opacity),
+            .distance_width = transfer_of(job.style.distance.width),
+            .distance_opacity = transfer_of(job.style.distance.opacity)};
+}
+
 Strokes Frame::strokes_with(In<float> opacity) const {
     check(drawn != nullptr, "frame: its strokes are not made yet");
-    const style::Effects& effects = job.style.effects;
-    Emphasis emphasis;
-    emphasis.focus = focus;
-    emphasis.distance = distance;
-    emphasis.shown = opacity;
-    emphasis.color = transfer_of(effects.color);
-    emphasis.texture = transfer_of(effects.texture);
-    emphasis.width = transfer_of(effects.width);
-    emphasis.opacity = transfer_of(effects.opacity);
-    emphasis.distance_width = transfer_of(job.style.distance.width);
-    emphasis.distance_opacity = transfer_of(job.style.distance.opacity);
-    return tessellate(*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis, paths->id);
+    return tessellate(*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id);
 }
 
 /// Runs for strokes: with haloes, contours extended to meet other lines, and overshoot. Overshoot is at most a quarter

@@ -19,6 +19,7 @@
 #include <fovea/focus/focus.h>
 #include <fovea/path/paths.h>
 #include <fovea/scene/tracer.h>
+#include <fovea/stroke/emphasis.h>
 #include <fovea/stroke/strokes.h>
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/runs.h>
@@ -102,6 +103,8 @@ class Frame {
     /// Focus at each pixel; empty if all is in focus. Runs no other step.
     Array<float> focus_of_pixels();
 
+    /// Effects of focus and distance on lines, with this elision opacity at each sample. Requires filter().
+    stroke::Emphasis emphasis(In<float> opacity) const;
     /// Strokes of the drawn runs, with this elision opacity at each sample. Requires ink().
     Strokes strokes_with(In<float> opacity) const;
     /// The focus field in the coordinates of this view.

@@ -35,16 +35,12 @@ Array<float> look_by_items(const Frame& frame, const DepthBuffer& depth) {
 /// Indexed by Visibility.
 constexpr Method methods[] = {
     {.words = "exact", .visible = by_rays, .counts_surfaces = true},
-    {.words = "segment atlas",
-     .visible = by_atlas,
-     .look = look_by_atlas,
-     .quality = &Options::probes,
-     .counted = "probes"},
+    {.words = "sampled", .visible = by_atlas, .look = look_by_atlas, .quality = &Options::probes, .counted = "samples"},
     {.words = "spine test",
      .visible = all,
      .look = look_by_atlas,
      .quality = &Options::probes,
-     .counted = "probes",
+     .counted = "samples",
      .in_strokes = true},
     {.words = "item buffer",
      .visible = by_items,

@@ -67,8 +67,10 @@ namespace fovea::style {
 template <>
 inline constexpr Choice choices_of<draw::Visibility>[] = {
     {"exact", "Exact", "Rays decide what is hidden"},
-    {"atlas", "Segment Atlas", "A depth buffer decides what is hidden, at every sample along the lines"},
-    {"spine", "Spine Test", "A depth buffer decides what is hidden while strokes are drawn; ends have no caps"},
-    {"item_buffer", "Item Buffer", "Lines are drawn by number and seen where their number is found: for comparison"},
+    {"atlas", "Fast (Sampled)", "A depth buffer decides what is hidden, at every sample along the lines"},
+    {"spine", "Per Pixel (Spine Test)",
+     "A depth buffer decides what is hidden while strokes are drawn; ends have no caps"},
+    {"item_buffer", "By Number (Item Buffer)",
+     "Lines are drawn by number and seen where their number is found: for comparison"},
 };
 }  // namespace fovea::style

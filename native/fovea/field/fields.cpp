@@ -57,7 +57,7 @@ Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Arr
     choice.jets = {.degree = 4, .rings = 3};
     choice.smoothing = options.smoothing;
     if (options.degree && options.rings) {
-        choice.reason = "jets as asked for";
+        choice.reason = "accurate (jets) as asked for";
     } else {
         const auto residual = [&](int degree, int rings) {
             return jet_noise(surface, neighbors, normals, {.degree = degree, .rings = rings, .even = degree == 3});
@@ -75,13 +75,12 @@ Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Arr
                 choice.smoothing = smoothing_of_noise;
             kind = noisy ? "noisy" : "slightly noisy";
         }
-        choice.reason =
-            std::format("positions are {} ({:.2g} % of an edge off a smooth surface): jets", kind, 100.0 * noise);
+        choice.reason = std::format("positions are {} ({:.2g} % of an edge off a smooth surface): accurate (jets)",
+                                    kind, 100.0 * noise);
     }
     if (options.degree) choice.jets.degree = options.degree;
     if (options.rings) choice.jets.rings = options.rings;
-    choice.reason += std::format(" of degree {} over {} ring{}", choice.jets.degree, choice.jets.rings,
-                                 choice.jets.rings == 1 ? "" : "s");
+    choice.reason += std::format(", degree {}, radius {}", choice.jets.degree, choice.jets.rings);
     return choice;
 }
 
@@ -141,7 +140,7 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
         fields.reason = "exact: derivatives of the subdivision's limit surface";
     } else if (options.estimator == Estimator::one_ring) {
         fields.curvature = one_ring_curvature(surface, neighbors);
-        fields.reason = "one-rings as asked for";
+        fields.reason = "fast (one-rings) as asked for";
     } else {
         const Array<vec3> normals = vertex_normals(surface, neighbors);
         const Choice choice = choose_jets(surface, neighbors, normals, options);

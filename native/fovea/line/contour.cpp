@@ -30,7 +30,8 @@ extern const LineDefinition contour = {
     .name = "contour",
     .label = "Contour",
     .source = "Cole 2009, section 2.2; Benard & Hertzmann 2019",
-    .description = "Where a surface turns away from the viewer: edges between front and back faces",
+    .description =
+        "Where a surface turns away from the viewer: edges between front and back faces. Freestyle calls it Silhouette",
     .scope = Scope::view,
     .importance = 0.7,
     .rule = EdgeRule{mark},

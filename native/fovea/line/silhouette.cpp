@@ -79,7 +79,8 @@ extern const LineDefinition silhouette = {
     .name = "silhouette",
     .label = "Silhouette",
     .source = "Isenberg et al. 2003, A Developer's Guide to Silhouette Algorithms",
-    .description = "The outer boundary of an object, against the background or another object",
+    .description =
+        "The outer boundary of an object, against the background or another object. Freestyle calls it Contour",
     .scope = Scope::scene,
     .importance = 1.0,
     .rule = EdgeRule{mark},

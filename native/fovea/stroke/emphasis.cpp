@@ -62,6 +62,19 @@ Own own_samples(const PieceSamples& samples, double start_px, double end_px) {
     return {nearest, nearest};
 }
 
+/// The knots at both sides of an arc length, and its share of the way from a to b.
+struct Between {
+    std::size_t a, b;
+    float t;
+};
+
+Between between(const EmphasisAlong& emphasis, double at) {
+    const auto& arc = emphasis.arc;
+    const std::size_t k = std::upper_bound(arc.begin(), arc.end(), at) - arc.begin();
+    const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k, arc.size() - 1);
+    return {a, b, a < b ? float((at - arc[a]) / (arc[b] - arc[a])) : 0.0f};
+}
+
 }  // namespace
 
 void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis) {
@@ -114,14 +127,17 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
     if (last > first) keep(before);
 }
 
+vec4 mix_at(const EmphasisAlong& emphasis, double arc) {
+    if (emphasis.arc.empty()) return vec4(0.0f);
+    const Between at = between(emphasis, arc);
+    return glm::mix(emphasis.mix[at.a], emphasis.mix[at.b], at.t);
+}
+
 void emphasize(CenterLine& line, const EmphasisAlong& emphasis) {
     if (emphasis.arc.empty() || line.size() < 2) return;
     insert_points(line, emphasis.arc);
-    const auto& arc = emphasis.arc;
     for (CenterPoint& p : line) {
-        const std::size_t k = std::upper_bound(arc.begin(), arc.end(), p.arc) - arc.begin();
-        const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k, arc.size() - 1);
-        const float t = a < b ? float((p.arc - arc[a]) / (arc[b] - arc[a])) : 0.0f;
+        const auto [a, b, t] = between(emphasis, p.arc);
         p.mix = glm::mix(emphasis.mix[a], emphasis.mix[b], t);
         p.shown = glm::mix(emphasis.shown[a], emphasis.shown[b], t);
     }

@@ -37,9 +37,9 @@ inline Transfer off() { return {0.0, 1.0, 0.0, {}}; }
 enum class Mode : std::uint8_t { emphasized, uniform, none };
 template <>
 inline constexpr Choice choices_of<Mode>[] = {
-    {"emphasized", "Emphasized", "As focus says"},
-    {"uniform", "Uniform", "The same all over the image"},
-    {"none", "None", "Not drawn"},
+    {"emphasized", "By Focus", "As focus says at each place"},
+    {"uniform", "Constant", "The same all over the image"},
+    {"none", "Off", "Not drawn"},
 };
 
 /// Effects driven by focus, one transfer function each.
@@ -65,8 +65,8 @@ struct Effects {
         Field{"blur", &Effects::blur, "Blur", "", {}, of_colors},
         Field{"lines", &Effects::lines, "Lines", "Whether lines answer to focus"},
         Field{"colors", &Effects::colors, "Colors", "Whether colors answer to focus"},
-        Field{"uniform", &Effects::uniform, "Uniform Focus",
-              "Focus everywhere, of what is uniform: 0 in focus, 1 out of it", share},
+        Field{"uniform", &Effects::uniform, "Constant Focus",
+              "Focus everywhere, of what is constant: 0 in focus, 1 out of it", share},
         Field{"blur_radius", &Effects::blur_radius, "Blur Radius", "Radius of the full blur", reference(200.0, 60.0)}};
 };
 

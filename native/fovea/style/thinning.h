@@ -29,19 +29,19 @@ struct Elision {
     static constexpr Domain weight = number(0.0, 10.0, 2.0);
     static constexpr const char* weights = "weights";
     static constexpr std::tuple fields{
-        Field{"enabled", &Elision::enabled, "Elision",
-              "Thin lines that go alongside each other nearer than their pens' spacing"},
-        Field{"fade_from", &Elision::fade_from, "Min Room", "Share of its room that a line must have to show at all",
-              room},
+        Field{"enabled", &Elision::enabled, "Line Thinning",
+              "Thin lines that go alongside each other nearer than the minimum distance of their pens"},
+        Field{"fade_from", &Elision::fade_from, "Fade Threshold",
+              "Share of its room that a line must have to show at all", room},
         Field{"cut", &Elision::cut, "Min Opacity", "Lines that are fainter are left out altogether", room},
-        Field{"frames", &Elision::frames, "Smooth Frames",
+        Field{"frames", &Elision::frames, "Temporal Smoothing",
               "Renders smooth how lines come and go over so many frames before and after each, and take as many times "
               "as long",
               number(0, 8, 8)},
         Field{"length", &Elision::length, "Length", "Of crowding lines, how far long ones stay before short ones",
               weight, weights},
-        Field{"kind", &Elision::kind, "Kind", "How far outlines stay before creases, and creases before smooth lines",
-              weight, weights},
+        Field{"kind", &Elision::kind, "Line Type",
+              "How far outlines stay before creases, and creases before smooth lines", weight, weights},
         Field{"strength", &Elision::strength, "Strength",
               "Of crowding lines, how far strong ones stay before weak ones", weight, weights},
         Field{"depth", &Elision::depth, "Depth", "Of crowding lines, how far near ones stay before far ones", weight,
