@@ -85,6 +85,7 @@ extern const LineDefinition apparent_ridge = {
     .importance = 0.3,
     .parameters = parameters,
     .rule = feature_rule(parameters, 2, find),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

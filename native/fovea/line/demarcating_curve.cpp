@@ -81,6 +81,7 @@ extern const LineDefinition demarcating_curve = {
     .importance = 0.25,
     .parameters = parameters,
     .rule = feature_rule(parameters, 2, find),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

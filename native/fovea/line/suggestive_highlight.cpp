@@ -17,6 +17,7 @@ extern const LineDefinition suggestive_highlight = {
     .importance = 0.25,
     .parameters = suggestive_parameters(0.02),
     .rule = feature_rule(suggestive_parameters(0.02), 2, find_suggestive, -1.0f),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line
