@@ -23,14 +23,15 @@ struct Crease {
 const Parameters<Crease> parameters{
     {&Crease::angle, "angle", "Angle", 30.0, 0.0, 180.0, Unit::degrees,
      "Least angle between the normals of the two faces", Per::object},
-    {&Crease::length, "length", "Length", 3.0, 0.0, 1000.0, Unit::none,
+    {&Crease::length, "length", "Length", 6.0, 0.0, 1000.0, Unit::none,
      "Least length of creases that touch no other, in units of the feature size; on rounded and smooth surfaces"},
     {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"}};
 
 void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     const double limit = std::cos(glm::radians(values.angle));
-    const bool hard = field::shape_of(surface) == Shape::hard;
+    const Shape shape = field::shape_of(surface);
+    const bool hard = shape == Shape::hard;
     Array<std::uint8_t> asked(surface.mesh_edges, 0);  // creases if they are folds
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
@@ -42,7 +43,7 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
     });
     if (std::ranges::find(asked, 1) == asked.end()) return;
     const double least = hard ? 0.0 : values.length * field::fields_of(surface)->feature_size;
-    const Array<std::uint8_t> folds = find_folds(surface, values.angle, least);
+    const Array<std::uint8_t> folds = find_folds(surface, shape, values.angle, least);
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return folds[e] != 0; });
 }
 

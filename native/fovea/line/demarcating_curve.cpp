@@ -14,7 +14,7 @@ namespace fovea::line {
 namespace {
 
 const auto parameters = threshold_parameters<ThresholdValues>(
-    0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
+    0.01, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
 
 constexpr float least_cosine = 0.70710678f;
 /// Share of the global maximum from which a local maximum counts as almost equal.

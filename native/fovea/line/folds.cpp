@@ -17,16 +17,23 @@ namespace {
 struct Prominence {
     double turn, than_parallel, than_around;
 };
-constexpr Prominence start{1.0, 2.0, 6.0}, onward{0.7, 1.75, 4.0};
-constexpr double always = glm::radians(75.0);  // a fold whatever lies beside it
+struct Limits {
+    Prominence start, onward;
+    double always;  // turn from which an edge is on a fold whatever lies beside it, in radians
+};
+Limits limits_for(Shape shape) {
+    if (shape == Shape::hard) return {{1.0, 2.0, 6.0}, {0.7, 1.75, 4.0}, glm::radians(75.0)};
+    if (shape == Shape::rounded) return {{1.0, 2.0, 6.0}, {0.7, 1.75, 4.0}, HUGE_VAL};
+    return {{1.5, 2.5, 8.0}, {1.0, 2.0, 6.0}, HUGE_VAL};
+}
 constexpr double flat = glm::radians(1.0);     // edges that turn less are looked across, as between triangles of a face
 constexpr double parallel_cosine = 0.7071;     // of directions that count as parallel
 constexpr double straight_cosine = 0.6428;     // a fold continues along an edge that turns by up to 50 degrees
 
 class Folds {
    public:
-    Folds(const Surface& surface, double angle, bool plain)
-        : surface_(surface), angle_(glm::radians(angle)), plain_(plain), turn_(parallel_map<float>(surface.edges.size(), [&](auto e) {
+    Folds(const Surface& surface, double angle, Shape shape)
+        : surface_(surface), angle_(glm::radians(angle)), limits_(limits_for(shape)), turn_(parallel_map<float>(surface.edges.size(), [&](auto e) {
               return static_cast<float>(field::turn_at(surface, static_cast<Index>(e)));
           })) {
         at_vertex_ = lists_of<Index>(surface.vertex_count(), [&](const auto& give) {
@@ -45,7 +52,7 @@ class Folds {
 
     Array<std::uint8_t> find(double least) const {
         const auto grade = parallel_map<std::uint8_t>(surface_.mesh_edges, [&](std::size_t e) -> std::uint8_t {
-            return stands_out(Index(e), start) ? 2 : stands_out(Index(e), onward) ? 1 : 0;
+            return stands_out(Index(e), limits_.start) ? 2 : stands_out(Index(e), limits_.onward) ? 1 : 0;
         });
         auto on = parallel_map<std::uint8_t>(grade.size(), [&](std::size_t e) -> std::uint8_t { return grade[e] == 2; });
         for (Index e = 0; e < on.size(); ++e)
@@ -59,7 +66,7 @@ class Folds {
     bool stands_out(Index edge, const Prominence& by) const {
         const double turn = turn_[edge];
         if (surface_.edge_rows.size(edge) != 2 || turn < by.turn * angle_) return false;
-        return (plain_ && turn > always) || (turn >= by.than_parallel * turn_parallel(edge) && turn >= by.than_around * turn_around(edge));
+        return turn > limits_.always || (turn >= by.than_parallel * turn_parallel(edge) && turn >= by.than_around * turn_around(edge));
     }
 
     /// Unit vector from a vertex along an edge.
@@ -155,7 +162,7 @@ class Folds {
 
     const Surface& surface_;
     double angle_;
-    bool plain_;
+    Limits limits_;
     Array<float> turn_;           // per edge, radians
     Lists<Index> at_vertex_;      // mesh edges
     Lists<Index> triangles_;      // around each vertex
@@ -164,8 +171,8 @@ class Folds {
 
 }  // namespace
 
-Array<std::uint8_t> find_folds(const Surface& surface, double angle, double least) {
-    return Folds(surface, angle, least == 0.0).find(least);
+Array<std::uint8_t> find_folds(const Surface& surface, Shape shape, double angle, double least) {
+    return Folds(surface, angle, shape).find(least);
 }
 
 }  // namespace fovea::line
