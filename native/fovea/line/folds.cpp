@@ -23,7 +23,7 @@ struct Limits {
 };
 Limits limits_for(Shape shape) {
     if (shape == Shape::hard) return {{1.0, 2.0, 6.0}, {0.7, 1.75, 4.0}, glm::radians(75.0)};
-    if (shape == Shape::rounded) return {{1.0, 2.0, 6.0}, {0.7, 1.75, 4.0}, HUGE_VAL};
+    if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {1.0, 1.75, 4.0}, HUGE_VAL};
     return {{1.5, 2.5, 8.0}, {1.0, 2.0, 6.0}, HUGE_VAL};
 }
 constexpr double flat = glm::radians(1.0);     // edges that turn less are looked across, as between triangles of a face
