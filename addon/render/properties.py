@@ -9,8 +9,8 @@ from bpy.props import PointerProperty
 
 from ..focus import focus_settings
 from ..scene import own_lines, repair
-from ..scene.shapes import SHAPES
 from ..scene.property_kinds import SHARE, choice, new_group, number, pointer, redraw, switch, whole_number
+from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
 from . import gpu_context, methods
 

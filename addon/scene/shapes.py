@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the polygons of an object stand for, which decides the lines that suit it: as its settings say, or decided by the
-core (native/fovea/field/shape.h) from the object's rest shape, so that it stays the same through an animation."""
+"""What the polygons of an object stand for, which decides the lines that suit it: as its settings say, or decided by
+the core (native/fovea/field/shape.h) from its rest shape, so that it stays the same through an animation."""
 
 import bpy
 

@@ -180,7 +180,8 @@ rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of
                 surface.set_shape(value_from<Shape>(shape, surface.name() + ": shape"));
             },
             py::arg("shape"),
-            "What its polygons stand for from now on: hard, rounded, smooth, or automatic; see native/fovea/mesh/shape.h.")
+            "What its polygons stand for from now on: hard, rounded, smooth, or automatic; see "
+            "native/fovea/mesh/shape.h.")
         .def_property_readonly(
             "shape", [](const Surface& surface) { return value_to(decided_shape(surface)->shape); },
             "hard, rounded or smooth, as set or decided; see native/fovea/field/shape.h.")

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides what the polygons of a surface stand for, from its shading and from how it bends.
 //
-// A vertex counts as rounded where the surface bends along both principal directions (the curvature tensor of its edges:
-// Cohen-Steiner & Morvan, "Restricted Delaunay Triangulations and Normal Cycle", SoCG 2003), by little: by up to 15
-// degrees at an edge on average, 45 where shading is smooth, and has no fold. Planes, cylinders and cones bend in one
-// direction or none, so machine parts and furniture have few such vertices.
+// A vertex counts as rounded where the surface bends along both principal directions (the curvature tensor of its
+// edges: Cohen-Steiner & Morvan, "Restricted Delaunay Triangulations and Normal Cycle", SoCG 2003), by little: by up to
+// 15 degrees at an edge on average, 45 where shading is smooth, and has no fold. Planes, cylinders and cones bend in
+// one direction or none, so machine parts and furniture have few such vertices.
 #pragma once
 
 #include <memory>

@@ -23,7 +23,8 @@ inline double turn_at(const Surface& surface, Index edge) {
 
 /// Whether shading is continuous across an edge: marked so, or a diagonal in a polygon.
 inline bool is_shaded_smooth(const Surface& surface, Index edge) {
-    return edge >= surface.mesh_edges || (surface.edge_marks[edge] & (mesh::mark_smooth | mesh::mark_sharp)) == mesh::mark_smooth;
+    return edge >= surface.mesh_edges ||
+           (surface.edge_marks[edge] & (mesh::mark_smooth | mesh::mark_sharp)) == mesh::mark_smooth;
 }
 
 }  // namespace fovea::field

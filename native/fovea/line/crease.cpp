@@ -23,9 +23,10 @@ struct Crease {
 const Parameters<Crease> parameters{
     {&Crease::angle, "angle", "Angle", 30.0, 0.0, 180.0, Unit::degrees,
      "Least angle between the normals of the two faces", Per::object},
+    {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"},
     {&Crease::length, "length", "Length", 6.0, 0.0, 1000.0, Unit::none,
-     "Least length of creases that touch no other, in units of the feature size; on rounded and smooth surfaces"},
-    {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"}};
+     "Least length of a crease that ends without touching a border, in units of the feature size, on surfaces that are "
+     "not hard"}};
 
 void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;

@@ -12,8 +12,8 @@ namespace fovea::line {
 namespace {
 
 /// How clearly an edge stands out: how much it turns, as a share of the angle asked for, and how many times as much as
-/// the surface does beside it, about the edge's direction (a row of like edges is a rounded shape) and in all directions
-/// (noise).
+/// the surface does beside it, about the edge's direction (a row of like edges is a rounded shape) and in all
+/// directions (noise).
 struct Prominence {
     double turn, than_parallel, than_around;
 };
@@ -26,14 +26,17 @@ Limits limits_for(Shape shape) {
     if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {1.0, 1.75, 4.0}, HUGE_VAL};
     return {{1.5, 2.5, 8.0}, {1.0, 2.0, 6.0}, HUGE_VAL};
 }
-constexpr double flat = glm::radians(1.0);     // edges that turn less are looked across, as between triangles of a face
-constexpr double parallel_cosine = 0.7071;     // of directions that count as parallel
-constexpr double straight_cosine = 0.6428;     // a fold continues along an edge that turns by up to 50 degrees
+constexpr double flat = glm::radians(1.0);  // edges that turn less are looked across, as between triangles of a face
+constexpr double parallel_cosine = 0.7071;  // of directions that count as parallel
+constexpr double straight_cosine = 0.6428;  // a fold continues along an edge that turns by up to 50 degrees
 
 class Folds {
    public:
     Folds(const Surface& surface, double angle, Shape shape)
-        : surface_(surface), angle_(glm::radians(angle)), limits_(limits_for(shape)), turn_(parallel_map<float>(surface.edges.size(), [&](auto e) {
+        : surface_(surface),
+          angle_(glm::radians(angle)),
+          limits_(limits_for(shape)),
+          turn_(parallel_map<float>(surface.edges.size(), [&](auto e) {
               return static_cast<float>(field::turn_at(surface, static_cast<Index>(e)));
           })) {
         at_vertex_ = lists_of<Index>(surface.vertex_count(), [&](const auto& give) {
@@ -54,7 +57,8 @@ class Folds {
         const auto grade = parallel_map<std::uint8_t>(surface_.mesh_edges, [&](std::size_t e) -> std::uint8_t {
             return stands_out(Index(e), limits_.start) ? 2 : stands_out(Index(e), limits_.onward) ? 1 : 0;
         });
-        auto on = parallel_map<std::uint8_t>(grade.size(), [&](std::size_t e) -> std::uint8_t { return grade[e] == 2; });
+        auto on =
+            parallel_map<std::uint8_t>(grade.size(), [&](std::size_t e) -> std::uint8_t { return grade[e] == 2; });
         for (Index e = 0; e < on.size(); ++e)
             if (grade[e] == 2)
                 for (const Index v : {surface_.edges[e].x, surface_.edges[e].y}) go_on(v, e, grade, on);
@@ -66,7 +70,8 @@ class Folds {
     bool stands_out(Index edge, const Prominence& by) const {
         const double turn = turn_[edge];
         if (surface_.edge_rows.size(edge) != 2 || turn < by.turn * angle_) return false;
-        return turn > limits_.always || (turn >= by.than_parallel * turn_parallel(edge) && turn >= by.than_around * turn_around(edge));
+        return turn > limits_.always ||
+               (turn >= by.than_parallel * turn_parallel(edge) && turn >= by.than_around * turn_around(edge));
     }
 
     /// Unit vector from a vertex along an edge.
@@ -91,7 +96,8 @@ class Folds {
         for (const Index other : of_facet_[facet]) {
             if (other == edge) continue;
             if (turn_[other] >= flat) {
-                if (std::abs(glm::dot(direction(other), along)) > parallel_cosine) most = std::max<double>(most, turn_[other]);
+                if (std::abs(glm::dot(direction(other), along)) > parallel_cosine)
+                    most = std::max<double>(most, turn_[other]);
             } else if (flats > 0 && surface_.edge_rows.size(other) == 2) {
                 const In<EdgeSide> sides = surface_.sides(other);
                 const Index across = sides[0].facet() == facet ? sides[1].facet() : sides[0].facet();
@@ -163,10 +169,10 @@ class Folds {
     const Surface& surface_;
     double angle_;
     Limits limits_;
-    Array<float> turn_;           // per edge, radians
-    Lists<Index> at_vertex_;      // mesh edges
-    Lists<Index> triangles_;      // around each vertex
-    Lists<Index> of_facet_;       // edges
+    Array<float> turn_;       // per edge, radians
+    Lists<Index> at_vertex_;  // mesh edges
+    Lists<Index> triangles_;  // around each vertex
+    Lists<Index> of_facet_;   // edges
 };
 
 }  // namespace

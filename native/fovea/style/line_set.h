@@ -41,7 +41,8 @@ using Definitions = std::vector<std::pair<std::string, Parameters>>;
 template <>
 inline constexpr Choice choices_of<line::Surfaces>[] = {
     {"all", "All", "Surfaces of any shape have the lines of this set"},
-    {"suited", "As Suits Them", "Smooth surfaces have lines of smooth shapes, and smooth contours instead of those of the mesh"},
+    {"suited", "As Suits Them",
+     "Smooth surfaces have lines of smooth shapes, and smooth contours instead of those of the mesh"},
     {"hard", "Hard", "Only surfaces whose faces are meant as they are"},
     {"rounded", "Rounded", "Only surfaces whose faces approximate a rounded shape coarsely"},
     {"smooth", "Smooth", "Only surfaces whose faces approximate a smooth shape well"},
