@@ -87,7 +87,7 @@ TEST(Shape, WhatBendsBothWaysFinelyIsSmooth) {
 }
 
 TEST(Shape, CoarseFacesAreMeantUnlessTheirShadingIsSmooth) {
-    const Mesh coarse = relief(6, [](double x, double y) { return 0.8 * std::sin(4 * x) * std::cos(3 * y); });
+    const Mesh coarse = relief(6, [](double x, double y) { return 0.35 * std::sin(4 * x) * std::cos(3 * y); });
     EXPECT_EQ(decided(coarse), Shape::hard);
     EXPECT_EQ(decided(shaded_smooth(coarse)), Shape::rounded);
 }

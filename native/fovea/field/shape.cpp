@@ -45,18 +45,6 @@ struct Around {
     }
 };
 
-/// Turn at an edge, positive where convex.
-double signed_turn(const Surface& surface, Index edge) {
-    const In<EdgeSide> sides = surface.sides(edge);
-    const double turn = turn_at(surface, edge);
-    const Edge& e = surface.edges[edge];
-    const dvec3 along = dvec3(surface.positions[e.y]) - dvec3(surface.positions[e.x]);
-    const auto normal = [&](EdgeSide side) { return dvec3(surface.facet_plane[side.facet()]); };
-    const dvec3 into = glm::cross(normal(sides[0]), sides[0].forward() ? along : -along);
-    const double away = glm::dot(normal(sides[1]), into) * (sides[0].forward() == sides[1].forward() ? -1.0 : 1.0);
-    return away < 0.0 ? turn : -turn;
-}
-
 Array<Around> sum_up(const Surface& surface) {
     Array<Around> around(surface.vertex_count());
     for (Index e = 0; e < surface.edges.size(); ++e) {

@@ -21,6 +21,19 @@ inline double turn_at(const Surface& surface, Index edge) {
     return sides.size() == 2 ? std::acos(std::clamp(cosine_at(surface, sides), -1.0, 1.0)) : 0.0;
 }
 
+/// turn_at, negative where the surface is concave.
+inline double signed_turn(const Surface& surface, Index edge) {
+    const In<EdgeSide> sides = surface.sides(edge);
+    const double turn = turn_at(surface, edge);
+    if (sides.size() != 2) return 0.0;
+    const Edge& e = surface.edges[edge];
+    const dvec3 along = dvec3(surface.positions[e.y]) - dvec3(surface.positions[e.x]);
+    const auto normal = [&](EdgeSide side) { return dvec3(surface.facet_plane[side.facet()]); };
+    const dvec3 into = glm::cross(normal(sides[0]), sides[0].forward() ? along : -along);
+    const double away = glm::dot(normal(sides[1]), into) * (sides[0].forward() == sides[1].forward() ? -1.0 : 1.0);
+    return away < 0.0 ? turn : -turn;
+}
+
 /// Whether shading is continuous across an edge: marked so, or a diagonal in a polygon.
 inline bool is_shaded_smooth(const Surface& surface, Index edge) {
     return edge >= surface.mesh_edges ||

@@ -22,9 +22,9 @@ struct Limits {
     double always;  // turn from which an edge is on a fold whatever lies beside it, in radians
 };
 Limits limits_for(Shape shape) {
-    if (shape == Shape::hard) return {{1.0, 2.0, 6.0}, {0.7, 1.75, 4.0}, glm::radians(75.0)};
-    if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {1.0, 1.75, 4.0}, HUGE_VAL};
-    return {{1.5, 2.5, 8.0}, {1.0, 2.0, 6.0}, HUGE_VAL};
+    if (shape == Shape::hard) return {{1.0, 1.9, 6.0}, {0.7, 1.75, 4.0}, glm::radians(75.0)};
+    if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {0.7, 1.5, 3.0}, HUGE_VAL};
+    return {{1.5, 2.5, 8.0}, {0.7, 1.5, 3.0}, HUGE_VAL};
 }
 constexpr double flat = glm::radians(1.0);  // edges that turn less are looked across, as between triangles of a face
 constexpr double parallel_cosine = 0.7071;  // of directions that count as parallel
@@ -143,7 +143,7 @@ class Folds {
         }
     }
 
-    /// Clears folds of one edge, and those shorter than `least`, that touch no border and no edge that is marked sharp.
+    /// Clears folds of one edge, and those shorter than `least`, that touch no edge that is marked sharp.
     void drop_short(double least, Array<std::uint8_t>& on) const {
         DisjointSets folds(surface_.vertex_count());
         for (Index e = 0; e < on.size(); ++e)
@@ -156,7 +156,7 @@ class Folds {
                 const Index fold = folds.name(ends.x);
                 length[fold] += glm::distance(dvec3(surface_.positions[ends.x]), dvec3(surface_.positions[ends.y]));
                 ++count[fold];
-            } else if (surface_.edge_rows.size(e) == 1 || (surface_.edge_marks[e] & mesh::mark_sharp)) {
+            } else if (surface_.edge_marks[e] & mesh::mark_sharp) {
                 for (const Index v : {ends.x, ends.y}) length[folds.name(v)] += least, count[folds.name(v)] += 2;
             }
         }
