@@ -23,9 +23,10 @@ struct Limits {
 };
 Limits limits_for(Shape shape) {
     if (shape == Shape::hard) return {{1.0, 1.9, 6.0}, {0.7, 1.75, 4.0}, glm::radians(75.0)};
-    if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {0.7, 1.5, 3.0}, HUGE_VAL};
-    return {{1.5, 2.5, 8.0}, {0.7, 1.5, 3.0}, HUGE_VAL};
+    if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {1.0, 1.75, 4.0}, HUGE_VAL};
+    return {{1.5, 2.5, 8.0}, {1.0, 2.0, 6.0}, HUGE_VAL};
 }
+constexpr double bridge = 0.5;  // share of the angle from which an edge joins two ends of folds
 constexpr double flat = glm::radians(1.0);  // edges that turn less are looked across, as between triangles of a face
 constexpr double parallel_cosine = 0.7071;  // of directions that count as parallel
 constexpr double straight_cosine = 0.6428;  // a fold continues along an edge that turns by up to 50 degrees
@@ -132,7 +133,9 @@ class Folds {
             Index next = none;
             double best = straight_cosine;
             for (const Index e : at_vertex_[vertex]) {
-                if (!grade[e] || on[e]) continue;
+                const Index across = surface_.edges[e].x == vertex ? surface_.edges[e].y : surface_.edges[e].x;
+                const bool bridges = turn_[e] >= bridge * angle_ && ends_here(across);
+                if (on[e] || !(grade[e] || bridges)) continue;
                 const double cosine = -glm::dot(from(vertex, edge), from(vertex, e));
                 if (cosine > best) next = e, best = cosine;
             }
