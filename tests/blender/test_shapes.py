@@ -19,7 +19,7 @@ def decided():
 
 
 def ball(**words):
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, **words)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32, **words)
     return bpy.context.object
 
 
@@ -108,6 +108,7 @@ def test_the_limit_of_a_subdivision_is_smooth():
 def test_a_drawing_tells_what_was_decided(tmp_path):
     obj = ball()
     add_camera()
+    bpy.context.scene.render.engine = "FOVEA"
     drawn(bpy.context.scene, tmp_path / "ball.png")
     shape, reason = part("render.session").last_statistics()["shape"][obj.name]
     assert shape == "smooth" and "% of its area is rounded" in reason

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double least_turn = glm::radians(0.25), most_turn = glm::radians(15.0),
                  most_turn_if_smooth = glm::radians(45.0), fold = glm::radians(75.0);
+constexpr double most_fine_turn = glm::radians(8.5);  // contours of coarser meshes leave their smooth shape's
 constexpr double least_ratio = 0.1;   // of the lesser to the greater principal curvature
 constexpr double least_share = 0.42;  // of the area
 const double fitting = std::cos(glm::radians(25.0));
@@ -75,13 +76,20 @@ Array<Around> sum_up(const Surface& surface) {
     return around;
 }
 
-double rounded_share(const Surface& surface) {
-    double area = 0.0, rounded = 0.0;
+struct Rounded {
+    double share = 0.0;  // of the area
+    double turn = 0.0;   // mean at its edges, radians
+};
+
+Rounded rounded_part(const Surface& surface) {
+    double area = 0.0, rounded = 0.0, turn = 0.0;
     for (const Around& at : sum_up(surface)) {
         area += at.area;
-        if (at.is_rounded()) rounded += at.area;
+        if (!at.is_rounded()) continue;
+        rounded += at.area;
+        turn += at.area * at.mean_turn();
     }
-    return area > 0.0 ? rounded / area : 0.0;
+    return rounded > 0.0 ? Rounded{rounded / area, turn / rounded} : Rounded{};
 }
 
 /// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
@@ -103,9 +111,11 @@ double unfit_share(const Surface& surface) {
 
 DecidedShape decide(const Surface& surface) {
     if (!surface.jets.empty()) return {Shape::smooth, "it is the limit surface of a subdivision"};
-    const double rounded = rounded_share(surface);
-    const auto told = std::format("{:.0f} % of its area is rounded", 100.0 * rounded);
-    if (!(rounded >= least_share)) return {Shape::hard, told};
+    const Rounded rounded = rounded_part(surface);
+    auto told = std::format("{:.0f} % of its area is rounded", 100.0 * rounded.share);
+    if (!(rounded.share >= least_share)) return {Shape::hard, told};
+    told += std::format(", turning by {:.1f} degrees at an edge", glm::degrees(rounded.turn));
+    if (rounded.turn > most_fine_turn) return {Shape::rounded, told};
     const double unfit = unfit_share(surface);
     return {unfit <= most_unfit ? Shape::smooth : Shape::rounded,
             std::format("{}, {:.0f} % is coarser than a smooth shape", told, 100.0 * unfit)};
