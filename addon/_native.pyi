@@ -111,6 +111,8 @@ class style:
         @property
         def other_materials(self) -> bool: ...
         @property
+        def surfaces(self) -> str: ...
+        @property
         def corner_angle(self) -> float: ...
         @property
         def least_length(self) -> float: ...
@@ -380,11 +382,12 @@ class Mesh:
         sharp_edges: Annotated[ArrayLike, numpy.uint8] | None=None,
         seams: Annotated[ArrayLike, numpy.uint8] | None=None,
         edge_marks: Annotated[ArrayLike, numpy.uint8] | None=None,
+        smooth_edges: Annotated[ArrayLike, numpy.uint8] | None=None,
     ) -> None:
         """positions (V, 3) float32 in object space; edge_verts (E, 2), corner_verts (C,), corner_edges (C,),
         polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) vertices with ngon_polygon (T,)
         ascending: triangulation of polygons with more than four corners; material (F,) int32; occluding (F,),
-        sharp_edges, seams, edge_marks (E,) bool."""
+        sharp_edges, seams, edge_marks, smooth_edges (across which shading is continuous) (E,) bool."""
 
 def all_polygons_have(
     corners: int,
@@ -452,6 +455,15 @@ class Surface:
     @property
     def fields_reason(self) -> str:
         """How curvature was estimated, and why, in one sentence; empty while no line has asked for it."""
+    def set_shape(self, shape: str) -> None:
+        """What its polygons stand for from now on: hard, rounded, smooth, or automatic; see
+        native/fovea/mesh/shape.h."""
+    @property
+    def shape(self) -> str:
+        """hard, rounded or smooth, as set or decided; see native/fovea/field/shape.h."""
+    @property
+    def known_shape(self) -> tuple[str, str] | None:
+        """(shape, reason in one sentence), or None while no line has asked for it."""
     @property
     def name(self) -> str: ...
     @property

@@ -10,6 +10,7 @@ from bpy.props import PointerProperty
 from ..focus import focus_settings
 from ..scene import own_lines, repair
 from ..scene.property_kinds import SHARE, choice, new_group, number, pointer, redraw, switch, whole_number
+from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
 from . import gpu_context, methods
 
@@ -81,6 +82,7 @@ def _object_group(kinds):
     annotations = {
         "usage": choice("Usage", "Whether the object has lines, and hides those behind it", items=USAGES),
         "priority": number("Priority", told, default=0.5, **SHARE),
+        "shape": choice("Draw As", "What the faces stand for, which decides the lines that suit them", items=SHAPES),
         **_curvature_properties(),
         **own_lines.annotations(kinds),
         **_shape_properties(),

@@ -10,6 +10,7 @@ import bpy
 from .. import native
 from ..scene import surfaces
 from ..scene.operator import Operator
+from ..scene.shapes import LABELS
 from ..style import freestyle
 from . import as_rendered, properties, reading, session
 
@@ -129,11 +130,13 @@ def _megabytes(text):
 def report(read, depsgraph, note=""):
     """The whole report as text lines, preceded by `note`."""
     curvature = session.last_statistics().get("curvature", {})
+    shapes = session.last_statistics().get("shape", {})
     parts = {
         "Drawn": list(drawn(read)),
         "Left out, or looks wrong": skipped(read, depsgraph) or ["Nothing was left out"],
         "Transparency": list(transparency(read)),
         "Last picture": list(times(session.last_statistics())),
+        "Shapes": list(grouped({name: f"drawn as {LABELS[shape]}: {why}" for name, (shape, why) in shapes.items()})),
         "Curvature": list(grouped(curvature)),
         "Memory": list(memory()),
     }

@@ -212,10 +212,12 @@ def note_statistics(found, image, near_s=0.0):
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]
-    placed = zip(snapshot.objects, snapshot.surface_of_placement)
+    shapes = [surface.known_shape for surface in snapshot.surfaces]
+    placed = list(zip(snapshot.objects, snapshot.surface_of_placement))
     _statistics.clear()
     _statistics.update(
         curvature={name: reasons[i] for name, i in placed if reasons[i]},
+        shape={name: shapes[i] for name, i in placed if shapes[i]},
         stages=stages,
         strokes=image.statistics["strokes"],
         backend=image.statistics["backend"],

@@ -21,6 +21,7 @@ class MeshArrays:
     sharp_edges: np.ndarray | None  # (E,) bool; None: none
     seams: np.ndarray | None  # (E,) bool; None: none
     edge_marks: np.ndarray | None  # (E,) bool, Freestyle's edge marks; None: none, or not read
+    smooth_edges: np.ndarray | None  # (E,) bool, shading is continuous across them; None: nowhere
 
 
 class Buffers:
@@ -48,21 +49,37 @@ def read(core, mesh, buffers, *, with_marks):
     """The arrays of an evaluated mesh. `with_marks`: also Freestyle's edge marks, slow to read before Blender 5.0."""
     vertices, edges, corners = len(mesh.vertices), len(mesh.edges), len(mesh.loops)
     polygons, flag = len(mesh.polygons), (edges,)
+    sharp = _optional(mesh, "sharp_edge", buffers, flag, np.bool_)
     rings = {
         "edge_verts": _required(mesh, ".edge_verts", buffers, (edges, 2), np.int32),
         "corner_verts": _required(mesh, ".corner_vert", buffers, (corners,), np.int32),
         "corner_edges": _required(mesh, ".corner_edge", buffers, (corners,), np.int32),
     }
+    offsets = _offsets(core, mesh, rings, buffers.take("offsets", (polygons + 1,), np.int32))
     return MeshArrays(
         positions=_required(mesh, "position", buffers, (vertices, 3), np.float32),
         **rings,
-        polygon_offsets=_offsets(core, mesh, rings, buffers.take("offsets", (polygons + 1,), np.int32)),
+        polygon_offsets=offsets,
         material=_optional(mesh, "material_index", buffers, (polygons,), np.int32),
-        sharp_edges=_optional(mesh, "sharp_edge", buffers, flag, np.bool_),
+        # With custom normals, Blender marks the edges at which these split: that says how they are shaded, not drawn.
+        sharp_edges=None if mesh.has_custom_normals else sharp,
         # The seams' attribute lost its dot in Blender 5.0.
         seams=_optional(mesh, ".uv_seam" if ".uv_seam" in mesh.attributes else "uv_seam", buffers, flag, np.bool_),
         edge_marks=_freestyle_marks(mesh, buffers) if with_marks else None,
+        smooth_edges=_smooth_edges(mesh, rings["corner_edges"], offsets, sharp, buffers),
     )
+
+
+def _smooth_edges(mesh, corner_edges, offsets, sharp, buffers):
+    """(E,) bool: not sharp, and all faces at the edge are shaded smooth; None if there are none."""
+    flat = _optional(mesh, "sharp_face", buffers, (len(mesh.polygons),), np.bool_)
+    if flat is not None and flat.all():
+        return None
+    smooth = buffers.take("smooth_edges", (len(mesh.edges),), np.bool_)
+    smooth[:] = True if sharp is None else ~sharp
+    if flat is not None and flat.any():
+        smooth[corner_edges[np.repeat(flat, np.diff(offsets))]] = False
+    return smooth
 
 
 def creases(mesh, buffers):

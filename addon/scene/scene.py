@@ -8,7 +8,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from . import kept, materials, own_lines, repair, subdivision
+from . import kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
@@ -35,7 +35,7 @@ class Snapshot:
 
 class _Gathering:
     """Collects placements during the traversal of a depsgraph; one surface per distinct (evaluated mesh, materials,
-    subdivision plan, repair, curvature settings). `beside`: further Gatherings that get each surface."""
+    subdivision plan, repair, curvature settings, shape). `beside`: further Gatherings that get each surface."""
 
     def __init__(self, cache, depsgraph, viewport, with_marks, beside):
         self.beside = beside
@@ -76,6 +76,10 @@ class _Gathering:
         rings = settings.curvature_rings if settings.curvature_estimator == "JETS" else 0
         return settings.curvature_estimator.lower(), 0, rings, settings.curvature_smoothing
 
+    def shape(self, obj):
+        """What an object's polygons stand for, in words of the native Surface.set_shape."""
+        return obj.original.evaluated_get(self.depsgraph).fovea.shape.lower()
+
     def surface_index(self, obj, mesh):
         # Evaluated meshes keep their addresses during one traversal of a depsgraph, so a pointer identifies one, except
         # the temporary mesh of edit mode. The object is part of the key because it may have its own materials.
@@ -85,10 +89,11 @@ class _Gathering:
             slots = materials.slots(obj, mesh, self.known_materials)
             plan, mend = subdivision.plan(obj, mesh, self.depsgraph), repair.of(obj, self.depsgraph)
             curvature = self.curvature(obj)
-            shared = (place, slots, plan, mend, curvature)
+            shape = self.shape(obj)
+            shared = (place, slots, plan, mend, curvature, shape)
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
-                surface = self.surface(obj, mesh, slots, plan, mend)
+                surface = self.surface(obj, mesh, slots, plan, mend, shape)
                 if self.cache.rebuilt[-1:] == [surface]:
                     self.cache.remarks += repair.remarks_of_removed(obj)
                 surface.set_field_options(*curvature)
@@ -100,14 +105,16 @@ class _Gathering:
             self.index_of[met] = self.index_of[shared]
         return self.index_of[met]
 
-    def surface(self, obj, mesh, slots, plan, mend):
+    def surface(self, obj, mesh, slots, plan, mend, shape):
         """The native surface of an evaluated mesh, refined by `plan` and repaired by `mend`, either may be None."""
         key, found = (obj.name_full, mesh.name_full, slots), None
+        words = {"with_marks": self.with_marks, "shape": shape}
         if plan is not None:
             cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
-            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, with_marks=self.with_marks)
+            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, **words)
         if found is None:
-            found = self.cache.surface(key, obj.name, mesh, slots, mend, with_marks=self.with_marks)
+            rest = shapes.rest(obj, mesh, self.depsgraph)
+            found = self.cache.surface(key, obj.name, mesh, slots, mend, rest=rest, **words)
         return found
 
     def add(self, step, obj, mesh, instance, usage):

@@ -8,6 +8,7 @@ import numpy as np
 
 from . import kept, mesh_arrays
 from . import repair as repairs
+from .shapes import AUTOMATIC
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 
@@ -27,6 +28,7 @@ class _Entry:
     topology: tuple  # number of vertices, and content hashes of all arrays but the positions
     positions: int  # content hash
     ngons: tuple  # content hashes of the n-gons' triangulation
+    rest: str = AUTOMATIC  # shape of the mesh at rest, for surfaces that are deformed
     seen: tuple = ()  # for a refined surface: content hashes of Blender's subdivided mesh
     age: int = 0  # passes since its last use
     used: int = 0  # logical time of its last use (kept.now)
@@ -70,9 +72,9 @@ class SurfaceCache:
         self.rebuilt = [surface for surface in self.rebuilt if surface is not gone]
         self.moved = [surface for surface in self.moved if surface is not gone]
 
-    def surface(self, key, name, mesh, slots, repair=None, *, with_marks):
+    def surface(self, key, name, mesh, slots, repair=None, *, with_marks, shape=AUTOMATIC, rest=None):
         """The native surface of an evaluated mesh: cached, or with new positions, or built. `slots`: its materials;
-        `name`: for messages."""
+        `name`: for messages; `shape`: what its polygons stand for; `rest`: its mesh at rest, which decides that."""
         key = self._ordered((key, repair))
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
         entry = self.entries.get(key)
@@ -84,12 +86,21 @@ class SurfaceCache:
             else:
                 whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
                 surface = self._core.Surface(name, self._repaired(name, whole, repair))
-                entry = self.entries[key] = _Entry(surface, topology, positions, ngons)
+                entry = self.entries[key] = _Entry(surface, topology, positions, ngons, self._shape_of(name, rest))
                 self.rebuilt.append(entry.surface)
+        entry.surface.set_shape(entry.rest if shape == AUTOMATIC else shape)
         entry.age, entry.used = 0, kept.now()
         return entry.surface
 
-    def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks):
+    def _shape_of(self, name, mesh):
+        """The shape that the core decides for a mesh; automatic for None."""
+        if mesh is None:
+            return AUTOMATIC
+        arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=False)
+        triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
+        return self._core.Surface(name, self._core.Mesh(**vars(arrays), **triangles)).shape
+
+    def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks, shape=AUTOMATIC):
         """The native surface on the limit of a cage's subdivision; None if it has no limit surface, with one remark.
 
         `mesh`: Blender's subdivided mesh, whose hashes show whether the cage has changed; `cage()`: a context with the
@@ -103,6 +114,8 @@ class SurfaceCache:
             with cage() as mesh:
                 entry = self.entries[key] = self._refined(entry, name, mesh, slots, plan, repair, with_marks)
             entry.seen = seen
+        if entry.surface is not None:
+            entry.surface.set_shape(shape)
         entry.age, entry.used = 0, kept.now()
         return entry.surface
 

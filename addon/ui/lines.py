@@ -71,6 +71,7 @@ def draw_filter(layout, line_set):
         turn = row.row(align=True)
         turn.active = bool(chosen)
         turn.prop(line_set, others, text="", icon="ARROW_LEFTRIGHT")
+    column.prop(line_set, "surfaces")
 
 
 def is_for_all(line_set):

@@ -6,6 +6,7 @@ import bpy
 from ..render import session
 from ..scene import own_lines
 from ..scene.line_kinds import property_name
+from ..scene.shapes import LABELS
 from ..style import style_data
 from .common import FoveaPanel, fold, fold_switch
 from .lines import SCOPES
@@ -29,6 +30,7 @@ class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
         _draw_own_lines(layout, settings, _kinds_of_style(context.scene), has_lines)
         column = layout.column()
         column.active = has_lines
+        _draw_as(column, obj)
         _draw_curvature(column, obj)
         _draw_shape(layout, settings)
 
@@ -66,6 +68,14 @@ def _draw_own_lines(layout, settings, drawn, has_lines):
                     row = body.row()
                     row.active = definition["name"] in drawn
                     row.prop(settings.kinds, definition["name"])
+
+
+def _draw_as(layout, obj):
+    layout.prop(obj.fovea, "shape")
+    known = session.last_statistics().get("shape", {}).get(obj.name)
+    if known and obj.fovea.shape == "AUTOMATIC":
+        shape, reason = known
+        layout.label(text=f"Drawn as {LABELS[shape]}: {reason}", icon="INFO")
 
 
 def _draw_curvature(layout, obj):

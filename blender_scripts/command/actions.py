@@ -72,8 +72,8 @@ def scene(target, words):
 def bench(target, words):
     """`bench NAME [WORDS]`; if NAME is a scene, `bench peers` for that scene only."""
     name, *rest = words or ["peers"]
-    if name in ("lines", "agreement"):
-        return {"lines": bench_lines, "agreement": agreement}[name](target, rest)
+    if name in ("lines", "agreement", "ink"):
+        return {"lines": bench_lines, "agreement": agreement, "ink": bench_ink}[name](target, rest)
     if name not in ("peers", "visibility", "focus", "viewport"):
         name, rest = "peers", ["--scenes", name, *rest]
     module = importlib.import_module(f"bench.{name}")
@@ -90,6 +90,12 @@ def bench_lines(target, words):
     sys.path.insert(0, str(extension.importable(target)))
     native = importlib.import_module("addon.native").load()
     return lines.main(words, native, shared())
+
+
+def bench_ink(target, words):
+    from . import ink
+
+    return ink.ink(target, words)
 
 
 def shared():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes and surfaces.
 #include <fovea/field/fields.h>
+#include <fovea/field/shape.h>
 #include <fovea/mesh/equal_polygons.h>
 #include <fovea/mesh/polygon_surface.h>
 #include <fovea/mesh/refine.h>
@@ -26,7 +27,7 @@ Mesh make_mesh(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, co
                const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
                const Optional<int>& material, const Optional<std::uint8_t>& occluding,
                const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
-               const Optional<std::uint8_t>& edge_marks) {
+               const Optional<std::uint8_t>& edge_marks, const Optional<std::uint8_t>& smooth_edges) {
     Mesh mesh;
     auto& [arrays, owners] = mesh;
     arrays.positions = kept<vec3>(positions, "positions", owners);
@@ -41,6 +42,7 @@ Mesh make_mesh(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, co
     arrays.sharp = kept<std::uint8_t>(sharp_edges, "sharp_edges", owners);
     arrays.seam = kept<std::uint8_t>(seams, "seams", owners);
     arrays.edge_mark = kept<std::uint8_t>(edge_marks, "edge_marks", owners);
+    arrays.smooth = kept<std::uint8_t>(smooth_edges, "smooth_edges", owners);
     return mesh;
 }
 
@@ -68,10 +70,11 @@ void bind_meshes(py::module_& m) {
              py::arg("corner_edges"), py::arg("polygon_offsets"), py::arg("ngon_triangles") = py::none(),
              py::arg("ngon_polygon") = py::none(), py::arg("material") = py::none(), py::arg("occluding") = py::none(),
              py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(), py::arg("edge_marks") = py::none(),
+             py::arg("smooth_edges") = py::none(),
              R"(positions (V, 3) float32 in object space; edge_verts (E, 2), corner_verts (C,), corner_edges (C,),
 polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) vertices with ngon_polygon (T,) ascending:
 triangulation of polygons with more than four corners; material (F,) int32; occluding (F,), sharp_edges, seams,
-edge_marks (E,) bool.)");
+edge_marks, smooth_edges (across which shading is continuous) (E,) bool.)");
 
     m.def(
         "all_polygons_have",
@@ -171,6 +174,24 @@ rings (1 to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of
         .def_property_readonly(
             "fields_reason", [](const Surface& surface) { return fields_reason(surface); },
             "How curvature was estimated, and why, in one sentence; empty while no line has asked for it.")
+        .def(
+            "set_shape",
+            [](Surface& surface, const py::str& shape) {
+                surface.set_shape(value_from<Shape>(shape, surface.name() + ": shape"));
+            },
+            py::arg("shape"),
+            "What its polygons stand for from now on: hard, rounded, smooth, or automatic; see "
+            "native/fovea/mesh/shape.h.")
+        .def_property_readonly(
+            "shape", [](const Surface& surface) { return value_to(decided_shape(surface)->shape); },
+            "hard, rounded or smooth, as set or decided; see native/fovea/field/shape.h.")
+        .def_property_readonly(
+            "known_shape",
+            [](const Surface& surface) {
+                const auto known = known_shape(surface);
+                return known ? std::optional(std::pair(value_to(known->shape), known->reason)) : std::nullopt;
+            },
+            "(shape, reason in one sentence), or None while no line has asked for it.")
         .def_property_readonly("name", &Surface::name)
         .def_property_readonly("version", &Surface::version, "Changes whenever the positions do.")
         .def_property_readonly("report", &Surface::report);

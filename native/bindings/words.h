@@ -13,6 +13,9 @@ template <>
 inline constexpr Choice choices_of<Estimator>[] = {{"automatic"}, {"jets"}, {"one_ring"}};
 
 template <>
+inline constexpr Choice choices_of<Shape>[] = {{"automatic"}, {"hard"}, {"rounded"}, {"smooth"}};
+
+template <>
 inline constexpr Choice choices_of<line::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"bool"}};
 
 /// In scripts a line's scope is "surface", "view" or "scene".

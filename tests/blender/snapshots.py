@@ -11,7 +11,7 @@ scene = part("scene.scene")
 surfaces = part("scene.surfaces")
 NATIVE = part("native").load()
 ARRAYS = "positions edge_verts corner_verts corner_edges polygon_offsets ngon_triangles ngon_polygon material occluding"
-ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks"]
+ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks", "smooth_edges"]
 
 
 class RecordedMesh(NATIVE.Mesh):
@@ -26,12 +26,16 @@ class RecordedSurface(SimpleNamespace):
     """Keeps what a native surface was made of."""
 
     triangles, fields_reason = (), ""  # by which memory is reckoned
+    shape = "automatic"
 
     def __init__(self, name, mesh):
         super().__init__(name=name, **mesh.arrays)
 
     def set_field_options(self, *options):
         self.field_options = options
+
+    def set_shape(self, shape):
+        self.shape = shape
 
     def set_positions(self, positions, *, refit):
         self.positions = positions.copy()

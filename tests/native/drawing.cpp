@@ -115,7 +115,7 @@ LineSet line_set(const std::vector<const char*>& names, double corner_degrees) {
 
 LineSet line_set_with(const char* name, const Values& values, double corner_degrees) {
     LineSet set = line_set({name}, corner_degrees);
-    set.kinds[0].values = values;
+    std::ranges::copy(values, set.kinds[0].values.begin());
     return set;
 }
 

@@ -6,7 +6,11 @@ using namespace draw;
 
 Mesh::Mesh(std::string called, std::vector<vec3> points) : name(std::move(called)), positions(std::move(points)) {}
 
-std::shared_ptr<Surface> Mesh::surface() const { return std::make_shared<Surface>(name, arrays()); }
+std::shared_ptr<Surface> Mesh::surface() const {
+    auto made = std::make_shared<Surface>(name, arrays());
+    made->set_shape(shape);
+    return made;
+}
 
 int Mesh::edge(int a, int b) {
     const auto [it, inserted] =

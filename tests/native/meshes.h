@@ -21,13 +21,15 @@ struct Mesh {
     std::vector<int> corner_verts, corner_edges, polygon_offsets{0};
     std::vector<glm::ivec3> ngon_triangles;
     std::vector<int> ngon_polygon, material;
-    std::vector<std::uint8_t> occluding, sharp, seam, edge_mark;
+    std::vector<std::uint8_t> occluding, sharp, seam, edge_mark, smooth;
+
+    Shape shape = Shape::hard;  // coarse meshes are easily checked by all of their edges
 
     Mesh(std::string called, std::vector<vec3> points);
 
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
-                material,  occluding,  sharp,        seam,         edge_mark};
+                material,  occluding,  sharp,        seam,         edge_mark,       smooth};
     }
     std::shared_ptr<Surface> surface() const;
 

@@ -106,11 +106,11 @@ std::shared_ptr<const Surface> surface_of(const Mesh& mesh) {
 }
 
 /// The torus, and for each case what it is with the transform baked in; made once, as they keep their fields.
-struct Surfaces {
+struct Shaped {
     std::shared_ptr<const Surface> torus;
     std::vector<std::shared_ptr<const Surface>> flat;
 
-    Surfaces() {
+    Shaped() {
         const Mesh mesh = marked_torus();
         torus = surface_of(mesh);
         for (const Case& c : cases) flat.push_back(surface_of(baked(mesh, c.placed)));
@@ -122,7 +122,7 @@ struct Surfaces {
 class PlacedLines : public testing::TestWithParam<const LineDefinition*> {};
 
 TEST_P(PlacedLines, AreThoseOfTheBakedSurface) {
-    static const Surfaces surfaces;
+    static const Shaped surfaces;
     constexpr double edge = 0.05;
     LineSet set = line_set({GetParam()->name});
     if (std::string(GetParam()->name) == "crease") set.kinds[0].values[0] = 5.0;

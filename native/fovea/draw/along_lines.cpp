@@ -39,6 +39,7 @@ std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& ov
     for (const style::LineSet& given : style.line_sets) {
         LineSet set;
         set.corner_angle_rad = glm::radians(given.corner_angle);
+        set.surfaces = given.surfaces;
         if (style.effects.lines != style::Mode::none)
             for (const auto& [name, parameters] : given.kinds) {
                 const Index definition = definition_index(name);

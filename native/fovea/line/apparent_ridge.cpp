@@ -21,7 +21,7 @@ struct ApparentRidge : ThresholdValues {
 
 const auto parameters =
     threshold_parameters<ApparentRidge>(
-        0.1, 0.5, 3.0,
+        0.025, 0.5, 3.0,
         "Squared view-dependent curvature that a line reaches somewhere, in units of 1 / feature size squared")
         .with({{&ApparentRidge::ridges, "ridges", "Ridges", true, "Draw lines where the surface bulges across them"},
                {&ApparentRidge::valleys, "valleys", "Valleys", true,
@@ -85,6 +85,7 @@ extern const LineDefinition apparent_ridge = {
     .importance = 0.3,
     .parameters = parameters,
     .rule = feature_rule(parameters, 2, find),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -1,38 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Crease: where two faces meet at an angle, and edges marked sharp.
-// In   facet normals, sharp marks
-// Out  mesh edges whose two facet normals differ by at least `angle`; all edges with more than two facets; with
-//      `sharp_marks`, also those marked sharp. Never diagonals of polygons.
+// In   facet normals, sharp marks, shading, the surface's shape (field/shape.h)
+// Out  mesh edges whose two facet normals differ by at least `angle`, on hard surfaces where shading is not smooth
+//      across them, else where they are folds (line/folds.h); all edges with more than two facets; with `sharp_marks`,
+//      also those marked sharp. Never diagonals of polygons.
 #include <cmath>
 
+#include <fovea/field/fields.h>
+#include <fovea/field/shape.h>
+#include <fovea/field/turn.h>
 #include <fovea/line/edges.h>
+#include <fovea/line/folds.h>
 
 namespace fovea::line {
 namespace {
 
 struct Crease {
-    double angle;
+    double angle, length;
     bool sharp_marks;
 };
 
 const Parameters<Crease> parameters{
     {&Crease::angle, "angle", "Angle", 30.0, 0.0, 180.0, Unit::degrees,
      "Least angle between the normals of the two faces", Per::object},
-    {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"}};
+    {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"},
+    {&Crease::length, "length", "Length", 6.0, 0.0, 1000.0, Unit::none,
+     "Least length of a crease that touches no edge marked sharp, in units of the feature size, on surfaces that are "
+     "not hard"}};
 
 void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
-    const auto limit = static_cast<float>(std::cos(glm::radians(values.angle)));
+    const double limit = std::cos(glm::radians(values.angle));
+    const Shape shape = field::shape_of(surface);
+    const bool hard = shape == Shape::hard;
+    Array<std::uint8_t> asked(surface.mesh_edges, 0);  // creases if they are folds
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         if (sides.size() < 2) return false;
         if (sides.size() > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
-        const EdgeSide a = sides[0], b = sides[1];
-        const vec3 na(surface.facet_plane[a.facet()]), nb(surface.facet_plane[b.facet()]);
-        // If the two facets have opposite orientation, negate one normal.
-        const float cosine = a.forward() == b.forward() ? -glm::dot(na, nb) : glm::dot(na, nb);
-        return cosine <= limit;
+        if (!(field::cosine_at(surface, sides) <= limit + 1e-7)) return false;
+        asked[e] = !hard || field::is_shaded_smooth(surface, e);
+        return !asked[e];
     });
+    if (std::ranges::find(asked, 1) == asked.end()) return;
+    const double least = hard ? 0.0 : values.length * field::fields_of(surface)->feature_size;
+    const Array<std::uint8_t> folds = find_folds(surface, shape, values.angle, least);
+    mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return folds[e] != 0; });
 }
 
 }  // namespace

@@ -126,7 +126,8 @@ struct LineDefinition {
     std::vector<StandIn> stand_ins = {};
     /// Needs Freestyle edge marks, which are only read from Blender if some definition needs them.
     bool reads_edge_marks = false;
-    bool usual = false;  ///< what artists draw with; panels fold the others
+    bool usual = false;      ///< what artists draw with; panels fold the others
+    bool of_smooth = false;  ///< lines of a smooth shape: line sets that suit lines to surfaces draw it on such alone
 };
 
 /// Default values of a definition's parameters.

@@ -14,7 +14,7 @@ namespace fovea::line {
 namespace {
 
 const auto parameters = threshold_parameters<ThresholdValues>(
-    0.02, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
+    0.01, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
 
 constexpr float least_cosine = 0.70710678f;
 /// Share of the global maximum from which a local maximum counts as almost equal.
@@ -81,6 +81,7 @@ extern const LineDefinition demarcating_curve = {
     .importance = 0.25,
     .parameters = parameters,
     .rule = feature_rule(parameters, 2, find),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -36,6 +36,7 @@ extern const LineDefinition laplacian_line = {
     .importance = 0.25,
     .parameters = parameters,
     .rule = feature_rule(parameters, 1, find),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -17,6 +17,7 @@ extern const LineDefinition parabolic = {
     .parameters = zero_curvature_parameters(),
     .rule = feature_rule(zero_curvature_parameters(), 1, find_zero_curvature, 1.0f,
                          [](const Curvature& c) { return c.k1 * c.k2; }),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

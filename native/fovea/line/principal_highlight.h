@@ -12,7 +12,7 @@ namespace fovea::line {
 
 inline Parameters<ThresholdValues> principal_highlight_parameters() {
     return threshold_parameters<ThresholdValues>(
-        0.04, 0.5, 3.0,
+        0.015, 0.5, 3.0,
         "Difference of the squared curvatures times n . v that a line reaches somewhere, in "
         "units of 1 / feature size squared");
 }

@@ -16,6 +16,7 @@ extern const LineDefinition principal_highlight_ridge = {
     .importance = 0.25,
     .parameters = principal_highlight_parameters(),
     .rule = feature_rule(principal_highlight_parameters(), 2, find_principal_highlights, 1.0f),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

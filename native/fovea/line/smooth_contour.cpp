@@ -72,6 +72,7 @@ extern const LineDefinition smooth_contour = {
     .parameters = parameters,
     .rule = CurveRule{CurveType::contour, parameters.of(find), parameters.of(select)},
     .usual = true,
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

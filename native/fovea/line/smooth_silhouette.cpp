@@ -47,6 +47,7 @@ extern const LineDefinition smooth_silhouette = {
     .rule = CurveRule{CurveType::contour, find, select, &smooth_contour},
     .slow = true,
     .stand_ins = {{&smooth_contour, {{"end_at_cusps", 0.0}}}},
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -17,6 +17,7 @@ extern const LineDefinition suggestive_contour = {
     .parameters = suggestive_parameters(0.01),
     .rule = feature_rule(suggestive_parameters(0.01), 2, find_suggestive, 1.0f),
     .usual = true,
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -15,8 +15,9 @@ extern const LineDefinition suggestive_highlight = {
         "Where the surface is turned most towards the viewer along the view: the bright partner of suggestive contours",
     .scope = Scope::view,
     .importance = 0.25,
-    .parameters = suggestive_parameters(0.02),
-    .rule = feature_rule(suggestive_parameters(0.02), 2, find_suggestive, -1.0f),
+    .parameters = suggestive_parameters(0.01),
+    .rule = feature_rule(suggestive_parameters(0.01), 2, find_suggestive, -1.0f),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -17,6 +17,7 @@ extern const LineDefinition valley = {
     .parameters = crest_parameters(),
     .rule = feature_rule(crest_parameters(), 1, find_crests, -1.0f),
     .usual = true,
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

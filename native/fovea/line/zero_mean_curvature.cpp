@@ -17,6 +17,7 @@ extern const LineDefinition zero_mean_curvature = {
     .parameters = zero_curvature_parameters(),
     .rule = feature_rule(zero_curvature_parameters(), 1, find_zero_curvature, 0.5f,
                          [](const Curvature& c) { return c.k1 + c.k2; }),
+    .of_smooth = true,
 };
 
 }  // namespace fovea::line

@@ -59,6 +59,9 @@ void take_edge_marks(const Far::TopologyRefiner& uniform, const Cage& cage, cons
     per_edge(mesh.sharp, out.sharp);
     per_edge(mesh.seam, out.seam);
     per_edge(mesh.edge_mark, out.edge_mark);
+    out.smooth.assign(out.edge_verts.size(), 1);  // the limit surface is, whatever the shading of the cage
+    for (std::size_t e = 0; e < out.sharp.size(); ++e)
+        if (out.sharp[e]) out.smooth[e] = 0;
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ void check_mesh(const std::string& name, const MeshArrays& mesh) {
     check_size(mesh.sharp, edge_count, name, "sharp_edges");
     check_size(mesh.seam, edge_count, name, "seams");
     check_size(mesh.edge_mark, edge_count, name, "edge_marks");
+    check_size(mesh.smooth, edge_count, name, "smooth_edges");
 }
 
 Surface::Surface(std::string name, const MeshArrays& mesh) : name_(std::move(name)) {
@@ -138,6 +139,7 @@ void Surface::take_topology(const MeshArrays& mesh) {
     mark(mesh.sharp, mark_sharp);
     mark(mesh.seam, mark_seam);
     mark(mesh.edge_mark, mark_edge);
+    mark(mesh.smooth, mark_smooth);
 
     if (!mesh.ngon_polygon.empty())
         ngon_triangles_ = lists_of<Triangle>(polygon_total, [&](const auto& give) {

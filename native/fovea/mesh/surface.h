@@ -9,6 +9,7 @@
 #include <fovea/base/types.h>
 #include <fovea/mesh/field_options.h>
 #include <fovea/mesh/height_jet.h>
+#include <fovea/mesh/shape.h>
 
 namespace fovea::mesh {
 
@@ -32,6 +33,7 @@ struct MeshOf {
     ArrayOf<int> material;                         ///< optional, per polygon
     ArrayOf<std::uint8_t> occluding;               ///< optional, per polygon: 0 where the material does not occlude
     ArrayOf<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
+    ArrayOf<std::uint8_t> smooth;                  ///< optional, per edge: shading is continuous across it
 };
 
 /// Mesh whose arrays are borrowed.
@@ -44,7 +46,7 @@ using Owned = std::vector<T>;
 struct OwnedMesh : MeshOf<Owned> {
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
-                material,  occluding,  sharp,        seam,         edge_mark};
+                material,  occluding,  sharp,        seam,         edge_mark,       smooth};
     }
 };
 
@@ -52,7 +54,7 @@ struct OwnedMesh : MeshOf<Owned> {
 void check_mesh(const std::string& name, const MeshArrays& mesh);
 
 /// Bits of edge marks.
-enum Mark : std::uint8_t { mark_sharp = 1, mark_seam = 2, mark_edge = 4 };
+enum Mark : std::uint8_t { mark_sharp = 1, mark_seam = 2, mark_edge = 4, mark_smooth = 8 };
 
 /// Elements that were skipped or look wrong; counts.
 struct SurfaceReport {
@@ -117,6 +119,10 @@ class Surface : public SurfaceArrays {
     /// for options out of range.
     void set_field_options(const FieldOptions& options);
     const FieldOptions& field_options() const { return source_ ? source_->field_options() : field_options_; }
+
+    /// How an artist wants the surface to be drawn, or what its rest shape says; see field/shape.h.
+    void set_shape(Shape shape) { shape_ = shape; }
+    Shape shape() const { return source_ ? source_->shape() : shape_; }
 
     const std::string& name() const { return name_; }
     /// The surface that this one was stretched from, and the map; null and the identity for an ordinary mesh.
@@ -191,6 +197,7 @@ class Surface : public SurfaceArrays {
     Rows polygon_triangles_;
     SurfaceReport report_;
     FieldOptions field_options_;
+    Shape shape_ = Shape::automatic;
     const Surface* source_ = nullptr;
     dmat3 stretch_{1.0};
     std::unique_ptr<Cache> cache_ = std::make_unique<Cache>(), lasting_cache_ = std::make_unique<Cache>();

@@ -211,8 +211,9 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         cancel.poll();
         const Placement& placed = scene.placements[drawn[i]];
         const auto surface = as_placed(placed.surface, placed.object_to_world);
-        const std::vector<PlacedSet>& mine = placed_sets[drawn[i]] = sets_of(drawn[i], sets, own);
-        const std::uint64_t asked = hash_numbers(hash_sets(mine), hash_of(surface->field_options()));
+        const std::vector<PlacedSet>& mine = placed_sets[drawn[i]] = sets_of(drawn[i], *surface, sets, own);
+        const std::uint64_t asked = hash_numbers(hash_sets(mine), hash_of(surface->field_options()),
+                                                 static_cast<std::uint64_t>(surface->shape()));
         found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), mine, asked, view_dependent);
     });
 

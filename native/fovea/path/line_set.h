@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fovea/line/registry.h>
+#include <fovea/line/surfaces.h>
 
 namespace fovea::path {
 
@@ -29,6 +30,7 @@ struct LineSet {
     double corner_angle_rad = 1.0;
     std::vector<std::uint8_t> placements = {};  ///< per placement, 1: included; empty: all are
     MaterialFilter materials = {};              ///< faces of these are included
+    Surfaces surfaces = Surfaces::all;
 
     bool is_for_all() const { return placements.empty() && materials.row.empty(); }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/field/shape.h>
 
 namespace fovea::path {
 namespace {
@@ -28,6 +29,11 @@ std::vector<std::uint8_t> both(const MaterialFilter& a, const MaterialFilter& b,
     return all ? std::vector<std::uint8_t>() : mask;
 }
 
+bool any_asks(const std::vector<LineSet>& sets, const LineDefinition& definition) {
+    const auto is_it = [&](const LineKind& kind) { return line_definitions()[kind.definition] == &definition; };
+    return std::ranges::any_of(sets, [&](const LineSet& set) { return std::ranges::any_of(set.kinds, is_it); });
+}
+
 }  // namespace
 
 void check_filters(std::size_t placements, const std::vector<LineSet>& sets, const OwnLines& own) {
@@ -42,14 +48,23 @@ void check_filters(std::size_t placements, const std::vector<LineSet>& sets, con
     check_materials(own.materials, placements);
 }
 
-std::vector<PlacedSet> sets_of(Index placement, const std::vector<LineSet>& sets, const OwnLines& own) {
+std::vector<PlacedSet> sets_of(Index placement, const Surface& surface, const std::vector<LineSet>& sets,
+                               const OwnLines& own) {
     std::vector<PlacedSet> placed;
     for (const LineSet& set : sets) {
         PlacedSet& mine = placed.emplace_back(PlacedSet{{}, set.corner_angle_rad});
         if (!set.placements.empty() && !set.placements[placement]) continue;
         mine.materials = both(set.materials, own.materials, placement);
+        const auto suits = [&](Index number) {
+            const LineDefinition& definition = *line_definitions()[number];
+            if (set.surfaces == Surfaces::all) return true;
+            const Shape shape = shape_of(surface);
+            const bool replaced = set.surfaces == Surfaces::suited && shape == Shape::smooth &&
+                                  definition.smooth_twin && any_asks(sets, *definition.smooth_twin);
+            return !replaced && is_drawn_on(set.surfaces, definition, shape);
+        };
         for (const LineKind& kind : set.kinds)
-            if (own.shows(placement, kind.definition)) mine.kinds.push_back(kind);
+            if (own.shows(placement, kind.definition) && suits(kind.definition)) mine.kinds.push_back(kind);
         for (const OwnLines::Parameter& parameter : own.parameters)
             for (LineKind& kind : mine.kinds)
                 if (kind.definition == parameter.definition && !std::isnan(parameter.values[placement]))

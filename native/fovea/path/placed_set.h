@@ -27,7 +27,9 @@ struct PlacedSet {
 /// if a material filter refers to a missing mask.
 void check_filters(std::size_t placements, const std::vector<LineSet>& sets, const OwnLines& own);
 
-std::vector<PlacedSet> sets_of(Index placement, const std::vector<LineSet>& sets, const OwnLines& own);
+/// `surface`: the placement's.
+std::vector<PlacedSet> sets_of(Index placement, const Surface& surface, const std::vector<LineSet>& sets,
+                               const OwnLines& own);
 
 /// Bits of all definitions that a line set, or any of several, requests.
 Kinds asked_of(const PlacedSet& set);

@@ -12,7 +12,7 @@ OwnedMesh owned(const MeshArrays& mesh) {
     const auto own = [](const auto& values) { return std::vector(values.begin(), values.end()); };
     OwnedMesh made{{own(mesh.positions), own(mesh.edge_verts), own(mesh.corner_verts), own(mesh.corner_edges),
                     own(mesh.polygon_offsets), own(mesh.ngon_triangles), own(mesh.ngon_polygon), own(mesh.material),
-                    own(mesh.occluding), own(mesh.sharp), own(mesh.seam), own(mesh.edge_mark)}};
+                    own(mesh.occluding), own(mesh.sharp), own(mesh.seam), own(mesh.edge_mark), own(mesh.smooth)}};
     if (made.polygon_offsets.empty()) made.polygon_offsets = {0};
     return made;
 }
@@ -25,7 +25,11 @@ RepairedMesh repaired(const std::string& name, const MeshArrays& mesh, const Rep
     check(repair.resample >= 0 && repair.resample <= 100, name + ": repair: 0 to 100 steps of resampling are possible");
     RepairedMesh result{owned(mesh), {}};
     if (repair.orient) result.report.turned_polygons = orient(result);
-    if (repair.resample > 0) resample(result, repair.resample, repair.edge_length);
+    if (repair.resample > 0) {
+        resample(result, repair.resample, repair.edge_length);
+        // Its edges are new: where shading was smooth somewhere, it is now on all that are not marked sharp.
+        if (!mesh.smooth.empty()) result.smooth.assign(result.edge_verts.size(), 1);
+    }
     return result;
 }
 

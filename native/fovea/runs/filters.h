@@ -4,8 +4,8 @@
 // hidden runs. Amounts per path have one entry per path of Paths. Parallel; results do not depend on the number of
 // threads.
 //
-// Order: close_gaps, trim_folds, without_beside_visible, without_short_hidden, halo, meet_ends, overshoot. Halo must
-// precede overshoot: otherwise the overshoot past the occluding line survives.
+// Order: close_gaps, trim_folds, without_narrow_strips (narrow_strips.h), without_beside_visible, without_short_hidden,
+// halo, meet_ends, overshoot. Halo must precede overshoot: otherwise the overshoot past the occluding line survives.
 #pragma once
 
 #include <fovea/visibility/runs.h>

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <fovea/line/surfaces.h>
 #include <fovea/style/pen.h>
 
 namespace fovea::style {
@@ -37,6 +38,16 @@ using Parameters = std::vector<std::pair<std::string, double>>;
 /// (name, parameters) of line definitions; names are unique.
 using Definitions = std::vector<std::pair<std::string, Parameters>>;
 
+template <>
+inline constexpr Choice choices_of<line::Surfaces>[] = {
+    {"all", "All", "Surfaces of any shape have the lines of this set"},
+    {"suited", "As Suits Them",
+     "Smooth surfaces have lines of smooth shapes, and smooth contours instead of those of the mesh"},
+    {"hard", "Hard", "Only surfaces whose faces are meant as they are"},
+    {"rounded", "Rounded", "Only surfaces whose faces approximate a rounded shape coarsely"},
+    {"smooth", "Smooth", "Only surfaces whose faces approximate a smooth shape well"},
+};
+
 /// Line definitions with common filters and pens. An edge belongs to the first line set of the style that draws it.
 struct LineSet {
     std::string name = "lines";
@@ -47,6 +58,7 @@ struct LineSet {
     bool other_objects = false;
     std::string material;
     bool other_materials = false;
+    line::Surfaces surfaces = line::Surfaces::all;
     double corner_angle = 60.0;  ///< turning angle above which a path is split
     double least_length = 30.0;
     double overshoot = 0.0;
@@ -77,6 +89,7 @@ struct LineSet {
               naming(Names::datablock)},
         Field{"other_materials", &LineSet::other_materials, "Other Materials",
               "Only lines on faces of other materials are of this set"},
+        Field{"surfaces", &LineSet::surfaces, "Surfaces", "Which surfaces have the lines of this set, by their shape"},
         Field{"corner_angle",
               &LineSet::corner_angle,
               "Corner Angle",

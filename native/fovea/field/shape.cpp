@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/field/shape.h>
+
+#include <format>
+
+#include <fovea/field/fields.h>
+#include <fovea/field/turn.h>
+
+namespace fovea::field {
+namespace {
+
+constexpr double least_turn = glm::radians(0.25), most_turn = glm::radians(15.0),
+                 most_turn_if_smooth = glm::radians(45.0), fold = glm::radians(75.0);
+constexpr double most_fine_turn = glm::radians(8.5);  // contours of coarser meshes leave their smooth shape's
+constexpr double least_ratio = 0.1;   // of the lesser to the greater principal curvature
+constexpr double least_share = 0.42;  // of the area
+const double fitting = std::cos(glm::radians(25.0));
+constexpr double most_unfit = 0.13;  // of the area
+
+/// What the edges and triangles at a vertex sum up to.
+struct Around {
+    double length = 0.0;         // of its edges
+    double smooth_length = 0.0;  // of those that are shaded smooth
+    double turn = 0.0;           // their turns, weighted by length
+    dvec3 normal{0.0};           // of its triangles, weighted by area
+    double area = 0.0;           // a third of its triangles'
+    dmat3 bend{0.0};             // signed turns times length, on the directions of the edges: flat along them
+    bool folded = false;
+
+    double mean_turn() const { return length > 0.0 ? turn / length : 0.0; }
+    double greatest_turn() const {
+        return length > 0.0 ? glm::mix(most_turn, most_turn_if_smooth, smooth_length / length) : 0.0;
+    }
+    /// Whether both eigenvalues of `bend` in the tangent plane are of about the same size.
+    bool bends_both_ways() const {
+        const double size = glm::length(normal);
+        if (!(size > 0.0)) return false;
+        const dvec3 n = normal / size;
+        const dvec3 e1 = glm::normalize(glm::cross(n, std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+        const dvec3 e2 = glm::cross(n, e1), b1 = bend * e1, b2 = bend * e2;
+        const double a = glm::dot(e1, b1), b = glm::dot(e1, b2), c = glm::dot(e2, b2), det = a * c - b * b;
+        return std::abs(det) > least_ratio / (1.0 + least_ratio * least_ratio) * (a * a + c * c + 2.0 * b * b);
+    }
+    bool is_rounded() const {
+        return !folded && mean_turn() > least_turn && mean_turn() < greatest_turn() && bends_both_ways();
+    }
+};
+
+Array<Around> sum_up(const Surface& surface) {
+    Array<Around> around(surface.vertex_count());
+    for (Index e = 0; e < surface.edges.size(); ++e) {
+        if (surface.edge_rows.size(e) != 2) continue;
+        const Edge& ends = surface.edges[e];
+        const dvec3 along = dvec3(surface.positions[ends.y]) - dvec3(surface.positions[ends.x]);
+        const double length = glm::length(along), turn = signed_turn(surface, e);
+        if (!(length > 0.0)) continue;
+        const bool folds = std::abs(turn) > fold;
+        const dmat3 bend = folds ? dmat3(0.0) : turn / length * glm::outerProduct(along, along);
+        for (const Index v : {ends.x, ends.y}) {
+            Around& at = around[v];
+            at.length += length;
+            at.turn += std::abs(turn) * length;
+            at.bend += bend;
+            at.folded = at.folded || folds;
+            if (is_shaded_smooth(surface, e)) at.smooth_length += length;
+        }
+    }
+    for (const Triangle& t : surface.triangles) {
+        const dvec3 p(surface.positions[t.x]), q(surface.positions[t.y]), r(surface.positions[t.z]);
+        const dvec3 normal = glm::cross(q - p, r - p) / 6.0;
+        for (int k = 0; k < 3; ++k) {
+            around[t[k]].normal += normal;
+            around[t[k]].area += glm::length(normal);
+        }
+    }
+    return around;
+}
+
+struct Rounded {
+    double share = 0.0;  // of the area
+    double turn = 0.0;   // mean at its edges, radians
+};
+
+Rounded rounded_part(const Surface& surface) {
+    double area = 0.0, rounded = 0.0, turn = 0.0;
+    for (const Around& at : sum_up(surface)) {
+        area += at.area;
+        if (!at.is_rounded()) continue;
+        rounded += at.area;
+        turn += at.area * at.mean_turn();
+    }
+    return rounded > 0.0 ? Rounded{rounded / area, turn / rounded} : Rounded{};
+}
+
+/// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
+double unfit_share(const Surface& surface) {
+    const auto fields = fields_of(surface);
+    double area = 0.0, unfit = 0.0;
+    for (Index t = 0; t < surface.triangles.size(); ++t) {
+        const Triangle& c = surface.triangles[t];
+        const dvec3 p(surface.positions[c.x]), q(surface.positions[c.y]), r(surface.positions[c.z]);
+        const dvec3 normal = glm::cross(q - p, r - p);
+        const double size = glm::length(normal);
+        double least = size;
+        for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[c[k]].normal)));
+        area += size;
+        if (least < fitting * size) unfit += size;
+    }
+    return area > 0.0 ? unfit / area : 1.0;
+}
+
+DecidedShape decide(const Surface& surface) {
+    if (!surface.jets.empty()) return {Shape::smooth, "it is the limit surface of a subdivision"};
+    const Rounded rounded = rounded_part(surface);
+    auto told = std::format("{:.0f} % of its area is rounded", 100.0 * rounded.share);
+    if (!(rounded.share >= least_share)) return {Shape::hard, told};
+    told += std::format(", turning by {:.1f} degrees at an edge", glm::degrees(rounded.turn));
+    if (rounded.turn > most_fine_turn) return {Shape::rounded, told};
+    const double unfit = unfit_share(surface);
+    return {unfit <= most_unfit ? Shape::smooth : Shape::rounded,
+            std::format("{}, {:.0f} % is coarser than a smooth shape", told, 100.0 * unfit)};
+}
+
+}  // namespace
+
+std::shared_ptr<const DecidedShape> decided_shape(const Surface& surface) {
+    if (surface.source()) return decided_shape(*surface.source());
+    if (surface.shape() != Shape::automatic)
+        return std::make_shared<const DecidedShape>(DecidedShape{surface.shape(), "as asked for"});
+    return surface.cache().get<DecidedShape>(hash_of(surface.field_options()), [&] { return decide(surface); });
+}
+
+std::shared_ptr<const DecidedShape> known_shape(const Surface& surface) {
+    if (surface.shape() != Shape::automatic) return decided_shape(surface);
+    const Surface& of = surface.source() ? *surface.source() : surface;
+    return of.cache().find<DecidedShape>(hash_of(of.field_options()));
+}
+
+}  // namespace fovea::field

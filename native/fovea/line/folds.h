@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Folds: edges that are sharp against their neighborhood, for creases of surfaces whose faces approximate a rounded
+// shape.
+#pragma once
+
+#include <fovea/mesh/surface.h>
+
+namespace fovea::line {
+
+/// Per mesh edge: 1 if it is on a fold. A fold starts at edges that turn by at least `angle` degrees and stand out
+/// clearly from what lies beside them, and continues along edges that do so less (hysteresis, as Canny has it).
+/// `shape`: of the surface, never automatic: on hard ones, all edges that turn by more than 75 degrees are on folds; on
+/// others, folds start at half as much again as `angle`. `least`: folds that are shorter, in object units, and touch
+/// no edge that is marked sharp are left out as noise, and so are folds of one edge; 0: none is.
+Array<std::uint8_t> find_folds(const Surface& surface, Shape shape, double angle, double least);
+
+}  // namespace fovea::line
