@@ -19,20 +19,18 @@ constexpr float full_excess = 0.5f;
 /// Least transmittance that counts as another.
 constexpr float darkest = 1e-3f;
 
-/// Optical density of each pixel in red, green and blue.
-Array<vec4> densities(In<vec4> layer, const vec3& ground, float opacity) {
-    Array<vec4> result(layer.size());
+/// Optical density of each pixel, the sum over red, green and blue.
+Array<float> densities(In<vec4> layer, const vec3& ground, float opacity) {
+    Array<float> result(layer.size());
     parallel_for(layer.size(), [&](std::size_t i) {
         const vec4 over = layer[i] * opacity;
         const vec3 seen = vec3(over) + ground * (1.0f - over.a);
-        for (int c = 0; c < 3; ++c)
-            result[i][c] = -std::log(std::clamp(seen[c] / std::max(ground[c], darkest), darkest, 1.0f));
-        result[i].a = 0.0f;
+        float through = 1.0f;
+        for (int c = 0; c < 3; ++c) through *= std::clamp(seen[c] / std::max(ground[c], darkest), darkest, 1.0f);
+        result[i] = -std::log(through);
     });
     return result;
 }
-
-float sum(const vec4& density) { return density.x + density.y + density.z; }
 
 }  // namespace
 
@@ -44,12 +42,12 @@ Array<float> wash_density(In<vec4> layer, const View& view, const PaperTexture* 
     check(layer.size() == width * std::size_t(view.height), "layer: expected one entry per pixel of the view");
     Array<float> factor(layer.size(), 1.0f);
     if (edges > 0.0f) {
-        const Array<vec4> own = densities(layer, vec3(color.background.value_or(paper.color)), float(color.opacity));
-        Array<vec4> around = own;
+        const Array<float> own = densities(layer, vec3(color.background.value_or(paper.color)), float(color.opacity));
+        Array<float> around = own;
         const double radius_px = edge_mm * paper.px_per_mm(view.reference_scale);
         blur(around, view.width, Array<float>(around.size(), float(radius_px)));
         parallel_for(factor.size(), [&](std::size_t i) {
-            const float here = sum(own[i]), excess = here > 0.0f ? 1.0f - sum(around[i]) / here : 0.0f;
+            const float excess = own[i] > 0.0f ? 1.0f - around[i] / own[i] : 0.0f;
             factor[i] += edges * std::clamp(excess / full_excess, 0.0f, 1.0f);
         });
     }

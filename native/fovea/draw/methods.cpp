@@ -34,7 +34,7 @@ Array<float> look_by_items(const Frame& frame, const DepthBuffer& depth) {
 
 /// Indexed by Visibility.
 constexpr Method methods[] = {
-    {.words = "exact", .visible = by_rays, .counts_surfaces = true},
+    {.words = "exact", .visible = by_rays},
     {.words = "segment atlas",
      .visible = by_atlas,
      .look = look_by_atlas,
