@@ -141,6 +141,12 @@ def test_without_amounts_a_paper_is_its_color(paper):
     assert np.allclose(drawn(paper, lines, layer), expected, atol=1e-6)
 
 
+def test_smooth_paper_has_neither_teeth_nor_valleys():
+    smooth = PAPER.replace(texture="none", tooth=1.0, granulation=1.0, tint=1.0)
+    lines, layer = (0.1, 0.2, 0.1, 0.3), (0.1, 0.3, 0.2, 0.6)
+    assert np.allclose(drawn(smooth, lines, layer), drawn(PAPER, lines, layer), atol=1e-6)
+
+
 def test_opacity_background_and_no_paper():
     picture = drawn(PAPER, layer=(0.2, 0, 0, 0.25), background=(0, 1, 0))
     assert np.allclose(picture[0, 0], (0.2, 0.75, 0, 1), atol=1e-6)

@@ -154,7 +154,7 @@ void on_paper(In<vec4> lines, In<vec4> layer, In<float> density, In<float> holdo
                 if (share != 1.0f && pixel.a > 0.0f)
                     pixel = vec4(granulated(vec3(pixel) / pixel.a, ground, share) * pixel.a, pixel.a);
             }
-            if (tooth > 0.0f && line.a > 0.0f) line *= covered / line.a;
+            if (texture && tooth > 0.0f && line.a > 0.0f) line *= covered / line.a;
             pixel = line + pixel * (1.0f - line.a);
             out[i] = vec4(vec3(pixel) * shade, pixel.a);
         }
