@@ -1,152 +1,162 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the papers of addon/papers: python3 blender_scripts/make_papers.py [FOLDER]
+"""Makes addon/papers and addon/washes: python3 blender_scripts/make_papers.py [FOLDER]
 
-Each is a gray PNG of heights (white: high) that tiles seamlessly in both directions. A texel covers about one reference
-pixel. Seeds are fixed: every run writes the same files.
+Each is a gray PNG of heights (white: high) that tiles seamlessly in both directions; papers.json and washes.json have
+the side of each tile in millimeters. Papers are modelled on how paper is made: fibers laid down at random, pressed by
+felts, wires or threads. Power falls steadily from low to high frequencies: a ring of one frequency would show as worms
+wherever ink follows a contour of height, or light its slope. Of a wash, high is where water leaves least pigment. Seeds
+are fixed: every run writes the same files.
 """
 
+import json
 import sys
 from pathlib import Path
 
 import numpy as np
 from make_textures import smoothstep, write_png
 
-SIZE = 384  # texels along a side
-LEVELS = 48  # gray levels; quantization halves the size of the files
+# (side of a tile in mm, texels along it). A texel of paper covers a pixel of a picture 1080 high on a page of 210 mm.
+PAPER, WASH = (84.0, 432), (252.0, 288)
+LEVELS = 20  # gray levels; quantization halves the size of the files
 
 
 class Sheet:
-    """One tile of a paper, x and y in texels; all noise is periodic in it."""
+    """One tile of a paper; all lengths in mm, x and y the places of its texels. All its parts are periodic in the tile,
+    and have mean 0 and deviation 1."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, tile=PAPER):
         self.random = np.random.default_rng(seed)
-        self.x = (np.arange(SIZE) + 0.5)[None, :]
-        self.y = (np.arange(SIZE) + 0.5)[:, None]
-        self.fx = np.fft.rfftfreq(SIZE)[None, :]
-        self.fy = np.fft.fftfreq(SIZE)[:, None]
+        self.tile, self.size = tile
+        self.step = step = self.tile / self.size
+        self.x = ((np.arange(self.size) + 0.5) * step)[None, :]
+        self.y = ((np.arange(self.size) + 0.5) * step)[:, None]
+        self.frequency = np.hypot(np.fft.rfftfreq(self.size, step)[None, :], np.fft.fftfreq(self.size, step)[:, None])
 
-    def shaped(self, response):
-        """Periodic noise of mean 0 and deviation 1: white noise filtered by a frequency response."""
-        spectrum = np.fft.rfft2(self.random.standard_normal((SIZE, SIZE)))
-        noise = np.fft.irfft2(spectrum * response, s=(SIZE, SIZE))
-        return (noise - noise.mean()) / noise.std()
-
-    def clouds(self, along_x, along_y=None):
-        """Low-pass noise: features larger than so many texels along each axis."""
-        radius = np.hypot(self.fx * along_x, self.fy * (along_y or along_x))
-        return self.shaped(np.exp(-2 * radius**2))
-
-    def grain(self, size):
-        """High-pass noise: features smaller than so many texels. Band-pass noise would show worm-like contours;
-        including all higher frequencies breaks them up, except the very highest, which would show as checkerboards."""
-        square = self.fx**2 + self.fy**2
-        return self.shaped((1 - np.exp(-2 * square * size**2)) * np.exp(-4 * square))
-
-    def blurred(self, height, width):
-        """Heights blurred by a Gaussian of so many texels, normalized to mean 0 and deviation 1."""
-        soft = np.exp(-2 * (np.pi * width) ** 2 * (self.fx**2 + self.fy**2))
-        height = np.fft.irfft2(np.fft.rfft2(height) * soft, s=height.shape)
+    def filtered(self, height, response):
+        height = np.fft.irfft2(np.fft.rfft2(height) * response, s=height.shape)
         return (height - height.mean()) / height.std()
 
-    def pebbles(self, apart):
-        """Round bumps with creases between them, as felt presses them: the upper envelope of paraboloids about so many
-        texels apart, of random size, height and eccentricity."""
-        height = np.full((SIZE, SIZE), -np.inf)
-        reach = np.arange(-int(2.5 * apart), int(2.5 * apart) + 1)
-        for x, y in self.scattered(apart):
-            radius, top = apart * np.exp(self.random.normal(0, 0.2)), self.random.normal(0, 0.3)
-            angle, longer = self.random.uniform(0, np.pi), self.random.uniform(1, 1.3)
-            columns, rows = int(x) + reach, int(y) + reach
-            dx, dy = (columns + 0.5 - x)[None, :] / radius, (rows + 0.5 - y)[:, None] / radius
+    def noise(self, largest, slope):
+        """Noise of all octaves below the wavelength `largest`: its power falls with the frequency to that slope. Above,
+        it is flat, so that no cloud marks the repetition of the tile."""
+        response = (1 + (self.frequency * largest) ** 2) ** (-slope / 4)
+        return self.filtered(self.random.standard_normal((self.size, self.size)), response)
+
+    def fibres(self, count, length, width):
+        """The mass of thin fibers, slightly bent, of all directions and of various lengths and weights about
+        `length`."""
+        random, size, steps = self.random, self.size, int(np.ceil(3.2 * length / self.step))
+        lengths = length * random.uniform(0.4, 1.6, (count, 1))
+        along = (np.arange(steps) / steps - 0.5)[None, :] * lengths
+        turned = random.uniform(0, 2 * np.pi, (count, 1)) + random.normal(0, 0.08, (count, 1)) * along
+        turned += random.normal(0, 0.08, (count, 1)) * along**2 / length
+        ends = [random.uniform(0, self.tile, (count, 1)) for _ in "xy"]
+        x, y = (
+            (end + np.cumsum(way(turned), axis=1) * lengths / steps) / self.step
+            for end, way in zip(ends, (np.cos, np.sin))
+        )
+        weight = lengths * random.lognormal(0, 0.5, (count, 1)) * np.ones(steps)
+        mass = np.zeros(size * size)
+        for row in (np.floor(y), np.floor(y) + 1):
+            for column in (np.floor(x), np.floor(x) + 1):
+                texel = (row % size * size + column % size).astype(int)
+                share = weight * (1 - np.abs(y - row)) * (1 - np.abs(x - column))
+                mass += np.bincount(texel.ravel(), share.ravel(), size * size)
+        return self.filtered(mass.reshape(size, size), np.exp(-2 * (np.pi * width * self.frequency) ** 2))
+
+    def felt(self, smallest, largest):
+        """Bumps of all sizes with creases between them, as felts press them: the upper envelope of paraboloids whose
+        radii follow a power law (as many areas of each octave), of random height and eccentricity."""
+        random, size, step = self.random, self.size, self.step
+        radii = smallest * (smallest / largest) ** (-random.uniform(0, 1, 10**5))
+        radii = radii[random.uniform(0, 1, radii.size) < (smallest / radii) ** 2]
+        radii = radii[: np.searchsorted(np.cumsum(np.pi * radii**2), 4 * self.tile**2)]
+        height = np.full((size, size), -np.inf)
+        for radius in radii:
+            x, y = random.uniform(0, self.tile, 2)
+            top, angle, longer = random.normal(0, 0.6), random.uniform(0, np.pi), random.uniform(1, 1.4)
+            reach = np.arange(-int(2.8 * radius / step) - 2, int(2.8 * radius / step) + 3)
+            columns, rows = int(x / step) + reach, int(y / step) + reach
+            dx, dy = ((columns + 0.5) * step - x)[None, :] / radius, ((rows + 0.5) * step - y)[:, None] / radius
             along, across = dx * np.cos(angle) + dy * np.sin(angle), dy * np.cos(angle) - dx * np.sin(angle)
-            place = np.ix_(rows % SIZE, columns % SIZE)
-            height[place] = np.maximum(height[place], top - (along / longer) ** 2 - (across * longer) ** 2)
-        return self.blurred(height, 0.6)
-
-    def scattered(self, apart):
-        """(n, 2) positions x, y of a periodic Poisson-disk sample with that minimum distance in texels, by dart
-        throwing."""
-        free, found = np.ones((SIZE, SIZE), bool), []
-        reach = np.arange(-int(apart), int(apart) + 1)
-        near = np.hypot(reach[:, None], reach[None, :]) < apart
-        for place in self.random.permutation(SIZE * SIZE):
-            y, x = divmod(int(place), SIZE)
-            if free[y, x]:
-                found.append((x, y))
-                free[np.ix_((y + reach) % SIZE, (x + reach) % SIZE)] &= ~near
-        return np.array(found) + self.random.uniform(0, 1, (len(found), 2))
-
-    def fibres(self, count, length, width, bend):
-        """`count` thin curved fibers, combined by the maximum; `length` and blur `width` in texels, `bend` in radians
-        per texel."""
-        height = np.zeros((SIZE, SIZE))
-        steps = np.arange(-length / 2, length / 2, 0.5)
-        for _ in range(count):
-            at, angle = self.random.uniform(0, SIZE, 2), self.random.uniform(0, np.pi)
-            turned = angle + self.random.normal(0, bend) * steps + self.random.normal(0, bend / 12) * steps**2
-            x, y = at[0] + np.cumsum(np.cos(turned)) / 2, at[1] + np.cumsum(np.sin(turned)) / 2
-            ends = 1 - (2 * np.abs(steps) / length) ** 4
-            np.maximum.at(height, (np.floor(y).astype(int) % SIZE, np.floor(x).astype(int) % SIZE), ends)
-        return self.blurred(height, width)
+            bump = radius**0.4 * (top - (along / longer) ** 2 - (across * longer) ** 2)
+            place = np.ix_(rows % size, columns % size)
+            height[place] = np.maximum(height[place], bump)
+        return self.filtered(height, 1)
 
 
 def cold_press():
-    """Watercolor paper: coarse and fine felt marks, and grain."""
+    """Watercolor paper, pressed between felts."""
     s = Sheet(11)
-    return s.pebbles(4.5) + 0.5 * s.pebbles(8) + 0.8 * s.grain(7) + 0.1 * s.clouds(60)
+    return s.felt(0.3, 1.4) + 0.4 * s.fibres(38000, 3, 0.05) + 0.75 * s.noise(1.6, 1.5)
 
 
 def rough():
     """Handmade paper: deeper, coarser and more uneven than cold press."""
     s = Sheet(12)
-    return s.pebbles(6.5) + 0.5 * s.pebbles(12) + 0.5 * s.pebbles(3.5) + 0.8 * s.grain(8) + 0.15 * s.clouds(80)
+    return s.felt(0.4, 2.0) + 0.35 * s.fibres(30000, 4, 0.05) + 0.8 * s.noise(2.4, 1.6)
 
 
 def laid():
-    """Laid paper: close wire lines in one direction, sparse chain lines in the other."""
+    """Laid paper: close wire lines in one direction, chain lines 28 mm apart in the other."""
     s = Sheet(13)
-    sway = 0.5 * s.clouds(50)
-    wires = np.cos(2 * np.pi * (s.y + 0.8 * sway) / 6)
-    chains = np.exp(-(((s.x + sway) % 96 - 48) ** 2) / 12)
-    return 0.7 * wires * (1 + 0.25 * s.clouds(30)) + 1.1 * chains + 0.5 * s.grain(6) + 0.3 * s.pebbles(6)
+    sway = 0.12 * s.noise(20, 3)
+    wires = np.cos(2 * np.pi * (s.y + sway) * 72 / s.tile)
+    chains = np.exp(-((((s.x + 0.8 * sway) % 28 - 14) / 0.55) ** 2))
+    return (
+        0.5 * wires * (1 + 0.3 * s.noise(8, 2))
+        + 0.9 * chains
+        + 0.5 * s.fibres(30000, 3, 0.05)
+        + 0.7 * s.noise(1.5, 1.2)
+    )
 
 
 def canvas():
     """Plain weave of warp and weft threads."""
     s = Sheet(14)
-    pitch = 8
-    slub_x, slub_y = 0.35 * s.clouds(40, 8), 0.35 * s.clouds(8, 40)
-    u, v = (s.x + 0.5 * s.clouds(40)) / pitch, (s.y + 0.5 * s.clouds(40)) / pitch
+    u, v = ((at + 0.1 * s.noise(12, 2.5)) * 64 / s.tile for at in (s.x, s.y))
     over = np.cos(np.pi * u) * np.cos(np.pi * v)
-    warp = np.abs(np.sin(np.pi * u)) * (1 + 0.6 * over + 0.3 * slub_y)
-    weft = np.abs(np.sin(np.pi * v)) * (1 - 0.6 * over + 0.3 * slub_x)
-    return np.maximum(warp, weft) + 0.06 * s.grain(4)
+    warp = np.abs(np.sin(np.pi * u)) * (1 + 0.6 * over + 0.15 * s.noise(6, 2))
+    weft = np.abs(np.sin(np.pi * v)) * (1 - 0.6 * over + 0.15 * s.noise(6, 2))
+    return np.maximum(warp, weft) + 0.15 * s.noise(1, 1)
 
 
 def kraft():
-    """Wrapping paper: fibers in random directions."""
+    """Wrapping paper: long coarse fibers."""
     s = Sheet(15)
-    threads = s.fibres(1400, 26, 0.8, 0.03) + 0.6 * s.fibres(900, 12, 0.7, 0.05)
-    return 0.7 * threads + 0.5 * s.grain(6) + 0.5 * s.pebbles(5) + 0.3 * s.clouds(24)
+    return s.fibres(15000, 4, 0.07) + 0.9 * s.noise(3, 1.2)
 
 
 def bristol():
-    """Smooth board: fine grain only."""
+    """Smooth board: short fibers, and fine grain."""
     s = Sheet(16)
-    return s.grain(5) + 0.6 * s.pebbles(3) + 0.15 * s.clouds(40)
+    return 0.7 * s.fibres(50000, 1.5, 0.05) + s.noise(0.8, 1)
 
 
-PAPERS = (cold_press, rough, laid, canvas, kraft, bristol)
+def water():
+    """Flows of water in a wash, and backruns: where it ran back into drying paint, blooms without pigment, which lies
+    in a crinkled rim around them."""
+    s = Sheet(17, WASH)
+    bloom = s.noise(40, 4.2) - 1
+    rim = np.exp(-(((bloom + 0.1) / 0.13) ** 2))
+    return 0.7 * s.noise(90, 3.4) + 0.9 * smoothstep(0, 0.7, bloom) - rim
 
 
-def main(folder):
-    folder.mkdir(parents=True, exist_ok=True)
-    for make in PAPERS:
-        height = make()
-        low, high = np.quantile(height, (0.002, 0.998))
-        relief = smoothstep(-0.2, 1.2, (height - low) / (high - low))
-        write_png(folder / f"{make.__name__}.png", np.round(relief * LEVELS) / LEVELS)
+KINDS = {"papers": (PAPER, (cold_press, rough, laid, canvas, kraft, bristol)), "washes": (WASH, (water,))}
+
+
+def main(parent):
+    for kind, ((tile_mm, _), makers) in KINDS.items():
+        folder = parent / kind
+        folder.mkdir(parents=True, exist_ok=True)
+        for make in makers:
+            height = make()
+            low, high = np.quantile(height, (0.002, 0.998))
+            relief = smoothstep(-0.2, 1.2, (height - low) / (high - low))
+            write_png(folder / f"{make.__name__}.png", np.round(relief * LEVELS) / LEVELS)
+        sizes = {make.__name__: {"tile_mm": tile_mm} for make in makers}
+        (folder / f"{kind}.json").write_text(json.dumps(sizes, indent=2) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent.parent / "addon" / "papers")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent.parent / "addon")

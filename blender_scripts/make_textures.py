@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 ROWS = 32  # texels across the pen
+LEVELS = 48  # gray levels; quantization makes their files smaller
 LONG = 64  # pen widths after which an irregular texture repeats
 
 
@@ -34,15 +35,13 @@ class Canvas:
         self.y = 0.5 - (np.arange(ROWS) + 0.5)[:, None] / ROWS
 
     def grain(self, size_along, size_across):
-        """Noise of mean 0 and deviation 1 with features of about the given sizes in pen widths; periodic along the
-        stroke."""
+        """Noise of mean 0 and deviation 1 with features of all sizes up to the given ones in pen widths; periodic along
+        the stroke. Larger frequencies have less power, none stands out: features of one size would look like worms."""
         rows = ROWS * 2
         spectrum = np.fft.rfft2(self.random.standard_normal((rows, self.columns)))
         f = np.fft.fftfreq(rows, 1 / ROWS)[:, None] * size_across
         g = np.fft.rfftfreq(self.columns, 1 / ROWS)[None, :] * size_along
-        # Band-pass rather than low-pass: features of one size, as the grain of paper has.
-        radius = np.hypot(f, g)
-        noise = np.fft.irfft2(spectrum * radius * np.exp(-2 * radius**2), s=(rows, self.columns))[:ROWS]
+        noise = np.fft.irfft2(spectrum * (1 + f**2 + g**2) ** -0.6, s=(rows, self.columns))[:ROWS]
         return (noise - noise.mean()) / noise.std()
 
     def wander(self, size):
@@ -72,23 +71,31 @@ def solid():
     return Canvas(1), np.ones((ROWS, ROWS))
 
 
+# Dry pens: their shape and pressure, and little grain of their own, since the tooth of the paper breaks them up.
+
+
 def pencil():
-    """Graphite: fine paper grain, fading towards the sides."""
+    """Graphite: fine grain, fading towards the sides."""
     c = Canvas(LONG, seed=1)
-    pressure = 0.87 + 0.08 * c.wander(3.0) + 0.08 * c.wander(0.7)
+    pressure = 0.9 + 0.06 * c.wander(3.0) + 0.06 * c.wander(0.7)
     profile = 1 - np.abs(2 * (c.y + 0.03 * c.wander(2.0))) ** 3
-    tooth = 0.5 * c.grain(0.30, 0.24) + 0.6 * c.grain(0.14, 0.12) + 0.35 * c.grain(0.9, 0.12)
-    return c, 0.94 * smoothstep(-0.50, 0.82, pressure * profile - 0.36 + 0.22 * tooth)
+    return c, 0.94 * smoothstep(-0.5, 0.82, pressure * profile - 0.34 + 0.2 * c.grain(0.5, 0.3))
 
 
 def charcoal():
-    """Dense in the middle, broken into grains at the sides, with grain stretched along the stroke."""
+    """Soft black: full in the middle, ragged and crumbling at the sides."""
     c = Canvas(LONG, seed=2)
-    pressure = 0.78 + 0.10 * c.wander(4.0)
-    half = 0.43 + 0.03 * c.wander(1.5)
-    profile = 1 - smoothstep(0.45, 1.12, np.abs(c.y) / half)
-    crumbs = 0.8 * c.grain(0.30, 0.20) + 0.55 * c.grain(0.12, 0.10) + 0.35 * c.grain(1.4, 0.10)
-    return c, 0.95 * smoothstep(-0.12, 0.34, pressure * profile - 0.34 + 0.26 * crumbs)
+    pressure = 0.9 + 0.08 * c.wander(5.0) + 0.06 * c.wander(1.2)
+    half = 0.42 + 0.03 * c.wander(1.5)
+    profile = 1 - smoothstep(0.5, 1.15, np.abs(c.y) / half)
+    return c, smoothstep(0, 1.15, pressure * profile + 0.06 * c.grain(1.0, 0.3))
+
+
+def smudge():
+    """Charcoal wiped with a finger: soft sides, streaks along the stroke."""
+    c = Canvas(LONG, seed=7)
+    profile = np.cos(np.pi * np.clip(c.y * (1 + 0.06 * c.wander(4.0)), -0.5, 0.5)) ** 2
+    return c, np.clip(profile * (0.78 + 0.1 * c.wander(6.0) + 0.08 * c.grain(6.0, 0.3)), 0, 1)
 
 
 def ink():
@@ -112,11 +119,11 @@ def brush():
 
 def chalk():
     """Dusty: gaps from the board's grain everywhere, ragged sides."""
-    c = Canvas(LONG, seed=5)
+    c = Canvas(LONG, seed=8)
     half = 0.46 + 0.02 * c.wander(1.2)
     profile = 1 - smoothstep(0.72, 1.08, np.abs(c.y) / half)
-    board = 0.7 * c.grain(0.42, 0.34) + 0.6 * c.grain(0.18, 0.16) + 0.4 * c.grain(0.08, 0.08)
-    return c, 0.92 * smoothstep(-0.25, 0.42, (0.66 + 0.06 * c.wander(3.0)) * profile - 0.36 + 0.30 * board)
+    board = c.grain(0.45, 0.4)
+    return c, 0.92 * smoothstep(-0.25, 0.42, (0.66 + 0.06 * c.wander(3.0)) * profile - 0.36 + 0.28 * board)
 
 
 def marker():
@@ -147,7 +154,7 @@ def dash_dot():
     return c, c.capsules((-4.0, 4.0), (7.0, 7.0))
 
 
-TEXTURES = (solid, pencil, charcoal, ink, brush, chalk, marker, dashes, dots, dash_dot)
+TEXTURES = (solid, pencil, charcoal, smudge, ink, brush, chalk, marker, dashes, dots, dash_dot)
 
 
 def write_png(path, gray):
@@ -169,7 +176,7 @@ def main(folder):
     lengths = {}
     for make in TEXTURES:
         canvas, texture = make()
-        write_png(folder / f"{make.__name__}.png", texture)
+        write_png(folder / f"{make.__name__}.png", np.round(texture * LEVELS) / LEVELS)
         lengths[make.__name__] = {"length_in_widths": canvas.length}
     (folder / "textures.json").write_text(json.dumps(lengths, indent=2) + "\n", encoding="utf-8")
 

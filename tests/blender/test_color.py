@@ -244,10 +244,11 @@ def test_the_picture_has_the_layer_under_the_lines(scene, tmp_path, monkeypatch)
 
 
 def test_paper_settles_pigment(scene, tmp_path, monkeypatch):
-    colored(monkeypatch, {"texture": "cold_press", "granulation": 0.6}, shading="flat")
+    grain = {"texture": "cold_press", "scale": 12.0}  # a texel per pixel of the small picture
+    colored(monkeypatch, {**grain, "granulation": 0.6}, shading="flat")
     picture = drawn(scene, tmp_path / "grain.png")
     assert picture[..., 0].std() > 0.02
-    colored(monkeypatch, {"texture": "cold_press", "granulation": 0.0}, shading="flat")
+    colored(monkeypatch, {**grain, "granulation": 0.0}, shading="flat")
     assert drawn(scene, tmp_path / "even.png")[..., 0].std() < 1e-3
 
 

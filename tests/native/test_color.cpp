@@ -153,13 +153,13 @@ TEST(Paper, LiesUnderLinesCutByHoldout) {
     style::Paper paper;
     paper.color = {1.0, 0.5, 0.0};
     Array<vec4> out;
-    on_paper(lines, {}, holdout, view, nullptr, paper, {}, out);
+    on_paper(lines, {}, {}, holdout, view, nullptr, paper, {}, out);
     EXPECT_EQ(out, (Array<vec4>{vec4(1.0f, 0.5f, 0.0f, 1.0f), vec4(0.75f, 0.25f, 0.0f, 1.0f), vec4(0.0f), half}));
-    on_paper(lines, {}, {}, view, nullptr, paper, {}, out);
+    on_paper(lines, {}, {}, {}, view, nullptr, paper, {}, out);
     EXPECT_EQ(out[3], vec4(0.75f, 0.25f, 0.0f, 1.0f));
-    EXPECT_THROW(on_paper(lines, {}, {holdout.data(), 2}, view, nullptr, paper, {}, out), std::invalid_argument);
+    EXPECT_THROW(on_paper(lines, {}, {}, {holdout.data(), 2}, view, nullptr, paper, {}, out), std::invalid_argument);
     paper.transparent = true;
-    on_paper(lines, {}, {}, view, nullptr, paper, {}, out);
+    on_paper(lines, {}, {}, {}, view, nullptr, paper, {}, out);
     EXPECT_EQ(out, lines);
 }
 

@@ -48,6 +48,17 @@ def test_texture(name):
     assert seam <= max(steps.max(), 1), "the repetition shows no seam"
 
 
+@pytest.mark.parametrize("name", ["pencil", "charcoal", "smudge", "chalk", "brush", "marker"])
+def test_grain_has_all_frequencies_alike(name):
+    """Along the stroke, in its middle: no power is 1.4 times the mean of that an octave below and above. Grain of one
+    size would look like worms."""
+    ink = read_png(FOLDER / f"{name}.png")[8:24].astype(float)
+    power = (np.abs(np.fft.rfft(ink - ink.mean(axis=1, keepdims=True), axis=1)) ** 2).mean(axis=0)
+    middles = 32 * 2 ** np.arange(0, 5.01, 0.5)  # cycles of the whole texture, up to the finest
+    means = np.array([power[int(at * 2**-0.25) : int(at * 2**0.25) + 1].mean() for at in middles])
+    assert (means[2:-2] < 1.4 * np.sqrt(means[:-4] * means[4:])).all()
+
+
 @pytest.mark.skipif(not SCRIPT.exists(), reason="only in the checkout")
 def test_the_script_makes_them(tmp_path):
     spec = importlib.util.spec_from_file_location("make_textures", SCRIPT)

@@ -19,12 +19,13 @@ constexpr float most_px = 1e4f;
 constexpr std::size_t side_by_side = 16;
 
 bool finite(const vec4& pixel) { return std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w); }
+bool finite(float pixel) { return std::isfinite(pixel); }
 
 /// One or several adjacent lines of pixels. Solves the tridiagonal system (1 + flow) u = c for each. The flow between
 /// neighbors is symmetric, so that the sum of the colors is preserved.
-template <std::size_t lanes>
+template <std::size_t lanes, typename Pixel>
 struct Line {
-    vec4* pixel;
+    Pixel* pixel;
     const float* conductivity;  // per pixel; between two pixels the minimum
     std::size_t count, stride;
 
@@ -37,7 +38,7 @@ struct Line {
     void solve(float* onward) const {
         float flow[lanes] = {};  // conductivity to the pixel before
         for (std::size_t i = 0; i < count; ++i) {
-            vec4* here = pixel + i * stride;
+            Pixel* here = pixel + i * stride;
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 const float before = flow[lane], after = i + 1 < count ? between(i, lane) : 0.0f;
                 const float back = i ? onward[(i - 1) * lanes + lane] : 0.0f;
@@ -51,7 +52,7 @@ struct Line {
             }
         }
         for (std::size_t i = count - 1; i-- > 0;) {
-            vec4* here = pixel + i * stride;
+            Pixel* here = pixel + i * stride;
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 const float share = onward[i * lanes + lane];
                 if (share > 0.0f) here[lane] += share * here[lane + stride];
@@ -60,29 +61,30 @@ struct Line {
     }
 };
 
-void along_rows(std::span<vec4> image, std::size_t width, const Array<float>& conductivity) {
+template <typename Pixel>
+void along_rows(std::span<Pixel> image, std::size_t width, const Array<float>& conductivity) {
     parallel_blocks(image.size() / width, 8, [&](std::size_t, std::size_t begin, std::size_t end) {
         Array<float> onward(width);
         for (std::size_t y = begin; y < end; ++y)
-            Line<1>{&image[y * width], &conductivity[y * width], width, 1}.solve(onward.data());
+            Line<1, Pixel>{&image[y * width], &conductivity[y * width], width, 1}.solve(onward.data());
     });
 }
 
-void along_columns(std::span<vec4> image, std::size_t width, const Array<float>& conductivity) {
+template <typename Pixel>
+void along_columns(std::span<Pixel> image, std::size_t width, const Array<float>& conductivity) {
     const std::size_t height = image.size() / width;
     parallel_blocks(width, side_by_side, [&](std::size_t, std::size_t begin, std::size_t end) {
         Array<float> onward(height * side_by_side);
         if (end - begin == side_by_side)
-            Line<side_by_side>{&image[begin], &conductivity[begin], height, width}.solve(onward.data());
+            Line<side_by_side, Pixel>{&image[begin], &conductivity[begin], height, width}.solve(onward.data());
         else
             for (std::size_t x = begin; x < end; ++x)
-                Line<1>{&image[x], &conductivity[x], height, width}.solve(onward.data());
+                Line<1, Pixel>{&image[x], &conductivity[x], height, width}.solve(onward.data());
     });
 }
 
-}  // namespace
-
-void blur(std::span<vec4> image, int width, In<float> radius_px) {
+template <typename Pixel>
+void diffuse(std::span<Pixel> image, int width, In<float> radius_px) {
     check(radius_px.size() == image.size(), "blur: expected one radius per pixel");
     check(width > 0 && image.size() % std::size_t(width) == 0, "blur: the image is no rectangle");
     // A disc of radius r has variance r^2 / 4 along an axis, one solution twice its conductivity.
@@ -103,5 +105,11 @@ void blur(std::span<vec4> image, int width, In<float> radius_px) {
         along_columns(image, std::size_t(width), conductivity);
     }
 }
+
+}  // namespace
+
+void blur(std::span<vec4> image, int width, In<float> radius_px) { diffuse(image, width, radius_px); }
+
+void blur(std::span<float> image, int width, In<float> radius_px) { diffuse(image, width, radius_px); }
 
 }  // namespace fovea::color

@@ -21,5 +21,6 @@ void fade(std::span<vec4> image, In<float> amount, const std::optional<vec3>& co
 /// colors is preserved, and the cost does not depend on the radius. Non-finite pixels are unchanged and do not diffuse.
 /// Kass, Lefohn & Owens, "Interactive Depth of Field Using Simulated Diffusion on a GPU", Pixar 2006.
 void blur(std::span<vec4> image, int width, In<float> radius_px);
+void blur(std::span<float> image, int width, In<float> radius_px);
 
 }  // namespace fovea::color

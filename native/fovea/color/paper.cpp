@@ -15,6 +15,8 @@ namespace {
 constexpr float soft = 0.25f;
 /// Minimum transmittance of pigment.
 constexpr float darkest = 1e-4f;
+/// Maximum number of places of the paper looked at along a pixel.
+constexpr int most_places = 8;
 
 /// Quantile of each value: the fraction of all values that are lower; ties get the middle of their range; NaN is the
 /// lowest.
@@ -32,15 +34,23 @@ Array<float> shares_lower(In<float> values) {
     return shares;
 }
 
-/// Slope of each texel, positive where it faces the light at the upper left; wraps around at the borders.
-Array<float> slopes(In<float> heights, int width, int height) {
+/// How much light each texel gets: more where it faces that at the upper left, and where it stands out from the texels
+/// around it, since light comes from all around, too: slopes alone look like streaks across the light. Wraps around at
+/// the borders.
+Array<float> light(In<float> heights, int width, int height) {
+    constexpr float all_around = 1.5f;
     Array<float> result(heights.size());
-    const auto at = [&](int x, int y) { return heights[std::size_t(y) * width + x]; };
     for (int y = 0; y < height; ++y) {
-        const int above = (y + 1) % height, below = (y + height - 1) % height;
+        const int rows[] = {(y + height - 1) % height, y, (y + 1) % height};
         for (int x = 0; x < width; ++x) {
-            const int right = (x + 1) % width, left = (x + width - 1) % width;
-            result[std::size_t(y) * width + x] = at(right, below) - at(left, above);
+            const int columns[] = {(x + width - 1) % width, x, (x + 1) % width};
+            const auto at = [&](int column, int row) {
+                return heights[std::size_t(rows[row]) * width + columns[column]];
+            };
+            float sum = 0.0f;
+            for (int row = 0; row < 3; ++row)
+                for (int column = 0; column < 3; ++column) sum += at(column, row);
+            result[std::size_t(y) * width + x] = at(2, 0) - at(0, 2) + all_around * (at(1, 1) - sum / 9.0f);
         }
     }
     return result;
@@ -69,9 +79,11 @@ vec3 granulated(const vec3& seen, const vec3& under, float share) {
 
 }  // namespace
 
-PaperTexture::PaperTexture(In<float> heights, int w, int h) : width(w), height(h), places(heights.size()) {
+PaperTexture::PaperTexture(In<float> heights, int w, int h, double mm)
+    : width(w), height(h), tile_mm(mm), places(heights.size()) {
     check(w > 0 && h > 0 && heights.size() == std::size_t(w) * h, "paper: the number of heights is not its size");
-    const Array<float> lower = shares_lower(heights), lit = shares_lower(slopes(heights, w, h));
+    check(mm > 0.0, "paper: a tile must be larger than nothing");
+    const Array<float> lower = shares_lower(heights), lit = shares_lower(light(heights, w, h));
     for (std::size_t i = 0; i < places.size(); ++i) places[i] = {lower[i], lit[i]};
 }
 
@@ -86,6 +98,14 @@ PaperPlace PaperTexture::at(const vec2& texel) const {
     const vec2 mean = glm::mix(glm::mix(place_at(x0, y0), place_at(x1, y0), share.x),
                                glm::mix(place_at(x0, y1), place_at(x1, y1), share.x), share.y);
     return {mean.x, mean.y};
+}
+
+PlacesUnder::PlacesUnder(const PaperTexture* texture, double scale, const style::Paper& paper, const View& view)
+    : texture_(texture), origin_(origin_of(view)) {
+    if (!texture) return;
+    texel_px_ = float(texture->tile_mm / texture->width * scale * paper.px_per_mm(view.reference_scale));
+    check(texel_px_ > 0.0f, "paper: a texel must cover more than nothing");
+    along_ = std::clamp(int(std::ceil(1.0f / texel_px_ - 0.01f)), 1, most_places);
 }
 
 float toothed(float opacity, float lower, float tooth) {
@@ -103,36 +123,38 @@ float toothed(float opacity, float lower, float tooth) {
     return opacity + tooth * (covered - opacity);
 }
 
-void on_paper(In<vec4> lines, In<vec4> layer, In<float> holdout, const View& view, const PaperTexture* texture,
-              const style::Paper& paper, const style::Color& color, Array<vec4>& out) {
+void on_paper(In<vec4> lines, In<vec4> layer, In<float> density, In<float> holdout, const View& view,
+              const PaperTexture* texture, const style::Paper& paper, const style::Color& color, Array<vec4>& out) {
     const auto width = static_cast<std::size_t>(view.width), count = width * std::size_t(view.height);
     check(lines.size() == count, "lines: expected one entry per pixel of the view");
     check(layer.empty() || layer.size() == count, "layer: expected one entry per pixel of the view");
+    check(density.empty() || density.size() == count, "density: expected one value per pixel of the view");
     check(holdout.empty() || holdout.size() == count, "holdout: expected one value per pixel of the view");
-    const float texel_px = float(paper.scale * view.reference_scale), tooth = float(paper.tooth);
-    check(texel_px > 0.0f, "paper: a texel must cover more than nothing");
     out.resize(count);
-    const vec2 origin = origin_of(view);
-    const bool granulates = texture && paper.granulation > 0.0 && !paper.transparent;
+    const PlacesUnder places(texture, paper.scale, paper, view);
+    const float granulation = texture && !paper.transparent ? float(paper.granulation) : 0.0f;
     const vec3 ground(layer.empty() ? paper.color : color.background.value_or(paper.color));
-    const float layer_opacity = float(color.opacity), granulation = float(paper.granulation), tint = float(paper.tint);
+    const float layer_opacity = float(color.opacity), tooth = float(paper.tooth), tint = float(paper.tint);
     parallel_blocks(count, width, [&](std::size_t y, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const vec2 px(float(i - begin) + 0.5f, float(y) + 0.5f);
-            const auto [lower, lit] = texture ? texture->at((px - origin) / texel_px) : PaperPlace{};
-            const float shade = 1.0f + tint * (2.0f * lit - 1.0f);
+            vec4 line = lines[i];
+            PaperPlace mean{0.0f, 0.0f};
+            float covered = 0.0f;
+            places.pixel(vec2(float(i - begin), float(y)), [&](const PaperPlace& place, float share) {
+                mean = {mean.lower + share * place.lower, mean.lit + share * place.lit};
+                covered += share * toothed(line.a, place.lower, tooth);
+            });
+            const float shade = 1.0f + tint * (2.0f * mean.lit - 1.0f);
             const float alpha = paper.transparent ? 0.0f : holdout.empty() ? 1.0f : 1.0f - holdout[i];
             vec4 pixel(ground * alpha, alpha);
             const vec4 over = layer.empty() ? vec4(0.0f) : layer[i] * layer_opacity;
             if (over.a > 0.0f) {
                 pixel = over + pixel * (1.0f - over.a);
-                if (granulates && pixel.a > 0.0f) {
-                    const float share = 1.0f + granulation * (1.0f - 2.0f * lower);
+                const float share = (density.empty() ? 1.0f : density[i]) + granulation * (1.0f - 2.0f * mean.lower);
+                if (share != 1.0f && pixel.a > 0.0f)
                     pixel = vec4(granulated(vec3(pixel) / pixel.a, ground, share) * pixel.a, pixel.a);
-                }
             }
-            vec4 line = lines[i];
-            if (texture && tooth > 0.0f && line.a > 0.0f) line *= toothed(line.a, lower, tooth) / line.a;
+            if (texture && tooth > 0.0f && line.a > 0.0f) line *= covered / line.a;
             pixel = line + pixel * (1.0f - line.a);
             out[i] = vec4(vec3(pixel) * shade, pixel.a);
         }

@@ -18,21 +18,23 @@ std::filesystem::path Assets::file(const char* kind, const std::string& name) co
     return folder_ / kind / (name + ".png");
 }
 
-const std::map<std::string, double>& Assets::lengths() const {
-    if (lengths_.empty()) {
-        std::ifstream file(folder_ / "textures" / "textures.json");
+/// The number that KIND/KIND.json has for a file; 1 if it has none.
+double Assets::size(const char* kind, const char* key, const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    auto& sizes = sizes_[kind];
+    if (sizes.empty()) {
+        const std::filesystem::path path = folder_ / kind / (std::string(kind) + ".json");
+        std::ifstream file(path);
         const auto data = nlohmann::json::parse(file, nullptr, false);
-        check(data.is_object(), (folder_ / "textures" / "textures.json").string() + " cannot be read");
-        for (const auto& [name, entry] : data.items()) lengths_[name] = entry.value("length_in_widths", 1.0);
+        check(data.is_object(), path.string() + " cannot be read");
+        for (const auto& [entry, values] : data.items()) sizes[entry] = values.value(key, 1.0);
     }
-    return lengths_;
+    const auto found = sizes.find(name);
+    return found == sizes.end() ? 1.0 : found->second;
 }
 
 double Assets::texture_length(const std::string& name) const {
-    if (name == "solid") return 1.0;
-    const std::lock_guard lock(mutex_);
-    const auto found = lengths().find(name);
-    return found == lengths().end() ? 1.0 : found->second;
+    return name == "solid" ? 1.0 : size("textures", "length_in_widths", name);
 }
 
 std::shared_ptr<const Assets::Texture> Assets::texture(const std::string& name) const {
@@ -44,15 +46,22 @@ std::shared_ptr<const Assets::Texture> Assets::texture(const std::string& name) 
     return kept;
 }
 
-std::shared_ptr<const PaperTexture> Assets::paper(const std::string& name) const {
-    if (name == "none") return nullptr;
+std::shared_ptr<const PaperTexture> Assets::sheet(const char* kind, const std::string& name) const {
+    const std::string path = file(kind, name).string();
+    const double tile_mm = size(kind, "tile_mm", name);
     const std::lock_guard lock(mutex_);
-    auto& kept = papers_[name];
+    auto& kept = sheets_[path];
     if (!kept) {
-        const PenTexture read = read_texture(file("papers", name).string());
-        kept = std::make_shared<PaperTexture>(read.ink, read.width, read.height);
+        const PenTexture read = read_texture(path);
+        kept = std::make_shared<PaperTexture>(read.ink, read.width, read.height, tile_mm);
     }
     return kept;
 }
+
+std::shared_ptr<const PaperTexture> Assets::paper(const std::string& name) const {
+    return name == "none" ? nullptr : sheet("papers", name);
+}
+
+std::shared_ptr<const PaperTexture> Assets::wash(const std::string& name) const { return sheet("washes", name); }
 
 }  // namespace fovea::draw

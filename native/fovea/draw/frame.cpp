@@ -66,9 +66,7 @@ void Frame::filter() {
     if (has(Step::filter)) return;
     stage("runs", 0.05, [&] {
         const Options& o = job.options;
-        // Samples tell whether a line is hidden, not by how many surfaces.
-        const Index counted = job.style.counted();
-        const Index levels = method_of(o.visibility).counts_surfaces ? counted : std::min(counted, Index(1));
+        const Index levels = job.style.counted();
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());

@@ -34,7 +34,7 @@ Array<float> look_by_items(const Frame& frame, const DepthBuffer& depth) {
 
 /// Indexed by Visibility.
 constexpr Method methods[] = {
-    {.words = "exact", .visible = by_rays, .counts_surfaces = true},
+    {.words = "exact", .visible = by_rays},
     {.words = "sampled", .visible = by_atlas, .look = look_by_atlas, .quality = &Options::probes, .counted = "samples"},
     {.words = "spine test",
      .visible = all,

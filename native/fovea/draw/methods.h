@@ -16,7 +16,6 @@ struct Method {
     Array<float> (*look)(const Frame& frame, const DepthBuffer& depth) = nullptr;
     int Options::* quality = nullptr;  ///< option that sets the quality; null: none
     const char* counted = "";          ///< unit that `quality` counts, for reports
-    bool counts_surfaces = false;      ///< quantitative invisibility can be computed
     bool in_strokes = false;           ///< evaluated at every pixel while strokes are drawn
 };
 

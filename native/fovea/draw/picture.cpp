@@ -5,6 +5,7 @@
 #include <fovea/base/check.h>
 #include <fovea/color/effects.h>
 #include <fovea/color/painted_image.h>
+#include <fovea/color/wash.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/draw/frame.h>
 #include <fovea/scene/seen.h>
@@ -93,7 +94,11 @@ void Frame::put_on_paper() {
     const style::Paper& paper = job.style.paper;
     const Array<float> holdout = holdout_image(*tracer, cancel());
     const auto texture = job.assets->paper(paper.texture);
-    on_paper(passes.lines, passes.color, holdout, job.view, texture.get(), paper, job.style.color, passes.combined);
+    const auto water = job.style.color.backruns > 0.0 ? job.assets->wash("water") : nullptr;
+    const Array<float> density =
+        paper.transparent ? Array<float>() : wash_density(passes.color, job.view, water.get(), paper, job.style.color);
+    on_paper(passes.lines, passes.color, density, holdout, job.view, texture.get(), paper, job.style.color,
+             passes.combined);
 }
 
 Array<float> Frame::focus_of_pixels() {

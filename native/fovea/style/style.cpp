@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <fovea/base/view.h>
-
 namespace fovea::style {
 namespace {
 
@@ -37,7 +35,7 @@ double Style::width_px(const Pen& pen, double reference_scale) const {
         case WidthUnit::pixels:
             return pen.width;
         case WidthUnit::millimetres:
-            return pen.width * (reference_height * reference_scale / paper.height_mm);
+            return pen.width * paper.px_per_mm(reference_scale);
         default:
             return pen.width * reference_scale;
     }
