@@ -50,6 +50,11 @@ USAGES = [
     ("DRAW", "Draw Only", "Has lines and hides nothing"),
     ("IGNORE", "Ignore", "Is not there"),
 ]
+HAIR = [
+    ("RIBBONS", "Ribbons", "Each strand is as wide as its radius: it has an outline and hides what lies behind"),
+    ("LINES", "Lines", "Each strand is a line, as loose edges are, and hides nothing"),
+    ("OFF", "Off", "Hair is not there"),
+]
 ESTIMATORS = [
     ("AUTOMATIC", "Automatic", "Jets, their degree and rings by how noisy the mesh is"),
     ("JETS", "Jets", "Polynomials fitted to the surroundings of each vertex"),
@@ -80,6 +85,7 @@ def _object_group(kinds):
     told = "Of lines that crowd each other, those of objects with more priority stay"
     annotations = {
         "usage": choice("Usage", "Whether the object has lines, and hides those behind it", items=USAGES),
+        "hair": choice("Hair", "How hair curves, and hair of particles, are drawn", items=HAIR),
         "priority": number("Priority", told, default=0.5, **SHARE),
         **_curvature_properties(),
         **own_lines.annotations(kinds),

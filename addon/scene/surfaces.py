@@ -16,7 +16,6 @@ REMARKS = {  # counts of a surface's report -> text
     "non_finite_vertices": "vertices have no position and were left out",
     "degenerate_polygons": "faces have no area and were left out",
     "duplicate_polygons": "faces repeat others and were left out",
-    "loose_edges": "edges belong to no face and have no lines",
     "inconsistent_edges": "edges lie between faces that disagree about which side is out",
 }
 
@@ -25,7 +24,7 @@ REMARKS = {  # counts of a surface's report -> text
 class _Entry:
     surface: object  # native Surface; None: a cage without a limit surface
     topology: tuple  # number of vertices, and content hashes of all arrays but the positions
-    positions: int  # content hash
+    positions: object  # content hash or hashes
     ngons: tuple  # content hashes of the n-gons' triangulation
     seen: tuple = ()  # for a refined surface: content hashes of Blender's subdivided mesh
     age: int = 0  # passes since its last use
@@ -85,6 +84,24 @@ class SurfaceCache:
                 whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
                 surface = self._core.Surface(name, self._repaired(name, whole, repair))
                 entry = self.entries[key] = _Entry(surface, topology, positions, ngons)
+                self.rebuilt.append(entry.surface)
+        entry.age, entry.used = 0, kept.now()
+        return entry.surface
+
+    def shape(self, key, name, shape, slots):
+        """The native surface of what has no faces (shapes.Shape), or None if there is nothing of it: as `surface`."""
+        if (read := shape.read()) is None:
+            return None
+        key, hides = self._ordered(key), slots[0].hides
+        topology = (hides, type(read), read.topology())
+        positions = (self._hash(read.points), self._hash(read.radii))
+        entry = self.entries.get(key)
+        if entry is None or (entry.topology, entry.positions) != (topology, positions):
+            made = read.mesh(self._core, name, hides)
+            if entry is not None and entry.topology == topology:
+                self._move(entry, made, positions)
+            else:
+                entry = self.entries[key] = _Entry(self._core.Surface(name, made.mesh), topology, positions, ())
                 self.rebuilt.append(entry.surface)
         entry.age, entry.used = 0, kept.now()
         return entry.surface

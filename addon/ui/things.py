@@ -4,7 +4,7 @@
 import bpy
 
 from ..render import session
-from ..scene import own_lines
+from ..scene import own_lines, shapes
 from ..scene.line_kinds import property_name
 from ..style import style_data
 from .common import FoveaPanel, fold, fold_switch
@@ -24,6 +24,8 @@ class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
         obj, settings = context.object, context.object.fovea
         layout.prop(settings, "usage", text="Usage")
         layout.prop(obj, "is_holdout")
+        if obj.type == "CURVES" or any(shapes.is_hair(system) for system in obj.particle_systems):
+            layout.prop(settings, "hair")
         has_lines = settings.usage in {"BOTH", "DRAW"}
         _draw_own_lines(layout, settings, _kinds_of_style(context.scene), has_lines)
         column = layout.column()
