@@ -113,7 +113,7 @@ def guides(objects):
     nodes work on. Being a parent is no such use."""
     curves = [obj for obj in objects if obj.type in CURVES]
     users = bpy.data.user_map(subset=curves, value_types={"OBJECT", "CURVE", "NODETREE"}) if curves else {}
-    return {obj for obj, by in users.items() if any(user != obj and getattr(user, "parent", None) != obj for user in by)}
+    return {obj for obj, by in users.items() if any(getattr(user, "parent", None) != obj for user in by - {obj})}
 
 
 def _kinds(ribbons):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""hair:N, what has no faces: hair curves (N strands of 8 points) on a ball, a brush of particle hair, a point cloud, a bare
-curve, text with and without a fill, metaballs, and a ring of Grease Pencil."""
+"""hair:N, what has no faces: hair curves (N strands of 8 points) on a ball, a brush of particle hair, a point cloud, a
+bare curve, text with and without a fill, metaballs, and a ring of Grease Pencil."""
 
 import math
 

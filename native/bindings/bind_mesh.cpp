@@ -116,8 +116,7 @@ edge_marks (E,) bool.)");
 
 OwnedMesh make_strands(const std::string& name, const Arg<vec3>& points, const Arg<float>& radii,
                        const Arg<int>& offsets, int steps, bool ribbons, bool occludes) {
-    const Strands given{borrow<vec3>(points, "points"), borrow<float>(radii, "radii"),
-                        borrow<int>(offsets, "offsets")};
+    const Strands given{borrow<vec3>(points, "points"), borrow<float>(radii, "radii"), borrow<int>(offsets, "offsets")};
     return without_gil([&] {
         const OwnedStrands rounded = steps > 1 ? rounded_strands(name, given, steps) : OwnedStrands();
         const Strands strands = steps > 1 ? rounded.strands() : given;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes of strands: of hair, which Blender stores as polylines with radii, and of bare curves.
 //
-// A strand becomes a closed prism of three sides, not a ribbon that faces the camera: it does not depend on the view, so
-// it is kept, instanced, refitted and hit by rays as any other surface, and what it hides and its contour are true from
-// every side. Three sides are the fewest that enclose something, and the width of a regular prism varies little as it
-// turns: between 0.91 and 1.05 of the strand's.
+// A strand becomes a closed prism of three sides, not a ribbon that faces the camera: it does not depend on the view,
+// so it is kept, instanced, refitted and hit by rays as any other surface, and what it hides and its contour are true
+// from every side. Three sides are the fewest that enclose something, and the width of a regular prism varies little as
+// it turns: between 0.91 and 1.05 of the strand's.
 #pragma once
 
 #include <fovea/mesh/surface.h>
