@@ -17,7 +17,10 @@ RADIUS = 0.01  # of points without one, as in Blender
 POLY = 1  # a type of curve that is not rounded
 SEGMENTS = 8  # of a strand of few points, which is rounded: as many as viewports of Blender show
 GUIDE = "is a curve that other objects or nodes use, and is not drawn: a bevel, or a copy of it, makes it visible"
-NODE_CURVES = "has curves of geometry nodes, which engines are not given: the node Curve to Mesh makes them visible"
+NODE_CURVES = (
+    "has curves of geometry nodes, which engines are not given: the node Curve to Mesh makes them visible, "
+    "or As Instance of the node Object Info"
+)
 OUTLINES = {"contour", "silhouette"}  # the lines of ribbons and spheres; what else their small faces have is no shape
 
 

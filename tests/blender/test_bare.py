@@ -27,6 +27,16 @@ def test_a_point_cloud_has_spheres_of_its_radius():
     assert len(first) == len(snapshot.surfaces[0].positions) / 2
 
 
+def test_point_clouds_are_instanced():
+    obj = new_object(new_mesh([(0, 0, 0), (4, 0, 0)], [], [], "Points"), "Points")
+    points, _ = node_modifier(obj, "GeometryNodeMeshToPoints", "GeometryNodeInstanceOnPoints")
+    tree = points.id_data
+    tree.links.new(points.outputs[0], tree.nodes["Instance on Points"].inputs["Instance"])
+    snapshot = read()
+    assert snapshot.surface_of_placement.tolist() == [0, 0]
+    assert snapshot.object_to_world[:, 0, 3].tolist() == [0, 4]
+
+
 def test_a_bare_curve_is_one_path_with_its_points():
     points = [(0, 0, 0), (1, 0, 0.2), (2, 0, 0.1), (3, 0, 0.5)]
     bare_curve(points)

@@ -6,7 +6,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from bare import STRANDS, emitter, hair_curves, read, shown, told
+from bare import STRANDS, emitter, hair_curves, node_modifier, read, shown, told
 from snapshots import NATIVE, fresh_scene, new_cache, scene
 from the_addon import add_camera, new_mesh, new_object, part
 
@@ -86,6 +86,34 @@ def test_particle_hair_is_where_blender_has_it_and_has_its_material():
     radius = np.linalg.norm(rings - rings.mean(axis=2, keepdims=True), axis=-1).mean(axis=(0, 2))
     assert np.allclose(radius / radius[0], np.linspace(1, 0.5, 5), atol=1e-4)
     assert radius[0] == pytest.approx(0.1 * 1.2092, rel=1e-3)  # half the diameter, as a prism of that mean width
+
+
+def test_particle_hair_is_instanced_with_its_emitter():
+    obj = emitter()
+    collection = bpy.data.collections.new("Animals")
+    bpy.context.scene.collection.objects.unlink(obj)
+    collection.objects.link(obj)
+    for x in (0.0, 5.0):
+        instancer = new_object(None, f"Animal {x:.0f}", (x, 0, 0))
+        instancer.instance_type, instancer.instance_collection = "COLLECTION", collection
+    snapshot = read()
+    assert snapshot.surface_of_placement.tolist() == [0, 1, 0, 1] and len(set(snapshot.persistent_id.tolist())) == 4
+    assert snapshot.object_to_world[:, 0, 3].tolist() == [0, 0, 5, 5]
+    root = np.array(snapshot.surfaces[1].positions)[:3].mean(axis=0)
+    assert (root[:2] >= 0).all() and (root[:2] <= 1).all()  # on the square, wherever that stands
+
+
+def test_hair_that_nodes_put_on_points_is_drawn_as_instances():
+    hair = new_object(hair_curves(STRANDS), "Hair", (9, 9, 9))
+    obj = new_object(new_mesh([(0, 0, 0), (4, 0, 0)], [], [], "Points"), "Points")
+    points, instances = node_modifier(obj, "GeometryNodeMeshToPoints", "GeometryNodeInstanceOnPoints")
+    info = points.id_data.nodes.new("GeometryNodeObjectInfo")
+    info.inputs["Object"].default_value = hair
+    points.id_data.links.new(info.outputs["Geometry"], instances.inputs["Instance"])
+    info.inputs["As Instance"].default_value = True
+    assert sorted(read().object_to_world[:, 0, 3].tolist()) == [0, 4, 9]
+    info.inputs["As Instance"].default_value = False
+    assert read().object_to_world[:, 0, 3].tolist() == [9] and "As Instance" in told()["Points"]
 
 
 def test_children_are_drawn_and_their_parents_are_not():
