@@ -45,6 +45,7 @@ class _Gathering:
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
         self.known_own, self.known_guides, self.left_out = {}, None, {}
+        self.outlines = shapes.outlines()
         self.rows = []  # per placement: (index of the instance, surface, hash of names, usage, object, owners, *own)
 
     def usage(self, instance, shown):
@@ -156,12 +157,11 @@ class _Gathering:
             usage = OCCLUDE | HOLDOUT
         parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
         owners = (obj.name_full, parent) if parent else (obj.name_full,)
-        names, own = (obj.name_full, parent), self.own(obj)
+        names, (priority, shown, *own) = (obj.name_full, parent), self.own(obj)
         if shape:
             names = (*names, shape.name) if shape.name else names
-            priority, shown, *values = own
-            own = (priority, shown & shapes.bits(shape.kinds), *values)
-        self.rows.append((step, surface, self.name_hash(*names), usage, obj.name, owners, *own))
+            shown &= self.outlines if shape.outlined else shown
+        self.rows.append((step, surface, self.name_hash(*names), usage, obj.name, owners, priority, shown, *own))
 
     def own(self, obj):
         """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""

@@ -21,7 +21,6 @@ NODE_CURVES = (
     "has curves of geometry nodes, which engines are not given: the node Curve to Mesh makes them visible, "
     "or As Instance of the node Object Info"
 )
-OUTLINES = {"contour", "silhouette"}  # the lines of ribbons and spheres; what else their small faces have is no shape
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +63,7 @@ class Shape:
     place: tuple  # tells it from others in one traversal of a depsgraph
     name: str  # of the particle system, else ""
     materials: list
-    kinds: frozenset  # names of the line definitions that it has
+    outlined: bool  # whether it has `outlines` alone
     read: object  # () -> Strands or Points, not empty; None if there is nothing of it
 
     material_slots = ()
@@ -74,13 +73,13 @@ def of_data(obj, scene):
     """The Shape of an instance's own data, or None. `obj`: the instance's object, `scene`: the depsgraph's."""
     data = obj.data
     if isinstance(data, bpy.types.PointCloud):
-        kinds, read = OUTLINES, partial(_points, data)
+        outlined, read = True, partial(_points, data)
     elif isinstance(data, bpy.types.Curves) and obj.original.fovea.hair != "OFF":
-        ribbons = obj.original.fovea.hair == "RIBBONS"
-        kinds, read = _kinds(ribbons), partial(_strands, data, scene.render.hair_subdiv, ribbons)
+        outlined = obj.original.fovea.hair == "RIBBONS"
+        read = partial(_strands, data, scene.render.hair_subdiv, outlined)
     else:
         return None
-    return Shape((data.as_pointer(),), "", materials.of(obj, data)[:1], frozenset(kinds), read)
+    return Shape((data.as_pointer(),), "", materials.of(obj, data)[:1], outlined, read)
 
 
 def of_particles(obj, depsgraph):
@@ -98,7 +97,7 @@ def of_particles(obj, depsgraph):
             slot = min(system.settings.material, len(slots)) - 1
             material = slots[slot].material if slots else None
             read = partial(_particles, real, system, depsgraph.mode, ribbons)
-            yield Shape((real.name_full, system.name), system.name, [material], frozenset(_kinds(ribbons)), read)
+            yield Shape((real.name_full, system.name), system.name, [material], ribbons, read)
 
 
 def is_hair(system):
@@ -106,9 +105,10 @@ def is_hair(system):
     return system.settings.type == "HAIR" and system.settings.render_type == "PATH"
 
 
-def bits(kinds):
-    """The bits of line definitions, by their names."""
-    return sum(1 << bit for bit, definition in enumerate(line_kinds.definitions()) if definition["name"] in kinds)
+def outlines():
+    """The bits of the lines that ribbons and spheres have: contours along edges, which are those with a twin on smooth
+    surfaces. What else their small faces have is no shape."""
+    return sum(1 << bit for bit, definition in enumerate(line_kinds.definitions()) if definition["smooth_twin"])
 
 
 def guides(objects):
@@ -117,10 +117,6 @@ def guides(objects):
     curves = [obj for obj in objects if obj.type in CURVES]
     users = bpy.data.user_map(subset=curves, value_types={"OBJECT", "CURVE", "NODETREE"}) if curves else {}
     return {obj for obj, by in users.items() if any(getattr(user, "parent", None) != obj for user in by - {obj})}
-
-
-def _kinds(ribbons):
-    return OUTLINES if ribbons else {"border"}
 
 
 def _points(data):

@@ -21,7 +21,7 @@ def test_hair_curves_are_ribbons_or_lines_or_off():
     assert len(snapshot.surfaces[0].triangles) == 2 * (3 * 2 * 8 + 2)  # two segments rounded to eight
     obj.fovea.hair = "LINES"
     snapshot = read()
-    assert shown(snapshot) == [{"border"}] and not len(snapshot.surfaces[0].triangles)
+    assert "border" in shown(snapshot)[0] and not len(snapshot.surfaces[0].triangles)
     assert len(snapshot.surfaces[0].edges) == 2 * 8
     obj.fovea.hair = "OFF"
     assert read().objects == []

@@ -98,7 +98,7 @@ TEST(Strands, AStrandHidesWhatIsBehindIt) {
 
 TEST(Strands, AStrandHasOneClosedContour) {
     for (const double turn : {0.0, 17.0, 60.0, 100.0}) {
-        const dvec3 eye = 10.0 * dvec3(std::sin(glm::radians(turn)), -std::cos(glm::radians(turn)), 0.1);
+        const dvec3 eye = 10.0 * dvec3(std::sin(glm::radians(turn)), -std::cos(glm::radians(turn)), 0.2);
         const auto mesh = strand_prisms("Hair", strands({upright}, 0.1f).strands(), true);
         const Drawing drawing({placed(mesh)}, perspective(eye, {0, 0, 0}), {line_set({"contour"})});
         EXPECT_EQ(drawing.paths.count(), 1u) << turn;
