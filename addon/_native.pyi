@@ -431,6 +431,37 @@ class RepairedMesh:
     @property
     def report(self) -> RepairReport: ...
 
+class ShapeMesh:
+    """The mesh of what has no faces in Blender."""
+    @staticmethod
+    def strands(
+        name: str,
+        points: Annotated[ArrayLike, numpy.float32],
+        radii: Annotated[ArrayLike, numpy.float32],
+        offsets: Annotated[ArrayLike, numpy.int32],
+        *,
+        steps: int=1,
+        ribbons: bool=True,
+        occludes: bool=True,
+    ) -> ShapeMesh:
+        """points (P, 3), radii (P,) float32, offsets (S + 1,) int32: strand s has the points offsets[s] to offsets[s +
+        1], two or more. steps: segments on the Catmull-Rom curve for each one; ribbons: prisms as wide as the strands,
+        else edges without faces; occludes: whether they hide what lies behind. Raises ValueError, naming the object."""
+    @staticmethod
+    def spheres(
+        name: str,
+        centers: Annotated[ArrayLike, numpy.float32],
+        radii: Annotated[ArrayLike, numpy.float32],
+        *,
+        occludes: bool=True,
+    ) -> ShapeMesh:
+        """A sphere around each point; centers (P, 3), radii (P,) float32."""
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def positions(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32"""
+
 class SurfaceReport:
     """What of a mesh was skipped or looked wrong; counts of elements."""
     @property

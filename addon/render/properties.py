@@ -51,6 +51,11 @@ USAGES = [
     ("DRAW", "No Occlusion", "Has lines and hides nothing"),
     ("IGNORE", "Exclude", "Is not there"),
 ]
+HAIR = [
+    ("RIBBONS", "Ribbons", "Each strand is as wide as its radius: it has an outline and hides what lies behind"),
+    ("LINES", "Lines", "Each strand is a line, as loose edges are, and hides nothing"),
+    ("OFF", "Off", "Hair is not there"),
+]
 ESTIMATORS = [
     ("AUTOMATIC", "Automatic", "Accurate, over a radius by how noisy the mesh is"),
     ("JETS", "Accurate", "Polynomials fitted to the surroundings of each vertex"),
@@ -81,6 +86,7 @@ def _object_group(kinds):
     told = "Of lines that crowd each other, those of objects with more priority stay"
     annotations = {
         "usage": choice("Usage", "Whether the object has lines, and hides those behind it", items=USAGES),
+        "hair": choice("Hair", "How hair curves, and hair of particles, are drawn", items=HAIR),
         "priority": number("Priority", told, default=0.5, **SHARE),
         "shape": choice("Draw As", "What the faces stand for, which decides the lines that suit them", items=SHAPES),
         **_curvature_properties(),

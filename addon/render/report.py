@@ -21,6 +21,20 @@ USAGES = {  # usages of objects that have no lines, explained
     "IGNORE": "is excluded, as its line drawing setting says",
     "OCCLUDE": "only hides what lies behind it, as its line drawing setting says",
 }
+EMPTY = {  # types of objects that have lines -> why one has none
+    **dict.fromkeys(("MESH", "SURFACE", "META"), "has no faces and no edges"),
+    **dict.fromkeys(("CURVE", "FONT"), "has no points that are joined"),
+    "CURVES": "has no strands of two points or more with a radius",
+    "POINTCLOUD": "has no points with a radius",
+}
+IMAGE = "an Empty that shows an image"
+OVER_PICTURE = "is Grease Pencil, which Blender draws over the picture: nothing in the drawing hides it"
+NEVER = {  # types of objects that never have lines, explained
+    **dict.fromkeys(("GPENCIL", "GREASEPENCIL"), OVER_PICTURE),
+    "VOLUME": "is a volume, which has no surface: the modifier Volume to Mesh of a mesh object makes one of it",
+    "LATTICE": "is a lattice, which deforms other objects and is not rendered",
+    IMAGE: "shows its image in viewports alone: imported as a mesh plane, it is rendered",
+}
 STAGES = {  # stages of a picture, with labels
     "near_frames": "frames around it",
     "ingest": "reading the scene",
@@ -49,22 +63,33 @@ def skipped(read, depsgraph):
 
 
 def _why_not(obj, read, depsgraph):
-    """Why an object has no lines; None if it has lines, or is of a type that has none (lights, say)."""
-    if obj.type not in {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD", "VOLUME"}:
+    """Why an object, or some of it, has no lines; None if it has, or is of a type that has none (lights, say)."""
+    kind = IMAGE if obj.type == "EMPTY" and obj.empty_display_type == "IMAGE" else obj.type
+    if kind not in EMPTY and kind not in NEVER:
         return None
+    if kind in NEVER:
+        return _hidden(obj, depsgraph) or NEVER[kind]
     if obj.fovea.usage in USAGES:
         return USAGES[obj.fovea.usage]
     if not obj.visible_camera:
         return "is invisible to cameras, as its visibility settings say"
+    if obj.name in read.snapshot.left_out:
+        return read.snapshot.left_out[obj.name]
     if obj.name in read.snapshot.objects:
         return None
-    if hidden := _hidden(obj, depsgraph):
-        return hidden
-    if obj.type in {"CURVES", "POINTCLOUD", "VOLUME"}:
-        return "has no surface whose lines could be drawn"
+    return _hidden(obj, depsgraph) or _why_empty(obj, read)
+
+
+def _why_empty(obj, read):
+    """Why an object that is shown has no lines."""
+    family = obj.name.partition(".")[0]
+    if obj.type == "META" and family in read.snapshot.objects:
+        return f"is drawn as one with the metaball '{family}'"
+    if obj.type == "CURVES" and obj.fovea.hair == "OFF":
+        return "has hair that is off, as its line drawing setting says"
     if any(modifier.show_render for modifier in obj.modifiers):
-        return "has no faces and no edges, or its modifiers leave none, or it only makes instances of others"
-    return "has no faces and no edges"
+        return f"{EMPTY[obj.type]}, or its modifiers leave none, or it only makes instances of others"
+    return EMPTY[obj.type]
 
 
 def _hidden(obj, depsgraph):

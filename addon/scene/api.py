@@ -35,7 +35,10 @@ def surfaces(depsgraph=None):
     were left out or look wrong.
     """
     snapshot = _snapshot(depsgraph or bpy.context.evaluated_depsgraph_get())
-    return {name: snapshot.surfaces[i] for name, i in zip(snapshot.objects, snapshot.surface_of_placement)}
+    found = {}  # of an object that has hair, too, its mesh: the first
+    for name, i in zip(snapshot.objects, snapshot.surface_of_placement):
+        found.setdefault(name, snapshot.surfaces[i])
+    return found
 
 
 def surface(obj, depsgraph=None):

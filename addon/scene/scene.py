@@ -8,7 +8,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from . import kept, materials, own_lines, repair, shapes, subdivision
+from . import faceless, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
@@ -31,6 +31,7 @@ class Snapshot:
     importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
     shown: np.ndarray  # (n,) uint32, kinds of lines that the objects show, bit i: the registry's definition i
     own_values: list  # per parameter of own_lines.parameters(): (n,) float64 per-object value, NaN: not overridden
+    left_out: dict  # object name -> why some of it has no lines
 
 
 class _Gathering:
@@ -43,17 +44,18 @@ class _Gathering:
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
-        self.known_own = {}
+        self.known_own, self.known_guides, self.left_out = {}, None, {}
+        self.outlines = faceless.outlines()
         self.rows = []  # per placement: (index of the instance, surface, hash of names, usage, object, owners, *own)
 
-    def usage(self, instance):
+    def usage(self, instance, shown):
         """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
-        and."""
+        and; 0 if it is not `shown`."""
         obj = instance.object
         owner = (instance.parent if instance.is_instance else None) or obj
-        identity = (obj.name_full, owner.name_full, instance.show_self)
+        identity = (obj.name_full, owner.name_full, shown)
         if identity not in self.known_usage:
-            self.known_usage[identity] = self._usage(obj, owner) if instance.show_self else 0
+            self.known_usage[identity] = self._usage(obj, owner) if shown else 0
         return self.known_usage[identity]
 
     def _usage(self, obj, owner):
@@ -82,8 +84,10 @@ class _Gathering:
 
     def surface_index(self, obj, mesh):
         # Evaluated meshes keep their addresses during one traversal of a depsgraph, so a pointer identifies one, except
-        # the temporary mesh of edit mode. The object is part of the key because it may have its own materials.
-        place = obj.name_full if is_edited(obj) else mesh.as_pointer()
+        # the temporary mesh of edit mode and that of a curve. The object is part of the key because it may have its own
+        # materials.
+        is_mesh = isinstance(obj.data, bpy.types.Mesh)
+        place = mesh.as_pointer() if is_mesh and not is_edited(obj) else (obj.name_full, obj.data.as_pointer())
         met = (place, obj.name_full)
         if met not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
@@ -119,14 +123,52 @@ class _Gathering:
 
     def add(self, step, obj, mesh, instance, usage):
         """Adds a placement of an evaluated mesh; `step`: index of the instance in the depsgraph. Skips empty meshes."""
-        if not len(mesh.edges):
-            return
-        index = self.surface_index(obj, mesh)
-        if usage & OCCLUDE and all(slot.holdout for slot in self.slots[index]):
+        if len(mesh.edges):
+            self.place(step, self.surface_index(obj, mesh), instance, usage)
+
+    def add_shape(self, step, shape, instance, usage):
+        """Adds a placement of a faceless.Shape, unless it is empty."""
+        obj, place = instance.object, (*shape.place, instance.object.name_full)
+        if place not in self.index_of:
+            slots = materials.slots(shape, shape, self.known_materials)
+            surface = self.cache.faceless((obj.name_full, shape.name, slots), obj.name, shape, slots)
+            self.index_of[place] = None if surface is None else len(self.surfaces)
+            if surface is not None:
+                for gathering in self.beside:
+                    gathering.add_surface(shape, shape, surface, None, repaired=True)
+                self.surfaces.append(surface)
+                self.slots.append(slots)
+        if self.index_of[place] is not None:
+            self.place(step, self.index_of[place], instance, usage, shape)
+
+    def add_wire(self, step, instance, usage):
+        """Adds a placement of a curve that has no faces, as the edges that Blender makes of it."""
+        obj = instance.object
+        mesh = obj.to_mesh()
+        if self.known_guides is None:
+            self.known_guides = faceless.guides(self.depsgraph.scene.objects)
+        if mesh is None:
+            self.left_out[obj.name] = faceless.NODE_CURVES
+        elif len(mesh.polygons):
+            pass  # they are an instance of their own
+        elif obj.original in self.known_guides:
+            self.left_out[obj.name] = faceless.GUIDE
+        else:
+            self.add(step, obj, mesh, instance, usage)
+        obj.to_mesh_clear()
+
+    def place(self, step, surface, instance, usage, shape=None):
+        """Adds a placement of a surface (its index). `shape`: the Shape that it is made of, or None."""
+        obj = instance.object
+        if usage & OCCLUDE and all(slot.holdout for slot in self.slots[surface]):
             usage = OCCLUDE | HOLDOUT
         parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
-        names, owners = (obj.name_full, parent), (obj.name_full, parent) if parent else (obj.name_full,)
-        self.rows.append((step, index, self.name_hash(*names), usage, obj.name, owners, *self.own(obj)))
+        owners = (obj.name_full, parent) if parent else (obj.name_full,)
+        names, (priority, shown, *own) = (obj.name_full, parent), self.own(obj)
+        if shape:
+            names = (*names, shape.name) if shape.name else names
+            shown &= self.outlines if shape.outlined else shown
+        self.rows.append((step, surface, self.name_hash(*names), usage, obj.name, owners, priority, shown, *own))
 
     def own(self, obj):
         """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""
@@ -151,13 +193,14 @@ class _Gathering:
             self.slots,
             np.array(surface, np.int32),
             matrices[chosen],
-            _mixed(np.array(names, np.uint64), persistent[chosen]),
+            instances.ids(np.array(names, np.uint64), persistent[chosen]),
             np.array(usage, np.uint8),
             list(objects),
             list(owners),
             np.array(importance, np.float32),
             np.array(shown, np.uint32),
             [np.array(values, np.float64) for values in own_values],
+            self.left_out,
         )
 
 
@@ -165,8 +208,8 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
     """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `colors`: a
     color_sources.Gathering to fill, or None; `notes`: a notes.Gathering to fill, or None.
 
-    Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to. Hidden objects and
-    collections are not among the depsgraph's instances.
+    Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to; hair and point clouds by
+    faceless.py. Hidden objects and collections are not among the depsgraph's instances.
     """
     gathering = _Gathering(cache, depsgraph, viewport, with_marks, [beside for beside in (colors, notes) if beside])
     cache.begin()
@@ -174,57 +217,33 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
         obj = instance.object
         if colors and obj.type == "LIGHT" and instance.show_self:
             colors.add_light(instance)
-        # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh.
-        if not isinstance(obj.data, bpy.types.Mesh):
-            continue
-        usage = gathering.usage(instance)
-        if usage and is_edited(obj):
-            # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
-            gathering.add(step, obj, obj.to_mesh(), instance, usage)
-            obj.to_mesh_clear()
-        elif usage:
-            gathering.add(step, obj, obj.data, instance, usage)
+        if usage := gathering.usage(instance, instance.show_self):
+            _gather_data(gathering, step, instance, usage)
+        if instance.show_particles and (usage := gathering.usage(instance, True)):
+            for shape in faceless.of_particles(obj, depsgraph):
+                gathering.add_shape(step, shape, instance, usage)
     # View layers and viewports may show different parts of a scene in alternating passes.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
-    found = gathering.snapshot(*_instance_arrays(depsgraph.object_instances))
+    found = gathering.snapshot(*instances.arrays(depsgraph.object_instances))
     kept.add_snapshot(found)
     return found
 
 
-def placements(depsgraph, viewport):
-    """Objects, materials, visibility and matrices of all instances in a viewport (its SpaceView3D), without cameras; to
-    be compared."""
-    shown = []
-    for instance in depsgraph.object_instances:
-        obj = instance.object
-        if obj.type == "CAMERA":
-            shown.append(None)
-            continue
-        owner = (instance.parent if instance.is_instance else None) or obj
-        names = [slot.material and slot.material.name_full for slot in obj.material_slots]
-        seen = instance.show_self and owner.visible_in_viewport_get(viewport)
-        shown.append((owner.name_full, obj.name_full, seen, names))
-    arrays = _instance_arrays(depsgraph.object_instances)
-    kept = np.array([told is not None for told in shown], np.bool_)
-    return shown, *(array[kept].tobytes() for array in arrays)
-
-
-def _instance_arrays(instances):
-    """(k, 4, 4) float64 object-to-world matrices and (k, 8) int32 persistent ids of all instances, in order."""
-    count = len(instances)
-    matrices, persistent = np.empty((count, 4, 4), np.float32), np.empty((count, 8), np.int32)
-    instances.foreach_get("matrix_world", matrices.ravel())
-    instances.foreach_get("persistent_id", persistent.ravel())
-    return matrices.transpose(0, 2, 1).astype(np.float64), persistent
-
-
-def _mixed(names, persistent):
-    """(n,) uint64 hashes of (n,) name hashes and (n, 8) persistent ids, which are both constant over frames."""
-    mixed = names
-    for column in persistent.T.astype(np.uint32):
-        mixed = (mixed ^ column) * np.uint64(0x9E3779B97F4A7C15)
-        mixed ^= mixed >> np.uint64(32)
-    return mixed
+def _gather_data(gathering, step, instance, usage):
+    """Adds what is drawn of an instance's own data."""
+    obj = instance.object
+    if isinstance(obj.data, bpy.types.Mesh):
+        if is_edited(obj):
+            # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
+            gathering.add(step, obj, obj.to_mesh(), instance, usage)
+            obj.to_mesh_clear()
+        else:
+            gathering.add(step, obj, obj.data, instance, usage)
+    # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
+    elif obj.type in faceless.CURVES:
+        gathering.add_wire(step, instance, usage)
+    elif shape := faceless.of_data(obj, gathering.depsgraph.scene):
+        gathering.add_shape(step, shape, instance, usage)
 
 
 def placed(core, snapshot):

@@ -17,7 +17,6 @@ REMARKS = {  # counts of a surface's report -> text
     "non_finite_vertices": "vertices have no position and were left out",
     "degenerate_polygons": "faces have no area and were left out",
     "duplicate_polygons": "faces repeat others and were left out",
-    "loose_edges": "edges belong to no face and have no lines",
     "inconsistent_edges": "edges lie between faces that disagree about which side is out",
 }
 
@@ -26,7 +25,7 @@ REMARKS = {  # counts of a surface's report -> text
 class _Entry:
     surface: object  # native Surface; None: a cage without a limit surface
     topology: tuple  # number of vertices, and content hashes of all arrays but the positions
-    positions: int  # content hash
+    positions: object  # content hash or hashes
     ngons: tuple  # content hashes of the n-gons' triangulation
     rest: str = AUTOMATIC  # shape of the mesh at rest, for surfaces that are deformed
     seen: tuple = ()  # for a refined surface: content hashes of Blender's subdivided mesh
@@ -99,6 +98,24 @@ class SurfaceCache:
         arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=False)
         triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
         return self._core.Surface(name, self._core.Mesh(**vars(arrays), **triangles)).shape
+
+    def faceless(self, key, name, shape, slots):
+        """The native surface of what has no faces (faceless.Shape), or None if there is nothing of it: as `surface`."""
+        if (read := shape.read()) is None:
+            return None
+        key, hides = self._ordered(key), slots[0].hides
+        topology = (hides, type(read), read.topology())
+        positions = (self._hash(read.points), self._hash(read.radii))
+        entry = self.entries.get(key)
+        if entry is None or (entry.topology, entry.positions) != (topology, positions):
+            made = read.mesh(self._core, name, hides)
+            if entry is not None and entry.topology == topology:
+                self._move(entry, made, positions)
+            else:
+                entry = self.entries[key] = _Entry(self._core.Surface(name, made.mesh), topology, positions, ())
+                self.rebuilt.append(entry.surface)
+        entry.age, entry.used = 0, kept.now()
+        return entry.surface
 
     def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks, shape=AUTOMATIC):
         """The native surface on the limit of a cage's subdivision; None if it has no limit surface, with one remark.

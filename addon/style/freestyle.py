@@ -25,8 +25,12 @@ KINDS = {
 }
 # Line definition -> another that it contains.
 HAS = {"contour": "silhouette"}
-# Line definition -> its parameters from Freestyle's settings, whose crease angle is between faces, not normals.
-PARAMETERS = {"crease": lambda settings: {"angle": 180 - math.degrees(settings.crease_angle)}}
+# Line definition -> its parameters from Freestyle's settings, whose crease angle is between faces, not normals. It does
+# not draw loose edges.
+PARAMETERS = {
+    "crease": lambda settings: {"angle": 180 - math.degrees(settings.crease_angle)},
+    "border": lambda _settings: {"loose": 0.0},
+}
 _RELATIVE_HEIGHT = 480  # image height in pixels that Freestyle's relative thickness refers to
 
 

@@ -78,7 +78,8 @@ def _kinds(modifier):
         names = {"silhouette" if name == "contour" else name: None for name in names}
     # Its angle is between faces, not normals.
     crease = {"angle": 180 - math.degrees(modifier.crease_threshold)}
-    return {name: crease if name == "crease" else {} for name in names}
+    values = {"crease": crease, "border": {"loose": float(modifier.use_loose)}}
+    return {name: values.get(name, {}) for name in names}
 
 
 def _line_set(name, modifier, kinds, source, width):

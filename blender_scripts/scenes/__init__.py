@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes by name: `boxes:N`, `suzanne:L`, `office`, `demo`. Importing this package needs no Blender; building does."""
+"""Scenes by name: `boxes:N`, `suzanne:L`, `hair:N`, `office`, `demo`. Importing this package needs no Blender; building
+does."""
 
 import importlib
 from pathlib import Path
 
 # Name -> default argument. None: the scene takes no argument.
-DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5}
-RANGES = {"boxes": (1, 1000), "suzanne": (0, 7)}  # range of arguments; the maximum gives over ten million triangles
+DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5, "hair": 2000}
+# Range of arguments; the maximum gives over ten million triangles.
+RANGES = {"boxes": (1, 1000), "suzanne": (0, 7), "hair": (1, 1_000_000)}
 
 
 def names() -> list[str]:

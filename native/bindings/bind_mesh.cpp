@@ -5,6 +5,8 @@
 #include <fovea/mesh/equal_polygons.h>
 #include <fovea/mesh/polygon_surface.h>
 #include <fovea/mesh/refine.h>
+#include <fovea/mesh/spheres.h>
+#include <fovea/mesh/strands.h>
 #include <fovea/mesh/surface.h>
 #include <fovea/repair/repair.h>
 
@@ -115,6 +117,42 @@ edge_marks, smooth_edges (across which shading is continuous) (E,) bool.)");
         .def_readonly("report", &RepairedMesh::report);
 }
 
+OwnedMesh make_strands(const std::string& name, const Arg<vec3>& points, const Arg<float>& radii,
+                       const Arg<int>& offsets, int steps, bool ribbons, bool occludes) {
+    const Strands given{borrow<vec3>(points, "points"), borrow<float>(radii, "radii"), borrow<int>(offsets, "offsets")};
+    return without_gil([&] {
+        const OwnedStrands rounded = steps > 1 ? rounded_strands(name, given, steps) : OwnedStrands();
+        const Strands strands = steps > 1 ? rounded.strands() : given;
+        return ribbons ? strand_prisms(name, strands, occludes) : strand_wires(name, strands);
+    });
+}
+
+OwnedMesh make_spheres(const std::string& name, const Arg<vec3>& centers, const Arg<float>& radii, bool occludes) {
+    const auto at = borrow<vec3>(centers, "centers");
+    const auto wide = borrow<float>(radii, "radii");
+    return without_gil([&] { return spheres(name, at, wide, occludes); });
+}
+
+void bind_shapes(py::module_& m) {
+    py::class_<OwnedMesh, std::shared_ptr<OwnedMesh>>(m, "ShapeMesh", "The mesh of what has no faces in Blender.")
+        .def_static("strands", &make_strands, py::arg("name"), py::arg("points"), py::arg("radii"), py::arg("offsets"),
+                    py::kw_only(), py::arg("steps") = 1, py::arg("ribbons") = true, py::arg("occludes") = true,
+                    R"(points (P, 3), radii (P,) float32, offsets (S + 1,) int32: strand s has the points offsets[s] to
+offsets[s + 1], two or more. steps: segments on the Catmull-Rom curve for each one; ribbons: prisms as wide as the strands,
+else edges without faces; occludes: whether they hide what lies behind. Raises ValueError, naming the object.)")
+        .def_static("spheres", &make_spheres, py::arg("name"), py::arg("centers"), py::arg("radii"), py::kw_only(),
+                    py::arg("occludes") = true, "A sphere around each point; centers (P, 3), radii (P,) float32.")
+        .def_property_readonly("mesh",
+                               [](py::object self) { return Mesh{self.cast<const OwnedMesh&>().arrays(), {self}}; })
+        .def_property_readonly(
+            "positions",
+            [](py::object self) {
+                const auto& of = self.cast<const OwnedMesh&>().positions;
+                return Numpy<vec3>(shape_of<vec3>(of.size()), reinterpret_cast<const float*>(of.data()), self);
+            },
+            "(V, 3) float32");
+}
+
 void bind_report(py::module_& m) {
     py::class_<SurfaceReport>(m, "SurfaceReport", "What of a mesh was skipped or looked wrong; counts of elements.")
         .def_readonly("non_finite_vertices", &SurfaceReport::non_finite_vertices)
@@ -223,6 +261,7 @@ surface.)")
 
 void bind_mesh(py::module_& m) {
     bind_meshes(m);
+    bind_shapes(m);
     bind_report(m);
     SurfaceClass surface(m, "Surface", "A mesh with all that is derived from it; see native/fovea/mesh/surface.h.");
     bind_surface(surface);

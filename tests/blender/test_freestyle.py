@@ -42,7 +42,7 @@ def test_edge_types(scene):
     chosen, told = matched(scene)
     kinds = chosen.line_sets[0].kinds
     assert set(kinds) == {"contour", "border", "crease", "edge_mark", "ridge", "valley"} and told == []
-    assert kinds["crease"]["angle"] == pytest.approx(30, abs=1e-4)
+    assert kinds["crease"]["angle"] == pytest.approx(30, abs=1e-4) and kinds["border"] == {"loose": 0.0}
 
 
 def test_pens(scene):

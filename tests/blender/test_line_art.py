@@ -50,6 +50,9 @@ def test_edge_types_and_the_crease_angle(scene):
     kinds = chosen.line_sets[0].kinds
     assert set(kinds) == {"contour", "border", "crease", "intersection", "material_boundary", "edge_mark"}
     assert kinds["crease"]["angle"] == pytest.approx(30, abs=1e-4) and told == []
+    assert kinds["border"] == {"loose": 0.0}
+    add_modifier(scene, use_loose=True)
+    assert matched(scene)[0].line_sets[1].kinds["border"] == {"loose": 1.0}
 
 
 def test_the_silhouette_alone(scene):

@@ -250,9 +250,9 @@ def test_there_is_a_report_whatever_the_scene():
     nan = float("nan")
     vertices = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (nan, 0, 0), (3, 3, 3)]
     faces = [(0, 1, 2), (0, 1, 3), (0, 3, 1), (0, 1, 4)]
-    new_object(new_mesh(vertices, [(3, 5)], faces, "Broken"), "Broken")
+    new_object(new_mesh(vertices, [], faces, "Broken"), "Broken")
     text = told()
-    for words in ("have no position", "have no area", "repeat others", "belong to no face"):
+    for words in ("have no position", "have no area", "repeat others"):
         assert words in text, words
 
 

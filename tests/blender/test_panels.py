@@ -138,6 +138,7 @@ def test_what_was_drawn_is_told(scene, monkeypatch):
 def test_every_setting_is_in_a_panel(scene):
     shown = set()
     viewport = part("ui.viewport_settings").RENDER_PT_fovea_viewport
+    bpy.context.object.modifiers.new("Fur", "PARTICLE_SYSTEM").particle_system.settings.type = "HAIR"
     for model in ("SCENE", "IMAGE", "OBJECT", "PAINTED"):
         for estimator in ("AUTOMATIC", "JETS"):
             for resample in (0, 1):

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double beside_px = 1.5;  // distance of the second ray from the edge, in reference pixels
 constexpr double steepest = 8.0;   // greatest slope towards the viewer of a surface that may continue there
+const Values without_loose{0.0};   // of border: an edge without a face bounds nothing
 
 /// Tests what is behind the edges of one placement.
 class Beyond {
@@ -67,8 +68,8 @@ class Beyond {
 
 void mark(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
     Array<Kinds> candidates(seen.surface.edges.size(), 0);
-    for (const LineDefinition* outline : {&contour, &border})
-        std::get<EdgeRule>(outline->rule).mark(seen, values, 1, candidates);
+    std::get<EdgeRule>(contour.rule).mark(seen, values, 1, candidates);
+    std::get<EdgeRule>(border.rule).mark(seen, without_loose, 1, candidates);
     const Beyond beyond(seen);
     mark_edges(candidates.size(), bit, kinds, [&](Index e) { return candidates[e] && beyond.is_outer(e); });
 }
@@ -86,7 +87,7 @@ extern const LineDefinition silhouette = {
     .rule = EdgeRule{mark},
     .smooth_twin = &smooth_silhouette,
     .slow = true,
-    .stand_ins = {{&contour}, {&border}},
+    .stand_ins = {{&contour}, {&border, {{"loose", 0.0}}}},
     .usual = true,
 };
 

@@ -61,7 +61,7 @@ struct SurfaceReport {
     Index non_finite_vertices = 0;  ///< NaN or infinite positions
     Index degenerate_polygons = 0;  ///< fewer than 3 distinct corners, no area, or a broken vertex
     Index duplicate_polygons = 0;   ///< the same vertices as an earlier polygon
-    Index loose_edges = 0;          ///< edges without a polygon: not part of the surface, never drawn
+    Index loose_edges = 0;          ///< edges without a polygon: the last mesh edges
     Index non_manifold_edges = 0;   ///< more than two polygons; all are kept
     Index inconsistent_edges = 0;   ///< two adjacent polygons of opposite orientation; kept
 };
@@ -140,6 +140,8 @@ class Surface : public SurfaceArrays {
     /// Element that supports a line segment: an edge, by its index, or a triangle, numbered after the edges.
     Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }
     bool is_edge(Index place) const { return place < edges.size(); }
+    /// Whether an edge belongs to no polygon.
+    bool is_loose(Index edge) const { return edge < mesh_edges && edge >= mesh_edges - report_.loose_edges; }
     Index triangle_at(Index place) const { return place - static_cast<Index>(edges.size()); }
     Index place_count() const { return static_cast<Index>(edges.size() + triangles.size()); }
 

@@ -62,9 +62,11 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
                                                                 const Cancel& cancel) {
     std::vector<std::pair<Index, FoundCurves>> found;
     each_with_rule<SceneRule>(sets, [&](Index s, const LineKind& kind, const SceneRule& rule) {
-        for (const SceneCurves& part : rule.find(scene, drawn, kind.values, cancel)) {
+        Array<Index> showing;
+        for (const Index placement : drawn)
+            if (own.shows(placement, kind.definition)) showing.push_back(placement);
+        for (const SceneCurves& part : rule.find(scene, showing, kind.values, cancel)) {
             if (part.curves->pieces.empty()) continue;
-            if (!own.shows(part.placement, kind.definition) || !own.shows(part.other, kind.definition)) continue;
             const Surface& first = *scene.placements[part.placement].surface;
             const Surface& second = *scene.placements[part.other].surface;
             const Shared shared{part, first, second, placed[part.placement], placed[part.other]};

@@ -42,11 +42,11 @@ inline int material_of_triangle(const Surface& surface, Index triangle) {
     return surface.material(surface.triangle_facet[triangle]);
 }
 
-/// Whether holds(material) is true for one of the faces at an edge.
+/// Whether holds(material) is true for one of the faces at an edge; for a loose edge, of the first material.
 template <typename Holds>
 bool any_beside(const Surface& surface, Index edge, const Holds& holds) {
     const auto on_side = [&](EdgeSide side) { return holds(surface.material(side.facet())); };
-    return std::ranges::any_of(surface.sides(edge), on_side);
+    return surface.is_loose(edge) ? holds(0) : std::ranges::any_of(surface.sides(edge), on_side);
 }
 
 /// Per triangle: 1 unless holds(material) is true.
