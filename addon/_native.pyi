@@ -387,11 +387,13 @@ class Mesh:
         seams: Annotated[ArrayLike, numpy.uint8] | None=None,
         edge_marks: Annotated[ArrayLike, numpy.uint8] | None=None,
         smooth_edges: Annotated[ArrayLike, numpy.uint8] | None=None,
+        one_sided: Annotated[ArrayLike, numpy.uint8] | None=None,
     ) -> None:
         """positions (V, 3) float32 in object space; edge_verts (E, 2), corner_verts (C,), corner_edges (C,),
         polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) vertices with ngon_polygon (T,)
         ascending: triangulation of polygons with more than four corners; material (F,) int32; occluding (F,),
-        sharp_edges, seams, edge_marks, smooth_edges (across which shading is continuous) (E,) bool."""
+        sharp_edges, seams, edge_marks, smooth_edges (across which shading is continuous) (E,) bool; one_sided (F,)
+        bool: their backs are not seen."""
 
 def all_polygons_have(
     corners: int,
@@ -588,6 +590,42 @@ class RefinedSurface(Surface):
         polygon_offsets: Annotated[ArrayLike, numpy.int32],
     ) -> NDArray[numpy.float32]:
         """(C, k) float32 at the corners of the cage, mixed to those of the refined mesh."""
+
+class Opacity:
+    """Opacity of a material over its texture coordinates."""
+    def __init__(
+        self,
+        texels: Annotated[ArrayLike, numpy.float32],
+        threshold: float=0.5,
+        extension: str='repeat',
+        closest: bool=False,
+    ) -> None:
+        """(height, width) float32, bottom row first; opaque above the threshold; extension: repeat, extend, clip or
+        mirror; closest: texels are squares, else opacity is interpolated between their centers."""
+
+class Cut:
+    """Opacity over a mesh."""
+    def __init__(self, uvs: Annotated[ArrayLike, numpy.float32], opacity: Opacity) -> None:
+        """uvs (C, 2) float32 per corner, in the image's texture space."""
+
+class CutSurface(Surface):
+    """A mesh without what is transparent; see native/fovea/cutout/cutout.h."""
+    def __init__(
+        self,
+        name: str,
+        mesh: Mesh,
+        cuts: Sequence[Cut],
+        cut_of_polygon: Annotated[ArrayLike, numpy.int32],
+        *,
+        px_per_unit: float=0.0,
+    ) -> None:
+        """cut_of_polygon (F,) int32: an index into the cuts, -1: opaque. px_per_unit: pixels of the drawing per unit of
+        object space; images are halved to about a texel per pixel; 0: as they are. Raises ValueError, naming the
+        object, as Surface does."""
+    def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
+        """Moves the vertices of the mesh that was cut, (V, 3) float32. refit: as Surface has it."""
+    def mix_corners(self, values: Annotated[ArrayLike, numpy.float32]) -> NDArray[numpy.float32]:
+        """(C, k) float32 at the corners of the mesh that was cut, to those of the surface."""
 
 def line_definitions() -> list[dict[str, object]]:
     """The registry: one dict per definition, in the order of its bits, with its parameters."""
@@ -889,7 +927,7 @@ class Focus:
         nothing."""
 
 class DepthDraw:
-    """A placement that hides lines, as the depth pass draws it."""
+    """What hides lines, as the depth pass draws it."""
     @property
     def placement(self) -> int: ...
     @property
@@ -903,7 +941,13 @@ class DepthDraw:
         """number of its first facet"""
     @property
     def culled(self) -> str:
-        """side that need not be drawn: NONE, FRONT or BACK"""
+        """side that is not drawn: NONE, FRONT or BACK"""
+    @property
+    def first(self) -> int:
+        """the first of the corners to draw"""
+    @property
+    def count(self) -> int:
+        """and their number"""
 
 class DepthCorners:
     """Corners of T occluding triangles, one after the other."""

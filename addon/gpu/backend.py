@@ -88,7 +88,8 @@ class Backend(native.load().Backend):
                 gpu.state.face_culling_set(draw.culled)
                 program.uniform_float("object_to_depth_clip", draw.object_to_depth_clip)
                 program.uniform_int("facet_base", draw.facet_base)
-                self.surfaces[draw.surface_version].draw(program)
+                batch = self.surfaces[draw.surface_version]
+                batch.draw_range(program, elem_start=draw.first, elem_count=draw.count)
         return target
 
     def _keep_surfaces(self, scene, draws):

@@ -62,8 +62,8 @@ ESTIMATORS = [
     ("ONE_RING", "Fast", "Differences of neighboring normals, for regular meshes"),
 ]
 OCCLUSIONS = [
-    ("AUTOMATIC", "Automatic", "Hides what lies behind unless it is see-through as a whole, as glass is"),
-    ("ALWAYS", "Always", "Hides what lies behind"),
+    ("AUTOMATIC", "Automatic", "Hides what lies behind where it is opaque, by the image of its alpha"),
+    ("ALWAYS", "Always", "Hides what lies behind, as a whole"),
     ("NEVER", "Never", "Lines behind it show"),
 ]
 

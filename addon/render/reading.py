@@ -37,7 +37,9 @@ class Reader:
         colors = color_sources.Gathering(core, self.colors) if with_colors and chosen.has_color() else None
         noted = notes.Gathering(core, self.colors, chosen)
         beside = {"colors": colors, "notes": noted}
-        found = scene.gather(depsgraph, cache, with_marks=with_marks, viewport=viewport, **beside)
+        found = scene.gather(
+            depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
+        )
         placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
         sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
         remarks = (*cache.remarks, *(colors.remarks() if colors else ()))

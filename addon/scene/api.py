@@ -18,6 +18,7 @@ import numpy as np
 
 from .. import catalogue, line_arrays, native, pipeline, style
 from . import camera as cameras
+from . import color_images
 from . import scene as scenes
 from . import surfaces as kept
 from .problem import CannotDraw
@@ -112,7 +113,7 @@ def _to_world(found, placement, object_to_world):
 
 
 def _snapshot(depsgraph):
-    snapshot = scenes.gather(depsgraph, kept.SurfaceCache(native.load()))
+    snapshot = scenes.gather(depsgraph, kept.SurfaceCache(native.load()), images=color_images.ImageCache(native.load()))
     if not snapshot.surfaces:
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     return snapshot

@@ -8,6 +8,7 @@ import numpy as np
 from . import color_nodes, mesh_arrays
 
 COLORS = {"FLOAT_COLOR", "BYTE_COLOR"}
+VECTORS = {"FLOAT2": 2, "FLOAT_VECTOR": 3}  # types of attributes that may place an image, and their components
 
 
 class Corners:
@@ -20,19 +21,20 @@ class Corners:
         self._core, self._name, self._mesh = core, obj.name_full, mesh
         self._surface, self._known = surface, known
         self._cage = cage if isinstance(surface, core.RefinedSurface) else None
+        self._is_cut = isinstance(surface, core.CutSurface)
         self._index_of = {}
         self.uvs, self.attributes = [], []
 
     def normals(self):
         """(C, 3) Blender's corner normals; None for a refined surface, which uses limit normals."""
-        return None if self._cage else _read(self._mesh.corner_normals, "vector", 3)
+        return None if self._cage else self._cut(_read(self._mesh.corner_normals, "vector", 3))
 
     def uv(self, name, place):
         """Index into `uvs` of a UV map transformed by `place` (two rows, see color_nodes.Source); None if missing."""
         if name == color_nodes.ACTIVE:
             name = next((layer.name for layer in self._mesh.uv_layers if layer.active_render), None)
         found = self._mesh.attributes.get(name) if name else None
-        if found is None or (found.data_type, found.domain) != ("FLOAT2", "CORNER"):
+        if found is None or found.data_type not in VECTORS or found.domain not in {"POINT", "CORNER"}:
             return None
         return self._index(self.uvs, (name, place), lambda: _mapped(self._refined(name, _uvs), place))
 
@@ -63,7 +65,7 @@ class Corners:
         """read(mesh, name) as an array over the surface's corners."""
         values = read(self._mesh, name)
         if self._cage is None:
-            return values
+            return self._cut(values)
         # Blender's subdivided mesh shows whether the cage has changed, without evaluating the cage.
         key, seen = (self._name, self._mesh.name_full, name, read), self._core.content_hash(values)
         entry = self._known.get(key)
@@ -74,9 +76,15 @@ class Corners:
             entry = self._known[key] = (seen, weakref.ref(self._surface), mixed)
         return entry[2]
 
+    def _cut(self, values):
+        """Values at the mesh's corners as an array over the surface's, which may be cut out of the mesh."""
+        return self._surface.mix_corners(values) if self._is_cut else values
+
 
 def _uvs(mesh, name):
-    return _read(mesh.attributes[name].data, "vector", 2)
+    """(C, 2) texture coordinates."""
+    attribute = mesh.attributes[name]
+    return np.ascontiguousarray(_at_corners(mesh, attribute, "vector", VECTORS[attribute.data_type])[:, :2])
 
 
 def _colors(mesh, name):

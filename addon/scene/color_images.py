@@ -1,22 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Native textures of Blender's images, cached until their pixels change."""
+"""Native textures and opacities of Blender's images, cached until their pixels change."""
 
 import os
 
 import bpy
 import numpy as np
 
+LUMINANCE = (0.2126, 0.7152, 0.0722)
+
 
 class ImageCache:
-    """Textures by image. An image file is read again when the file, its size or its read settings change; the pixels of
-    painted and generated images are hashed each time."""
+    """Textures and opacities by image. An image file is read again when the file, its size or its read settings change;
+    the pixels of painted and generated images are hashed each time."""
 
     def __init__(self, core):
-        self._core = core
-        self._entries = {}  # name -> (result of _how, content hash, texture)
+        self.core = core
+        self._entries = {}  # (name, use) -> (result of _how, content hash, texture or opacity)
 
     def size(self):
-        """Bytes of all textures: four per texel, and mipmaps."""
+        """Bytes of all textures and opacities: four per texel, and mipmaps."""
         return sum(4 * width * height * 4 // 3 for (width, height, *_), _, _ in self._entries.values())
 
     def clear(self):
@@ -24,20 +26,30 @@ class ImageCache:
 
     def texture(self, image):
         """The native ColorTexture of an image, or None if it has no pixels (a missing file, for example)."""
+        known = self._known(image, None, lambda pixels: self.core.ColorTexture(pixels, _is_encoded(image)))
+        return known and known[2]
+
+    def opacity(self, image, source):
+        """(content hash, native Opacity) of an image as an opacity_nodes.Source uses it, or None."""
+        known = self._known(image, source, lambda pixels: _opacity(self.core, image, pixels, source))
+        return known and known[1:]
+
+    def _known(self, image, use, make):
+        """The entry of an image in some use, `make(pixels)`; None if it has no pixels."""
         if not all(image.size):
             return None
-        how, known = _how(image), self._entries.get(image.name_full)
+        how, known = _how(image), self._entries.get((image.name_full, use))
         settled = image.source == "FILE" and not image.is_dirty
         if known and known[0] == how and settled:
-            return known[2]
+            return known
         pixels = _pixels(image)
         if pixels is None:
             return None
-        content = self._core.content_hash(pixels)
+        content = self.core.content_hash(pixels)
         if not known or known[:2] != (how, content):
-            known = (how, content, self._core.ColorTexture(pixels, _is_encoded(image)))
-        self._entries[image.name_full] = known
-        return known[2]
+            known = (how, content, make(pixels))
+        self._entries[image.name_full, use] = known
+        return known
 
 
 def _how(image):
@@ -63,6 +75,22 @@ def _pixels(image):
         alpha = pixels[..., 3:]
         np.divide(pixels[..., :3], alpha, out=pixels[..., :3], where=alpha > 0)
     return pixels
+
+
+def _opacity(core, image, pixels, source):
+    """The native Opacity of an image's pixels."""
+    if source.channel == "ALPHA":
+        has_alpha = pixels.shape[2] == 4 and image.alpha_mode != "NONE"
+        values = pixels[..., 3] if has_alpha else np.ones(pixels.shape[:2], np.float32)
+    else:
+        colors = pixels[..., :3] if pixels.shape[2] >= 3 else pixels[..., :1]
+        if _is_encoded(image):
+            curve = ((np.maximum(colors, 0.0) + 0.055) / 1.055) ** 2.4
+            colors = np.where(colors <= 0.04045, colors / 12.92, curve)
+        weights = {"GRAY": LUMINANCE, "RED": (1, 0, 0), "GREEN": (0, 1, 0), "BLUE": (0, 0, 1)}[source.channel]
+        values = colors @ np.array(weights) if colors.shape[2] == 3 else colors[..., 0]
+    opacity = (source.gain * values + source.offset).astype(np.float32)
+    return core.Opacity(opacity, source.threshold, source.extension, source.closest)
 
 
 def _is_encoded(image):

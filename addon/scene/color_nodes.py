@@ -65,8 +65,8 @@ def _of_socket(socket, unlit):
     if node.type == "RGB":
         return Source(tuple(node.outputs[0].default_value)[:3], unlit=unlit)
     if node.type == "TEX_IMAGE" and node.image is not None and node.projection == "FLAT":
-        where = _where(node.inputs["Vector"])
-        return where and Source((1.0, 1.0, 1.0), node.image, *where, unlit=unlit)
+        placed = where(node.inputs["Vector"])
+        return placed and Source((1.0, 1.0, 1.0), node.image, *placed, unlit=unlit)
     if node.type == "VERTEX_COLOR":
         return Source((1.0, 1.0, 1.0), attribute=node.layer_name, unlit=unlit)
     if node.type == "ATTRIBUTE" and node.attribute_type == "GEOMETRY" and node.attribute_name:
@@ -74,17 +74,19 @@ def _of_socket(socket, unlit):
     return None
 
 
-def _where(socket):
+def where(socket):
     """(UV map, 2 x 3 rows of the mapping) of an image node's vector input; None if it is not a UV map."""
     node = shader_links.source(socket)
     if node is None:
         return ACTIVE, Source.place
     if node.type == "UVMAP" and not node.from_instancer:
         return node.uv_map, Source.place
+    if node.type == "ATTRIBUTE" and node.attribute_type == "GEOMETRY" and node.attribute_name:
+        return node.attribute_name, Source.place
     if node.type == "TEX_COORD":
         return (ACTIVE, Source.place) if socket.links[0].from_socket.name == "UV" else None
     if node.type == "MAPPING" and node.vector_type == "POINT":
-        inner = _where(node.inputs["Vector"])
+        inner = where(node.inputs["Vector"])
         inputs = [node.inputs[name] for name in ("Location", "Rotation", "Scale")]
         plain = inner is not None and inner[1] == Source.place and not any(i.links for i in inputs)
         return (inner[0], _mapping(*(i.default_value for i in inputs))) if plain else None

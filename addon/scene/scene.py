@@ -8,7 +8,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from . import faceless, instances, kept, materials, own_lines, repair, shapes, subdivision
+from . import cut_outs, detail, faceless, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
@@ -38,8 +38,9 @@ class _Gathering:
     """Collects placements during the traversal of a depsgraph; one surface per distinct (evaluated mesh, materials,
     subdivision plan, repair, curvature settings, shape). `beside`: further Gatherings that get each surface."""
 
-    def __init__(self, cache, depsgraph, viewport, with_marks, beside):
-        self.beside = beside
+    def __init__(self, cache, depsgraph, viewport, with_marks, beside, images, sizes):
+        self.beside, self.sizes = beside, sizes
+        self.opacities = images and cut_outs.Opacities(images)
         self.cache, self.with_marks = cache, with_marks
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
@@ -97,9 +98,11 @@ class _Gathering:
             shared = (place, slots, plan, mend, curvature, shape)
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
-                surface = self.surface(obj, mesh, slots, plan, mend, shape)
+                cuts, remarks = self.cuts(obj, mesh, slots, plan, mend)
+                surface = self.surface(obj, mesh, slots, plan if cuts is None else None, mend, cuts, shape)
                 if self.cache.rebuilt[-1:] == [surface]:
-                    self.cache.remarks += repair.remarks_of_removed(obj)
+                    told = [*repair.remarks_of_removed(obj), *remarks]
+                    self.cache.remarks += [sentence for sentence in told if sentence not in self.cache.remarks]
                 surface.set_field_options(*curvature)
                 cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
                 for gathering in self.beside:
@@ -109,8 +112,22 @@ class _Gathering:
             self.index_of[met] = self.index_of[shared]
         return self.index_of[met]
 
-    def surface(self, obj, mesh, slots, plan, mend, shape):
-        """The native surface of an evaluated mesh, refined by `plan` and repaired by `mend`, either may be None."""
+    def cuts(self, obj, mesh, slots, plan, mend):
+        """(CutOuts of an evaluated mesh or None, remarks)."""
+        untold = cut_outs.untold(slots)
+        if self.opacities is None or not any(slot.cut for slot in slots):
+            return None, untold
+        if mend is not None:
+            return None, [*untold, *cut_outs.remarks(cut_outs.REPAIRED, obj, slots)]
+        size = self.sizes.get(obj.name_full, 0.0)
+        found, remarks = cut_outs.of(self.opacities, obj, mesh, slots, size)
+        if found and plan is not None:
+            remarks += cut_outs.remarks(cut_outs.REFINED, obj, slots)
+        return found, [*untold, *remarks]
+
+    def surface(self, obj, mesh, slots, plan, mend, cuts, shape):
+        """The native surface of an evaluated mesh, refined by `plan`, repaired by `mend`, cut by `cuts`; each may be
+        None."""
         key, found = (obj.name_full, mesh.name_full, slots), None
         words = {"with_marks": self.with_marks, "shape": shape}
         if plan is not None:
@@ -118,7 +135,7 @@ class _Gathering:
             found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, **words)
         if found is None:
             rest = shapes.rest(obj, mesh, self.depsgraph)
-            found = self.cache.surface(key, obj.name, mesh, slots, mend, rest=rest, **words)
+            found = self.cache.surface(key, obj.name, mesh, slots, mend, cuts, rest=rest, **words)
         return found
 
     def add(self, step, obj, mesh, instance, usage):
@@ -204,14 +221,17 @@ class _Gathering:
         )
 
 
-def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, notes=None):
-    """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `colors`: a
-    color_sources.Gathering to fill, or None; `notes`: a notes.Gathering to fill, or None.
+def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None):
+    """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `images`: an
+    ImageCache for opacity, None: nothing is cut out. `colors`: a color_sources.Gathering to fill, or None; `notes`: a
+    notes.Gathering to fill, or None.
 
     Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to; hair and point clouds by
     faceless.py. Hidden objects and collections are not among the depsgraph's instances.
     """
-    gathering = _Gathering(cache, depsgraph, viewport, with_marks, [beside for beside in (colors, notes) if beside])
+    beside = [beside for beside in (colors, notes) if beside]
+    sizes = _sizes(depsgraph) if images else {}
+    gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes)
     cache.begin()
     for step, instance in enumerate(depsgraph.object_instances):
         obj = instance.object
@@ -227,6 +247,14 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, colors=None, not
     found = gathering.snapshot(*instances.arrays(depsgraph.object_instances))
     kept.add_snapshot(found)
     return found
+
+
+def _sizes(depsgraph):
+    """How large objects are seen (detail.px_per_unit), in files in which some material is cut out."""
+    if not bpy.data.images or not any(slot.cut for slot in materials.slots_of(bpy.data.materials, {})):
+        return {}
+    matrices, _ = instances.arrays(depsgraph.object_instances)
+    return detail.px_per_unit(depsgraph, depsgraph.object_instances, matrices)
 
 
 def _gather_data(gathering, step, instance, usage):

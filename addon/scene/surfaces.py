@@ -71,11 +71,13 @@ class SurfaceCache:
         self.rebuilt = [surface for surface in self.rebuilt if surface is not gone]
         self.moved = [surface for surface in self.moved if surface is not gone]
 
-    def surface(self, key, name, mesh, slots, repair=None, *, with_marks, shape=AUTOMATIC, rest=None):
+    def surface(self, key, name, mesh, slots, repair=None, cuts=None, *, with_marks, shape=AUTOMATIC, rest=None):
         """The native surface of an evaluated mesh: cached, or with new positions, or built. `slots`: its materials;
-        `name`: for messages; `shape`: what its polygons stand for; `rest`: its mesh at rest, which decides that."""
+        `name`: for messages; `cuts`: CutOuts of a mesh that is not repaired, or None; `shape`: what its polygons stand
+        for; `rest`: its mesh at rest, which decides that."""
         key = self._ordered((key, repair))
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
+        topology += cuts.key if cuts else ()
         entry = self.entries.get(key)
         if entry is None or (entry.topology, entry.positions) != (topology, positions):
             triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
@@ -84,7 +86,10 @@ class SurfaceCache:
                 self._move(entry, arrays, positions)
             else:
                 whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
-                surface = self._core.Surface(name, self._repaired(name, whole, repair))
+                if cuts:
+                    surface = cuts.surface(self._core, name, whole, arrays)
+                else:
+                    surface = self._core.Surface(name, self._repaired(name, whole, repair))
                 entry = self.entries[key] = _Entry(surface, topology, positions, ngons, self._shape_of(name, rest))
                 self.rebuilt.append(entry.surface)
         entry.surface.set_shape(entry.rest if shape == AUTOMATIC else shape)
@@ -184,8 +189,7 @@ class SurfaceCache:
         """(MeshArrays, keyword arguments of a native Mesh without the positions, topology hashes of these, content hash
         of the positions)."""
         arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=with_marks)
-        material, occluding = _per_polygon(arrays, slots)
-        static = {**vars(arrays), "material": material, "occluding": occluding}
+        static = {**vars(arrays), **_per_polygon(arrays, slots)}
         del static["positions"]
         topology = (len(arrays.positions), *self._hashes(static.values()))
         return arrays, static, topology, self._hash(arrays.positions)
@@ -216,15 +220,21 @@ def _size(surface):
 
 
 def _per_polygon(arrays, slots):
-    """((F,) int32 material, (F,) bool whether it occludes); each None if it is the same (or True) for all polygons.
+    """Arrays that depend on material slots, as arguments of a native Mesh: {name: (F,) array}; None: the same material
+    for all polygons, or all occlude, or all have two sides.
 
     Slots with the same material count as one.
     """
-    names = [slot.name for slot in slots]
+    names, count = [slot.name for slot in slots], len(arrays.polygon_offsets) - 1
+    found = {"material": None, "occluding": None, "one_sided": None}
     if arrays.material is None or len(slots) == 1:
-        return None, None if slots[0].hides else np.zeros(len(arrays.polygon_offsets) - 1, np.bool_)
-    slot = np.clip(arrays.material, 0, len(slots) - 1)
-    material = np.array([names.index(name) for name in names], np.int32)[slot]
-    if all(s.hides for s in slots):
-        return material, None
-    return material, np.array([s.hides for s in slots], np.bool_)[slot]
+        number = np.zeros(count, np.int32)
+        slots = slots[:1]
+    else:
+        number = np.clip(arrays.material, 0, len(slots) - 1)
+        found["material"] = np.array([names.index(name) for name in names], np.int32)[number]
+    if not all(slot.hides for slot in slots):
+        found["occluding"] = np.array([slot.hides for slot in slots], np.bool_)[number]
+    if any(slot.one_sided for slot in slots):
+        found["one_sided"] = np.array([slot.one_sided for slot in slots], np.bool_)[number]
+    return found

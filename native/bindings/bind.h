@@ -15,6 +15,7 @@ using SurfaceClass = pybind11::class_<Surface, std::shared_ptr<Surface>>;
 void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 void bind_fields(pybind11::module_& m, SurfaceClass& surface);
+void bind_cutout(pybind11::module_& m);
 void bind_paths(pybind11::module_& m);
 void bind_scene(pybind11::module_& m);
 void bind_focus(pybind11::module_& m);

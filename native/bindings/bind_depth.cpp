@@ -16,13 +16,14 @@ namespace {
 
 constexpr double margin = DepthOptions().margin;
 
-/// Draw call of the depth pass for one placement.
+/// Draw call of the depth pass for one placement, or for its one-sided triangles.
 struct DepthDraw {
     Index placement;
     std::uint64_t surface_version;
     mat4 object_to_depth_clip;
     Index facet_base;
     const char* culled;
+    Index first, count;
 };
 
 /// Vertices of a surface's occluding triangles, three per triangle, unshared: vertex buffers of the depth pass.
@@ -31,19 +32,26 @@ struct DepthCorners {
     Array<Index> facets;
 };
 
-/// Face culling of an occluder, as a name of Blender's gpu module.
-const char* one_side(const Occluder& occluder) {
-    if (!occluder.solid) return "NONE";
+/// The back of an occluder's triangles, as a name of Blender's gpu module.
+const char* back(const Occluder& occluder) {
     return glm::determinant(dmat3(occluder.object_to_view)) < 0.0 ? "FRONT" : "BACK";
 }
 
 std::vector<DepthDraw> depth_draws(const DepthBuffer& layout, const Scene& scene, const View& view) {
     std::vector<DepthDraw> draws;
     const dmat4 to_clip = view_to_depth_clip(view, layout);
-    for (const Occluder& occluder : occluders(scene, view, margin))
-        draws.push_back({occluder.placement, scene.placements[occluder.placement].surface->version(),
-                         mat4(to_clip * occluder.object_to_view), scene.facet_base[occluder.placement] % facet_modulus,
-                         one_side(occluder)});
+    for (const Occluder& occluder : occluders(scene, view, margin)) {
+        const Surface& surface = *scene.placements[occluder.placement].surface;
+        const Index one_sided = occluder.one_sided_from(surface), end = surface.occluding_triangles;
+        const auto draw = [&](const char* culled, Index from, Index to) {
+            if (from < to)
+                draws.push_back({occluder.placement, surface.version(), mat4(to_clip * occluder.object_to_view),
+                                 scene.facet_base[occluder.placement] % facet_modulus, culled, 3 * from,
+                                 3 * (to - from)});
+        };
+        draw("NONE", 0, one_sided);
+        draw(back(occluder), one_sided, end);
+    }
     return draws;
 }
 
@@ -68,7 +76,7 @@ std::shared_ptr<DepthCorners> depth_corners(const Surface& surface) {
 void bind_draws(py::module_& m) {
     PYBIND11_NUMPY_DTYPE(vec2, x, y);
     PYBIND11_NUMPY_DTYPE(DepthTexel, depth, ddx, ddy, facet, edges);
-    py::class_<DepthDraw>(m, "DepthDraw", "A placement that hides lines, as the depth pass draws it.")
+    py::class_<DepthDraw>(m, "DepthDraw", "What hides lines, as the depth pass draws it.")
         .def_readonly("placement", &DepthDraw::placement)
         .def_readonly("surface_version", &DepthDraw::surface_version, "Surface.version")
         .def_property_readonly(
@@ -76,7 +84,9 @@ void bind_draws(py::module_& m) {
             [](const DepthDraw& draw) { return py::array_t<float>(16, glm::value_ptr(draw.object_to_depth_clip)); },
             "(16,) float32, column by column")
         .def_readonly("facet_base", &DepthDraw::facet_base, "number of its first facet")
-        .def_readonly("culled", &DepthDraw::culled, "side that need not be drawn: NONE, FRONT or BACK");
+        .def_readonly("culled", &DepthDraw::culled, "side that is not drawn: NONE, FRONT or BACK")
+        .def_readonly("first", &DepthDraw::first, "the first of the corners to draw")
+        .def_readonly("count", &DepthDraw::count, "and their number");
     py::class_<DepthCorners, std::shared_ptr<DepthCorners>>(m, "DepthCorners",
                                                             "Corners of T occluding triangles, one after the other.")
         .def(py::init([](const Surface& surface) { return without_gil([&] { return depth_corners(surface); }); }),

@@ -12,24 +12,20 @@
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/mesh.h"
 #include "bindings/records.h"
 #include "bindings/words.h"
 
 namespace fovea::bindings {
 namespace {
 
-/// A mesh, and the Python owners of its arrays.
-struct Mesh {
-    MeshArrays arrays;
-    std::vector<py::object> owners;
-};
-
 Mesh make_mesh(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, const Arg<int>& corner_verts,
                const Arg<int>& corner_edges, const Arg<int>& polygon_offsets,
                const Optional<glm::ivec3>& ngon_triangles, const Optional<int>& ngon_polygon,
                const Optional<int>& material, const Optional<std::uint8_t>& occluding,
                const Optional<std::uint8_t>& sharp_edges, const Optional<std::uint8_t>& seams,
-               const Optional<std::uint8_t>& edge_marks, const Optional<std::uint8_t>& smooth_edges) {
+               const Optional<std::uint8_t>& edge_marks, const Optional<std::uint8_t>& smooth_edges,
+               const Optional<std::uint8_t>& one_sided) {
     Mesh mesh;
     auto& [arrays, owners] = mesh;
     arrays.positions = kept<vec3>(positions, "positions", owners);
@@ -45,6 +41,7 @@ Mesh make_mesh(const Arg<vec3>& positions, const Arg<glm::ivec2>& edge_verts, co
     arrays.seam = kept<std::uint8_t>(seams, "seams", owners);
     arrays.edge_mark = kept<std::uint8_t>(edge_marks, "edge_marks", owners);
     arrays.smooth = kept<std::uint8_t>(smooth_edges, "smooth_edges", owners);
+    arrays.one_sided = kept<std::uint8_t>(one_sided, "one_sided", owners);
     return mesh;
 }
 
@@ -72,11 +69,12 @@ void bind_meshes(py::module_& m) {
              py::arg("corner_edges"), py::arg("polygon_offsets"), py::arg("ngon_triangles") = py::none(),
              py::arg("ngon_polygon") = py::none(), py::arg("material") = py::none(), py::arg("occluding") = py::none(),
              py::arg("sharp_edges") = py::none(), py::arg("seams") = py::none(), py::arg("edge_marks") = py::none(),
-             py::arg("smooth_edges") = py::none(),
+             py::arg("smooth_edges") = py::none(), py::arg("one_sided") = py::none(),
              R"(positions (V, 3) float32 in object space; edge_verts (E, 2), corner_verts (C,), corner_edges (C,),
 polygon_offsets (F + 1,) int32 as Blender stores them; ngon_triangles (T, 3) vertices with ngon_polygon (T,) ascending:
 triangulation of polygons with more than four corners; material (F,) int32; occluding (F,), sharp_edges, seams,
-edge_marks, smooth_edges (across which shading is continuous) (E,) bool.)");
+edge_marks, smooth_edges (across which shading is continuous) (E,) bool; one_sided (F,) bool: their backs are not
+seen.)");
 
     m.def(
         "all_polygons_have",

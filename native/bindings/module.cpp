@@ -8,6 +8,7 @@ PYBIND11_MODULE(_native, m) {
     bind_base(m);
     bind_style(m);
     bind_mesh(m);
+    bind_cutout(m);
     bind_paths(m);
     bind_scene(m);
     bind_focus(m);

@@ -3,6 +3,7 @@
 // the enumeration.
 #pragma once
 
+#include <fovea/cutout/opacity.h>
 #include <fovea/line/definition.h>
 #include <fovea/mesh/field_options.h>
 #include <fovea/style/field.h>
@@ -14,6 +15,9 @@ inline constexpr Choice choices_of<Estimator>[] = {{"automatic"}, {"jets"}, {"on
 
 template <>
 inline constexpr Choice choices_of<Shape>[] = {{"automatic"}, {"hard"}, {"rounded"}, {"smooth"}};
+
+template <>
+inline constexpr Choice choices_of<Extension>[] = {{"repeat"}, {"extend"}, {"clip"}, {"mirror"}};
 
 template <>
 inline constexpr Choice choices_of<line::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"bool"}};

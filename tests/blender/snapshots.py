@@ -11,7 +11,7 @@ scene = part("scene.scene")
 surfaces = part("scene.surfaces")
 NATIVE = part("native").load()
 ARRAYS = "positions edge_verts corner_verts corner_edges polygon_offsets ngon_triangles ngon_polygon material occluding"
-ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks", "smooth_edges"]
+ARRAYS = [*ARRAYS.split(), "sharp_edges", "seams", "edge_marks", "smooth_edges", "one_sided"]
 
 
 class RecordedMesh(NATIVE.Mesh):

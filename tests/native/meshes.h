@@ -21,7 +21,7 @@ struct Mesh {
     std::vector<int> corner_verts, corner_edges, polygon_offsets{0};
     std::vector<glm::ivec3> ngon_triangles;
     std::vector<int> ngon_polygon, material;
-    std::vector<std::uint8_t> occluding, sharp, seam, edge_mark, smooth;
+    std::vector<std::uint8_t> occluding, sharp, seam, edge_mark, smooth, one_sided;
 
     Shape shape = Shape::hard;  // coarse meshes are easily checked by all of their edges
 
@@ -29,7 +29,7 @@ struct Mesh {
 
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
-                material,  occluding,  sharp,        seam,         edge_mark,       smooth};
+                material,  occluding,  sharp,        seam,         edge_mark,       smooth, one_sided};
     }
     std::shared_ptr<Surface> surface() const;
 

@@ -233,9 +233,10 @@ TEST(Depth, SolidBodiesLookTheSameWithoutTheirFarSides) {
     const View view = perspective(90, 70);
     std::vector<RasterMesh> meshes = depth_meshes(scene, view, 0.0);
     ASSERT_EQ(meshes.size(), 4u);
-    EXPECT_TRUE(meshes[0].one_sided && meshes[1].one_sided && !meshes[2].one_sided && !meshes[3].one_sided);
+    const auto is_one_sided = [&](int mesh) { return meshes[mesh].one_sided_from == 0; };
+    EXPECT_TRUE(is_one_sided(0) && is_one_sided(1) && !is_one_sided(2) && !is_one_sided(3));
     const DepthBuffer culled = depth_of(view, meshes, 2);
-    for (RasterMesh& mesh : meshes) mesh.one_sided = false;
+    for (RasterMesh& mesh : meshes) mesh.one_sided_from = none;
     EXPECT_TRUE(same(culled, depth_of(view, meshes, 2)));
 }
 

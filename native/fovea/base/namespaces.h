@@ -21,8 +21,11 @@ using namespace field;
 namespace repair {
 using namespace scene;
 }
-namespace image {
+namespace cutout {
 using namespace repair;
+}
+namespace image {
+using namespace cutout;
 }
 namespace line {
 using namespace image;

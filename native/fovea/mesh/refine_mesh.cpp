@@ -99,6 +99,7 @@ OwnedMesh refined_mesh(const Far::TopologyRefiner& uniform, const std::vector<Ce
     };
     per_polygon(mesh.material, out.material);
     per_polygon(mesh.occluding, out.occluding);
+    per_polygon(mesh.one_sided, out.one_sided);
     take_edge_marks(uniform, cage, mesh, out);
     return out;
 }

@@ -82,6 +82,7 @@ void check_mesh(const std::string& name, const MeshArrays& mesh) {
           name + ": polygon_offsets must ascend from 0 to the number of corners");
     check_size(mesh.material, polygon_total, name, "material");
     check_size(mesh.occluding, polygon_total, name, "occluding");
+    check_size(mesh.one_sided, polygon_total, name, "one_sided");
     check_size(mesh.sharp, edge_count, name, "sharp_edges");
     check_size(mesh.seam, edge_count, name, "seams");
     check_size(mesh.edge_mark, edge_count, name, "edge_marks");
@@ -130,6 +131,7 @@ void Surface::take_topology(const MeshArrays& mesh) {
     polygon_material.assign(mesh.material.begin(), mesh.material.end());
     polygon_material.resize(polygon_total, 0);
     polygon_occludes_.assign(mesh.occluding.begin(), mesh.occluding.end());
+    polygon_one_sided.assign(mesh.one_sided.begin(), mesh.one_sided.end());
 
     edge_marks.assign(edge_count, 0);
     const auto mark = [&](In<std::uint8_t> flags, Mark bit) {

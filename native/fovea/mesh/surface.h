@@ -34,6 +34,7 @@ struct MeshOf {
     ArrayOf<std::uint8_t> occluding;               ///< optional, per polygon: 0 where the material does not occlude
     ArrayOf<std::uint8_t> sharp, seam, edge_mark;  ///< optional, per edge
     ArrayOf<std::uint8_t> smooth;                  ///< optional, per edge: shading is continuous across it
+    ArrayOf<std::uint8_t> one_sided;               ///< optional, per polygon: 1 where its back is not seen (culled)
 };
 
 /// Mesh whose arrays are borrowed.
@@ -46,7 +47,7 @@ using Owned = std::vector<T>;
 struct OwnedMesh : MeshOf<Owned> {
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
-                material,  occluding,  sharp,        seam,         edge_mark,       smooth};
+                material,  occluding,  sharp,        seam,         edge_mark,       smooth, one_sided};
     }
 };
 
@@ -83,12 +84,14 @@ struct SurfaceArrays {
     Index mesh_edges = 0;            ///< number of `edges` that are mesh edges
     Array<std::uint8_t> edge_marks;  ///< per mesh edge: Mark bits
     Array<int> polygon_material;     ///< per polygon
+    Array<std::uint8_t> polygon_one_sided;  ///< per polygon: its back is not seen; empty: all backs are
 
     // Geometry.
     Array<vec3> positions;      ///< object space; one spare entry at the end (Embree reads 16 bytes)
-    Array<Triangle> triangles;  ///< vertices; occluding triangles first
+    Array<Triangle> triangles;  ///< vertices; occluding triangles first, of these the two-sided ones
     Array<Index> triangle_facet;
     Index occluding_triangles = 0;  ///< number of `triangles` that occlude
+    Index two_sided_triangles = 0;  ///< number of those whose backs occlude, too
     Array<vec4> facet_plane;        ///< unit normal n and offset d with n.x = d; outward by winding
     Array<Index> facet_polygon;
     Rows edge_rows;  ///< per entry of `edges`: its range of edge_sides
@@ -136,6 +139,14 @@ class Surface : public SurfaceArrays {
     Index vertex_count() const { return static_cast<Index>(positions.size()) - 1; }
     In<EdgeSide> sides(Index edge) const { return {edge_sides.data() + edge_rows.begin(edge), edge_rows.size(edge)}; }
     int material(Index facet) const { return polygon_material[facet_polygon[facet]]; }
+
+    /// Whether a facet is not seen, since it turns its back to the eye and its polygon is one-sided. `eye_obj`:
+    /// homogeneous; for an orthographic view the direction towards the viewer.
+    bool culled(Index facet, const dvec4& eye_obj) const {
+        if (polygon_one_sided.empty() || !polygon_one_sided[facet_polygon[facet]]) return false;
+        const vec4& p = facet_plane[facet];
+        return glm::dot(dvec4(p.x, p.y, p.z, -p.w), eye_obj) < 0.0;
+    }
 
     /// Element that supports a line segment: an edge, by its index, or a triangle, numbered after the edges.
     Index place_of_triangle(Index triangle) const { return static_cast<Index>(edges.size()) + triangle; }

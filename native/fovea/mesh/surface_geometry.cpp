@@ -260,14 +260,18 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
 }
 
 void Surface::sort_occluding() {
-    // Occluding triangles go first, so that the BVH uses a prefix of the array.
-    occluding_triangles = static_cast<Index>(triangles.size());
-    if (polygon_occludes_.empty()) return;
+    // Occluding triangles go first, so that the BVH uses a prefix of the array, and one-sided ones last of them.
+    two_sided_triangles = occluding_triangles = static_cast<Index>(triangles.size());
+    if (polygon_occludes_.empty() && polygon_one_sided.empty()) return;
     Array<Index> order(triangles.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto middle = std::stable_partition(
-        order.begin(), order.end(), [&](Index t) { return polygon_occludes_[facet_polygon[triangle_facet[t]]] != 0; });
-    occluding_triangles = static_cast<Index>(middle - order.begin());
+    const auto polygon = [&](Index t) { return facet_polygon[triangle_facet[t]]; };
+    const auto occludes = [&](Index t) { return polygon_occludes_.empty() || polygon_occludes_[polygon(t)]; };
+    const auto two_sided = [&](Index t) { return polygon_one_sided.empty() || !polygon_one_sided[polygon(t)]; };
+    const auto occluding = std::stable_partition(order.begin(), order.end(), occludes);
+    const auto first_one_sided = std::stable_partition(order.begin(), occluding, two_sided);
+    occluding_triangles = static_cast<Index>(occluding - order.begin());
+    two_sided_triangles = static_cast<Index>(first_one_sided - order.begin());
     triangles = parallel_map<Triangle>(order.size(), [&](std::size_t t) { return triangles[order[t]]; });
     triangle_facet = parallel_map<Index>(order.size(), [&](std::size_t t) { return triangle_facet[order[t]]; });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/project/backs.h>
 #include <fovea/project/clip.h>
 
 namespace fovea::project {
@@ -39,8 +40,9 @@ struct Stop {
 /// Projects paths sequentially into its own ClippedPaths.
 class Projector {
    public:
-    Projector(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options)
-        : paths_(paths), scene_(scene), view_(view), options_(options) {}
+    Projector(const Paths& paths, const Scene& scene, const View& view, const Backs& backs,
+              const ProjectOptions& options)
+        : paths_(paths), scene_(scene), view_(view), backs_(backs), options_(options) {}
 
     /// Reserves memory for pieces and points.
     void reserve(std::size_t pieces, std::size_t points) {
@@ -192,7 +194,7 @@ class Projector {
             ClipRange range;
             if (p_.outside[i] | p_.outside[i + 1])
                 range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
-            const bool visible = range.begin < range.end;
+            const bool visible = range.begin < range.end && !(backs_.any() && backs_.hold(paths_, path, begin + i));
             whole = whole && range.begin == 0.0 && range.end == 1.0;
             if (!visible || range.begin > 0.0) finish_piece(path, begin);
             if (!visible) continue;
@@ -285,6 +287,7 @@ class Projector {
     const Paths& paths_;
     const Scene& scene_;
     const View& view_;
+    const Backs& backs_;
     const ProjectOptions& options_;
     Projected p_;
     Index placement_ = none;  // whose transforms are set; none: view space
@@ -324,10 +327,11 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel) {
     check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
+    const Backs backs(scene, view);
     const auto parts = parallel_parts<ClippedPaths>(
         paths.count(), paths_per_block, [&](ClippedPaths& part, std::size_t begin, std::size_t end) {
             cancel.poll();
-            Projector projector(paths, scene, view, options);
+            Projector projector(paths, scene, view, backs, options);
             projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
             for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
             part = std::move(projector.out);

@@ -12,12 +12,8 @@ namespace {
 constexpr std::size_t block_triangles = 2048;
 constexpr std::size_t group_blocks = 128;
 
-/// Sign of the screen-space area of triangles to cull (back-facing ones); 0: cull nothing. A mirroring transform flips
-/// it.
-double away_sign(const RasterMesh& mesh) {
-    if (!mesh.one_sided) return 0.0;
-    return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0;
-}
+/// Sign of the screen-space area of back-facing triangles. A mirroring transform flips it.
+double away_sign(const RasterMesh& mesh) { return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0; }
 
 /// Twice the signed area of (a, b, p). Antisymmetric in a and b without rounding differences.
 double edge_function(dvec2 a, dvec2 b, dvec2 p) {
@@ -52,7 +48,7 @@ struct Source {
 };
 
 /// Appends the triangle unless it covers no texel center. `clip`: its homogeneous corners (x w, y w, w) after
-/// near-plane clipping.
+/// near-plane clipping. `away`: sign of the area of triangles to cull; 0: none.
 void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, const RasterTarget& target, double away,
                       const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {
     RasterTriangle t;
@@ -136,7 +132,7 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
     for (std::size_t i = block.begin; i < block.end; ++i) {
         Source source{{}, block.mesh, static_cast<Index>(i)};
         for (int k = 0; k < 3; ++k) source.corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
-        append_clipped(source, target, away, out);
+        append_clipped(source, target, i < mesh.one_sided_from ? 0.0 : away, out);
     }
 }
 

@@ -17,8 +17,8 @@ struct RasterMesh {
     In<Index> triangle_facet;  ///< per triangle, numbered over the mesh
     dmat4 object_to_view{1.0};
     Index facet_base = 0;  ///< added to triangle_facet: facet index over the scene
-    /// Cull back-facing triangles: on solid bodies, front-facing ones cover them.
-    bool one_sided = false;
+    /// From this triangle on, back-facing ones are culled: they are not seen, or front-facing ones cover them.
+    Index one_sided_from = none;
 };
 
 /// A triangle in screen space, in texels. Edge functions are evaluated with the two ends in a fixed order, so triangles

@@ -89,7 +89,7 @@ void mark_features(HalfEdges& mesh, const RepairedMesh& source) {
         if (!feature) {
             const int p = mesh.data(e.h0().face()).polygon, q = mesh.data(e.h1().face()).polygon;
             const auto differs = [&](const auto& values) { return !values.empty() && values[p] != values[q]; };
-            feature = differs(source.material) || differs(source.occluding);
+            feature = differs(source.material) || differs(source.occluding) || differs(source.one_sided);
         }
         if (!feature) continue;
         mesh.status(e).set_feature(true);
@@ -132,6 +132,7 @@ RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
         out.polygon_offsets.push_back(static_cast<int>(out.corner_verts.size()));
         if (!source.material.empty()) out.material.push_back(source.material[polygon]);
         if (!source.occluding.empty()) out.occluding.push_back(source.occluding[polygon]);
+        if (!source.one_sided.empty()) out.one_sided.push_back(source.one_sided[polygon]);
     };
     for (const auto f : mesh.faces()) {
         for (const auto h : f.halfedges()) {

@@ -12,7 +12,8 @@ OwnedMesh owned(const MeshArrays& mesh) {
     const auto own = [](const auto& values) { return std::vector(values.begin(), values.end()); };
     OwnedMesh made{{own(mesh.positions), own(mesh.edge_verts), own(mesh.corner_verts), own(mesh.corner_edges),
                     own(mesh.polygon_offsets), own(mesh.ngon_triangles), own(mesh.ngon_polygon), own(mesh.material),
-                    own(mesh.occluding), own(mesh.sharp), own(mesh.seam), own(mesh.edge_mark), own(mesh.smooth)}};
+                    own(mesh.occluding), own(mesh.sharp), own(mesh.seam), own(mesh.edge_mark), own(mesh.smooth),
+                    own(mesh.one_sided)}};
     if (made.polygon_offsets.empty()) made.polygon_offsets = {0};
     return made;
 }

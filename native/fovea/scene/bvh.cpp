@@ -29,6 +29,7 @@ void Tracer::Bvh::add(const Scene& scene, Index placement) {
     rtcAttachGeometryByID(top.get(), instance, static_cast<unsigned>(placement_of_instance.size()));
     rtcReleaseGeometry(instance);
     placement_of_instance.push_back(placement);
+    any_one_sided |= surface.two_sided_triangles < surface.occluding_triangles;
     versions.push_back(surface.version());
 }
 
@@ -42,7 +43,7 @@ std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const 
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
     arguments.context = &context;
-    if (ignore.placement != none) {
+    if (ignore.placement != none || any_one_sided) {
         arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
         arguments.filter = skip_ignored;
     }
@@ -66,7 +67,16 @@ bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
     const Index hit = placement(at);
     const float before = 1.0f - RTCRayN_tfar(at.ray, 1, 0);
     if (hit == ignore.placement && std::abs(before) < reach_t) return true;
-    return ignore.holds(hit, *scene.placements[hit].surface, RTCHitN_primID(at.hit, 1, 0));
+    const Surface& surface = *scene.placements[hit].surface;
+    const Index triangle = RTCHitN_primID(at.hit, 1, 0);
+    if (triangle >= surface.two_sided_triangles && along_normal(at) > 0.0f) return true;
+    return ignore.holds(hit, surface, triangle);
+}
+
+float along_normal(const RTCFilterFunctionNArguments& at) {
+    return RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
+           RTCHitN_Ng_y(at.hit, 1, 0) * RTCRayN_dir_y(at.ray, 1, 0) +
+           RTCHitN_Ng_z(at.hit, 1, 0) * RTCRayN_dir_z(at.ray, 1, 0);
 }
 
 RTCRay embree_ray(const Ray& ray) {

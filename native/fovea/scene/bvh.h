@@ -56,6 +56,7 @@ struct Tracer::Bvh {
     Array<std::uint64_t> versions;  // of the surfaces, per instance
     Array<dmat4> object_to_view;    // per placement
     std::vector<std::shared_ptr<const SurfaceBvh>> surfaces;
+    bool any_one_sided = false;  // rays pass through the backs of some triangles
 
     Bvh();
     void add(const Scene& scene, Index placement);
@@ -77,6 +78,10 @@ struct RayContext : RTCRayQueryContext {
     }
     bool ignored(const RTCFilterFunctionNArguments& at) const;
 };
+
+/// The ray's direction times the normal of what it hit: positive where it hits the back. Both in object space, where
+/// winding tells the sides apart.
+float along_normal(const RTCFilterFunctionNArguments& at);
 
 /// Converts to Embree's ray.
 RTCRay embree_ray(const Ray& ray);

@@ -75,11 +75,7 @@ struct Tracer::Count : RayContext {
         if (!tracer.surely_before(hit, ray)) return;
         const Bodies& of = *bodies[hit.placement];
         const Index body = of.of_facet[scene.placements[hit.placement].surface->triangle_facet[hit.triangle]];
-        // Both in object space, where winding distinguishes inside from outside.
-        const float along = RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
-                            RTCHitN_Ng_y(at.hit, 1, 0) * RTCRayN_dir_y(at.ray, 1, 0) +
-                            RTCHitN_Ng_z(at.hit, 1, 0) * RTCRayN_dir_z(at.ray, 1, 0);
-        const Met made{hit, body, of.solid[body] && along > 0.0f};
+        const Met made{hit, body, of.solid[body] && along_normal(at) > 0.0f};
         met.insert(std::upper_bound(met.begin(), met.end(), made, before), made);
         count = 0;
         each_surface(met, [&](const Hit&) { ++count; });

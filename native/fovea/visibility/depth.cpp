@@ -159,7 +159,7 @@ std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, doubl
         const Surface& surface = *scene.placements[occluder.placement].surface;
         meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
                           In<Index>(surface.triangle_facet).first(surface.occluding_triangles), occluder.object_to_view,
-                          scene.facet_base[occluder.placement], occluder.solid});
+                          scene.facet_base[occluder.placement], occluder.one_sided_from(surface)});
     }
     return meshes;
 }

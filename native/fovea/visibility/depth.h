@@ -71,6 +71,8 @@ struct Occluder {
     Index placement;
     dmat4 object_to_view;
     bool solid;  ///< closed, outward-facing bodies (scene/bodies.h), entirely beyond the near plane
+    /// The first of its triangles whose backs need not be drawn, or must not be.
+    Index one_sided_from(const Surface& surface) const { return solid ? 0 : surface.two_sided_triangles; }
 };
 
 /// Placements with occluding triangles in the frame widened by `margin`.

@@ -61,7 +61,10 @@ struct Facet {
         return dvec4(p.x, p.y, p.z, -p.w);
     }
     Index triangle() const { return placed->triangles->triangle[number]; }
-    bool occludes() const { return placed->occludes && triangle() < placed->surface->occluding_triangles; }
+    bool occludes() const {
+        return placed->occludes && triangle() < placed->surface->occluding_triangles &&
+               !placed->surface->culled(number, placed->eye_obj);
+    }
     bool faces_viewer() const { return glm::dot(plane(), placed->eye_obj) >= 0.0; }
     /// Depth slope of a front-facing facet; 0 for others, which do not rise in front of a line.
     float rise() const {
