@@ -7,6 +7,7 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import catalogue, style
 from bl_ext.user_default.fovea.focus import focus_settings
+from bl_ext.user_default.fovea.render import cameras
 from bl_ext.user_default.fovea.scene import line_kinds
 from bl_ext.user_default.fovea.style import style_data, style_groups, style_read, style_write
 from mathutils import Vector
@@ -97,7 +98,11 @@ def set_size(scene, options):
 
 
 def set_camera(scene, options):
-    """Keeps the scene's camera unless --azimuth or --elevation is given; without one, as for models, adds a camera."""
+    """Keeps the scene's camera unless --azimuth or --elevation is given; without one, as for models, adds a camera,
+    but none with --cameras."""
+    if options.cameras:
+        scene.camera = scene.camera or next(iter(cameras.of(scene)), None)
+        return
     turned = options.azimuth is not None or options.elevation is not None
     if scene.camera and not turned:
         if options.lens:
@@ -239,9 +244,30 @@ def set_output(scene, options):
 
 
 def render(scene, options):
+    """Renders every frame from the scene's camera, or from those of --cameras."""
+    if not options.cameras:
+        render_frames(scene, options)
+        return
+    known = cameras.of(scene)
+    wanted = [camera.name for camera in known] if options.cameras == "all" else options.cameras.split(",")
+    names = {camera.name: name for camera, name in zip(known, cameras.file_names(known))}
+    if missing := [name for name in wanted if name not in names]:
+        there = f"there are: {', '.join(names)}" if names else "there are none"
+        raise ValueError(f"--cameras {options.cameras}: the scene has no camera '{missing[0]}'; {there}")
+    with cameras.unbound(scene):
+        for camera in (camera for camera in known if camera.name in wanted):
+            scene.camera = camera
+            if options.lens:
+                set_lens(camera, options.lens)
+            render_frames(scene, options, names[camera.name])
+
+
+def render_frames(scene, options, camera=None):
+    """Renders every frame. `camera`: what the names of the files have of it."""
     frames = options.frames or (scene.frame_current, scene.frame_current)
-    dumps = draw_options.dumps(options) or [None] * (frames[1] + 1 - frames[0])
-    for frame, path, dump in zip(range(frames[0], frames[1] + 1), draw_options.pictures(options), dumps, strict=True):
+    dumps = draw_options.dumps(options, camera) or [None] * (frames[1] + 1 - frames[0])
+    pictures = draw_options.pictures(options, camera)
+    for frame, path, dump in zip(range(frames[0], frames[1] + 1), pictures, dumps, strict=True):
         scene.frame_set(frame)
         if dump:  # first, because rendering may fail
             frame_dump.write(bpy.context, dump)

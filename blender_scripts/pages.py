@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of its example
-model, the demo scene at each stage of the method and with several focus models, plots of transfer functions."""
+model, the demo scene at each stage of the method and with several focus models, pens that change along strokes, plots
+of transfer functions."""
 
 import argparse
 import sys
 import tempfile
+from functools import reduce
 from pathlib import Path
 
 import bpy
@@ -61,6 +63,17 @@ def stage(name, path):
     return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
 
 
+def stroke(name, path):
+    """(H, W) picture of a monkey by a pen that changes along its strokes, supersampled by 2."""
+    open_model(pages.MONKEY[0])
+    width, height = quantities.frame_size(pages.STROKES_SIZE)
+    words = [*pages.STROKES_WORDS, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
+    set_drawing(bpy.context.scene, draw_options.parse(words), pages.STROKES_PEN | pages.STROKES[name])
+    picture.render(bpy.context.scene, path)
+    gray = sheet.gray(path).reshape(height, 2, width, 2).mean(axis=(1, 3))
+    return np.round(gray * (GREYS - 1)) / (GREYS - 1)
+
+
 def plot(name, path):
     """(N, N) plot of a transfer function over focus: grid lines at quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
@@ -78,7 +91,7 @@ def plot(name, path):
     return gray.reshape(size, fine, size, fine).mean(axis=(1, 3))
 
 
-DRAWN_BY = {"lines": line, "way": stage, "focus": stage, "transfers": plot}
+DRAWN_BY = {"lines": line, "way": stage, "focus": stage, "strokes": stroke, "transfers": plot}
 
 
 def magnify(scene, u, v, times):
@@ -114,8 +127,9 @@ def set_drawing(scene, options, settings):
     draw.set_output(scene, options)
     held = style_data.own(scene)
     for words, value in settings.items():
-        part, name = words.split(".")
+        part, *within, name = words.split(".")
         for owner in parts(held, part):
+            owner = reduce(getattr, within, owner)
             if name not in owner.bl_rna.properties:
                 raise ValueError(f"a style has no {words}")
             setattr(owner, name, value)

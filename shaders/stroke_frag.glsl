@@ -2,8 +2,8 @@
 // Ink of a pen at this fragment.
 float ink_of(int pen_index)
 {
-  vec4 style = fetch_row(pens, 3 * pen_index + 1);
-  ivec2 size = ivec2(fetch_row(pens, 3 * pen_index + 2).xy);
+  vec4 style = fetch_row(pens, 4 * pen_index + 1);
+  ivec2 size = ivec2(fetch_row(pens, 4 * pen_index + 2).xy);
   if (size.x == 0) {
     return 1.0;
   }
@@ -16,14 +16,18 @@ float ink_of(int pen_index)
 void main()
 {
   int pen_index = int(pen_number);
-  vec4 color = fetch_row(pens, 3 * pen_index);
-  bool round_cap = fetch_row(pens, 3 * pen_index + 1).y > 0.5;
+  vec4 color = fetch_row(pens, 4 * pen_index);
+  bool round_cap = fetch_row(pens, 4 * pen_index + 1).y > 0.5;
   float alpha = opacity * stroke_coverage(place.x, place.y, ends.x, ends.y, half_width, round_cap);
   float ink_here = ink_of(pen_index);
   int other = int(color.w);
   if (other != pen_index) {
-    color = mix(color, fetch_row(pens, 3 * other), away.x);
+    color = mix(color, fetch_row(pens, 4 * other), away.x);
     ink_here = mix(ink_here, ink_of(other), away.y);
+  }
+  if (away.z > 0.0) {
+    vec4 second = mix(fetch_row(pens, 4 * pen_index + 3), fetch_row(pens, 4 * other + 3), away.x);
+    color = mix(color, second, away.z);
   }
   alpha *= ink_here;
 #ifdef SPINE

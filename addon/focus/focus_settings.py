@@ -2,10 +2,9 @@
 """Focus as properties of the scene, separate from the style, so that scenes can share a style with different focus."""
 
 import bpy
-from bpy.props import CollectionProperty
 
 from .. import style
-from ..scene.property_kinds import choice, number, pointer, text, vector
+from ..scene.property_kinds import choice, members, number, pointer, text, vector
 from . import focus_kinds
 
 MOST_LETTERS = 63  # Blender's limit on the length of an attribute name
@@ -37,7 +36,7 @@ def annotations():
         "focus_combine": choice("Combine", "What holds where several places count", items=COMBINATIONS),
         "focus_attribute": text("Attribute", painted, default="focus", maxlen=MOST_LETTERS),
         **_point_annotations(),
-        "focus_points": CollectionProperty(type=FoveaFocusPoint, **more),
+        "focus_points": members(FoveaFocusPoint, **more),
         "pull_object": pointer("To", "The object that Focus Pull leads to", type=bpy.types.Object, options={"HIDDEN"}),
     }
 

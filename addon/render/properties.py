@@ -5,11 +5,10 @@ Styles are separate datablocks: style_data.py.
 """
 
 import bpy
-from bpy.props import PointerProperty
 
 from ..focus import focus_settings
 from ..scene import own_lines, repair
-from ..scene.property_kinds import SHARE, choice, new_group, number, pointer, redraw, switch, whole_number
+from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
 from . import gpu_context, methods
@@ -84,11 +83,13 @@ def _scene_group():
 
 def _object_group(kinds):
     told = "Of lines that crowd each other, those of objects with more priority stay"
+    group = "Objects with the same name here have one outline together: no silhouette or contour between them"
     annotations = {
         "usage": choice("Usage", "Whether the object has lines, and hides those behind it", items=USAGES),
         "hair": choice("Hair", "How hair curves, and hair of particles, are drawn", items=HAIR),
         "priority": number("Priority", told, default=0.5, **SHARE),
         "shape": choice("Draw As", "What the faces stand for, which decides the lines that suit them", items=SHAPES),
+        "outline_group": text("Outline Group", group),
         **_curvature_properties(),
         **own_lines.annotations(kinds),
         **_shape_properties(),
@@ -121,6 +122,13 @@ def _material_group():
     return new_group("FoveaMaterialSettings", "How a material is drawn.", annotations)
 
 
+def _collection_group():
+    told = "Objects of this collection have one outline together: no silhouette or contour between them"
+    return new_group(
+        "FoveaCollectionSettings", "How a collection is drawn.", {"one_outline": switch("One Outline", told)}
+    )
+
+
 def _shape_properties():
     """Settings for processing an object's mesh before drawing: subdivision.py and repair.py."""
     refine = "Draw the smooth surface that subdividing the mesh (Catmull-Clark) for ever would give"
@@ -145,11 +153,12 @@ def register():
         (bpy.types.Scene, _scene_group()),
         (bpy.types.Object, _object_group(kinds)),
         (bpy.types.Material, _material_group()),
+        (bpy.types.Collection, _collection_group()),
     ]
     for owner, group in _registered:
         bpy.utils.register_class(group)
         if owner:
-            owner.fovea = PointerProperty(type=group)
+            owner.fovea = part(group)
 
 
 def unregister():

@@ -4,11 +4,9 @@ registry marks as per object."""
 
 import math
 
-from bpy.props import PointerProperty
-
 from .. import catalogue
 from .line_kinds import definitions, parameter_property, property_name, value_of
-from .property_kinds import new_group, switch
+from .property_kinds import new_group, part, switch
 
 ALL_KINDS = 0xFFFFFFFF  # bit i: the registry's definition i
 AS_THE_SET_SAYS = math.nan
@@ -60,7 +58,7 @@ def kinds():
 def annotations(kinds):
     """Property annotations for an object's settings; `kinds`: the registered group of `kinds()`."""
     told = "Of the lines that the line sets draw, this object and instances of it have only these types"
-    found = {"own_kinds": switch("Override Line Types", told), "kinds": PointerProperty(type=kinds)}
+    found = {"own_kinds": switch("Override Line Types", told), "kinds": part(kinds)}
     for known in parameters():
         name = label(*known)
         told = f"This object, and instances of it, have their own {name.lower()} in all line sets"

@@ -2,7 +2,8 @@
 """Helpers to declare Blender properties and property groups.
 
 `switch`, `number` and so on wrap the functions of bpy.props: they take a name, a description and the function's
-keywords, and by default redraw on a change.
+keywords, and by default redraw on a change. Library overrides of their owners may change them, `part` and `members`
+included.
 """
 
 import zlib
@@ -10,6 +11,7 @@ import zlib
 import bpy
 from bpy import props
 
+OVERRIDABLE = {"override": {"LIBRARY_OVERRIDABLE"}}
 SHARE = {"subtype": "FACTOR", "min": 0.0, "max": 1.0}
 
 
@@ -19,7 +21,18 @@ def redraw(settings, _context):
 
 
 def _redrawn(made):
-    return lambda name, description, **words: made(name=name, description=description, **{"update": redraw} | words)
+    always = {"update": redraw, **OVERRIDABLE}
+    return lambda name, description, **words: made(name=name, description=description, **always | words)
+
+
+def part(group):
+    """A property that holds the properties of a group."""
+    return props.PointerProperty(type=group, **OVERRIDABLE)
+
+
+def members(group, **words):
+    """A property that holds any number of groups."""
+    return props.CollectionProperty(type=group, override={"LIBRARY_OVERRIDABLE", "USE_INSERTION"}, **words)
 
 
 switch, whole_number, number = map(_redrawn, (props.BoolProperty, props.IntProperty, props.FloatProperty))

@@ -26,6 +26,7 @@ class Snapshot:
     object_to_world: np.ndarray  # (n, 4, 4) float64
     persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
     usage: np.ndarray  # (n,) uint8, bits DRAW, OCCLUDE, HOLDOUT
+    groups: np.ndarray  # (n,) uint64, the same where objects have one outline together; 0: of none
     objects: list  # n object names
     owners: list  # n tuples of full names: the object's and, for an instance, its instancer's
     importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
@@ -47,7 +48,8 @@ class _Gathering:
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
         self.known_own, self.known_guides, self.left_out = {}, None, {}
         self.outlines = faceless.outlines()
-        self.rows = []  # per placement: (index of the instance, surface, hash of names, usage, object, owners, *own)
+        self.together = None  # {object: collection with one outline}, by full names
+        self.rows = []  # per placement: (instance, surface, hash of names, usage, group, object, owners, *own)
 
     def usage(self, instance, shown):
         """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
@@ -185,7 +187,9 @@ class _Gathering:
         if shape:
             names = (*names, shape.name) if shape.name else names
             shown &= self.outlines if shape.outlined else shown
-        self.rows.append((step, surface, self.name_hash(*names), usage, obj.name, owners, priority, shown, *own))
+        own = priority, shown, *own
+        group = self.outline_group(obj, parent)
+        self.rows.append((step, surface, self.name_hash(*names), usage, group, obj.name, owners, *own))
 
     def own(self, obj):
         """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""
@@ -193,6 +197,21 @@ class _Gathering:
             settings = obj.original.evaluated_get(self.depsgraph).fovea
             self.known_own[obj.name_full] = (settings.priority, *own_lines.of(settings))
         return self.known_own[obj.name_full]
+
+    def outline_group(self, obj, parent):
+        """Number of the group that an object, or the instance of it by `parent`, has one outline with; 0: of none."""
+        if self.together is None:
+            self.together = {
+                member.name_full: collection.name_full
+                for collection in bpy.data.collections
+                if collection.fovea.one_outline
+                for member in collection.all_objects
+            }
+        settings = obj.original.evaluated_get(self.depsgraph).fovea
+        if settings.outline_group:
+            return self.name_hash("", settings.outline_group)
+        collection = self.together.get(obj.name_full)
+        return self.name_hash("collection", collection, parent) if collection else 0
 
     def name_hash(self, *names):
         if names not in self.known_names:
@@ -202,8 +221,8 @@ class _Gathering:
 
     def snapshot(self, matrices, persistent):
         """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8): of all k instances of the depsgraph."""
-        columns = zip(*self.rows) if self.rows else ((),) * 8
-        steps, surface, names, usage, objects, owners, importance, shown, *own_values = columns
+        columns = zip(*self.rows) if self.rows else ((),) * 9
+        steps, surface, names, usage, groups, objects, owners, importance, shown, *own_values = columns
         chosen = np.array(steps, np.intp)
         return Snapshot(
             self.surfaces,
@@ -212,6 +231,7 @@ class _Gathering:
             matrices[chosen],
             instances.ids(np.array(names, np.uint64), persistent[chosen]),
             np.array(usage, np.uint8),
+            np.array(groups, np.uint64),
             list(objects),
             list(owners),
             np.array(importance, np.float32),
@@ -278,7 +298,12 @@ def placed(core, snapshot):
     """The native Scene of a Snapshot."""
     found = snapshot
     return core.Scene(
-        found.surfaces, found.surface_of_placement, found.object_to_world, found.persistent_id, found.usage
+        found.surfaces,
+        found.surface_of_placement,
+        found.object_to_world,
+        found.persistent_id,
+        found.usage,
+        found.groups,
     )
 
 

@@ -9,7 +9,7 @@ from .. import style
 from ..scene.line_kinds import definitions
 from ..scene.operator import Operator
 from ..stages import REFERENCE_HEIGHT
-from . import style_data
+from . import line_style_modifiers, style_data
 
 # Freestyle's edge type -> line definitions.
 KINDS = {
@@ -49,7 +49,11 @@ def style_of(scene, layer):
             continue
         told += [f"'{line_set.name}': {what}" for what in _unmatched(line_set)]
         if kinds := _kinds(line_set, settings):
-            sets.append(_line_set(line_set, kinds, scene))
+            pen, left = line_style_modifiers.applied(
+                _pen(line_set.linestyle, scene), line_set.linestyle, _millimeters(scene)
+            )
+            told += [f"'{line_set.name}': {what}" for what in left]
+            sets.append(_line_set(line_set, kinds, pen, scene))
     return style.Style(line_sets=tuple(sets)), told
 
 
@@ -61,9 +65,8 @@ def _kinds(line_set, settings):
     return {name: PARAMETERS[name](settings) if name in PARAMETERS else {} for name in names if name not in had}
 
 
-def _line_set(line_set, kinds, scene):
+def _line_set(line_set, kinds, pen, scene):
     chosen = line_set.linestyle
-    pen = _pen(chosen, scene)
     first, last = _range(line_set)
     hidden = (style.Hidden(pen=pen, first=max(first, 1), last=last),) if last is None or last > 0 else ()
     least = chosen.length_min if chosen.use_length_min else 0.0
@@ -112,6 +115,11 @@ def _pixel(scene):
     return REFERENCE_HEIGHT / (scene.render.resolution_y * scene.render.resolution_percentage / 100)
 
 
+def _millimeters(scene):
+    """Millimeters of the page per pixel of the scene's image."""
+    return _pixel(scene) / REFERENCE_HEIGHT * style.Paper().height_mm
+
+
 def _unmatched(line_set):
     """Yields phrases on settings of a Freestyle line set that are not converted."""
     chosen = line_set.linestyle
@@ -123,10 +131,9 @@ def _unmatched(line_set):
         yield "edge types that it excludes"
     if line_set.select_by_face_marks:
         yield "face marks"
-    for words in ("color", "alpha", "thickness", "geometry"):
-        # Every new line style has a Sampling modifier.
-        if any(modifier.use and modifier.type != "SAMPLING" for modifier in getattr(chosen, f"{words}_modifiers")):
-            yield f"{words} modifiers"
+    # Every new line style has a Sampling modifier.
+    if any(modifier.use and modifier.type != "SAMPLING" for modifier in chosen.geometry_modifiers):
+        yield "geometry modifiers"
     if any(slot and slot.texture for slot in chosen.texture_slots):
         yield "textures"
     if chosen.use_length_max:
@@ -135,7 +142,7 @@ def _unmatched(line_set):
 
 class FOVEA_OT_match_freestyle(Operator, bpy.types.Operator):
     """Take over the view layer's Freestyle line sets: edge types, crease angle, visibility, and the line styles'
-    thickness, color and opacity"""
+    thickness, color and opacity with their modifiers along the stroke, by angle, by distance and by noise"""
 
     bl_idname = "fovea.match_freestyle"
     bl_label = "Match Freestyle"

@@ -10,7 +10,7 @@ from .. import style
 from ..scene import camera
 from ..scene.line_kinds import definitions
 from ..scene.operator import Operator
-from . import style_data
+from . import line_style_modifiers, style_data
 
 # Line Art's edge type -> line definitions; loose edges are drawn as borders.
 KINDS = {
@@ -32,6 +32,14 @@ UNMATCHED = {
     "fill_strokes": "fills",
     "source_vertex_group": "vertex groups",
 }
+# Modifier of Grease Pencil -> the member of a pen that it changes along strokes, its factor.
+ALONG = {"GREASE_PENCIL_THICKNESS": ("width", "thickness_factor"), "GREASE_PENCIL_OPACITY": ("opacity", "color_factor")}
+# Settings by which such a modifier is for some strokes alone, or leaves out the curve.
+PARTIAL = (
+    *("layer_filter", "tree_node_filter", "material_filter", "vertex_group_name", "use_layer_pass_filter"),
+    *("use_material_pass_filter", "use_uniform_thickness", "use_uniform_opacity"),
+    *("use_weight_factor", "use_weight_as_factor"),
+)
 DEFAULT_WIDTH = 1.5  # reference pixels, where no distance from the camera is known
 WIDTHS = 0.25, 50.0  # limits of a width, in reference pixels
 
@@ -57,7 +65,8 @@ def style_of(scene, depsgraph):
         if source is None:
             told.append(f"'{name}': it has no source")
         elif kinds := _kinds(modifier):
-            sets.append(_line_set(name, modifier, kinds, source, _width(modifier, scene, depsgraph)))
+            pen = _along(_pen(modifier, _width(modifier, scene, depsgraph)), obj)
+            sets.append(_line_set(name, modifier, kinds, source, pen))
     return style.Style(line_sets=tuple(sets)), told
 
 
@@ -82,11 +91,36 @@ def _kinds(modifier):
     return {name: values.get(name, {}) for name in names}
 
 
-def _line_set(name, modifier, kinds, source, width):
+def _pen(modifier, width):
+    color = _color(modifier.target_material)
+    return style.Pen(color=color[:3], opacity=min(color[3] * modifier.opacity, 1.0), width=width)
+
+
+def _along(pen, obj):
+    """The pen with what an object's modifiers say of width and opacity along strokes."""
+    for modifier in _of_all_strokes(obj):
+        member, factor = ALONG[modifier.type]
+        share, curve = getattr(pen, member) * getattr(modifier, factor), ((0.0, 1.0),)
+        if modifier.use_custom_curve:
+            curve = line_style_modifiers.curve_points(modifier.custom_curve)
+        pen = line_style_modifiers.along(pen, member, [(x, share * y) for x, y in curve])
+    return pen
+
+
+def _of_all_strokes(obj):
+    """The modifiers that say of all of an object's strokes how wide, and how opaque, they are along their length: the
+    first of each."""
+    found = {}
+    for modifier in obj.modifiers:
+        plain = not any(getattr(modifier, name, False) for name in PARTIAL)
+        if modifier.show_render and modifier.type in ALONG and plain:
+            found.setdefault(modifier.type, modifier)
+    return list(found.values())
+
+
+def _line_set(name, modifier, kinds, source, pen):
     first = modifier.level_start
     last = max(first, modifier.level_end) if modifier.use_multiple_levels else first
-    color = _color(modifier.target_material)
-    pen = style.Pen(color=color[:3], opacity=min(color[3] * modifier.opacity, 1.0), width=width)
     hidden = (style.Hidden(pen=pen, first=max(first, 1), last=last),) if last > 0 else ()
     return style.LineSet(
         name=name, kinds=kinds, pen=pen if first == 0 else style.Pen(opacity=0.0), hidden=hidden, **source
@@ -125,7 +159,9 @@ def _unmatched(obj, modifier):
     yield from (what for name, what in UNMATCHED.items() if _is_set(getattr(modifier, name, False)))
     if modifier.use_invert_silhouette and modifier.silhouette_filtering != "NONE":
         yield "lines inside the silhouette alone"
-    others = [other.name for other in obj.modifiers if other.show_render and other.type != "LINEART"]
+    known = [other.name for other in _of_all_strokes(obj)]
+    shown = [other.name for other in obj.modifiers if other.show_render and other.type != "LINEART"]
+    others = [name for name in shown if name not in known]
     if others:
         yield f"the modifiers {', '.join(others)}"
 

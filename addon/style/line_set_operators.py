@@ -2,11 +2,11 @@
 """Operators on the line sets of the scene's style, and on the hidden pens of the selected line set."""
 
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import EnumProperty, StringProperty
 
 from .. import style
 from ..scene import animation
-from . import FILTERS, style_data, style_read, style_write
+from . import FILTERS, style_curves, style_data, style_read, style_write
 from .style_operators import OnStyle
 
 MOST = 64  # most line sets of a style
@@ -25,12 +25,17 @@ def edited_hidden(line_set):
 
 
 class _Edit(OnStyle):
-    """Base of operators that edit the style's properties in `edit(held)`."""
+    """Base of operators that edit the style's properties in `edit(held)`. Blender keeps what some of them do to a
+    library override when the file is opened again."""
+
+    kept_by_overrides = False
 
     @classmethod
     def hindrance_of(cls, tree):
         if tree.library:
             return "The style is linked from another file: duplicate it to edit it"
+        if tree.override_library and not cls.kept_by_overrides:
+            return "The style is a library override, which would lose this: duplicate it, or edit it in its own file"
         return cls.lacks(tree.fovea)
 
     @classmethod
@@ -47,6 +52,7 @@ class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
     """Add a line set above the edited one, with its line types and pens, for all objects and without hidden pens"""
 
     bl_idname, bl_label = "fovea.line_set_add", "Add Line Set"
+    kept_by_overrides = True
 
     @classmethod
     def lacks(cls, held):
@@ -86,6 +92,7 @@ class FOVEA_OT_line_set_remove(_Edit, bpy.types.Operator):
     def edit(self, held):
         count, gone = len(held.line_sets), held.line_set_index
         held.line_sets.remove(gone)
+        style_curves.drop_unused(held.id_data)
         animation.follow(held.id_data, [None if i == gone else i - (i > gone) for i in range(count)])
         held.line_set_index = min(held.line_set_index, len(held.line_sets) - 1)
 
@@ -108,6 +115,7 @@ class FOVEA_OT_hidden_pen_add(_Edit, bpy.types.Operator):
     """Draw lines of the set that surfaces hide, with a pen of their own and below the visible ones"""
 
     bl_idname, bl_label = "fovea.hidden_pen_add", "Add Hidden Pen"
+    kept_by_overrides = True
 
     def edit(self, held):
         line_set = edited(held)
@@ -132,7 +140,20 @@ class FOVEA_OT_hidden_pen_remove(_Edit, bpy.types.Operator):
     def edit(self, held):
         line_set = edited(held)
         line_set.hidden.remove(line_set.hidden_index)
+        style_curves.drop_unused(held.id_data)
         line_set.hidden_index = max(min(line_set.hidden_index, len(line_set.hidden) - 1), 0)
+
+
+class FOVEA_OT_pen_curve_add(_Edit, bpy.types.Operator):
+    """Say by a curve how strokes of the pen change along their length"""
+
+    bl_idname, bl_label = "fovea.pen_curve_add", "Add Curve"
+
+    pen: StringProperty(name="Pen", description="Path of the pen's properties in the style")
+    effect: StringProperty(name="Effect", description="Which of the pen's effects the curve is of")
+
+    def edit(self, held):
+        style_curves.add_to_pen(held.id_data.path_resolve(self.pen), self.effect)
 
 
 def move(held, source, to):

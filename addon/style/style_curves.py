@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Response curves of transfer functions: Float Curve nodes in a style's node tree, named by part and effect.
+"""Response curves of transfer functions: Float Curve nodes in a style's node tree, named by part and effect. The part
+of a pen is a name of its own, given with its first curve; pens without curves have no nodes.
 
 Fovea interpolates the points by a monotone cubic, as Blender does for handles of type Auto Clamped. Style files cannot
 store other handle types (Vector, or Auto, which overshoots): there the curve's points are kept, and points are inserted
 until the monotone cubic matches Blender's curve. Two points are a straight line in both.
 """
 
+import itertools
 import math
+import re
 
 from .. import style
 from ..curve_fit import fewest
@@ -32,9 +35,11 @@ def _node(tree, part, effect):
 def read(tree, part, effect):
     """The curve of a Transfer: (x, y) points in [0, 1]; () for a straight line or a missing node."""
     node = _node(tree, part, effect)
-    if node is None:
-        return ()
-    mapping = node.mapping
+    return points_of(node.mapping) if node else ()
+
+
+def points_of(mapping):
+    """The (x, y) points in [0, 1] of a curve mapping's first curve; () for a straight line."""
     curve = mapping.curves[0]
     if len(curve.points) > 2 and any(point.handle_type != "AUTO_CLAMPED" for point in curve.points):
         points = _fitted(mapping, curve)
@@ -71,6 +76,39 @@ def write(tree, part, effect, points):
     for point in curve.points:
         point.handle_type = "AUTO_CLAMPED"
     mapping.update()
+
+
+def pens(held):
+    """Yields the properties of all pens of a style."""
+    for line_set in held.line_sets:
+        for drawn in (line_set, *line_set.hidden):
+            yield from (drawn.pen, drawn.pen_away)
+
+
+def write_of_pen(pen, effect, points):
+    """Writes the curve of one of a pen's effects; a straight line needs a node only where there is one. Library
+    overrides, which cannot keep nodes of their own, have straight lines."""
+    tree = pen.id_data
+    if (points and not tree.override_library) or _node(tree, pen.curves, effect):
+        add_to_pen(pen, effect, points)
+
+
+def add_to_pen(pen, effect, points=()):
+    """Writes the curve of one of a pen's effects to a node of its own."""
+    tree = pen.id_data
+    if not pen.curves:
+        taken = {other.curves for other in pens(tree.fovea)}
+        pen.curves = next(name for name in map("pen{}".format, itertools.count(1)) if name not in taken)
+    write(tree, pen.curves, effect, points)
+
+
+def drop_unused(tree):
+    """Removes the curves of pens that are gone."""
+    used = {pen.curves for pen in pens(tree.fovea)}
+    for node in list(tree.nodes):
+        part = node.name.partition(".")[0]
+        if re.fullmatch(r"pen\d+", part) and part not in used:
+            tree.nodes.remove(node)
 
 
 def _fitted(mapping, curve):

@@ -9,11 +9,24 @@ defocus pen, a background) has an extra switch. Without the native module there 
 import math
 
 import bpy
-from bpy.props import CollectionProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import IntProperty, StringProperty
 
 from .. import native, style
 from ..scene import line_kinds
-from ..scene.property_kinds import choice, file_names, new_group, number, pointer, switch, text, vector, whole_number
+from ..scene.property_kinds import (
+    OVERRIDABLE,
+    choice,
+    file_names,
+    members,
+    new_group,
+    number,
+    pointer,
+    switch,
+    text,
+    vector,
+    whole_number,
+)
+from ..scene.property_kinds import part as part_of
 
 PLAIN = ("switch", "number", "whole number", "choice", "text", "color")  # types of members that map to one property
 ELSEWHERE = ("name", "first")  # members whose properties are declared separately
@@ -50,15 +63,15 @@ def transfers(cls):
 
 
 def grouped(cls):
-    """Names of a record's plain members, as one list per declared group, in order. In a group, choices come right after
-    its first member, as they are its unit or what it is anchored to."""
+    """{declared group: names of a record's plain members in it}, in order. In a group, choices come right after its
+    first member, as they are its unit or what it is anchored to."""
     groups = {}
     for field in plain_fields(cls):
         groups.setdefault(field["group"], []).append(field)
-    return [
-        [f["name"] for f in (fields[0], *sorted(fields[1:], key=lambda f: f["type"] != "choice"))]
-        for fields in groups.values()
-    ]
+    return {
+        group: [f["name"] for f in (fields[0], *sorted(fields[1:], key=lambda f: f["type"] != "choice"))]
+        for group, fields in groups.items()
+    }
 
 
 def _property(field):
@@ -96,7 +109,7 @@ def _optional(cls, name, default):
 
 
 def _pens():
-    pen = PointerProperty(type=_groups[style.Pen])
+    pen = part_of(_groups[style.Pen])
     return {"pen": pen, "away": switch(*AWAY), "pen_away": pen}
 
 
@@ -121,9 +134,9 @@ def _hidden():
 def _line_set(kinds):
     return {
         **_pens(),
-        "kinds": PointerProperty(type=kinds),
+        "kinds": part_of(kinds),
         "overshoot_away": _optional(style.LineSet, "overshoot_away", 0.0),
-        "hidden": CollectionProperty(type=_groups[style.Hidden]),
+        "hidden": members(_groups[style.Hidden]),
         "hidden_index": IntProperty(name="Hidden Pen", description="The hidden pen that is edited", min=0),
         "kept": StringProperty(options={"HIDDEN"}),
     }
@@ -132,8 +145,8 @@ def _line_set(kinds):
 def _style():
     parts = (style.Paper, style.Color, style.Elision, style.Effects, style.Distance)
     return {
-        **{part(cls): PointerProperty(type=_groups[cls]) for cls in parts},
-        "line_sets": CollectionProperty(type=_groups[style.LineSet]),
+        **{part(cls): part_of(_groups[cls]) for cls in parts},
+        "line_sets": members(_groups[style.LineSet]),
         "line_set_index": IntProperty(name="Line Set", description="The line set that is edited", min=0),
         "effect_index": IntProperty(name="Effect", description="The node of the effect that is edited", min=0),
     }
@@ -146,13 +159,14 @@ def _add(made):
 
 
 def _add_part(cls, name, more=None):
-    transfer = {name: PointerProperty(type=_groups[style.Transfer]) for name in transfers(cls)}
+    transfer = {name: part_of(_groups[style.Transfer]) for name in transfers(cls)}
     _groups[cls] = _add(new_group(name, cls.__doc__, _plain(cls) | transfer | (more or {})))
 
 
 def _add_parts():
     _add_part(style.Transfer, "FoveaTransfer")
-    _add_part(style.Pen, "FoveaPen")
+    curves = StringProperty(options={"HIDDEN"}, **OVERRIDABLE)  # part of the names of its curves' nodes
+    _add_part(style.Pen, "FoveaPen", {"curves": curves})
     _add_part(style.Hidden, "FoveaHiddenPen", _hidden())
     _add_part(style.LineSet, "FoveaLineSet", _line_set(_add(line_kinds.group())))
     _add_part(style.Paper, "FoveaPaper")
@@ -174,7 +188,7 @@ def register():
     if not native.problem():
         _add_parts()
         held |= _style()
-    bpy.types.NodeTree.fovea = PointerProperty(type=_add(new_group("FoveaStyle", "A style.", held)))
+    bpy.types.NodeTree.fovea = part_of(_add(new_group("FoveaStyle", "A style.", held)))
 
 
 def unregister():

@@ -21,8 +21,8 @@ def read(tree, focus=None):
         paper=style.Paper(**_plain(held.paper, style.Paper)),
         line_sets=tuple(line_set(group) for group in held.line_sets) or (style.LineSet(),),
         focus=focus or style.Focus(),
-        effects=style.Effects(**_plain(held.effects, style.Effects), **_transfers(tree, held.effects, style.Effects)),
-        distance=_distance(tree, held.distance),
+        effects=style.Effects(**_plain(held.effects, style.Effects), **_transfers(held.effects, style.Effects)),
+        distance=_distance(held.distance),
         color=_color(held.color),
         elision=_elision(held.elision),
         kept=_kept(held),
@@ -45,16 +45,17 @@ def _value(group, field):
     return value
 
 
-def _transfers(tree, group, cls):
+def _transfers(group, cls, curves=None):
+    """{member: Transfer} of a record. `curves`: part of the names of their curves' nodes, by default the record's."""
     found = {}
     for name in transfers(cls):
-        curve = style_curves.read(tree, part(cls), name)
+        curve = style_curves.read(group.id_data, part(cls) if curves is None else curves, name)
         found[name] = style.Transfer(**_plain(getattr(group, name), style.Transfer), curve=curve)
     return found
 
 
-def _distance(tree, group):
-    found = style.Distance(**_plain(group, style.Distance), **_transfers(tree, group, style.Distance))
+def _distance(group):
+    found = style.Distance(**_plain(group, style.Distance), **_transfers(group, style.Distance))
     return found if found.far > found.near else found.replace(far=found.near + max(LEAST_DEPTH, 1e-6 * found.near))
 
 
@@ -71,7 +72,7 @@ def _elision(group):
 
 def pen(group):
     """The Pen in a pen's properties."""
-    return style.Pen(**_plain(group, style.Pen))
+    return style.Pen(**_plain(group, style.Pen), **_transfers(group, style.Pen, group.curves))
 
 
 def _pens(group):

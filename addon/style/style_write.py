@@ -23,6 +23,7 @@ def write(tree, wanted):
     _write_transfers(tree, held.effects, wanted.effects)
     _write_transfers(tree, held.distance, wanted.distance)
     held.line_sets.clear()
+    style_curves.drop_unused(tree)
     for line_set in wanted.line_sets:
         write_line_set(held.line_sets.add(), line_set)
     held.line_set_index = len(held.line_sets) - 1
@@ -49,9 +50,17 @@ def write_hidden(group, wanted):
 
 
 def _write_pens(group, wanted):
-    _write_plain(group.pen, wanted.pen)
-    _write_plain(group.pen_away, wanted.pen_away or wanted.pen)
+    _write_pen(group.pen, wanted.pen)
+    _write_pen(group.pen_away, wanted.pen_away or wanted.pen)
     group.away = wanted.pen_away is not None
+
+
+def _write_pen(group, wanted):
+    _write_plain(group, wanted)
+    for name in transfers(style.Pen):
+        transfer = getattr(wanted, name)
+        _write_plain(getattr(group, name), transfer)
+        style_curves.write_of_pen(group, name, transfer.curve)
 
 
 def _write_plain(group, wanted):

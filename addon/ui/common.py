@@ -1,16 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Base classes of panels, and helpers to draw properties."""
 
+import re
+
 from .. import style
-from ..style import style_data, style_groups
+from ..style import style_curves, style_data, style_groups
 
 ENGINE = "FOVEA"
 HEEDED = {  # member of a pen -> whether it has an effect for a given pen
     "texture_anchor": lambda pen: pen.texture != "solid",
     "length_scale": lambda pen: pen.texture != "solid",
     "wobble_length": lambda pen: pen.wobble > 0,
-    "seed": lambda pen: pen.wobble > 0,
+    "seed": lambda pen: pen.wobble > 0 or _acts(pen, "noise"),
+    "second_color": lambda pen: pen.along_color.strength + pen.nib_color + pen.distance_color + pen.noise_color > 0,
+    "nib_angle": lambda pen: _acts(pen, "nib"),
+    "distance_near": lambda pen: _acts(pen, "distance"),
+    "distance_far": lambda pen: _acts(pen, "distance"),
+    "noise_length": lambda pen: _acts(pen, "noise"),
 }
+# Group of a pen's members that is folded -> title.
+FOLDED = {"along": "Along the Stroke", "nib": "Nib", "distance": "Distance", "noise": "Noise"}
+
+
+def _acts(pen, group):
+    """Whether a modifier of a pen changes anything."""
+    return any(getattr(pen, f"{group}_{what}") > 0 for what in ("width", "opacity", "color"))
 
 
 class FoveaPanel:
@@ -50,11 +64,40 @@ def draw_properties(layout, group, names, heeded=True):
 
 def draw_pen(layout, pen, most=None):
     """Draws a pen's groups of properties; `most`: only so many of the first groups, None: all."""
-    for group in style_groups.grouped(style.Pen)[:most]:
-        column = layout.column()
-        for name in group:
+    where = re.sub(r"\W|\d", "_", pen.path_from_id())
+    for group, names in list(style_groups.grouped(style.Pen).items())[:most]:
+        body = fold(layout, f"{where}_{group}", FOLDED[group]) if group in FOLDED else layout
+        if body is None:
+            continue
+        column = body.column()
+        for name in names:
             draw_properties(column, pen, (name,), name not in HEEDED or HEEDED[name](pen))
-        layout.separator()
+        for declared in style_groups.transfers(style.Pen).values():
+            if declared["group"] == group:
+                _draw_curve_of_pen(body, pen, where, declared)
+        body.separator()
+
+
+def _draw_curve_of_pen(layout, pen, where, declared):
+    name = declared["name"]
+    body = draw_transfer(layout, pen, where, declared, curves=pen.curves)
+    if body and not pen.id_data.nodes.get(style_curves.node_name(pen.curves, name)):
+        added = body.operator("fovea.pen_curve_add", icon="FCURVE")
+        added.pen, added.effect = pen.path_from_id(), name
+
+
+def draw_transfer(layout, group, part, declared, heeded=True, curves=None):
+    """Draws a transfer function of a group of properties, with its curve if it has one; returns the section's body, or
+    None if it is closed. `curves`: part of the names of the curves' nodes, by default `part`."""
+    name = declared["name"]
+    transfer, tree = getattr(group, name), group.id_data
+    body = fold(layout, f"{part}_{name}", declared["label"], heeded=heeded and transfer.strength > 0)
+    if body:
+        body.active = heeded
+        draw_properties(body, transfer, ("start", "end", "strength"))
+        if node := tree.nodes.get(style_curves.node_name(part if curves is None else curves, name)):
+            body.template_curve_mapping(node, "mapping")
+    return body
 
 
 def fold(layout, name, title, closed=True, heeded=True):

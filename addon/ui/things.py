@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panels of objects, materials and view layers."""
+"""Panels of objects, collections, materials and view layers."""
 
 import bpy
 
@@ -26,6 +26,7 @@ class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
         obj, settings = context.object, context.object.fovea
         layout.prop(settings, "usage", text="Usage")
         layout.prop(obj, "is_holdout")
+        layout.prop(settings, "outline_group")
         if obj.type == "CURVES" or any(faceless.is_hair(system) for system in obj.particle_systems):
             layout.prop(settings, "hair")
         has_lines = settings.usage in {"BOTH", "DRAW"}
@@ -98,6 +99,14 @@ def _draw_shape(layout, settings):
             body.prop(settings, f"repair_{name}")
         if settings.repair_resample:
             body.prop(settings, "repair_edge_length")
+
+
+class COLLECTION_PT_fovea(FoveaPanel, bpy.types.Panel):
+    bl_label = "Line Drawing"
+    bl_context = "collection"
+
+    def show(self, layout, context):
+        layout.prop(context.collection.fovea, "one_outline")
 
 
 class MATERIAL_PT_fovea(FoveaPanel, bpy.types.Panel):

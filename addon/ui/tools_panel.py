@@ -3,7 +3,10 @@
 
 import bpy
 
-LINES = ("fovea.render_lines", "fovea.bake_strokes", "fovea.match_freestyle", "fovea.match_line_art", "fovea.report")
+LINES = (
+    *("fovea.render_cameras", "fovea.render_lines", "fovea.bake_strokes"),
+    *("fovea.match_freestyle", "fovea.match_line_art", "fovea.report"),
+)
 
 
 class VIEW3D_PT_fovea_tools(bpy.types.Panel):

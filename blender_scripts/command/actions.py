@@ -49,7 +49,8 @@ def draw(target, words):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "draw.py"
     in_blender(target, f"drawing {options.scene}", script, words)
-    for path in (*draw_options.pictures(options), *draw_options.dumps(options)):
+    camera = "CAMERA" if options.cameras else None  # their names are known in Blender alone
+    for path in (*draw_options.pictures(options, camera), *draw_options.dumps(options, camera)):
         print(path)
     return 0
 

@@ -36,14 +36,18 @@ def is_file(spec):
     return model_files.is_blend(spec) or model_files.is_model(spec)
 
 
-def pictures(options):
-    """Paths of the pictures that a run writes, one per frame."""
-    return _numbered(options.output, options.frames)
+def pictures(options, camera=None):
+    """Paths of the pictures that a run writes, one per frame. `camera`: what files have of one of --cameras."""
+    return _numbered(_seen_from(options.output, camera), options.frames)
 
 
-def dumps(options):
+def dumps(options, camera=None):
     """Paths of the dumps that a run writes, one per frame; [] without --dump."""
-    return _numbered(options.dump, options.frames) if options.dump else []
+    return _numbered(_seen_from(options.dump, camera), options.frames) if options.dump else []
+
+
+def _seen_from(path, camera):
+    return path.with_stem(f"{path.stem}_{camera}") if camera else path
 
 
 def _numbered(path, frames):
@@ -66,6 +70,7 @@ def _parser():
     add("--lens", type=quantities.within(*LENSES, "millimeters"), metavar="MM", help="focal length; 50 for a model")
     share = quantities.within(0, 100, "percent")
     add("--margin", type=share, metavar="PERCENT", default=5.0, help="free on each side of a framed model")
+    add("--cameras", metavar="all|A,B", help="a picture from each camera, or from those named: OUT_A.png ...")
     degrees = quantities.within(-360, 360, "degrees")
     add("--azimuth", type=degrees, metavar="DEG", help="frame the model from so far left of its front (35)")
     add("--elevation", type=degrees, metavar="DEG", help="and from so far above it (25)")
@@ -126,6 +131,8 @@ def _check(options):
         raise ValueError(f"a picture is {' or '.join(PICTURES)}, not {options.output.name}")
     if options.sheet:
         _check_sheet(options)
+    if options.cameras and (options.azimuth is not None or options.elevation is not None):
+        raise ValueError("--cameras draws from cameras of the file: leave out --azimuth and --elevation")
     if not options.margin < 50:
         raise ValueError(f"a margin of {options.margin} percent leaves no picture")
     if options.dump and options.dump.suffix != ".npz":
@@ -139,7 +146,7 @@ def _check_sheet(options):
     options.size = options.size or TILE
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
-    others = ("frames", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "dump")
+    others = ("frames", "cameras", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "dump")
     others += ("focus", "focus_painted", "elision")
     for other in others:
         if getattr(options, other):

@@ -98,6 +98,18 @@ FOCUS = {  # focus model -> its picture
     "scene": Stage((*_WATERCOLOR, "--focus", "0,-2.3,1.2", "--focus-radii", "1,4")),
     "object": Stage((*_WATERCOLOR, "--focus", "Bicycle", "--focus-radii", "0.2,3")),
 }
+_LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
+STROKES_SIZE = "280x210"
+STROKES_WORDS = (*MONKEY[1], "--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
+STROKES_PEN = {"pen.width": 26.0}
+STROKES = {  # modifier along the stroke -> the pen of its picture, of a monkey
+    "along": _LIGHT | {"pen.along_width.strength": 0.9, "pen.along_color.strength": 1.0},
+    "nib": {"pen.nib_angle": 0.6, "pen.nib_width": 0.92},
+    "distance": _LIGHT
+    | {"pen.distance_near": 3.2, "pen.distance_far": 4.6}
+    | {"pen.distance_width": 0.8, "pen.distance_color": 1.0},
+    "noise": {"pen.noise_length": 16.0, "pen.noise_width": 0.75},
+}
 TRANSFERS = {  # plot -> members of a style's Transfer
     "straight": {},
     "start_end": {"start": 0.25, "end": 0.75},
@@ -109,7 +121,7 @@ PLOT = 240  # pixels
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.
-GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "transfers": TRANSFERS}
+GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "strokes": STROKES, "transfers": TRANSFERS}
 
 
 def names():
@@ -119,4 +131,4 @@ def names():
 
 def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
-    return f"{name}.png" if name.startswith(("lines/", "transfers/")) else f"{name}.jpg"
+    return f"{name}.png" if name.startswith(("lines/", "strokes/", "transfers/")) else f"{name}.jpg"

@@ -25,19 +25,22 @@ dmat4 matrix(const Matrix& array, const char* name) {
 
 std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& surfaces,
                                   const Arg<int>& surface_of_placement, const Matrix& object_to_world,
-                                  const Arg<std::uint64_t>& ids, const Arg<std::uint8_t>& usage) {
+                                  const Arg<std::uint64_t>& ids, const Arg<std::uint8_t>& usage,
+                                  const std::optional<Arg<std::uint64_t>>& groups) {
     const auto count = static_cast<std::size_t>(surface_of_placement.size());
     check(object_to_world.ndim() == 3 && std::size_t(object_to_world.shape(0)) == count &&
               object_to_world.shape(1) == 4 && object_to_world.shape(2) == 4,
           "object_to_world: expected shape (n, 4, 4)");
     check(std::size_t(ids.size()) == count && std::size_t(usage.size()) == count, "ids and usage: expected shape (n,)");
+    check(!groups || std::size_t(groups->size()) == count, "groups: expected shape (n,)");
     for (const auto& surface : surfaces) check(surface != nullptr, "surfaces: None is no surface");
     std::vector<Placement> placements(count);
     for (std::size_t i = 0; i < count; ++i) {
         const int surface = surface_of_placement.data()[i];
         check(surface >= 0 && std::size_t(surface) < surfaces.size(),
               "surface_of_placement names a surface that does not exist");
-        placements[i] = {surfaces[surface], matrix(object_to_world.data() + 16 * i), ids.data()[i], usage.data()[i]};
+        placements[i] = {surfaces[surface], matrix(object_to_world.data() + 16 * i), ids.data()[i], usage.data()[i],
+                         groups ? groups->data()[i] : 0};
     }
     return std::make_shared<Scene>(std::move(placements));
 }
@@ -101,9 +104,9 @@ void bind_scene(py::module_& m) {
     py::class_<Scene, std::shared_ptr<Scene>>(m, "Scene", "Placements of surfaces: what one frame sees.")
         .def(
             py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),
-            py::arg("ids"), py::arg("usage"),
+            py::arg("ids"), py::arg("usage"), py::arg("groups") = py::none(),
             R"(surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent ids;
-usage (n,) uint8, bits of Usage.)")
+usage (n,) uint8, bits of Usage; groups (n,) uint64: placements of the same one have one outline together, 0: of none.)")
         .def("__len__", [](const Scene& scene) { return scene.placements.size(); })
         .def(
             "surface",

@@ -98,6 +98,7 @@ void bind_style(py::module_& parent) {
         "(in files; None: not there), label, description, type, group, default, min, max, soft_max, unit, names, "
         "most_letters and "
         "choices.");
+    bind_part<style::Transfer>(m, "Transfer", "Mix of an effect over focus, distance or the length of a stroke.");
     bind_part<style::Pen>(m, "Pen", "How strokes look.");
     bind_part<style::Hidden>(m, "Hidden",
                              "How the parts of lines are drawn that a range of numbers of surfaces hides.");
@@ -106,7 +107,6 @@ void bind_style(py::module_& parent) {
     bind_part<style::Color>(m, "Color", "The scene's surfaces in color, under the lines.");
     bind_part<style::Elision>(m, "Elision", "Which of the lines that crowd each other stay.")
         .def("ranks", &style::Elision::ranks, "Whether something counts for the priority of lines.");
-    bind_part<style::Transfer>(m, "Transfer", "Mix of an effect over focus or distance.");
     bind_part<style::Effects>(m, "Effects", "What answers to focus.");
     bind_part<style::Distance>(m, "Distance", "What answers to the distance from the camera.");
     bind_part<style::FocusPlace>(m, "FocusPlace", "A place to look at.");

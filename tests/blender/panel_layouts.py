@@ -82,7 +82,9 @@ def full_scene():
     add_hidden(lines_of(made)).away = True
     mesh = bpy.data.meshes.new("Mesh")
     obj = bpy.data.objects.new("Object", mesh)
-    made.collection.objects.link(obj)
+    collection = bpy.data.collections.new("Collection")
+    made.collection.children.link(collection)
+    collection.objects.link(obj)
     mesh.materials.append(bpy.data.materials.new("Material"))
     bpy.context.view_layer.objects.active = obj
     return made
@@ -96,6 +98,7 @@ def context():
         engine=scene.render.engine,
         object=obj,
         material=obj.active_material,
+        collection=obj.users_collection[0],
         view_layer=bpy.context.view_layer,
         window_manager=bpy.context.window_manager,
     )
@@ -134,4 +137,11 @@ def leaves(group, path=""):
 def owners(scene):
     """All that has settings of Fovea."""
     obj = bpy.context.object
-    return [own_style(scene), scene.fovea, scene.fovea_viewport, obj.fovea, obj.active_material.fovea]
+    return [
+        own_style(scene),
+        scene.fovea,
+        scene.fovea_viewport,
+        obj.fovea,
+        obj.active_material.fovea,
+        obj.users_collection[0].fovea,
+    ]

@@ -4,11 +4,12 @@
 import math
 
 import bpy
+import numpy as np
 import pytest
 from pictures import box_scene, drawn, ink
 from the_addon import part
 
-freestyle, properties = part("style.freestyle"), part("render.properties")
+freestyle, properties, style = part("style.freestyle"), part("render.properties"), part("style")
 
 
 @pytest.fixture
@@ -72,9 +73,96 @@ def test_visibility(scene, visibility, visible, hidden):
 def test_what_is_not_taken_over_is_told(scene):
     line_set = add_set(scene)
     line_set.edge_type_negation = "EXCLUSIVE"
-    line_set.linestyle.thickness_modifiers.new("Along", "ALONG_STROKE")
+    line_set.linestyle.thickness_modifiers.new("Tangent", "TANGENT")
+    line_set.linestyle.thickness_modifiers.new("Off", "CREASE_ANGLE").use = False
+    line_set.linestyle.alpha_modifiers.new("Along", "ALONG_STROKE").blend = "DIVIDE"
+    line_set.linestyle.geometry_modifiers.new("Bezier", "BEZIER_CURVE")
     told = matched(scene)[1]
-    assert "'Set': thickness modifiers" in told and "'Set': lines that are not of its edge types" in told
+    assert "'Set': the thickness modifier 'Tangent'" in told and "'Set': the alpha modifier 'Along'" in told
+    assert "'Set': geometry modifiers" in told and not any("Off" in what for what in told)
+    assert "'Set': lines that are not of its edge types" in told
+
+
+def with_modifier(scene, words, kind, **settings):
+    """The modifier of a line style that is 4 pixels thick."""
+    scene.render.line_thickness_mode = "ABSOLUTE"
+    line_style = (scene.view_layers[0].freestyle_settings.linesets or [add_set(scene, thickness=4.0)])[0].linestyle
+    modifier = getattr(line_style, f"{words}_modifiers").new(kind.title(), kind)
+    for name, value in settings.items():
+        setattr(modifier, name, value)
+    return modifier
+
+
+def pen_of(scene):
+    chosen, told = matched(scene)
+    assert told == []
+    return chosen.line_sets[0].pen
+
+
+def test_thickness_along_the_stroke_is_taken_over(scene):
+    along = with_modifier(scene, "thickness", "ALONG_STROKE", mapping="CURVE", value_min=1.0, value_max=5.0)
+    along.curve.curves[0].points.new(0.5, 1.0)
+    along.curve.curves[0].points[2].location[1] = 0.5
+    for point in along.curve.curves[0].points:
+        point.handle_type = "AUTO_CLAMPED"
+    pen = pen_of(scene)
+    assert pen.width == 5.0 and pen.along_width.strength == 1.0  # widest in the middle, 1 at the start, 3 at the end
+    assert np.allclose(pen.along_width.curve, ((0.0, 0.8), (0.5, 0.0), (1.0, 0.4)))
+    along.influence, along.mapping, along.invert = 0.5, "LINEAR", True
+    pen = pen_of(scene)
+    assert pen.width == 4.5 and np.allclose(pen.along_width.curve, ((0.0, 0.0), (1.0, 2 / 4.5)))
+
+
+def test_calligraphy_is_a_nib(scene):
+    nib = with_modifier(
+        scene, "thickness", "CALLIGRAPHY", orientation=math.radians(60), thickness_min=1.0, thickness_max=8.0
+    )
+    pen = pen_of(scene)
+    assert (pen.width, pen.nib_width) == (8.0, 0.875) and pen.nib_angle == pytest.approx(60)
+    nib.thickness_min, nib.thickness_max = 8.0, 2.0  # thin across
+    pen = pen_of(scene)
+    assert (pen.width, pen.nib_width) == (8.0, 0.75) and pen.nib_angle == pytest.approx(150)
+
+
+def test_distance_from_the_camera_is_taken_over(scene):
+    far = {"range_min": 2.0, "range_max": 9.0}
+    with_modifier(scene, "thickness", "DISTANCE_FROM_CAMERA", **far, invert=True, value_min=1.0, value_max=4.0)
+    with_modifier(scene, "alpha", "DISTANCE_FROM_CAMERA", **far, invert=True)
+    pen = pen_of(scene)
+    assert (pen.distance_near, pen.distance_far, pen.distance_width, pen.distance_opacity) == (2.0, 9.0, 0.75, 1.0)
+
+
+def test_lines_that_widen_with_distance_do_so_here(scene):
+    thick = with_modifier(scene, "thickness", "DISTANCE_FROM_CAMERA", range_min=2.0, range_max=9.0, value_max=4.0)
+    pen = pen_of(scene)
+    assert (pen.distance_near, pen.distance_far, pen.width, pen.distance_width) == (9.0, 2.0, 4.0, 1.0)
+    with_modifier(scene, "alpha", "DISTANCE_FROM_CAMERA", range_min=3.0, range_max=9.0)
+    assert matched(scene)[1] == ["'Set': the alpha modifier 'Distance_From_Camera'"], "there is one range"
+    thick.use = False
+    assert matched(scene)[1] == []
+
+
+def test_noise_is_taken_over(scene):
+    with_modifier(scene, "thickness", "NOISE", amplitude=1.0, period=20.0, seed=7)
+    scene.render.resolution_y = 540
+    pen = pen_of(scene)
+    assert (pen.width, pen.noise_width, pen.seed) == (5.0, pytest.approx(0.4), 7.0)
+    assert pen.noise_length == pytest.approx(20 / 540 * style.Paper().height_mm)
+
+
+def test_colors_along_the_stroke_are_taken_over(scene):
+    ramp = with_modifier(scene, "color", "ALONG_STROKE").color_ramp
+    ramp.elements[0].position, ramp.elements[0].color = 0.25, (1, 0, 0, 1)
+    ramp.elements[1].color = (0, 0, 1, 1)
+    pen = pen_of(scene)
+    assert (pen.color, pen.second_color) == ((1, 0, 0), (0, 0, 1))
+    assert (pen.along_color.start, pen.along_color.end, pen.along_color.strength) == (0.25, 1.0, 1.0)
+    with_modifier(scene, "color", "NOISE")
+    ramp.elements.new(0.5)
+    assert matched(scene)[1] == [
+        "'Set': the colors between the first and the last of the color modifier 'Along_Stroke'",
+        "'Set': the color modifier 'Noise'",
+    ]
 
 
 def test_style_modules_and_textures_are_told(scene):

@@ -97,6 +97,26 @@ def test_strokes_on_their_way_out_of_focus():
     assert drawn[..., 0].max() > 0.9 and drawn[..., 2].max() > 0.3
 
 
+ALONG = {
+    "along": {"along_width": style.Transfer(curve=((0, 0.2), (0.5, 0.9), (1, 0))), "along_color": style.Transfer()},
+    "nib": {"nib_width": 0.9, "nib_color": 1.0},
+    "distance": {"distance_near": 4.0, "distance_far": 12.0, "distance_opacity": 0.9, "distance_color": 1.0},
+    "noise": {"noise_length": 8.0, "noise_width": 0.9, "noise_color": 1.0},
+}
+
+
+@pytest.mark.parametrize("cause", ALONG)
+@pytest.mark.parametrize("away", [None, style.Pen(color=(0, 0.5, 0), second_color=(0.5, 0.5, 0), width=5)])
+def test_strokes_that_change_along_their_way(cause, away):
+    pen = style.Pen(color=(1, 0, 0), second_color=(0, 0, 1), width=9, **ALONG[cause])
+    lines = style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0, pen=pen, pen_away=away)
+    look = style.Focus(model="image", points=(style.FocusPlace(at=(100 / 320, 0.5, 0.0), near=0.1, far=0.75),))
+    drawn, off, strokes = on_both(room(), style.Style(line_sets=(lines,), focus=look))
+    assert np.ptp(strokes.mix[:, 2]) > 0.2 and max(np.ptp(strokes.half_width), 3 * np.ptp(strokes.opacity)) > 1
+    assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
+    assert drawn[..., 0].max() > 0.3 and drawn[..., 2].max() > 0.1
+
+
 def test_no_strokes():
     drawn, off, strokes = on_both(scene_of([]), lines_by(style.Pen()))
     assert len(strokes) == 0 and not drawn.any() and not off.any()

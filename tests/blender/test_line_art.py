@@ -131,3 +131,19 @@ def test_the_scene_draws_with_it(scene, tmp_path):
     picture = drawn(scene, tmp_path / "matched.png")
     lined = ink(picture) > 0.5
     assert lined.any() and (picture[lined][:, 0] > 0.9).all() and (picture[lined][:, 1] < 0.4).all()
+
+
+def test_width_and_opacity_along_strokes_are_taken_over(scene):
+    obj = add_modifier(scene).id_data
+    width = matched(scene)[0].line_sets[0].pen.width
+    thick = obj.modifiers.new("Thick", "GREASE_PENCIL_THICKNESS")
+    thick.use_custom_curve, thick.thickness_factor = True, 2.0
+    fade = obj.modifiers.new("Fade", "GREASE_PENCIL_OPACITY")
+    fade.color_factor = 0.5
+    chosen, told = matched(scene)
+    pen = chosen.line_sets[0].pen
+    assert told == [] and pen.width == pytest.approx(2 * width) and pen.opacity == pytest.approx(0.5)
+    assert pen.along_width.curve == ((0.0, 1.0), (1.0, 0.0)) and pen.along_opacity.strength == 0.0
+    obj.modifiers.new("Again", "GREASE_PENCIL_THICKNESS")
+    thick.use_uniform_thickness = True  # a width in space
+    assert matched(scene)[1] == ["'Lines: Line Art': the modifiers Thick"]

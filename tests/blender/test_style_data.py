@@ -37,11 +37,17 @@ def test_a_shipped_style_comes_out_as_it_went_in(scene, name):
     assert through(chosen) == told(chosen)
 
 
+# Modifiers of a pen.
+ALONG = {"second_color": (0.5, 0.1, 0.3), "nib_angle": 30.0, "nib_width": 0.6, "nib_opacity": 0.2, "noise_length": 4.0}
+ALONG |= {"distance_near": 3.0, "distance_far": 2.0, "distance_color": 0.5, "noise_width": 0.7, "noise_opacity": 0.1}
+
+
 def rich():
     """A Style with something in every field that may be missing."""
     crease = {"crease": {"angle": 33.0}}
     curve, pen = ((0.0, 0.125), (0.3, 0.9), (0.55, 0.2), (1.0, 1.0)), style.Pen(width=0.35, width_unit="millimetres")
     bent = style.Transfer(start=0.9, end=0.1, strength=0.7, curve=curve)
+    pen = pen.replace(**ALONG, along_width=bent, along_color=bent.replace(curve=curve[1:]))
     filters = {"collection": "Some of it.001", "outside": True, "object": "Cup", "other_objects": True}
     filters |= {"material": "Glass.001", "other_materials": True}
     numbers = {"corner_angle": 12.5, "least_length": 7.0, "overshoot": 3.0, "halo": 4.0, "overshoot_away": 9.0}
@@ -161,6 +167,27 @@ def test_only_what_nobody_misses_goes_when_another_style_comes(scene):
     edited = scene.fovea.style
     use_style(scene, "technical")
     assert set(bpy.data.node_groups) == {edited, scene.fovea.style}
+
+
+def test_each_pen_has_curves_of_its_own_that_go_with_it(scene):
+    held = use_style(scene, rich())
+    tree = scene.fovea.style
+    # The first set's pen, its two hidden pens out of focus included: each with a bent width and color.
+    parts = {pen.curves for pen in style_curves.pens(held)} - {""}
+    curves = {name for part in parts for name in (f"{part}.along_width", f"{part}.along_color")}
+    assert len(parts) == 3 and {node.name for node in tree.nodes if node.name.startswith("pen")} == curves
+    held.line_set_index = 0
+    assert bpy.ops.fovea.line_set_duplicate() == {"FINISHED"}
+    first, copy = held.line_sets[:2]
+    assert copy.pen.curves not in {"", *parts} and style_read.pen(copy.pen) == style_read.pen(first.pen)
+    tree.nodes[f"{copy.pen.curves}.along_width"].mapping.curves[0].points[0].location[1] = 0.75
+    assert style_read.pen(first.pen) == rich().line_sets[0].pen != style_read.pen(copy.pen)
+    assert bpy.ops.fovea.line_set_remove() == {"FINISHED"}
+    assert {node.name for node in tree.nodes if node.name.startswith("pen")} == curves
+    path = held.line_sets[1].pen.path_from_id()
+    assert bpy.ops.fovea.pen_curve_add(pen=path, effect="along_opacity") == {"FINISHED"}
+    added = held.line_sets[1].pen
+    assert tree.nodes[f"{added.curves}.along_opacity"] and style_read.pen(added).along_opacity.curve == ()
 
 
 def test_edits_are_undone_and_redone(scene):

@@ -186,8 +186,8 @@ TEST(Anchor, PenTableHasTheRowsMeansAfterTheInk) {
     const std::vector<Pen> pens{anchored, plain};
     const PenTable table = pen_table(pens, {&texture, 1});
     EXPECT_EQ(table.pens[1].w, 1.0f);
-    EXPECT_EQ(table.pens[4].w, 0.0f);
-    EXPECT_EQ(table.pens[4].z, 6.0f);
+    EXPECT_EQ(table.pens[5].w, 0.0f);
+    EXPECT_EQ(table.pens[5].z, 6.0f);
     EXPECT_EQ(std::vector<float>(table.ink.begin(), table.ink.begin() + 6),
               (std::vector<float>{0.0f, 1.0f, 0.25f, 0.25f, 0.5f, 0.25f}));
 }

@@ -13,7 +13,7 @@ PROJECT = Path(__file__).parents[2]
 FOLDERS = ("native/fovea", "native/bindings", "native/tool", "addon", "shaders")
 # Words of the style files that scripts, importers and panels may use as everyone does.
 USERS = ("addon/style/__init__.py", "addon/style/freestyle.py", "addon/style/line_art.py")
-USERS += ("addon/scene/api.py", "addon/ui/")
+USERS += ("addon/style/line_style_modifiers.py", "addon/scene/api.py", "addon/ui/")
 COMMENTS = {
     ".py": re.compile(r'""".*?"""|#[^\n]*', re.DOTALL),
     ".glsl": re.compile(r"//[^\n]*"),

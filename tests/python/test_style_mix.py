@@ -124,3 +124,13 @@ def test_line_sets_meet_those_of_the_same_things():
         )
     )
     assert twice.mixed(twice, 0.5) == twice
+
+
+def test_modifiers_along_strokes_are_mixed():
+    mine = Pen(nib_width=0.8, nib_angle=20.0, noise_length=4.0, second_color=(1.0, 0.0, 0.0))
+    yours = Pen(nib_angle=60.0, distance_color=0.5, along_width=style.Transfer(strength=0.6, curve=((0.0, 1.0),)))
+    one, two = (Style(line_sets=(LineSet(kinds={"crease": {}}, pen=pen),)) for pen in (mine, yours))
+    pen = one.mixed(two, 0.25).line_sets[0].pen
+    assert (pen.nib_width, pen.nib_angle, pen.noise_length) == pytest.approx((0.6, 30.0, 5.5))
+    assert pen.second_color == pytest.approx((0.875, 0.125, 0.125))
+    assert (pen.distance_color, pen.along_width.strength) == pytest.approx((0.125, 0.15))

@@ -78,11 +78,6 @@ Array<float> inverted(Array<float> values) {
     return values;
 }
 
-Transfer transfer_of(const style::Transfer& transfer) {
-    std::vector<vec2> curve(transfer.curve.begin(), transfer.curve.end());
-    return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve);
-}
-
 Array<float> half_width_px(const style::Style& style, const Paths& paths, const ClippedPaths& clipped, const Runs& runs,
                            const Density& density, double scale) {
     std::vector<float> near, away;

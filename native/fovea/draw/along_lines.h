@@ -26,9 +26,6 @@ Array<double> lengths_in_frame(const Paths& paths, const ClippedPaths& clipped);
 /// 1 - each value: focus from what is painted.
 Array<float> inverted(Array<float> values);
 
-/// Builds the transfer function from its settings.
-Transfer transfer_of(const style::Transfer& transfer);
-
 /// Inputs that modulate the distance that lines keep from others in elision.
 struct Density {
     In<float> focus, distance;  ///< per sample, may be empty

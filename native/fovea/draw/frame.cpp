@@ -15,13 +15,15 @@
 #include <fovea/runs/filters.h>
 #include <fovea/runs/invisibility.h>
 #include <fovea/runs/narrow_strips.h>
+#include <fovea/runs/outer_parts.h>
 #include <fovea/stroke/tessellate.h>
 
 namespace fovea::draw {
 namespace {
 
-constexpr double stub = 12.0;        // reference pixels; remainders of elided lines that are shorter are removed
-constexpr double hands_over = 12.0;  // reference pixels before its end at which a line begins to hand over to another
+constexpr double stub = 12.0;         // reference pixels; remainders of elided lines that are shorter are removed
+constexpr double outline_step = 2.0;  // reference pixels between rays behind contours of groups
+constexpr double hands_over = 12.0;   // reference pixels before its end at which a line begins to hand over to another
 
 }  // namespace
 
@@ -80,6 +82,7 @@ void Frame::filter() {
             found = without_short_hidden(*clipped, found, least);
             if (levels > 1) found = count_invisibility(*clipped, *paths, *tracer, found, levels, cancel());
         }
+        found = without_inner_outlines(*clipped, *paths, *tracer, std::move(found), outline_step * scale(), cancel());
         runs = std::make_shared<Runs>(std::move(found));
         focus = focus_along_lines();
         distance = distance_along_lines();

@@ -31,4 +31,9 @@ Transfer::Transfer(float start, float end, float strength, In<vec2> curve)
     for (float& y : response_) y = response(y);
 }
 
+Transfer transfer_of(const style::Transfer& transfer) {
+    const std::vector<vec2> curve(transfer.curve.begin(), transfer.curve.end());
+    return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve);
+}
+
 }  // namespace fovea::focus

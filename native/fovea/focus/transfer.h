@@ -5,6 +5,7 @@
 #include <array>
 
 #include <fovea/base/types.h>
+#include <fovea/style/transfer.h>
 
 namespace fovea::focus {
 
@@ -42,7 +43,13 @@ class Transfer {
     std::array<float, steps + 1> response_;
 };
 
-/// Combines the mixes in [0,1] of two causes of one effect; never less than either.
-inline float both(float a, float b) { return 1.0f - (1.0f - a) * (1.0f - b); }
+/// Builds the transfer function from its settings.
+Transfer transfer_of(const style::Transfer& transfer);
+
+/// Combines the mixes in [0,1] of two causes of one effect (of several: as vectors); never less than either.
+template <typename Mix>
+Mix both(Mix a, Mix b) {
+    return 1.0f - (1.0f - a) * (1.0f - b);
+}
 
 }  // namespace fovea::focus

@@ -36,6 +36,7 @@ extern const LineDefinition contour = {
     .importance = 0.7,
     .rule = EdgeRule{mark},
     .smooth_twin = &smooth_contour,
+    .outlines = true,
     .usual = true,
 };
 

@@ -37,10 +37,10 @@ struct SurfaceView {
     /// Vector from a point or vertex to the viewer, in the surface's space; not normalized.
     vec3 to_viewer(const vec3& point) const { return orthographic ? vec3(eye_obj) : vec3(eye_obj - dvec3(point)); }
     vec3 to_viewer(Index vertex) const { return to_viewer(surface.positions[vertex]); }
-    /// Whether the nearest surface behind a view-space point is of another placement, or there is none.
+    /// Whether the nearest surface behind a view-space point is of a placement with another outline, or there is none.
     bool ends_at(const vec3& point, const Ignore& ignore) const {
         const auto behind = tracer->behind(point, ignore);
-        return !behind || behind->placement != placement;
+        return !behind || !tracer->scene().share_outline(behind->placement, placement);
     }
 };
 
@@ -126,6 +126,9 @@ struct LineDefinition {
     std::vector<StandIn> stand_ins = {};
     /// Needs Freestyle edge marks, which are only read from Blender if some definition needs them.
     bool reads_edge_marks = false;
+    /// Runs where a surface hides what is behind it: left out between placements of one outline group. Rules that ask
+    /// SurfaceView::ends_at leave it out themselves.
+    bool outlines = false;
     bool usual = false;      ///< what artists draw with; panels fold the others
     bool of_smooth = false;  ///< lines of a smooth shape: line sets that suit lines to surfaces draw it on such alone
 };

@@ -2,8 +2,8 @@
 // Silhouette: the outer boundary of an object, against the background or another object. Isenberg et al., "A
 // Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003.
 // In   contour and border edges; rays through the middle of each, and through a point next to it
-// Out  those behind which the same placement does not continue. On coarse meshes, facets seen almost edge-on lie
-//      slightly behind one another along a contour: a continuation narrower than a pen is ignored.
+// Out  those behind which neither the same placement nor one of its group continues. On coarse meshes, facets seen
+//      almost edge-on lie slightly behind one another along a contour: a continuation narrower than a pen is ignored.
 #include <algorithm>
 
 #include <fovea/line/edges.h>

@@ -71,6 +71,7 @@ extern const LineDefinition smooth_contour = {
     .importance = 0.7,
     .parameters = parameters,
     .rule = CurveRule{CurveType::contour, parameters.of(find), parameters.of(select)},
+    .outlines = true,
     .usual = true,
     .of_smooth = true,
 };

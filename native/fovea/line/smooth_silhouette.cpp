@@ -3,7 +3,7 @@
 // Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003; contours as in Hertzmann & Zorin,
 // "Illustrating Smooth Surfaces", SIGGRAPH 2000.
 // In   the smooth contour; a ray next to the middle of each of its pieces
-// Out  the pieces behind which the same placement does not continue
+// Out  the pieces behind which neither the same placement nor one of its group continues
 #include <fovea/line/smooth_contour.h>
 
 namespace fovea::line {

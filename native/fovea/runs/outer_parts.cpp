@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/line/registry.h>
 #include <fovea/visibility/segment.h>
 
 namespace fovea::runs {
@@ -16,8 +17,8 @@ constexpr std::size_t runs_per_block = 64;
 class Parting {
    public:
     Parting(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, In<Kinds> sure, double step_px,
-            OuterParts& out)
-        : clipped_(clipped), paths_(paths), tracer_(tracer), sure_(sure), step_px_(step_px), out_(out) {}
+            Inner inner, OuterParts& out)
+        : clipped_(clipped), paths_(paths), tracer_(tracer), sure_(sure), step_px_(step_px), inner_(inner), out_(out) {}
 
     void add(const Runs& runs, std::size_t r) {
         const double start = runs.start_px[r], length = runs.end_px[r] - start;
@@ -55,7 +56,11 @@ class Parting {
         }
         const double s = clipped_.share_at(i, arc, 0.5);
         const auto behind = tracer_.behind(vec3(segment_.at(s)), segment_.ignore);
-        return {source, !behind || behind->placement != paths_.placement[path]};
+        return {source, !behind || !continues(paths_.placement[path], behind->placement)};
+    }
+
+    bool continues(Index own, Index behind) const {
+        return tracer_.scene().share_outline(own, behind) && (inner_ == Inner::own || own != behind);
     }
 
     /// Result of test k, with isolated results replaced by those of their neighbors.
@@ -70,6 +75,7 @@ class Parting {
     const Tracer& tracer_;
     const In<Kinds> sure_;
     const double step_px_;
+    const Inner inner_;
     OuterParts& out_;
     std::vector<Answer> answers_;
     Segment segment_{};
@@ -79,7 +85,7 @@ class Parting {
 }  // namespace
 
 OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& runs,
-                       In<Kinds> sure, double step_px, const Cancel& cancel) {
+                       In<Kinds> sure, double step_px, const Cancel& cancel, Inner inner) {
     check_same_paths(clipped, paths, "outer_parts");
     check_runs(clipped, runs);
     check(sure.size() == paths.count(), "sure: one value per path expected");
@@ -88,7 +94,7 @@ OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tr
     const auto parts =
         parallel_parts<OuterParts>(runs.size(), runs_per_block, [&](OuterParts& part, std::size_t r, std::size_t end) {
             cancel.poll();
-            Parting parting(clipped, paths, tracer, sure, step_px, part);
+            Parting parting(clipped, paths, tracer, sure, step_px, inner, part);
             for (; r < end; ++r) parting.add(runs, r);
         });
     OuterParts all;
@@ -98,6 +104,24 @@ OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tr
         all.source.insert(all.source.end(), part.source.begin(), part.source.end());
     }
     return all;
+}
+
+Runs without_inner_outlines(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Runs runs,
+                            double step_px, const Cancel& cancel) {
+    const auto& placements = tracer.scene().placements;
+    if (std::ranges::none_of(placements, [](const Placement& placement) { return placement.group != 0; })) return runs;
+    Kinds outlines = 0;
+    for (Index i = 0; const LineDefinition* definition : line_definitions())
+        outlines |= Kinds(definition->outlines) << i++;
+    Array<Kinds> sure(paths.count(), ~Kinds(0));
+    for (Index p = 0; p < paths.count(); ++p)
+        if (paths.placement[p] != none && placements[paths.placement[p]].group != 0) sure[p] = ~outlines;
+    const OuterParts parts = outer_parts(clipped, paths, tracer, runs, sure, step_px, cancel, Inner::others);
+    Runs kept;
+    for (std::size_t r = 0; r < parts.runs.size(); ++r)
+        if (parts.outer[r])
+            kept.push(parts.runs.piece[r], parts.runs.start_px[r], parts.runs.end_px[r], parts.runs.invisibility[r]);
+    return kept;
 }
 
 }  // namespace fovea::runs

@@ -24,6 +24,8 @@ struct Placement {
     /// Persistent id of the object, from which line ids are hashed.
     std::uint64_t id = 0;
     std::uint8_t usage = usage_draw | usage_occlude;
+    /// Placements of the same group have one outline together; 0: of none.
+    std::uint64_t group = 0;
 };
 
 struct Scene {
@@ -39,6 +41,11 @@ struct Scene {
             facet_base.push_back(base);
             base += placement.surface->facet_count();
         }
+    }
+
+    /// Whether two placements are one, or two of a group.
+    bool share_outline(Index a, Index b) const {
+        return a == b || (placements[a].group != 0 && placements[a].group == placements[b].group);
     }
 };
 

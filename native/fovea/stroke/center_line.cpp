@@ -22,7 +22,8 @@ constexpr double tip_width = 0.2;
 CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);
     return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),
-            glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s), glm::mix(a.shown, b.shown, s)};
+            glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s), glm::mix(a.shown, b.shown, s),
+            glm::mix(a.tint, b.tint, s)};
 }
 
 CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
@@ -147,6 +148,12 @@ void insert_points(CenterLine& line, In<double> arcs, double near_px) {
     line = std::move(out);
 }
 
+std::vector<double> multiples(const CenterLine& line, double step) {
+    std::vector<double> arcs;
+    for (double k = std::ceil(line.front().arc / step); k * step < line.back().arc; ++k) arcs.push_back(k * step);
+    return arcs;
+}
+
 void simplify(CenterLine& line) {
     if (line.size() < 2) return line.clear();
     even_out(line);
@@ -195,6 +202,12 @@ void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered) {
         p.half_width = std::max(width, 1.0f) / 2.0f;
         p.opacity = faded * std::min(width, 1.0f) * glm::mix(opacity, away, p.mix.w) * p.shown;
     }
+}
+
+void thin(CenterPoint& point, float factor) {
+    const float width = 2.0f * point.half_width * factor;
+    point.half_width = std::max(width, 1.0f) / 2.0f;
+    point.opacity *= std::min(width, 1.0f);
 }
 
 void extend(CenterLine& line, Cap cap) {

@@ -19,6 +19,8 @@ struct CenterPoint {
     vec4 mix{0.0f};
     /// Elision opacity.
     float shown = 1.0f;
+    /// Mix towards the pen's second color, in [0,1] (along.h).
+    float tint = 0.0f;
 };
 
 using CenterLine = std::vector<CenterPoint>;
@@ -38,6 +40,9 @@ void simplify(CenterLine& line);
 /// Inserts points at the given arc lengths (ascending), except within `near_px` of existing ones.
 void insert_points(CenterLine& line, In<double> arcs, double near_px = 0.5);
 
+/// Arc lengths inside a line at integer multiples of `step`, independent of where the line begins.
+std::vector<double> multiples(const CenterLine& line, double step);
+
 /// Which ends of a line taper.
 struct TaperedEnds {
     bool start, end;
@@ -53,6 +58,9 @@ struct PenPair {
 /// tapered ends; on a line too short for that it falls proportionally less. Inserts points where the width is not
 /// linear. Widths below one pixel become one pixel with opacity scaled down by the same factor.
 void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered);
+
+/// Multiplies the width of a point of a shaped line by `factor` in [0,1]; below a pixel its opacity.
+void thin(CenterPoint& point, float factor);
 
 /// Adds a point beyond each end, at the extent of the cap.
 void extend(CenterLine& line, Cap cap);

@@ -17,9 +17,9 @@ std::vector<PenTexture> fit_textures(In<Pen> pens, In<PenTexture> textures);
 
 /// Pens and their textures as input of the GPU's stroke pass.
 struct PenTable {
-    /// Three entries per pen: (color, index of the out-of-focus pen, or its own), (texture length [px], 1 for round
+    /// Four entries per pen: (color, index of the out-of-focus pen, or its own), (texture length [px], 1 for round
     /// caps, first entry of its ink, 1 for textures anchored to the path),
-    /// (columns and rows of its ink: 0 for a solid pen, 0, 0).
+    /// (columns and rows of its ink: 0 for a solid pen, 0, 0), (second color, 0).
     Array<vec4> pens;
     /// Textures fitted to their pens, each row by row, followed by the means of its rows.
     Array<float> ink;

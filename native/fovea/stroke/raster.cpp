@@ -42,12 +42,13 @@ class Painter {
         const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);
         const PixelBox box = intersect(shape.box(), tile);
         const OverTriangle<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
-        const OverTriangle<2> mixes(shape, dvec2(strokes_.mix[c[0]]), dvec2(strokes_.mix[c[1]]),
-                                    dvec2(strokes_.mix[c[2]]));
+        const OverTriangle<3> mixes(shape, dvec3(strokes_.mix[c[0]]), dvec3(strokes_.mix[c[1]]),
+                                    dvec3(strokes_.mix[c[2]]));
         const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w, path_px = strokes_.path_px[c[0]];
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
-        const vec3 near_color(pen.look.color), away_color(away == none ? pen.look.color : pens_[away].look.color);
+        const Pen& other = away == none ? pen : pens_[away];
+        const bool tinted = strokes_.mix[c[0]].z + strokes_.mix[c[1]].z + strokes_.mix[c[2]].z > 0.0f;
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
             shape.span(y, x0, x1);
@@ -55,14 +56,15 @@ class Painter {
                 const vec4 f = values.at(x, y);
                 float alpha = coverage(f[0], f[1], start, end, f[2], pen.look.cap);
                 if (alpha <= 0.0f) continue;
-                vec3 color = near_color;
-                if (away == none) {
-                    alpha *= ink_of(strokes_.pen[c[0]], f, path_px);
-                } else {
-                    const vec2 mix = mixes.at(x, y);
-                    color = glm::mix(color, away_color, mix.x);
-                    alpha *= glm::mix(ink_of(strokes_.pen[c[0]], f, path_px), ink_of(away, f, path_px), mix.y);
+                const vec3 mix = away == none && !tinted ? vec3(0.0f) : mixes.at(x, y);
+                vec3 color(pen.look.color);
+                if (away != none) color = glm::mix(color, vec3(other.look.color), mix.x);
+                if (tinted) {
+                    const vec3 second(pen.look.second_color), second_away(other.look.second_color);
+                    color = glm::mix(color, glm::mix(second, second_away, mix.x), mix.z);
                 }
+                const float ink = ink_of(strokes_.pen[c[0]], f, path_px);
+                alpha *= away == none ? ink : glm::mix(ink, ink_of(away, f, path_px), mix.y);
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
                 row(y)[x] = over(row(y)[x], color, alpha * f[3]);
             }

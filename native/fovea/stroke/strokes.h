@@ -14,7 +14,7 @@ struct Strokes {
     Array<vec2> px;
     Array<vec4> arc;
     Array<float> half_width, opacity;
-    Array<vec2> mix;
+    Array<vec3> mix;
     Array<float> path_px;
     Array<Index> pen, piece;
 
@@ -27,8 +27,10 @@ struct Strokes {
         Column{"half_width", &Strokes::half_width,
                "(V,) float32 half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and fainter"},
         Column{"opacity", &Strokes::opacity, "(V,) float32 of strength, thinness and the pens"},
-        Column{"mix", &Strokes::mix,
-               "(V, 2) float32: how far color and ink are those of the pen out of focus, each in [0, 1]"},
+        Column{
+            "mix", &Strokes::mix,
+            "(V, 3) float32, each in [0, 1]: how far color and ink are those of the pen out of focus, and how far the "
+            "color is the pen's second one"},
         Column{"path_px", &Strokes::path_px,
                "(V,) float32 length of the whole path [px], the same all over a stroke; for textures anchored to it"},
         Column{"pen", &Strokes::pen, "(V,) uint32 index of the pen in focus, the same all over a stroke"},

@@ -7,6 +7,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/path/paths.h>
+#include <fovea/stroke/along.h>
 #include <fovea/stroke/center_line.h>
 #include <fovea/stroke/emphasis.h>
 #include <fovea/stroke/fade.h>
@@ -63,6 +64,7 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
     check(visibility.empty() || visibility.size() == clipped.samples,
           "visibility: one value per atlas sample expected");
     const Array<Index> order = drawing_order(runs, pen_of_run);
+    const std::vector<Modifiers> modifiers(pens.begin(), pens.end());
     auto parts =
         parallel_parts<Strokes>(order.size(), block_size, [&](Strokes& out, std::size_t begin, std::size_t end) {
             CenterLine line;
@@ -86,13 +88,15 @@ Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_
                 find_emphasis(clipped, emphasis, piece, start, stop, along);
                 emphasize(line, along);
                 const Index path = clipped.path[piece];
-                const std::uint64_t id = ids.empty() ? path : ids[path];
                 const style::Pen& look = pens[pen].look;
-                wobble(line, float(look.wobble), float(look.wobble_length), id + static_cast<Index>(look.seed));
+                const std::uint64_t seed = (ids.empty() ? path : ids[path]) + static_cast<Index>(look.seed);
+                wobble(line, float(look.wobble), float(look.wobble_length), seed);
                 const int free = clipped.free_ends[piece];
-                const PenPair pair{pens[pen], pens[pens[pen].away == none ? pen : pens[pen].away]};
+                const Index away = pens[pen].away == none ? pen : pens[pen].away;
+                const PenPair pair{pens[pen], pens[away]};
                 shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
                 press(line, float(look.pressure));
+                modify(line, pair, modifiers[pen], modifiers[away], {clipped, piece, closed, seed});
                 fade_ends(line, fade);
                 if (line.size() < 2) continue;
                 const float ends[] = {closed ? -endless : float(line.front().arc),

@@ -16,7 +16,7 @@ namespace fovea::stroke {
 /// - `pen_of_run`: index into `pens` per run; `none` draws nothing.
 /// - `strength`: per point of Paths, in [0,1]; reduces width or opacity (center_line.h); empty: 1.
 /// - `emphasis`: mixes each pen with its out-of-focus pen, and fades elided lines.
-/// - `ids`: per path of Paths, seed of its wobble; empty: the path's number.
+/// - `ids`: per path of Paths, seed of its wobble and noise; empty: the path's number.
 /// - `visibility`: per atlas sample; partly visible samples at the ends of runs fade them out (fade.h). Empty: all ends
 ///   are sharp.
 Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,

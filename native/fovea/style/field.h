@@ -45,6 +45,8 @@ struct Domain {
 };
 
 inline constexpr double far_away = 1e9;  ///< upper limit of distances in a style
+/// A distance from the camera.
+inline constexpr Domain distances{.least = 0.0, .most = far_away, .soft_most = 1000.0, .unit = Unit::scene};
 inline constexpr Domain share{.least = 0.0, .most = 1.0, .unit = Unit::share};
 inline constexpr Domain light{.least = 0.0, .most = 1000.0, .soft_most = 1.0, .unit = Unit::light};
 /// A length in the image, in reference pixels.
@@ -86,13 +88,15 @@ void for_each_field(const Visit& visit) {
     std::apply([&](const auto&... field) { (visit(field), ...); }, S::fields);
 }
 
-/// Copy of `record` with lengths in reference pixels converted to image pixels. `reference_scale`: image pixels per
-/// reference pixel.
+/// Copy of `record` with lengths in reference pixels and in millimeters converted to image pixels. `reference_scale`,
+/// `mm_px`: image pixels per reference pixel and per millimeter of the page.
 template <Record S>
-S in_pixels(S record, double reference_scale) {
+S in_pixels(S record, double reference_scale, double mm_px) {
     for_each_field<S>([&]<typename V>(const Field<S, V>& field) {
-        if constexpr (std::is_same_v<V, double>)
+        if constexpr (std::is_same_v<V, double>) {
             if (field.domain.unit == Unit::reference) record.*field.member *= reference_scale;
+            if (field.domain.unit == Unit::millimeters) record.*field.member *= mm_px;
+        }
     });
     return record;
 }

@@ -6,32 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <fovea/base/types.h>
-#include <fovea/style/field.h>
+#include <fovea/style/transfer.h>
 
 namespace fovea::style {
-
-/// Transfer function from focus to the mix of an effect: 0 up to `start`, `strength` from `end` on, the curve in
-/// between; start > end reverses it.
-struct Transfer {
-    double start = 0.0, end = 1.0, strength = 1.0;
-    std::vector<dvec2> curve;  ///< (x, y) in [0, 1], x ascending; empty: linear
-
-    static constexpr std::size_t most_points = 32;  ///< maximum size of `curve`
-
-    bool operator==(const Transfer&) const = default;
-
-    static constexpr std::tuple fields{
-        Field{"start", &Transfer::start, "Start", "Value (focus: 0 in, 1 out of it) at which the effect begins", share},
-        Field{"end", &Transfer::end, "End", "Value at which the effect is whole; less than the start turns it around",
-              share},
-        Field{"strength", &Transfer::strength, "Strength",
-              "How strong the effect is where it is whole; 0 switches it off", share},
-        Field{"curve", &Transfer::curve, "",
-              "Up to 32 points [x, y], both 0 to 1, joined smoothly between start and end; none: straight", share}};
-};
-
-inline Transfer off() { return {0.0, 1.0, 0.0, {}}; }
 
 /// How lines or colors respond to focus: to its value at each place, to one constant value, or not drawn at all.
 enum class Mode : std::uint8_t { emphasized, uniform, none };
@@ -77,10 +54,9 @@ struct Distance {
 
     bool operator==(const Distance&) const = default;
 
-    static constexpr Domain length{0.0, far_away, 1000.0, Unit::scene};
     static constexpr std::tuple fields{
-        Field{"near", &Distance::near, "Near", "Distance from the camera at which effects begin", length},
-        Field{"far", &Distance::far, "Far", "Distance from the camera at which effects are whole", length},
+        Field{"near", &Distance::near, "Near", "Distance from the camera at which effects begin", distances},
+        Field{"far", &Distance::far, "Far", "Distance from the camera at which effects are whole", distances},
         Field{"width", &Distance::width, "Line Width"}, Field{"opacity", &Distance::opacity, "Line Opacity"},
         Field{"density", &Distance::density, "Line Density"}};
 };

@@ -4,8 +4,7 @@
 
 #include <string>
 
-#include <fovea/base/types.h>
-#include <fovea/style/field.h>
+#include <fovea/style/transfer.h>
 
 namespace fovea::style {
 
@@ -50,10 +49,21 @@ struct Pen {
     double spacing = 6.0;
     WidthUnit width_unit = WidthUnit::reference;
     Anchor texture_anchor = Anchor::screen;
+    /// Modifiers along a stroke (stroke/along.h): how far each cause takes away width and opacity, and how far it mixes
+    /// the color with the second one.
+    dvec3 second_color{0.5};
+    Transfer along_width = off(), along_opacity = off(), along_color = off();
+    double nib_angle = 45.0;
+    double nib_width = 0.0, nib_opacity = 0.0, nib_color = 0.0;
+    double distance_near = 0.0, distance_far = 100.0;
+    double distance_width = 0.0, distance_opacity = 0.0, distance_color = 0.0;
+    double noise_length = 10.0;
+    double noise_width = 0.0, noise_opacity = 0.0, noise_color = 0.0;
 
     bool operator==(const Pen&) const = default;
 
-    static constexpr const char *ink = "ink", *breadth = "breadth", *grain = "grain", *ends = "ends", *hand = "hand";
+    static constexpr const char *ink = "ink", *breadth = "breadth", *grain = "grain", *ends = "ends", *hand = "hand",
+                                *along = "along", *nib = "nib", *distance = "distance", *noise = "noise";
     static constexpr std::tuple fields{
         Field{"color", &Pen::color, "Color", "Color of the strokes", light, ink},
         Field{"opacity", &Pen::opacity, "Opacity", "How much of what lies below the strokes cover", share, ink},
@@ -83,7 +93,46 @@ struct Pen {
               "Texture Fixed To",
               "What the texture is fixed to when strokes grow in the image",
               {},
-              grain}};
+              grain},
+        Field{"second_color", &Pen::second_color, "Second Color",
+              "Color that strokes change to along their length, by their direction, by distance and by noise", light,
+              along},
+        Field{"along_width", &Pen::along_width, "Width", "", {}, along},
+        Field{"along_opacity", &Pen::along_opacity, "Opacity", "", {}, along},
+        Field{"along_color", &Pen::along_color, "Color", "", {}, along},
+        Field{"nib_angle",
+              &Pen::nib_angle,
+              "Orientation",
+              "Angle of a broad nib, counterclockwise from the horizontal: strokes in its direction are its thin ones",
+              {0.0, 180.0, 180.0, Unit::degrees},
+              nib},
+        Field{"nib_width", &Pen::nib_width, "Width",
+              "How much thinner strokes are in the direction of the nib than across it", share, nib},
+        Field{"nib_opacity", &Pen::nib_opacity, "Opacity",
+              "How much fainter strokes are in the direction of the nib than across it", share, nib},
+        Field{"nib_color", &Pen::nib_color, "Color",
+              "How much of the second color strokes have in the direction of the nib", share, nib},
+        Field{"distance_near", &Pen::distance_near, "Near", "Distance from the camera at which strokes begin to change",
+              distances, distance},
+        Field{"distance_far", &Pen::distance_far, "Far",
+              "Distance from the camera at which strokes have changed; less than near turns it around", distances,
+              distance},
+        Field{"distance_width", &Pen::distance_width, "Width", "How much thinner strokes are there", share, distance},
+        Field{"distance_opacity", &Pen::distance_opacity, "Opacity", "How much fainter strokes are there", share,
+              distance},
+        Field{"distance_color", &Pen::distance_color, "Color", "How much of the second color strokes have there", share,
+              distance},
+        Field{"noise_length",
+              &Pen::noise_length,
+              "Scale",
+              "Length of the waves of the noise along strokes, on a page as high as the paper says",
+              {0.1, 1000.0, 100.0, Unit::millimeters},
+              noise},
+        Field{"noise_width", &Pen::noise_width, "Width", "How much thinner noise makes strokes at most", share, noise},
+        Field{"noise_opacity", &Pen::noise_opacity, "Opacity", "How much fainter noise makes strokes at most", share,
+              noise},
+        Field{"noise_color", &Pen::noise_color, "Color", "How much of the second color noise gives strokes at most",
+              share, noise}};
 };
 
 }  // namespace fovea::style

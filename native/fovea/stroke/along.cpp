@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/along.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/stroke/noise.h>
+
+namespace fovea::stroke {
+namespace {
+
+constexpr int curve_steps = 64;         // of a transfer function, which is linear between them
+constexpr double step_px = 0.6;         // half the length over which a step of a transfer function is drawn
+constexpr double depth_step_px = 16.0;  // px between knots of distance, which perspective bends
+constexpr double steps_per_wave = 6.0;  // of noise
+constexpr double straight = 0.9995;     // cosine of the largest bend that does not change a nib: 2 degrees
+constexpr std::uint64_t stream = 0xa1;  // noise of modifiers is not that of wobble
+
+/// Position on a line at an arc length; beyond its ends that of the end, or around a closed line.
+dvec2 place(const CenterLine& line, bool closed, double arc) {
+    const double start = line.front().arc, length = line.back().arc - start;
+    if (closed) arc -= length * std::floor((arc - start) / length);
+    const auto above = std::upper_bound(line.begin() + 1, line.end() - 1, arc,
+                                        [](double value, const CenterPoint& p) { return value < p.arc; });
+    const CenterPoint &a = *(above - 1), &b = *above;
+    const double t = b.arc > a.arc ? std::clamp((arc - a.arc) / (b.arc - a.arc), 0.0, 1.0) : 0.0;
+    return glm::mix(a.px, b.px, t);
+}
+
+/// Distance from the camera along the view axis at an arc length of a piece.
+double distance_at(const ClippedPaths& clipped, Index piece, double arc) {
+    const Index i = clipped.segment_at(piece, arc);
+    const double s = clipped.share_at(i, arc), a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
+    return glm::mix(a, b, clipped.orthographic ? s : s * a / (b + s * (a - b)));
+}
+
+/// Knots of a transfer function, as fractions of a stroke; a step has one.
+void add_places(const style::Transfer& transfer, std::vector<double>& places) {
+    if (transfer.strength == 0.0) return;
+    const int steps = transfer.curve.empty() ? 1 : curve_steps;
+    for (int k = 0; k <= steps; ++k) places.push_back(glm::mix(transfer.start, transfer.end, double(k) / steps));
+}
+
+/// What is left of a mix of two pens' values after each loses its share.
+float left(float near, float away, float mix, float near_share, float away_share) {
+    const float whole = glm::mix(near, away, mix);
+    return whole > 0.0f ? glm::mix(near * (1.0f - near_share), away * (1.0f - away_share), mix) / whole : 0.0f;
+}
+
+}  // namespace
+
+Modifiers::Modifiers(const Pen& pen)
+    : nib_{vec3(pen.look.nib_width, pen.look.nib_opacity, pen.look.nib_color)},
+      distance_{vec3(pen.look.distance_width, pen.look.distance_opacity, pen.look.distance_color)},
+      noise_{vec3(pen.look.noise_width, pen.look.noise_opacity, pen.look.noise_color)},
+      nib_direction_(std::cos(glm::radians(pen.look.nib_angle)), std::sin(glm::radians(pen.look.nib_angle))),
+      reach_px_(std::max(0.5 * pen.width_px, 1.0)),
+      near_(pen.look.distance_near),
+      far_(pen.look.distance_far),
+      wave_px_(pen.look.noise_length) {
+    const style::Transfer* const given[] = {&pen.look.along_width, &pen.look.along_opacity, &pen.look.along_color};
+    for (int k = 0; k < 3; ++k) {
+        transfers_[k] = transfer_of(*given[k]);
+        add_places(*given[k], places_);
+    }
+    along_ = !places_.empty();
+}
+
+void Modifiers::add_knots(const CenterLine& line, const Course& course, std::vector<double>& arcs) const {
+    const double start = line.front().arc, length = line.back().arc - start;
+    for (const double share : places_)
+        for (const double side : {-step_px, step_px}) arcs.push_back(start + length * share + side);
+    if (nib_.any) {
+        const std::size_t last = line.size() - 1;
+        for (std::size_t i = course.closed ? 0 : 1; i < last; ++i) {
+            const dvec2 before = glm::normalize(line[i].px - line[i > 0 ? i - 1 : last - 1].px);
+            if (glm::dot(before, glm::normalize(line[i + 1].px - line[i].px)) > straight) continue;
+            for (const double beside : {-1.0, -0.5, 0.5, 1.0}) {
+                const double arc = line[i].arc + beside * reach_px_;
+                arcs.push_back(arc < start ? arc + length : arc);
+            }
+        }
+    }
+    const auto add_multiples = [&](double step) {
+        const std::vector<double> more = multiples(line, step);
+        arcs.insert(arcs.end(), more.begin(), more.end());
+    };
+    if (distance_.any) add_multiples(depth_step_px);
+    if (noise_.any) add_multiples(std::max(wave_px_ / steps_per_wave, 1.0));
+}
+
+vec3 Modifiers::at(const CenterLine& line, const Course& course, double arc) const {
+    vec3 taken(0.0f);
+    if (along_) {
+        const double start = line.front().arc;
+        const float share = float((arc - start) / (line.back().arc - start));
+        taken = vec3(transfers_[0](share), transfers_[1](share), transfers_[2](share));
+    }
+    if (nib_.any) {
+        const dvec2 way = place(line, course.closed, arc + reach_px_) - place(line, course.closed, arc - reach_px_);
+        const double length = glm::length(way);
+        const double across = length > 0.0 ? std::abs(cross(way, nib_direction_)) / length : 1.0;
+        taken = focus::both(taken, nib_.share * float(1.0 - across));
+    }
+    if (distance_.any) {
+        const double away = distance_at(course.clipped, course.piece, arc);
+        const double share = far_ != near_ ? (away - near_) / (far_ - near_) : double(away >= far_);
+        taken = focus::both(taken, distance_.share * float(std::clamp(share, 0.0, 1.0)));
+    }
+    if (noise_.any) {
+        const double noise = 0.5 + 0.5 * two_octaves(arc / wave_px_, mixed(course.seed ^ stream));
+        taken = focus::both(taken, noise_.share * float(noise));
+    }
+    return taken;
+}
+
+void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, const Modifiers& out_of_focus,
+            const Course& course) {
+    if (line.size() < 2 || !(in_focus.any() || out_of_focus.any())) return;
+    std::vector<double> arcs;
+    in_focus.add_knots(line, course, arcs);
+    if (&in_focus != &out_of_focus) out_of_focus.add_knots(line, course, arcs);
+    std::ranges::sort(arcs);
+    insert_points(line, arcs);
+    const Pen &near_pen = pens.in_focus, &away_pen = pens.out_of_focus;
+    const float near_opacity = float(near_pen.look.opacity), away_opacity = float(away_pen.look.opacity);
+    for (CenterPoint& p : line) {
+        const vec3 near = in_focus.at(line, course, p.arc);
+        const vec3 away = &in_focus == &out_of_focus ? near : out_of_focus.at(line, course, p.arc);
+        thin(p, left(near_pen.width_px, away_pen.width_px, p.mix.z, near.x, away.x));
+        p.opacity *= left(near_opacity, away_opacity, p.mix.w, near.y, away.y);
+        p.tint = glm::mix(near.z, away.z, p.mix.x);
+    }
+}
+
+}  // namespace fovea::stroke

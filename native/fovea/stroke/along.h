@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Modifiers along a stroke: how its place along its length, its direction, its distance from the camera and noise
+// change its width, opacity and color.
+#pragma once
+
+#include <fovea/focus/transfer.h>
+#include <fovea/stroke/center_line.h>
+
+namespace fovea::stroke {
+
+/// Where a center line is on its path.
+struct Course {
+    const ClippedPaths& clipped;
+    Index piece;
+    bool closed;
+    /// Of its noise.
+    std::uint64_t seed;
+};
+
+/// The modifiers of a pen. Each takes away a fraction of width and of opacity, and mixes the color with the pen's
+/// second one: the causes, each in [0,1], are
+/// - along: the place between the start (0) and the end (1) of the stroke;
+/// - nib: 1 - |sin| of the angle in the image between the stroke's direction and the nib, 1 along the nib;
+/// - distance: that along the view axis, from near (0) to far (1), which may be the nearer one;
+/// - noise: smooth noise of the arc length over the whole path, fixed to it.
+class Modifiers {
+   public:
+    explicit Modifiers(const Pen& pen);
+
+    /// Whether strokes change at all.
+    bool any() const { return along_ || nib_.any || distance_.any || noise_.any; }
+    /// Appends the arc lengths between which changes of this line are linear.
+    void add_knots(const CenterLine& line, const Course& course, std::vector<double>& arcs) const;
+    /// (width, opacity, color) taken at a point, each in [0,1].
+    vec3 at(const CenterLine& line, const Course& course, double arc) const;
+
+   private:
+    /// A cause that acts by fixed fractions.
+    struct Cause {
+        vec3 share;
+        bool any = share != vec3(0.0f);
+    };
+
+    std::array<Transfer, 3> transfers_;
+    std::vector<double> places_;  // knots along the stroke, as fractions of it
+    bool along_;
+    Cause nib_, distance_, noise_;
+    dvec2 nib_direction_;
+    double reach_px_, near_, far_, wave_px_;
+};
+
+/// Changes a shaped line by the modifiers of its pen in focus and of that out of focus, mixed as their widths,
+/// opacities and colors are. Lines of pens without modifiers stay as they are.
+void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, const Modifiers& out_of_focus,
+            const Course& course);
+
+}  // namespace fovea::stroke
