@@ -100,44 +100,42 @@ bool relate(const Scene& scene, Pair& pair) {
     return true;
 }
 
-/// Pairs (i, j), i < j, of positions in `placements` (indices into the scene) whose world-space bounding boxes overlap,
-/// ascending. Placements without triangles are omitted.
-std::vector<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Index> placements) {
-    struct Entry {
-        Box box;
-        Index position;
-    };
-    std::vector<Entry> entries;
-    for (Index i = 0; i < placements.size(); ++i) {
-        const Placement& placement = scene.placements[placements[i]];
+/// Pairs of placements (indices into the scene) whose world-space bounding boxes overlap, but for those of which both
+/// are in a heap; ascending. Placements without triangles are omitted.
+Array<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Index> placements) {
+    Array<Box> boxes;
+    Array<Index> of;  // per box, its placement
+    for (const Index i : placements) {
+        const Placement& placement = scene.placements[i];
         const auto tree = triangle_tree(*placement.surface);
         if (tree->empty()) continue;
         const Box box = tree->bounds.mapped(Affine(placement.object_to_world));
-        if (box.meets(box)) entries.push_back({box, i});  // false for NaN
+        if (!box.meets(box)) continue;  // NaN
+        boxes.push_back(box);
+        of.push_back(i);
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.position < b.position;
+    const BoxTree tree(boxes);
+    const auto heaped = parallel_map<std::uint8_t>(boxes.size(), [&](std::size_t i) {
+        const Surface* const own = scene.placements[of[i]].surface.get();
+        Index alike = 0;  // with itself
+        tree.each_meeting(boxes[i], [&](Index j) {
+            alike += scene.placements[of[j]].surface.get() == own;
+            return alike <= heap;
+        });
+        return alike > heap;
     });
-    // Sweep along x: only boxes that begin before this one ends can overlap it.
-    std::vector<std::pair<Index, Index>> pairs;
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        for (std::size_t j = i + 1; j < entries.size() && entries[j].box.low.x <= entries[i].box.high.x; ++j)
-            if (entries[i].box.meets(entries[j].box))
-                pairs.push_back(std::minmax({entries[i].position, entries[j].position}));
-    std::sort(pairs.begin(), pairs.end());
+    auto pairs =
+        parallel_collect<std::pair<Index, Index>>(boxes.size(), 64, [&](std::size_t begin, std::size_t end, auto& out) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (heaped[i]) continue;
+                tree.each_meeting(boxes[i], [&](Index j) {
+                    if (j > i || heaped[j]) out.push_back(std::minmax(of[i], of[j]));
+                    return true;
+                });
+            }
+        });
+    parallel_sort(pairs.begin(), pairs.end());
     return pairs;
-}
-
-/// Per position in `drawn`: how many others of the same surface the placement overlaps.
-Array<Index> overlapping_alike(const Scene& scene, In<Index> drawn,
-                               const std::vector<std::pair<Index, Index>>& overlaps) {
-    Array<Index> alike(drawn.size(), 0);
-    for (const auto& [i, j] : overlaps) {
-        if (scene.placements[drawn[i]].surface != scene.placements[drawn[j]].surface) continue;
-        ++alike[i];
-        ++alike[j];
-    }
-    return alike;
 }
 
 std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersection& values) {
@@ -145,11 +143,8 @@ std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersecti
     if (values.within)
         for (const Index placement : drawn) pairs.push_back({placement, placement});
     if (!values.between) return pairs;
-    const auto overlaps = overlapping_placements(scene, drawn);
-    const Array<Index> alike = overlapping_alike(scene, drawn, overlaps);
-    for (const auto& [i, j] : overlaps) {
-        if (alike[i] >= heap && alike[j] >= heap) continue;
-        Pair pair{drawn[i], drawn[j]};
+    for (const auto& [i, j] : overlapping_placements(scene, drawn)) {
+        Pair pair{i, j};
         if (scene.placements[pair.second].id < scene.placements[pair.first].id) std::swap(pair.first, pair.second);
         if (relate(scene, pair)) {
             pairs.push_back(pair);

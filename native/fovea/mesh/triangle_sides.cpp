@@ -58,4 +58,15 @@ std::shared_ptr<const TriangleSides> triangle_sides(const Surface& surface) {
     return surface.cache().get<TriangleSides>(0, [&] { return number_sides(surface); });
 }
 
+std::shared_ptr<const Lists<Index>> triangles_at_sides(const Surface& surface) {
+    struct AtSides : Lists<Index> {};
+    return surface.cache().get<AtSides>(0, [&] {
+        const auto sides = triangle_sides(surface);
+        return AtSides{lists_of<Index>(sides->vertices.size(), [&](const auto& give) {
+            for (Index t = 0; t < sides->of_triangle.size(); ++t)
+                for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], t);
+        })};
+    });
+}
+
 }  // namespace fovea::mesh

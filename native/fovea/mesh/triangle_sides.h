@@ -16,4 +16,7 @@ struct TriangleSides {
 /// Cached with the surface; that of a stretched surface is its source's.
 std::shared_ptr<const TriangleSides> triangle_sides(const Surface& surface);
 
+/// Per side: the triangles at it. Cached with the surface.
+std::shared_ptr<const Lists<Index>> triangles_at_sides(const Surface& surface);
+
 }  // namespace fovea::mesh

@@ -10,19 +10,6 @@ namespace {
 /// Length, in tolerances, that a curve must exceed; remainders of removed contact curves are shorter.
 constexpr double shortest_curve = 16.0;
 
-/// Per side of triangles: the triangles at it.
-struct SideTriangles {
-    Lists<Index> triangles;
-};
-
-SideTriangles triangles_at_sides(const Surface& surface) {
-    const auto sides = triangle_sides(surface);
-    return {lists_of<Index>(sides->vertices.size(), [&](const auto& give) {
-        for (Index t = 0; t < sides->of_triangle.size(); ++t)
-            for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], t);
-    })};
-}
-
 /// Plane of a triangle. For a triangle without area the normal is 0, and every point has height 0.
 struct Plane {
     dvec3 normal{0.0};
@@ -67,8 +54,7 @@ class ContactTest {
         const double here = plane.height(in.corner(t, (side + 2) % 3));
         const Index number = triangle_sides(in.surface)->of_triangle[t][side];
         const Edge ends = triangle_sides(in.surface)->vertices[number];
-        const auto at = in.surface.cache().get<SideTriangles>(0, [&] { return triangles_at_sides(in.surface); });
-        for (const Index triangle : at->triangles[number]) {
+        for (const Index triangle : (*triangles_at_sides(in.surface))[number]) {
             const Triangle& beyond = in.surface.triangles[triangle];
             for (int k = 0; k < 3; ++k) {
                 if (beyond[k] == ends.x || beyond[k] == ends.y) continue;

@@ -8,7 +8,7 @@
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
-#include <fovea/scene/contact.h>
+#include <fovea/scene/coincidence.h>
 #include <fovea/scene/four_planes.h>
 #include <fovea/scene/orientation.h>
 
@@ -300,7 +300,8 @@ Crossings find(const Mapped& first, const Mapped& second, bool within, const Can
         meeting.block(
             b, [&](Index i, Index j) { leaves.each_pair(i, j, [&](Index s, Index t) { finder.meet(s, t, out); }); });
     });
-    return without_contact(numbered(pieces, grid), first, second, grid.tolerance());
+    const Crossings crossings = without_contact(numbered(pieces, grid), first, second, grid.tolerance());
+    return within ? crossings : without_coincidence(crossings, first, second, cancel);
 }
 
 }  // namespace

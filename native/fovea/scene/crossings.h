@@ -26,8 +26,8 @@ inline constexpr double contact_tolerance = 4e-7;
 ///
 /// Surfaces that touch without crossing have no intersection, whichever way rounding moves them. Removed are: segments
 /// between coplanar triangles; segments along a side at which a surface turns back, ends or continues in that plane (a
-/// box on a floor: the lines there are its own creases); and curves of negligible length. The result depends on the
-/// arguments alone. `cancel` is polled.
+/// box on a floor: the lines there are its own creases); curves of negligible length; and crossings of surfaces that
+/// stay beside each other (coincidence.h). The result depends on the arguments alone. `cancel` is polled.
 Crossings cross(const Surface& first, const Surface& second, const Affine& second_to_first, const Cancel& cancel);
 
 /// Self-intersections of a surface. Triangles that share an edge are not tested; those that share only a vertex are.

@@ -2,10 +2,6 @@
 #include <fovea/scene/triangle_tree.h>
 
 #include <limits>
-
-#include <fovea/base/morton.h>
-#include <fovea/base/parallel.h>
-
 namespace fovea::scene {
 namespace {
 
@@ -14,26 +10,12 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Number of pairs of nodes from which the work is not divided further.
 constexpr std::size_t enough_blocks = 64;
 
-struct Placed {
-    std::uint64_t code;
-    Index triangle;
-};
-
-Array<Index> morton_order(const Surface& surface) {
-    const dvec3 low = dvec3(surface.center) - double(surface.radius);
-    const double cells = surface.radius > 0.0f ? 524288.0 / surface.radius : 0.0;
-    auto placed = parallel_map<Placed>(surface.triangles.size(), [&](std::size_t i) -> Placed {
+Array<Index> triangle_order(const Surface& surface) {
+    return morton_order(surface.triangles.size(), dvec3(surface.center), surface.radius, [&](std::size_t i) -> Box {
         const Triangle& t = surface.triangles[i];
         const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
-        const vec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
-        const dvec3 at = (0.5 * (dvec3(from) + dvec3(to)) - low) * cells;
-        const auto cell = [](double place) { return place > 0.0 ? Index(std::min(place, 1048575.0)) : 0u; };
-        return {along_curve({cell(at.x), cell(at.y), cell(at.z)}), static_cast<Index>(i)};
+        return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
     });
-    parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-        return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
-    });
-    return parallel_map<Index>(placed.size(), [&](std::size_t i) { return placed[i].triangle; });
 }
 
 FourTriangles leaf_of(const Surface& surface, In<Index> triangles) {
@@ -48,14 +30,6 @@ FourTriangles leaf_of(const Surface& surface, In<Index> triangles) {
     return leaf;
 }
 
-/// Box around four.
-Box around(const FourBoxes& boxes) {
-    Box all = boxes[0];
-    for (int lane = 1; lane < 4; ++lane)
-        all = {glm::min(all.low, boxes[lane].low), glm::max(all.high, boxes[lane].high)};
-    return all;
-}
-
 /// Boxes of the triangles of a leaf; a lane that is not used has the empty box.
 FourBoxes used_boxes(const FourTriangles& leaf) {
     FourBoxes boxes = leaf.boxes();
@@ -63,50 +37,21 @@ FourBoxes used_boxes(const FourTriangles& leaf) {
     return boxes;
 }
 
-Array<FourBoxes> four_by_four(const Array<Box>& boxes) {
-    return parallel_map<FourBoxes>((boxes.size() + 3) / 4, [&](std::size_t j) {
-        FourBoxes four;
-        for (int lane = 0; lane < 4; ++lane) {
-            const std::size_t i = 4 * j + lane;
-            const Box box = i < boxes.size() ? boxes[i] : Box{vec3(infinity), vec3(-infinity)};
-            for (int axis = 0; axis < 3; ++axis) {
-                four.low[axis][lane] = box.low[axis];
-                four.high[axis][lane] = box.high[axis];
-            }
-        }
-        return four;
-    });
-}
-
 TriangleTree make_tree(const Surface& surface) {
     TriangleTree tree;
-    tree.order = morton_order(surface);
+    tree.order = triangle_order(surface);
     if (tree.order.empty()) return tree;
     const std::size_t leaves = (tree.order.size() + 3) / 4;
     tree.leaves = parallel_map<FourTriangles>(leaves, [&](std::size_t i) {
         return leaf_of(surface,
                        In<Index>(tree.order).subspan(4 * i, std::min<std::size_t>(4, tree.order.size() - 4 * i)));
     });
-    auto boxes = parallel_map<Box>(leaves, [&](std::size_t i) { return around(used_boxes(tree.leaves[i])); });
-    while (boxes.size() > 1) {
-        tree.levels.push_back(four_by_four(boxes));
-        const Array<FourBoxes>& level = tree.levels.back();
-        boxes = parallel_map<Box>(level.size(), [&](std::size_t i) { return around(level[i]); });
-    }
-    tree.bounds = boxes[0];
+    tree.levels = levels_over(
+        parallel_map<Box>(leaves, [&](std::size_t i) { return around(used_boxes(tree.leaves[i])); }), tree.bounds);
     return tree;
 }
 
 }  // namespace
-
-Box Box::mapped(const Affine& map) const {
-    const dvec3 middle = 0.5 * (dvec3(low) + dvec3(high)), half = 0.5 * (dvec3(high) - dvec3(low));
-    const dvec3 at = map * dvec4(middle, 1.0);
-    dvec3 reach = glm::abs(map[0]) * half.x + glm::abs(map[1]) * half.y + glm::abs(map[2]) * half.z;
-    // Exceeds the rounding errors of the map and of the conversion to single precision.
-    reach += 4.0 * std::numeric_limits<float>::epsilon() * (glm::abs(at) + reach);
-    return {vec3(at - reach), vec3(at + reach)};
-}
 
 FourBoxes FourTriangles::boxes() const {
     FourBoxes boxes;

@@ -2,43 +2,10 @@
 // Tree of bounding boxes over triangles, to find the pairs of triangles of two surfaces that may intersect.
 #pragma once
 
-#include <glm/mat4x3.hpp>
-
-#include <fovea/base/four.h>
-#include <fovea/base/parallel.h>
 #include <fovea/mesh/surface.h>
+#include <fovea/scene/box_tree.h>
 
 namespace fovea::scene {
-
-/// An affine map; column 3 is the translation.
-using Affine = glm::dmat4x3;
-
-struct Box {
-    vec3 low, high;
-
-    /// Whether the boxes overlap or touch. False for an empty box, and for NaN.
-    bool meets(const Box& other) const {
-        return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high));
-    }
-    Box grown(float by) const { return {low - by, high + by}; }
-    /// A box that contains the image of this one.
-    Box mapped(const Affine& map) const;
-};
-
-/// Four boxes. A lane that is not used has a box that meets none.
-struct FourBoxes {
-    Four low[3], high[3];
-
-    Box operator[](int lane) const {
-        return {{low[0][lane], low[1][lane], low[2][lane]}, {high[0][lane], high[1][lane], high[2][lane]}};
-    }
-    /// Bit i is set if lane i overlaps or touches `box`.
-    unsigned meeting(const Box& box) const {
-        FourInts met = (low[0] <= box.high.x) & (high[0] >= box.low.x);
-        met &= (low[1] <= box.high.y) & (high[1] >= box.low.y);
-        return bits(met & (low[2] <= box.high.z) & (high[2] >= box.low.z));
-    }
-};
 
 /// Corners of four triangles. A lane that is not used has all of them at infinity.
 struct FourTriangles {

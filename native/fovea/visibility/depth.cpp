@@ -134,13 +134,15 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
         if ((placement.usage & usage_occlude) && placement.surface->occluding_triangles > 0 &&
-            in_frame(placement, view, margin)) {
-            const Sphere sphere = bounding_sphere(placement, view);
-            const bool beyond_near = -sphere.center.z - sphere.radius > view.near_clip;
-            result.push_back({i, view.world_to_view * placement.object_to_world,
-                              beyond_near && bodies_of(*placement.surface)->all_outward});
-        }
+            in_frame(placement, view, margin))
+            result.push_back({i, view.world_to_view * placement.object_to_world, false});
     }
+    parallel_for(result.size(), 1, [&](std::size_t i) {
+        const Placement& placement = scene.placements[result[i].placement];
+        const Sphere sphere = bounding_sphere(placement, view);
+        const bool beyond_near = -sphere.center.z - sphere.radius > view.near_clip;
+        result[i].solid = beyond_near && bodies_of(*placement.surface)->all_outward;
+    });
     return result;
 }
 
