@@ -69,6 +69,12 @@ TEST(Strips, JoinTheTwoEdgesOfABevel) {
     }
 }
 
+TEST(Strips, EdgesInARowAreNone) {
+    Mesh roof("roof", {{-6, -3, 0}, {0, -3, 0}, {6, -3, 0}, {-6, 0, 1}, {0, 0, 1}, {6, 0, 1}, {-6, 3, 0}, {0, 3, 0}, {6, 3, 0}});
+    for (const int a : {0, 1, 3, 4}) roof.add_polygon({a, a + 1, a + 4, a + 3});
+    EXPECT_TRUE(strips_of(*roof.surface())->empty());
+}
+
 TEST(Strips, BoardsAreNone) { EXPECT_TRUE(strips_of(*box({-1, -1, -0.01f}, {1, 1, 0.01f}).surface())->empty()); }
 
 TEST(NarrowStrips, HaveTwoLinesWhereTheyAreWideOnPaper) {

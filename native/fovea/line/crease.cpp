@@ -9,8 +9,10 @@
 #include <fovea/field/fields.h>
 #include <fovea/field/shape.h>
 #include <fovea/field/turn.h>
+#include <fovea/line/crease.h>
 #include <fovea/line/edges.h>
 #include <fovea/line/folds.h>
+#include <fovea/line/registry.h>
 
 namespace fovea::line {
 namespace {
@@ -61,5 +63,7 @@ extern const LineDefinition crease = {
     .rule = EdgeRule{parameters.of(mark)},
     .usual = true,
 };
+
+Kinds creases() { return kind_of(crease); }
 
 }  // namespace fovea::line
