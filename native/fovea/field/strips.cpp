@@ -11,8 +11,8 @@ namespace fovea::field {
 namespace {
 
 constexpr double least_turn = glm::radians(15.0), most_turn = glm::radians(65.0);
-constexpr double flat = glm::radians(1.0);   // faces are looked across edges that turn less, as between triangles
-constexpr double alongside = 0.9;            // cosine of the angle between the two edges
+constexpr double flat = glm::radians(1.0);  // faces are looked across edges that turn less, as between triangles
+constexpr double alongside = 0.9;           // cosine of the angle between the two edges
 
 class Strips {
    public:
