@@ -3,11 +3,12 @@
 
 
 def output_of(material):
-    """The material's output node, or None if it has no nodes."""
+    """The material's output node, or None if it has no nodes: that for all engines, else for Eevee, else for Cycles."""
     # From Blender 5 on every material uses nodes, and use_nodes is deprecated.
     if material.node_tree is None or not getattr(material, "use_nodes", True):
         return None
-    return material.node_tree.get_output_node("ALL")
+    found = map(material.node_tree.get_output_node, ("ALL", "EEVEE", "CYCLES"))
+    return next((output for output in found if output is not None), None)
 
 
 def surface_shader(material):

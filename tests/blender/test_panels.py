@@ -80,17 +80,18 @@ def test_usual_definitions_come_first_each_group_by_what_its_lines_depend_on(sce
 
 def test_a_kind_that_a_set_above_takes_says_which(scene):
     held = use_style(scene, "plain")
-    assert held.line_sets[0].kinds.contour
+    index = held.line_set_index
+    assert held.line_sets[index].kinds.contour
     assert bpy.ops.fovea.line_set_duplicate() == {"FINISHED"}
-    held.line_sets[0].name = "Outlines"
+    held.line_sets[index].name = "Outlines"
 
     def taken():
         titles = shown_by(part("ui.lines").RENDER_PT_fovea_lines).titles
         return [title for title in titles if title.startswith("Taken by")]
 
-    held.line_set_index = 0
+    held.line_set_index = index
     assert not taken()
-    held.line_set_index = 1
+    held.line_set_index = index + 1
     assert set(taken()) == {"Taken by 'Outlines' above"}
 
 

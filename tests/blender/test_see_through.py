@@ -201,6 +201,20 @@ def test_a_material_without_a_shader_hides_by_the_alpha_of_its_viewport_color(al
     assert found.why == (f"the alpha of its viewport color is {alpha}",)
 
 
+@pytest.mark.parametrize("targets", [("EEVEE", "CYCLES"), ("CYCLES",), ("ALL", "EEVEE")])
+def test_outputs_for_single_engines_count_where_there_is_none_for_all(targets):
+    made = bpy.data.materials.new("Engines")
+    made.use_nodes = True
+    made.node_tree.nodes.clear()
+    made.diffuse_color[3] = 0.1  # see-through, if no output is found
+    nodes = Nodes(made.node_tree)
+    for i, target in enumerate(targets):
+        output = made.node_tree.nodes.new("ShaderNodeOutputMaterial")
+        output.target = target
+        made.node_tree.links.new(nodes.clear() if i else nodes.diffuse(), output.inputs["Surface"])
+    assert not see_through.through(made).is_enough
+
+
 def test_a_volume_without_a_surface_hides_nothing():
     smoke = material(lambda nodes: None, "Smoke")
     output = next(node for node in smoke.node_tree.nodes if node.type == "OUTPUT_MATERIAL")

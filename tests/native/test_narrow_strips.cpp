@@ -16,7 +16,8 @@ namespace {
 
 constexpr float width = 0.1f;
 
-/// A side (x = -1), a bevel, and a top (z = 0), in `rows` rows along y. Vertex 4 j + i: point i of the profile in row j.
+/// A side (x = -1), a bevel, and a top (z = 0), in `rows` rows along y. Vertex 4 j + i: point i of the profile in row
+/// j.
 Mesh bevelled(int rows = 4, bool triangles = false) {
     std::vector<vec3> points;
     for (int j = 0; j <= rows; ++j) {
@@ -43,8 +44,7 @@ std::pair<double, double> left(const Mesh& mesh, double distance, const LineSet&
     const double s = distance / std::sqrt(3.0);
     const Drawing drawn({place(mesh)}, perspective({-s, -s, s}, {-1, 0, 0}), {set});
     const Array<float> least(drawn.paths.count(), 6.0f);
-    const Runs kept =
-        without_narrow_strips(drawn.clipped, drawn.runs, drawn.paths, drawn.scene, drawn.view, least);
+    const Runs kept = without_narrow_strips(drawn.clipped, drawn.runs, drawn.paths, drawn.scene, drawn.view, least);
     std::pair<double, double> sum(0.0, 0.0);
     for (std::size_t r = 0; r < kept.size(); ++r) {
         const Index i = drawn.paths.rows.begin(drawn.clipped.path[kept.piece[r]]);
@@ -67,6 +67,14 @@ TEST(Strips, JoinTheTwoEdgesOfABevel) {
             }
         EXPECT_EQ(joined, 8u);
     }
+}
+
+TEST(Strips, EdgesInARowAreNone) {
+    Mesh roof(
+        "roof",
+        {{-6, -3, 0}, {0, -3, 0}, {6, -3, 0}, {-6, 0, 1}, {0, 0, 1}, {6, 0, 1}, {-6, 3, 0}, {0, 3, 0}, {6, 3, 0}});
+    for (const int a : {0, 1, 3, 4}) roof.add_polygon({a, a + 1, a + 4, a + 3});
+    EXPECT_TRUE(strips_of(*roof.surface())->empty());
 }
 
 TEST(Strips, BoardsAreNone) { EXPECT_TRUE(strips_of(*box({-1, -1, -0.01f}, {1, 1, 0.01f}).surface())->empty()); }
@@ -99,8 +107,7 @@ TEST(NarrowStrips, LeaveBoardsTheirTwoEdges) {
     const Drawing drawn({place(box({-1, -1, -0.02f}, {1, 1, 0.0f}))}, perspective({-12, -12, 12}, {0, 0, 0}),
                         {line_set({"crease"})});
     const Array<float> least(drawn.paths.count(), 6.0f);
-    const Runs kept =
-        without_narrow_strips(drawn.clipped, drawn.runs, drawn.paths, drawn.scene, drawn.view, least);
+    const Runs kept = without_narrow_strips(drawn.clipped, drawn.runs, drawn.paths, drawn.scene, drawn.view, least);
     EXPECT_EQ(kept.piece, drawn.runs.piece);
     EXPECT_EQ(kept.end_px, drawn.runs.end_px);
 }

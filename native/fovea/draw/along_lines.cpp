@@ -60,6 +60,12 @@ Array<float> by_path(const Paths& paths, double scale, const std::vector<double>
     return amounts;
 }
 
+Array<float> spacing_by_path(const Paths& paths, double scale, const style::Style& style) {
+    std::vector<double> of_set;
+    for (const style::LineSet& set : style.line_sets) of_set.push_back(set.pen.spacing);
+    return by_path(paths, scale, of_set);
+}
+
 Array<float> by_view(const Paths& paths, double of_view, double other) {
     Array<float> amounts(paths.count());
     for (Index p = 0; p < paths.count(); ++p) amounts[p] = float(paths.of_view[p] ? of_view : other);

@@ -17,6 +17,9 @@ std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& ov
 /// Per path: the value of its line set in `of_set` [reference px], in pixels; `scale`: pixels per reference pixel.
 Array<float> by_path(const Paths& paths, double scale, const std::vector<double>& of_set);
 
+/// Per path: the spacing of its line set's pen in focus, in image pixels.
+Array<float> spacing_by_path(const Paths& paths, double scale, const style::Style& style);
+
 /// Per path: `of_view` where its definition depends on the view, else `other`.
 Array<float> by_view(const Paths& paths, double of_view, double other);
 

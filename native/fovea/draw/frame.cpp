@@ -72,9 +72,8 @@ void Frame::filter() {
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
-        std::vector<double> spacings;
-        for (const style::LineSet& set : job.style.line_sets) spacings.push_back(set.pen.spacing);
-        found = without_narrow_strips(*clipped, found, *paths, *job.scene, job.view, by_path(*paths, scale(), spacings));
+        found = without_narrow_strips(*clipped, found, *paths, *job.scene, job.view,
+                                      spacing_by_path(*paths, scale(), job.style));
         if (levels > 0) {
             found =
                 without_beside_visible(*clipped, with_hidden(*clipped, found, paths->placement), o.beside * scale());

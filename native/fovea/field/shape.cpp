@@ -12,8 +12,8 @@ namespace {
 constexpr double least_turn = glm::radians(0.25), most_turn = glm::radians(15.0),
                  most_turn_if_smooth = glm::radians(45.0), fold = glm::radians(75.0);
 constexpr double most_fine_turn = glm::radians(8.5);  // contours of coarser meshes leave their smooth shape's
-constexpr double least_ratio = 0.1;   // of the lesser to the greater principal curvature
-constexpr double least_share = 0.42;  // of the area
+constexpr double least_ratio = 0.1;                   // of the lesser to the greater principal curvature
+constexpr double least_share = 0.42;                  // of the area
 const double fitting = std::cos(glm::radians(25.0));
 constexpr double most_unfit = 0.13;  // of the area
 

@@ -11,8 +11,8 @@ namespace fovea::field {
 namespace {
 
 constexpr double least_turn = glm::radians(15.0), most_turn = glm::radians(65.0);
-constexpr double flat = glm::radians(1.0);   // faces are looked across edges that turn less, as between triangles
-constexpr double alongside = 0.9;            // cosine of the angle between the two edges
+constexpr double flat = glm::radians(1.0);  // faces are looked across edges that turn less, as between triangles
+constexpr double alongside = 0.9;           // cosine of the angle between the two edges
 
 class Strips {
    public:
@@ -57,7 +57,8 @@ class Strips {
                 const double length = glm::length(along), size = glm::length(way);
                 if (!(std::abs(glm::dot(along, way)) > alongside * length * size)) continue;
                 const dvec3 from = 0.5 * (end(edge, 0) + end(edge, 1)) - end(other, 0);
-                const double share = std::clamp(glm::dot(from, way) / (size * size), 0.0, 1.0);
+                const double share = glm::dot(from, way) / (size * size);
+                if (share < 0.0 || share > 1.0) continue;  // in a row with it, not alongside
                 const double width = glm::distance(from, share * way);
                 if (width < std::min(length, nearest.width)) nearest = {other, width};
             }

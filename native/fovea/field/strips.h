@@ -8,8 +8,8 @@
 
 namespace fovea::field {
 
-/// Per mesh edge: the other edge of the narrowest strip beside it, or none; empty if there are no strips. Both edges turn by 15 to 65
-/// degrees: by more, faces between them are those of a board. Cached with the surface.
+/// Per mesh edge: the other edge of the narrowest strip beside it, or none; empty if there are no strips. Both edges
+/// turn by 15 to 65 degrees: by more, faces between them are those of a board. Cached with the surface.
 std::shared_ptr<const Array<Index>> strips_of(const Surface& surface);
 
 }  // namespace fovea::field

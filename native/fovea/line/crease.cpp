@@ -4,6 +4,8 @@
 // Out  mesh edges whose two facet normals differ by at least `angle`, on hard surfaces where shading is not smooth
 //      across them, else where they are folds (line/folds.h); all edges with more than two facets; with `sharp_marks`,
 //      also those marked sharp. Never diagonals of polygons.
+#include <fovea/line/crease.h>
+
 #include <cmath>
 
 #include <fovea/field/fields.h>
@@ -11,6 +13,7 @@
 #include <fovea/field/turn.h>
 #include <fovea/line/edges.h>
 #include <fovea/line/folds.h>
+#include <fovea/line/registry.h>
 
 namespace fovea::line {
 namespace {
@@ -61,5 +64,7 @@ extern const LineDefinition crease = {
     .rule = EdgeRule{parameters.of(mark)},
     .usual = true,
 };
+
+Kinds creases() { return kind_of(crease); }
 
 }  // namespace fovea::line

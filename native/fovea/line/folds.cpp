@@ -26,7 +26,7 @@ Limits limits_for(Shape shape) {
     if (shape == Shape::rounded) return {{1.5, 2.0, 6.0}, {1.0, 1.75, 4.0}, HUGE_VAL};
     return {{1.5, 2.5, 8.0}, {1.0, 2.0, 6.0}, HUGE_VAL};
 }
-constexpr double bridge = 0.5;  // share of the angle from which an edge joins two ends of folds
+constexpr double bridge = 0.5;              // share of the angle from which an edge joins two ends of folds
 constexpr double flat = glm::radians(1.0);  // edges that turn less are looked across, as between triangles of a face
 constexpr double parallel_cosine = 0.7071;  // of directions that count as parallel
 constexpr double straight_cosine = 0.6428;  // a fold continues along an edge that turns by up to 50 degrees
@@ -38,7 +38,7 @@ class Folds {
           angle_(glm::radians(angle)),
           limits_(limits_for(shape)),
           turn_(parallel_map<float>(surface.edges.size(), [&](auto e) {
-              return static_cast<float>(field::turn_at(surface, static_cast<Index>(e)));
+              return static_cast<float>(field::signed_turn(surface, static_cast<Index>(e)));
           })) {
         at_vertex_ = lists_of<Index>(surface.vertex_count(), [&](const auto& give) {
             for (Index e = 0; e < surface.mesh_edges; ++e)
@@ -69,7 +69,7 @@ class Folds {
 
    private:
     bool stands_out(Index edge, const Prominence& by) const {
-        const double turn = turn_[edge];
+        const double turn = std::abs(turn_[edge]);
         if (surface_.edge_rows.size(edge) != 2 || turn < by.turn * angle_) return false;
         return turn > limits_.always ||
                (turn >= by.than_parallel * turn_parallel(edge) && turn >= by.than_around * turn_around(edge));
@@ -88,21 +88,24 @@ class Folds {
     double turn_parallel(Index edge) const {
         const In<EdgeSide> sides = surface_.sides(edge);
         const dvec3 along = direction(edge);
-        return 0.5 * (next_turn(edge, sides[0].facet(), along, 2) + next_turn(edge, sides[1].facet(), along, 2));
+        return 0.5 *
+               (next_turn(edge, edge, sides[0].facet(), along, 2) + next_turn(edge, edge, sides[1].facet(), along, 2));
     }
 
-    /// The greatest turn at a facet's edges parallel to `along`, without `edge`; across up to `flats` flat edges.
-    double next_turn(Index edge, Index facet, const dvec3& along, int flats) const {
+    /// The greatest turn, the same way as at the edge `of`, at a facet's edges parallel to `along`, without `edge`;
+    /// across up to `flats` flat edges.
+    double next_turn(Index of, Index edge, Index facet, const dvec3& along, int flats) const {
         double most = 0.0;
         for (const Index other : of_facet_[facet]) {
             if (other == edge) continue;
-            if (turn_[other] >= flat) {
+            if (std::abs(turn_[other]) >= flat) {
+                if (turn_[other] * turn_[of] < 0.0f) continue;
                 if (std::abs(glm::dot(direction(other), along)) > parallel_cosine)
-                    most = std::max<double>(most, turn_[other]);
+                    most = std::max<double>(most, std::abs(turn_[other]));
             } else if (flats > 0 && surface_.edge_rows.size(other) == 2) {
                 const In<EdgeSide> sides = surface_.sides(other);
                 const Index across = sides[0].facet() == facet ? sides[1].facet() : sides[0].facet();
-                most = std::max(most, next_turn(other, across, along, flats - 1));
+                most = std::max(most, next_turn(of, other, across, along, flats - 1));
             }
         }
         return most;
@@ -134,7 +137,7 @@ class Folds {
             double best = straight_cosine;
             for (const Index e : at_vertex_[vertex]) {
                 const Index across = surface_.edges[e].x == vertex ? surface_.edges[e].y : surface_.edges[e].x;
-                const bool bridges = turn_[e] >= bridge * angle_ && ends_here(across);
+                const bool bridges = std::abs(turn_[e]) >= bridge * angle_ && ends_here(across);
                 if (on[e] || !(grade[e] || bridges)) continue;
                 const double cosine = -glm::dot(from(vertex, edge), from(vertex, e));
                 if (cosine > best) next = e, best = cosine;
@@ -172,7 +175,7 @@ class Folds {
     const Surface& surface_;
     double angle_;
     Limits limits_;
-    Array<float> turn_;       // per edge, radians
+    Array<float> turn_;       // per edge, radians; negative where concave
     Lists<Index> at_vertex_;  // mesh edges
     Lists<Index> triangles_;  // around each vertex
     Lists<Index> of_facet_;   // edges

@@ -6,7 +6,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/field/strips.h>
-#include <fovea/line/registry.h>
+#include <fovea/line/crease.h>
 
 namespace fovea::runs {
 namespace {
@@ -102,7 +102,7 @@ class Narrow {
     const Scene& scene_;
     const View& view_;
     In<float> least_px_;
-    Kinds crease_ = kind_of(definition_called("crease"));
+    Kinds crease_ = line::creases();
     EdgeLines lines_{paths_, scene_, crease_};
 };
 
