@@ -8,7 +8,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from . import cut_outs, detail, faceless, instances, kept, materials, own_lines, repair, shapes, subdivision
+from . import bare_shapes, cut_outs, detail, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
@@ -47,7 +47,7 @@ class _Gathering:
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
         self.known_own, self.known_guides, self.left_out = {}, None, {}
-        self.outlines = faceless.outlines()
+        self.outlines = bare_shapes.outlines()
         self.together = None  # {object: collection with one outline}, by full names
         self.rows = []  # per placement: (instance, surface, hash of names, usage, group, object, owners, *own)
 
@@ -146,11 +146,11 @@ class _Gathering:
             self.place(step, self.surface_index(obj, mesh), instance, usage)
 
     def add_shape(self, step, shape, instance, usage):
-        """Adds a placement of a faceless.Shape, unless it is empty."""
+        """Adds a placement of a bare_shapes.Shape, unless it is empty."""
         obj, place = instance.object, (*shape.place, instance.object.name_full)
         if place not in self.index_of:
             slots = materials.slots(shape, shape, self.known_materials)
-            surface = self.cache.faceless((obj.name_full, shape.name, slots), obj.name, shape, slots)
+            surface = self.cache.bare((obj.name_full, shape.name, slots), obj.name, shape, slots)
             self.index_of[place] = None if surface is None else len(self.surfaces)
             if surface is not None:
                 for gathering in self.beside:
@@ -165,13 +165,13 @@ class _Gathering:
         obj = instance.object
         mesh = obj.to_mesh()
         if self.known_guides is None:
-            self.known_guides = faceless.guides(self.depsgraph.scene.objects)
+            self.known_guides = bare_shapes.guides(self.depsgraph.scene.objects)
         if mesh is None:
-            self.left_out[obj.name] = faceless.NODE_CURVES
+            self.left_out[obj.name] = bare_shapes.NODE_CURVES
         elif len(mesh.polygons):
             pass  # they are an instance of their own
         elif obj.original in self.known_guides:
-            self.left_out[obj.name] = faceless.GUIDE
+            self.left_out[obj.name] = bare_shapes.GUIDE
         else:
             self.add(step, obj, mesh, instance, usage)
         obj.to_mesh_clear()
@@ -247,7 +247,7 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, col
     notes.Gathering to fill, or None.
 
     Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to; hair and point clouds by
-    faceless.py. Hidden objects and collections are not among the depsgraph's instances.
+    bare_shapes.py. Hidden objects and collections are not among the depsgraph's instances.
     """
     beside = [beside for beside in (colors, notes) if beside]
     sizes = _sizes(depsgraph) if images else {}
@@ -260,7 +260,7 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, col
         if usage := gathering.usage(instance, instance.show_self):
             _gather_data(gathering, step, instance, usage)
         if instance.show_particles and (usage := gathering.usage(instance, True)):
-            for shape in faceless.of_particles(obj, depsgraph):
+            for shape in bare_shapes.of_particles(obj, depsgraph):
                 gathering.add_shape(step, shape, instance, usage)
     # View layers and viewports may show different parts of a scene in alternating passes.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
@@ -288,9 +288,9 @@ def _gather_data(gathering, step, instance, usage):
         else:
             gathering.add(step, obj, obj.data, instance, usage)
     # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
-    elif obj.type in faceless.CURVES:
+    elif obj.type in bare_shapes.CURVES:
         gathering.add_wire(step, instance, usage)
-    elif shape := faceless.of_data(obj, gathering.depsgraph.scene):
+    elif shape := bare_shapes.of_data(obj, gathering.depsgraph.scene):
         gathering.add_shape(step, shape, instance, usage)
 
 

@@ -104,8 +104,8 @@ class SurfaceCache:
         triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
         return self._core.Surface(name, self._core.Mesh(**vars(arrays), **triangles)).shape
 
-    def faceless(self, key, name, shape, slots):
-        """The native surface of what has no faces (faceless.Shape), or None if there is nothing of it: as `surface`."""
+    def bare(self, key, name, shape, slots):
+        """The native surface of what has no faces (bare_shapes.Shape), or None if there is nothing of it: as `surface`."""
         if (read := shape.read()) is None:
             return None
         key, hides = self._ordered(key), slots[0].hides

@@ -4,7 +4,7 @@
 import bpy
 
 from ..render import session
-from ..scene import faceless, own_lines
+from ..scene import bare_shapes, own_lines
 from ..scene.line_kinds import property_name
 from ..scene.shapes import LABELS
 from ..style import style_data
@@ -27,7 +27,7 @@ class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
         layout.prop(settings, "usage", text="Usage")
         layout.prop(obj, "is_holdout")
         layout.prop(settings, "outline_group")
-        if obj.type == "CURVES" or any(faceless.is_hair(system) for system in obj.particle_systems):
+        if obj.type == "CURVES" or any(bare_shapes.is_hair(system) for system in obj.particle_systems):
             layout.prop(settings, "hair")
         has_lines = settings.usage in {"BOTH", "DRAW"}
         _draw_own_lines(layout, settings, _kinds_of_style(context.scene), has_lines)
