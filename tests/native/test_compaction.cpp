@@ -59,7 +59,9 @@ TEST(Compaction, KnotsArePointsOnTheLineAndNothingElseChanges) {
         const View view = camera(0.1, orthographic);
         const dvec3 a = orthographic ? dvec3(-0.5, 0.1, -3) : at(100, 100, 3),
                     b = orthographic ? dvec3(0.6, 0.2, -9) : at(500, 300, 12);
-        const Wires wires({divided(a, b, 3), {at(10, 10), at(90, 10)}});
+        const std::vector<dvec3> other = orthographic ? std::vector<dvec3>{{-0.5, 0.3, -3}, {-0.3, 0.3, -3}}
+                                                      : std::vector<dvec3>{at(10, 10), at(90, 10)};
+        const Wires wires({divided(a, b, 3), other});
         const ClippedPaths clipped = wires.project(view);
         const double first = clipped.arc_px[0], last = clipped.arc_px[3], middle = 0.5 * (first + last);
         const Runs runs = runs_of({{0, first, middle}, {0, middle, last}, {1, -20, 20}});

@@ -213,6 +213,6 @@ TEST(FieldConditions, AutomaticChoiceFollowsTheNoise) {
     for (vec3& p : sample.mesh.positions) p += offset(random) * vec3(sample.exact(dvec3(p)).normal);
     const auto surface = sample.mesh.surface();
     const auto noisy = fields_of(*surface);
-    EXPECT_NE(noisy->reason.find("degree 3 over 3 rings, smoothed"), std::string::npos) << noisy->reason;
+    EXPECT_NE(noisy->reason.find("degree 3, radius 3, smoothed"), std::string::npos) << noisy->reason;
     EXPECT_EQ(noisy, fields_of(*surface)) << "kept";
 }

@@ -115,7 +115,7 @@ TEST(Frame, PolylinesKnowHowFarEachEffectGoesAlongThem) {
     Job job = job_of(with_hidden_lines);
     style::Style& style = job.style;
     style.line_sets[0].pen_away = style.line_sets[0].pen;
-    style.focus = {.model = style::FocusModel::image, .points = {{.at = {0.5, 0.5, 0.0}, .near = 0.0, .far = 0.5}}};
+    style.focus = {.model = style::FocusModel::scene, .points = {{.at = {0, 1, 0}, .near = 0.0, .far = 4.0}}};
     style.effects.color.strength = 0.25;
     Frame plain(job_of(with_hidden_lines)), frame(std::move(job));
     const Polylines without = polylines_of(plain), lines = polylines_of(frame);
@@ -129,8 +129,8 @@ TEST(Frame, PolylinesKnowHowFarEachEffectGoesAlongThem) {
         if (lines.invisibility[r] > 0) continue;
         EXPECT_GT(lines.pen_away[r], lines.pen[r]);
         for (Index i = lines.rows.begin(r); i < lines.rows.end(r); ++i) {
-            const vec2 from_middle = lines.px[i] - 0.5f * vec2(float(view.width), float(view.height));
-            const float focus = std::min(glm::length(from_middle) / float(view.height) / 0.5f, 1.0f);
+            const dvec3 place(view.world_to_view * dvec4(0, 1, 0, 1));
+            const float focus = std::min(float(glm::distance(dvec3(lines.position_view[i]), place)) / 4.0f, 1.0f);
             EXPECT_NEAR(lines.mix[i].z, focus, 0.06f);
             EXPECT_NEAR(lines.mix[i].x, 0.25f * lines.mix[i].z, 1e-4f);
             least = std::min(least, lines.mix[i].z), most = std::max(most, lines.mix[i].z);

@@ -238,7 +238,7 @@ TEST(Stretch, OtherOptionsOtherLines) {
     };
     EXPECT_EQ(fields_reason(*surface), "") << "nobody asked";
     EXPECT_EQ(size({.estimator = Estimator::one_ring}), "fast (one-rings) as asked for fast (one-rings) as asked for");
-    EXPECT_NE(size({.degree = 3, .rings = 5}).find("degree 3 over 5 rings"), std::string::npos);
+    EXPECT_NE(size({.degree = 3, .rings = 5}).find("degree 3, radius 5"), std::string::npos);
     EXPECT_EQ(fields_reason(*surface), fields_of(*surface)->reason);
     EXPECT_THROW(surface->set_field_options({.degree = 7}), std::invalid_argument);
     EXPECT_THROW(surface->set_field_options({.rings = -1}), std::invalid_argument);
