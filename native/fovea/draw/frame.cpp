@@ -8,12 +8,15 @@
 #include <fovea/color/map.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/draw/methods.h>
+#include <fovea/elision/figures.h>
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
 #include <fovea/path/extract.h>
 #include <fovea/project/project.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/invisibility.h>
+#include <fovea/runs/join_folds.h>
+#include <fovea/runs/own_roughness.h>
 #include <fovea/stroke/tessellate.h>
 
 namespace fovea::draw {
@@ -69,8 +72,10 @@ void Frame::filter() {
         const Index counted = job.style.counted();
         const Index levels = method_of(o.visibility).counts_surfaces ? counted : std::min(counted, Index(1));
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
+        unfold();
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
+        found = without_tips(*clipped, found, paths->placement, o.tip * scale(), o.beside * scale());
         if (levels > 0) {
             found =
                 without_beside_visible(*clipped, with_hidden(*clipped, found, paths->placement), o.beside * scale());
@@ -83,6 +88,22 @@ void Frame::filter() {
         distance = distance_along_lines();
     });
     done_ = Step::filter;
+}
+
+/// Takes folds out of contours: replaces `clipped`, `visible` and `samples`.
+void Frame::unfold() {
+    const Options& o = job.options;
+    const Array<float> no_spurs(paths->count(), 0.0f);
+    const Runs closed = close_gaps(*clipped, *visible, o.gap * scale(), no_spurs);
+    const Runs whole = without_own_roughness(*clipped, *paths, rays(), closed, o.fold * scale());
+    Unfolded unfolded =
+        join_folds(*clipped, whole, paths->of_view, o.fold * scale(), o.joint * scale(), o.contour_spur * scale());
+    clipped = std::make_shared<ClippedPaths>(std::move(unfolded.clipped));
+    if (!samples.empty()) {
+        const Array<float> all = std::move(samples);
+        samples = parallel_map<float>(clipped->samples, [&](std::size_t s) { return all[unfolded.sample[s]]; });
+    }
+    visible = std::make_shared<Runs>(std::move(unfolded.runs));
 }
 
 void Frame::thin() {
@@ -202,6 +223,7 @@ Array<float> Frame::left(float cut) {
     const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
 
     OwnBands own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
+    mark_figures(group_runs(*clipped, *runs, paths->placement, true), *runs, ranks, own);
     Bands bands = draw_bands(*clipped, *runs, ranks, own);
     const Elision elision{std::move(own), std::move(bands)};
     const Array<vec2> crowding = job.backend->elide(*this, elision);
