@@ -10,7 +10,7 @@ namespace fovea::runs {
 namespace {
 
 constexpr double step_px = 2.0;
-constexpr double most_depth = 2.0;  // of what hides it before the line, in lengths of the gap
+constexpr double most_depth = 4.0;  // of what hides it before the line, in lengths of the gap
 
 /// Whether only the roughness of a line's own surface hides it between two arc lengths.
 bool is_rough(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Index piece, double from,
