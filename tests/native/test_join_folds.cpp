@@ -107,6 +107,17 @@ TEST(JoinFolds, PassOverASpurBetweenTwoPartsOfAnOutline) {
     for (const vec2& px : found.clipped.px) EXPECT_LT(px.y, 102.0f);
 }
 
+TEST(JoinFolds, KeepWhatLeadsAway) {
+    // Seen for 40 px to the left and 15 px up; back hidden, and seen again to the right from half a pixel beside.
+    const ClippedPaths clipped = bent({{140, 100}, {100, 100}, {100, 115}, {100.5, 100.5}, {180, 100.5}});
+    const double back = glm::length(dvec2(0.5, 14.5));
+    const Unfolded found = joined(clipped, seen(clipped, {{0, 55}, {55 + back, 55 + back + 79.5}}));
+    EXPECT_GT(found.clipped.last_arc(0) - found.clipped.first_arc(0), 130.0);
+    float highest = 0.0f;
+    for (const vec2& px : found.clipped.px) highest = std::max(highest, px.y);
+    EXPECT_NEAR(highest, 115.0f, 0.5f);
+}
+
 TEST(JoinFolds, ZigzagsBecomeOneRun) {
     // Ten times ahead by 20 px and back by 8 px.
     std::vector<dvec2> bends{{100, 100}}, parts;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gaps of smooth contours that only their own mesh makes (runs/own_roughness.h).
-#include <fovea/runs/own_roughness.h>
 #include <gtest/gtest.h>
+
+#include <fovea/runs/own_roughness.h>
 
 #include "drawing.h"
 

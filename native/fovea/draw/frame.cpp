@@ -93,9 +93,7 @@ void Frame::filter() {
 /// Takes folds out of contours: replaces `clipped`, `visible` and `samples`.
 void Frame::unfold() {
     const Options& o = job.options;
-    const Array<float> no_spurs(paths->count(), 0.0f);
-    const Runs closed = close_gaps(*clipped, *visible, o.gap * scale(), no_spurs);
-    const Runs whole = without_own_roughness(*clipped, *paths, rays(), closed, o.fold * scale());
+    const Runs whole = without_own_roughness(*clipped, *paths, rays(), *visible, o.fold * scale());
     Unfolded unfolded =
         join_folds(*clipped, whole, paths->of_view, o.fold * scale(), o.joint * scale(), o.contour_spur * scale());
     clipped = std::make_shared<ClippedPaths>(std::move(unfolded.clipped));

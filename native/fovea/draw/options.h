@@ -31,7 +31,7 @@ struct Options {
     double spur = 1.0;           ///< maximum length of spurs that are removed [reference px]
     double contour_spur = 10.0;  ///< the same in contours, which break up at their ends on smooth surfaces
     double fold = 30.0;          ///< maximum length of folds cut off ends of contours [reference px]
-    double tip = 10.0;           ///< maximum size of lines that peek out alone, and are removed [reference px]
+    double tip = 6.0;            ///< maximum size of lines that peek out alone, and are removed [reference px]
     double joint = 2.0;          ///< distance up to which a contour goes on across a fold of itself [reference px]
     double meet = 8.0;           ///< maximum extension of a contour over its own facets, to another line [reference px]
     double beside = 4.0;         ///< distance within which a hidden line beside a visible one is removed [reference px]

@@ -4,9 +4,9 @@
 // hidden runs. Amounts per path have one entry per path of Paths. Parallel; results do not depend on the number of
 // threads.
 //
-// Order: close_gaps (without spurs), without_own_roughness (runs/own_roughness.h), join_folds (runs/join_folds.h),
-// close_gaps, trim_folds, without_tips, without_beside_visible, without_short_hidden, halo, meet_ends, overshoot. Halo
-// must precede overshoot: otherwise the overshoot past the occluding line survives.
+// Order: without_own_roughness (runs/own_roughness.h), join_folds (runs/join_folds.h), close_gaps, trim_folds,
+// without_tips, without_beside_visible, without_short_hidden, halo, meet_ends, overshoot. Halo must precede overshoot:
+// otherwise the overshoot past the occluding line survives.
 #pragma once
 
 #include <fovea/visibility/runs.h>

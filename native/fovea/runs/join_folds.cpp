@@ -110,10 +110,19 @@ class Joiner {
             head_.push_back({span.begin + cut, cut, px(span.begin + cut)});
     }
 
-    /// Whether no more is cut off than what is hidden: that is the way back.
+    /// Whether no more is cut off than what is hidden, which is the way back, and nothing that leads away from what is
+    /// left, except spurs.
     bool is_fold(const Place& a, const Place& b) const {
         const double cut = a.cut + b.cut, hidden = b.arc - a.arc - cut;
-        return cut <= hidden + 2.0 * near_;
+        return cut <= hidden + 2.0 * near_ && (a.cut < spur_ || beside(tail_.front(), head_, b.cut)) &&
+               (b.cut < spur_ || beside(head_.front(), tail_, a.cut));
+    }
+
+    /// Whether a place lies beside a line, beyond what is cut off that.
+    bool beside(const Place& place, const std::vector<Place>& line, double cut) const {
+        return std::ranges::any_of(line, [&](const Place& other) {
+            return other.cut >= cut && glm::distance(other.px, place.px) <= 2.0 * near_;
+        });
     }
 
     /// Whether something is left of both, and the line does not turn back where it goes from one to the other.

@@ -10,8 +10,8 @@ namespace fovea::runs {
 
 /// The contour of a smooth surface runs inside of its mesh in places, whose facets hide it there. Closes gaps of at
 /// most `gap_px` between visible runs of paths that end at cusps (Paths::of_view), where rays every two pixels meet
-/// their own placement first, and that no farther before the line than four times the gap's length in space: nearer than
-/// that a part in front of it can hardly be. `visible`: runs of invisibility 0.
+/// their own placement first, and that no farther before the line than four times the gap's length in space: nearer
+/// than that a part in front of it can hardly be. `visible`: runs of invisibility 0.
 Runs without_own_roughness(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& visible,
                            double gap_px);
 
