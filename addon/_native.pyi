@@ -1074,6 +1074,9 @@ class Elision:
     def reach_px(self) -> float:
         """pixels from its end over which a band hands over to a line that goes on"""
     @property
+    def figure_of_rank(self) -> NDArray[numpy.float32]:
+        """(R,) float32, per rank: number of the figure of its run; -1: none"""
+    @property
     def triangles(self) -> NDArray[numpy.uint32]:
         """(T, 3) uint32, the highest rank first"""
     @property
@@ -1089,6 +1092,10 @@ class Elision:
     @property
     def ends(self) -> NDArray[numpy.float32]:
         """(D, 4) float32: where the run starts, and where it ends [px]"""
+    @property
+    def figure(self) -> NDArray[numpy.float32]:
+        """(D, 3) float32: number of the run's figure (elision/figures.h), -1: none; weight in [0, 1] with which it is
+        thinned as a whole; pixels of the run, or, with that weight, of the figure"""
     @property
     def px(self) -> NDArray[numpy.float32]:
         """(V, 2) float32 pixels"""
@@ -1227,7 +1234,7 @@ class Frame:
         view: View,
         style: style.Style,
         *,
-        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), focus_step=1, with_depth=False, with_focus=False),
+        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=10.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), focus_step=1, with_depth=False, with_focus=False),
         assets: Assets | None=None,
         backend: Backend | None=None,
         overrides: Overrides | None=None,
@@ -1350,6 +1357,10 @@ class Options:
     def contour_spur(self) -> float: ...
     @property
     def fold(self) -> float: ...
+    @property
+    def tip(self) -> float: ...
+    @property
+    def joint(self) -> float: ...
     @property
     def meet(self) -> float: ...
     @property

@@ -4,6 +4,7 @@ struct Own {
   vec4 place;       // pixel position, unit direction
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
   vec4 at_ends[8];  // 4 pixels around the run's start, 4 around its end: (rank, weight) of both layers
+  vec3 figure;      // number (-1: none), weight, length
   float shortness;  // elision_shortness of the run
 };
 
@@ -31,7 +32,8 @@ float lost(vec4 other, Own line, float own, float u, vec2 away)
     return 0.0;
   }
   float met = max(meets(line, other.x, 0), meets(line, other.x, 4));
-  return elision_lost(line.place, line.band, own, u, away, other.zw, other.y < 0.0, abs(other.y), met, line.shortness, reach);
+  return elision_foreign(line.figure, fetch_row(figure_of_rank, int(other.x)).x) *
+         elision_lost(line.place, line.band, own, u, away, other.zw, other.y < 0.0, abs(other.y), met, line.shortness, reach);
 }
 
 // (lost, own) share of the pixel that contains a sample position of the window.
@@ -90,7 +92,8 @@ void main()
   Own line;
   line.place = place;
   line.band = band;
-  line.shortness = elision_shortness(band);
+  line.figure = fetch_row(figures, index).xyz;
+  line.shortness = elision_shortness(band, line.figure);
   for (int k = 0; k < 4; k++) {
     line.at_ends[k] = at_end(end.xy, k, near.x);
     line.at_ends[4 + k] = at_end(end.zw, k, near.y);

@@ -36,7 +36,8 @@ class ElisionPass:
             attributes = {"px": elision.px, "across": elision.across, "owner": owners}
             self._bands = triangles(attributes, elision.triangles)
         rows = max(1, batch_samples // row_width()) * row_width()
-        tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends}
+        tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends, "figures": elision.figure}
+        self._figure_of_rank = upload_row(elision.figure_of_rank)
         starts = range(0, len(elision.place), rows)
         self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
 
@@ -55,7 +56,12 @@ class ElisionPass:
             with batch.target.bind():
                 self._programs.cover(
                     "elision",
-                    {**batch.samplers, "layer0": layers[0].color, "layer1": layers[1].color},
+                    {
+                        **batch.samplers,
+                        "figure_of_rank": self._figure_of_rank,
+                        "layer0": layers[0].color,
+                        "layer1": layers[1].color,
+                    },
                     tile=decided,
                     buffer_origin=drawn[:2],
                     sample_total=batch.count,

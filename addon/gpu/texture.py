@@ -31,13 +31,14 @@ def upload(pixels, format=None):
 
 
 def upload_row(entries):
-    """Texture from a table (n,) or (n, channels), wrapped into rows of row_width() texels and padded with 0."""
+    """Texture from a table (n,) or (n, channels), wrapped into rows of row_width() texels and padded with 0; three
+    channels become four."""
     channels = entries.shape[1] if entries.ndim == 2 else 1
-    width = row_width()
+    width, texel = row_width(), 4 if channels == 3 else channels
     rows = max(1, -(-len(entries) // width))
-    pixels = np.zeros((rows * width, channels), np.float32)
-    pixels[: len(entries)] = entries.reshape(-1, channels)
-    return upload(pixels.reshape(rows, width, channels))
+    pixels = np.zeros((rows * width, texel), np.float32)
+    pixels[: len(entries), :channels] = entries.reshape(-1, channels)
+    return upload(pixels.reshape(rows, width, texel))
 
 
 class Target:

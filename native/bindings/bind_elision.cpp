@@ -27,6 +27,8 @@ void bind_elision(py::module_& m) {
         .def_property_readonly(
             "reach_px", [](const Elision& elision) { return elision.reach_px; },
             "pixels from its end over which a band hands over to a line that goes on")
+        .def_property_readonly("figure_of_rank", viewing<Elision>(&OwnBands::figure_of_rank),
+                               "(R,) float32, per rank: number of the figure of its run; -1: none")
         .def_property_readonly("triangles", viewing<Elision>(&Bands::triangles),
                                "(T, 3) uint32, the highest rank first");
     bind_columns(elision, OwnBands::columns);

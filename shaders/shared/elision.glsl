@@ -3,13 +3,21 @@
 // as C++, as members of a struct.
 //   place   pixel position and direction of a sample of the line
 //   band    half width [px], rank, pixels back to its run's start and ahead to its end
+//   figure  number of the run's figure (-1: none); how far it is small enough to be thinned as a whole, in [0, 1]; length
+//           of the run, or of the figure [px]
 //   across  vector across another line, from its center towards the pixel; its length is 1, falling to .5 towards
 //           the ends of that line's band
 
 // Weight in [0, 1] of short runs: 1 up to half the band's width, falling to 0 at three times that length.
-float elision_shortness(vec4 band)
+float elision_shortness(vec4 band, vec3 figure)
 {
-  return 1.0f - smoothstep(band.x, 3.0f * band.x, band.z + band.w);
+  return 1.0f - smoothstep(band.x, 3.0f * band.x, figure.z);
+}
+
+// Weight in [0, 1] of a line of the figure `other`: 0 if it is of the line's own, as far as that is small.
+float elision_foreign(vec3 figure, float other)
+{
+  return figure.x >= 0.0f && figure.x == other ? 1.0f - figure.y : 1.0f;
 }
 
 // Weight in [0, 1] with which another line can meet this one at an end `distance_px` away.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "analytic.h"
 #include "drawing.h"
 
 using namespace fovea;
@@ -242,6 +243,24 @@ TEST(Silhouette, GoesOnWhereTheSurfaceComesNearer) {
     EXPECT_EQ(silhouettes.count(Index(mesh.edge(2, 3))), 0u) << "the surface goes on";
     EXPECT_EQ(silhouettes.count(Index(mesh.edge(0, 1))), 1u);
     EXPECT_EQ(silhouettes.count(Index(mesh.edge(6, 7))), 1u);
+}
+
+TEST(Silhouette, OfARoughMeshIsOneOutline) {
+    // The contour of an irregular mesh doubles back behind its own facets, and is no outline there.
+    const Drawing drawing({place(analytic::icosphere(4, true))}, perspective({4, -5, 3}, dvec3(0)),
+                          {line_set({"silhouette"})});
+    std::set<int> degrees;  // around the middle, that the longest path passes
+    for (Index p = 0; p < drawing.paths.count(); ++p) {
+        std::set<int> passed;
+        for (Index q = 0; q < drawing.clipped.pieces.count(); ++q)
+            for (Index i = drawing.clipped.pieces.begin(q); i < drawing.clipped.pieces.end(q); ++i)
+                if (drawing.clipped.path[q] == p) {
+                    const dvec2 from = dvec2(drawing.clipped.px[i]) - dvec2(320, 240);
+                    passed.insert(int(glm::degrees(std::atan2(from.y, from.x)) / 10.0 + 18.0));
+                }
+        if (passed.size() > degrees.size()) degrees = passed;
+    }
+    EXPECT_GE(degrees.size(), 36u);
 }
 
 TEST(Lines, AnEdgeOfSeveralKindsAppearsOnce) {

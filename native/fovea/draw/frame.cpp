@@ -8,14 +8,17 @@
 #include <fovea/color/map.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/draw/methods.h>
+#include <fovea/elision/figures.h>
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
 #include <fovea/path/extract.h>
 #include <fovea/project/project.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/invisibility.h>
+#include <fovea/runs/join_folds.h>
 #include <fovea/runs/narrow_strips.h>
 #include <fovea/runs/outer_parts.h>
+#include <fovea/runs/own_roughness.h>
 #include <fovea/stroke/tessellate.h>
 
 namespace fovea::draw {
@@ -70,8 +73,10 @@ void Frame::filter() {
         const Options& o = job.options;
         const Index levels = job.style.counted();
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
+        unfold();
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
+        found = without_tips(*clipped, found, paths->placement, o.tip * scale(), o.beside * scale());
         found = without_narrow_strips(*clipped, found, *paths, *job.scene, job.view,
                                       spacing_by_path(*paths, scale(), job.style));
         if (levels > 0) {
@@ -87,6 +92,20 @@ void Frame::filter() {
         distance = distance_along_lines();
     });
     done_ = Step::filter;
+}
+
+/// Takes folds out of contours: replaces `clipped`, `visible` and `samples`.
+void Frame::unfold() {
+    const Options& o = job.options;
+    const Runs whole = without_own_roughness(*clipped, *paths, rays(), *visible, o.fold * scale());
+    Unfolded unfolded =
+        join_folds(*clipped, whole, paths->of_view, o.fold * scale(), o.joint * scale(), o.contour_spur * scale());
+    clipped = std::make_shared<ClippedPaths>(std::move(unfolded.clipped));
+    if (!samples.empty()) {
+        const Array<float> all = std::move(samples);
+        samples = parallel_map<float>(clipped->samples, [&](std::size_t s) { return all[unfolded.sample[s]]; });
+    }
+    visible = std::make_shared<Runs>(std::move(unfolded.runs));
 }
 
 void Frame::thin() {
@@ -208,6 +227,7 @@ Array<float> Frame::left(float cut) {
     const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
 
     OwnBands own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
+    mark_figures(group_runs(*clipped, *runs, paths->placement, true), *runs, ranks, own);
     Bands bands = draw_bands(*clipped, *runs, ranks, own);
     const Elision elision{std::move(own), std::move(bands)};
     const Array<vec2> crowding = job.backend->elide(*this, elision);

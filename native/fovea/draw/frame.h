@@ -66,7 +66,7 @@ class Frame {
 
     void find();     ///< traces lines as paths, projects and clips them
     void see();      ///< visibility
-    void filter();   ///< closes gaps, removes spurs; adds the hidden parts that pens draw
+    void filter();   ///< closes gaps, takes out folds, removes spurs; adds the hidden parts that pens draw
     void thin();     ///< elision: fades lines that crowd
     void ink();      ///< applies haloes and overshoot, chooses pens, makes strokes
     void picture();  ///< composites over colors and paper; makes the passes
@@ -74,7 +74,7 @@ class Frame {
     // Filled by find():
     std::shared_ptr<const Tracer> tracer;
     std::shared_ptr<const Paths> paths;
-    std::shared_ptr<const ClippedPaths> clipped;
+    std::shared_ptr<const ClippedPaths> clipped;  ///< from filter() on without folds of contours, as the next two
     // By see():
     std::shared_ptr<const Runs> visible;
     Array<float> samples;  ///< visibility per atlas sample, for fading the ends of strokes; empty: sharp
@@ -121,6 +121,7 @@ class Frame {
     enum class Step { none, find, see, filter, thin, ink, picture };
     bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
+    void unfold();
     Runs with_ends() const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     Array<float> left(float cut);

@@ -31,6 +31,8 @@ struct Options {
     double spur = 1.0;           ///< maximum length of spurs that are removed [reference px]
     double contour_spur = 10.0;  ///< the same in contours, which break up at their ends on smooth surfaces
     double fold = 30.0;          ///< maximum length of folds cut off ends of contours [reference px]
+    double tip = 6.0;            ///< maximum size of lines that peek out alone, and are removed [reference px]
+    double joint = 2.0;          ///< distance up to which a contour goes on across a fold of itself [reference px]
     double meet = 8.0;           ///< maximum extension of a contour over its own facets, to another line [reference px]
     double beside = 4.0;         ///< distance within which a hidden line beside a visible one is removed [reference px]
     double least_hidden = 6.0;   ///< minimum length of hidden parts between visible ones [reference px]
@@ -52,6 +54,8 @@ struct Options {
                                        style::Field{"spur", &Options::spur},
                                        style::Field{"contour_spur", &Options::contour_spur},
                                        style::Field{"fold", &Options::fold},
+                                       style::Field{"tip", &Options::tip},
+                                       style::Field{"joint", &Options::joint},
                                        style::Field{"meet", &Options::meet},
                                        style::Field{"beside", &Options::beside},
                                        style::Field{"least_hidden", &Options::least_hidden},

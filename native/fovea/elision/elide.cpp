@@ -19,8 +19,14 @@ namespace {
 /// The window of one sample.
 class Window {
    public:
-    Window(const PriorityBuffer& buffer, const vec4& place, const vec4& band, const vec4& ends, float reach_px)
-        : buffer_(buffer), place_(place), band_(band), ends_(ends), reach_(reach_px), rank_(std::uint32_t(band.y)) {}
+    Window(const PriorityBuffer& buffer, const OwnBands& own, std::size_t s)
+        : buffer_(buffer),
+          own_(own),
+          place_(own.place[s]),
+          band_(own.band[s]),
+          ends_(own.ends[s]),
+          figure_(own.figure[s]),
+          rank_(std::uint32_t(band_.y)) {}
 
     vec2 sum() {
         const int rows = f_.elision_rows(band_, most_window_rows);
@@ -63,8 +69,10 @@ class Window {
     /// The part of a pixel that is lost to another line.
     float lost(const PriorityTexel& other, float own, float u, vec2 away) {
         const vec2 across = vec2(other.away_x, other.away_y) / PriorityTexel::away_unit;
-        return f_.elision_lost(place_, band_, own, u, away, across, other.right != 0, float(other.coverage) / 255.0f,
-                               meets(other.rank), f_.elision_shortness(band_), reach_);
+        const float others = other.rank < own_.figure_of_rank.size() ? own_.figure_of_rank[other.rank] : -1.0f;
+        return f_.elision_foreign(figure_, others) *
+               f_.elision_lost(place_, band_, own, u, away, across, other.right != 0, float(other.coverage) / 255.0f,
+                               meets(other.rank), f_.elision_shortness(band_, figure_), own_.reach_px);
     }
 
     /// How far one of the run's ends, if near, lies in the band of the line of this rank, in [0, 1]. Evaluated lazily,
@@ -108,9 +116,10 @@ class Window {
     };
 
     const PriorityBuffer& buffer_;
+    const OwnBands& own_;
     formulas::Elision f_;
     vec4 place_, band_, ends_;
-    float reach_;
+    vec3 figure_;
     std::uint32_t rank_;
     bool knows_ends_ = false;
     End at_ends_[2][8];
@@ -122,8 +131,7 @@ Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Ca
     Array<vec2> result(own.band.size());
     parallel_blocks(own.band.size(), 4096, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
-        for (std::size_t s = begin; s < end; ++s)
-            result[s] = Window(buffer, own.place[s], own.band[s], own.ends[s], own.reach_px).sum();
+        for (std::size_t s = begin; s < end; ++s) result[s] = Window(buffer, own, s).sum();
     });
     return result;
 }

@@ -24,8 +24,9 @@ inline constexpr float end_reach = 8.0f;
 /// angles up to 30 degrees, not at all from 60 on, so that crossing lines stay. Lines that meet diverge: against the
 /// line in whose band the run ends, all is lost up to 10 degrees and nothing from 25 on, so that corners stay closed.
 /// Runs shorter than half their band's width lose at any angle; from three times that length on they are treated like
-/// others. A line that continues beyond the end of another takes over from it there, so that not both are elided in
-/// between.
+/// others. Lines of one small figure (elision/figures.h) take nothing from each other, and it is the figure that is
+/// short or not. A line that continues beyond the end of another takes over from it there, so that not both are elided
+/// in between.
 ///
 /// Cole 2009, section 5.2.2, compares the pixel count in a square window with the expected one; here the window is
 /// aligned with the line and its positions read the pixels they lie in, so that the result does not depend on the

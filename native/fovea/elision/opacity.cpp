@@ -62,6 +62,22 @@ class Opening {
     std::vector<float> values_, least_, most_, longer_;
 };
 
+/// Share of a band that is left, of (lost, own) pixels.
+float left_of(const dvec2& sum) { return sum.y > 0.0 ? float(std::clamp(1.0 - sum.x / sum.y, 0.0, 1.0)) : 1.0f; }
+
+/// Mixes the scores of small figures towards what is left of the whole figure.
+void mix_in_figures(const OwnBands& own, In<vec2> crowding, Array<float>& scores) {
+    const auto figure_at = [&](std::size_t s) { return std::size_t(own.figure[s].x); };
+    std::size_t figures = 0;
+    for (const float figure : own.figure_of_rank) figures = std::max(figures, std::size_t(figure + 1.0f));
+    std::vector<dvec2> sums(figures, dvec2(0.0));
+    for (std::size_t s = 0; s < scores.size(); ++s)
+        if (own.figure[s].y > 0.0f) sums[figure_at(s)] += dvec2(crowding[s]);
+    parallel_for(scores.size(), [&](std::size_t s) {
+        if (own.figure[s].y > 0.0f) scores[s] = glm::mix(scores[s], left_of(sums[figure_at(s)]), own.figure[s].y);
+    });
+}
+
 /// Average distance between the samples of a stretch [px].
 double spacing(const OwnBands& own, std::size_t begin, std::size_t end) {
     const double px = double(own.band[end - 1].z) - own.band[begin].z;
@@ -78,9 +94,10 @@ Array<float> elision_scores(const OwnBands& own, In<vec2> crowding) {
             vec2 sum(0.0f);
             const std::size_t first = s - std::min(taps_aside, s - begin);
             for (std::size_t t = first; t < std::min(end, s + taps_aside + 1); ++t) sum += crowding[t];
-            scores[s] = sum.y > 0.0f ? std::clamp(1.0f - sum.x / sum.y, 0.0f, 1.0f) : 1.0f;
+            scores[s] = left_of(dvec2(sum));
         }
     });
+    mix_in_figures(own, crowding, scores);
     return scores;
 }
 
@@ -96,8 +113,10 @@ Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own,
     });
     for_runs(own.runs, [&](std::size_t begin, std::size_t end) {
         static thread_local Opening open;
-        for (std::size_t s = begin; s < end; ++s)
-            left[s] = std::clamp((scores[s] - options.fade_from) / (1.0f - options.fade_from), 0.0f, 1.0f);
+        for (std::size_t s = begin; s < end; ++s) {
+            const float from = options.fade_from * (1.0f - own.figure[s].y);
+            left[s] = std::clamp((scores[s] - from) / (1.0f - from), 0.0f, 1.0f);
+        }
         const double step = spacing(own, begin, end);
         if (step > 0.0) open(&left[begin], end - begin, std::min(options.stub_px / step, double(end - begin)));
         for (std::size_t s = begin; s < end; ++s) opacities[own.sample[s]] = left[s] < options.cut ? 0.0f : left[s];

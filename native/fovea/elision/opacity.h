@@ -17,10 +17,12 @@ struct ElisionOptions {
 };
 
 /// Score per sample of a run: share in [0,1] of the line's band that is left to it, from the sums of elision/elide.h
-/// over 9 samples along the path, across segments and atlas rows, within one run. 1 where the window is empty.
+/// over 9 samples along the path, across segments and atlas rows, within one run; in a small figure, by the figure's
+/// weight, the share that is left to all of it (elision/figures.h). 1 where the window is empty.
 Array<float> elision_scores(const OwnBands& own, In<vec2> crowding);
 
-/// Opacity factor per atlas sample from scores, in [0,1], 1 where no run is: 0 at fade_from, 1 at 1, linear between.
+/// Opacity factor per atlas sample from scores, in [0,1], 1 where no run is: 0 at fade_from, 1 at 1, linear between. A
+/// small figure fades in proportion to what it loses, and does not vanish, by its weight (elision/figures.h).
 /// Remainders shorter than stub_px are removed by a gray-scale opening along each run (Serra 1982): each sample gets
 /// the greatest, over all windows of that length that contain it, of the windows' least opacities. The result is
 /// continuous in the scores, unless `cut` is set.

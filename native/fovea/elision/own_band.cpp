@@ -79,6 +79,7 @@ class Samples {
         own_.band.push_back({std::max(least_half_width_px, wanted * float(here.share)), float(ranks_[here.run]),
                              float(middle - runs_.start_px[here.run]), float(runs_.end_px[here.run] - middle)});
         own_.ends.push_back(ends_);
+        own_.figure.push_back({-1.0f, 0.0f, float(runs_.end_px[here.run] - runs_.start_px[here.run])});
     }
 
     const ClippedPaths& clipped_;

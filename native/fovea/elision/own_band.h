@@ -14,6 +14,7 @@ struct OwnBands {
     Rows runs;
     Array<Index> sample;
     Array<vec4> place, band, ends;
+    Array<vec3> figure;
 
     static constexpr std::tuple columns{
         Column{"sample", &OwnBands::sample, "(D,) uint32 number of the sample in the atlas"},
@@ -22,7 +23,14 @@ struct OwnBands {
             "band", &OwnBands::band,
             "(D, 4) float32: half the band's width [px], at least half a pixel, so that no line slips between pixels; "
             "rank of the run; pixels back to its start, and ahead to its end"},
-        Column{"ends", &OwnBands::ends, "(D, 4) float32: where the run starts, and where it ends [px]"}};
+        Column{"ends", &OwnBands::ends, "(D, 4) float32: where the run starts, and where it ends [px]"},
+        Column{
+            "figure", &OwnBands::figure,
+            "(D, 3) float32: number of the run's figure (elision/figures.h), -1: none; weight in [0, 1] with which it "
+            "is thinned as a whole; pixels of the run, or, with that weight, of the figure"}};
+
+    /// Per rank: number of the figure of its run; -1: none. May be empty: there are no figures.
+    Array<float> figure_of_rank;
 
     /// Distance before its end at which a line begins to hand over to one that continues there [px].
     float reach_px = 0.0f;

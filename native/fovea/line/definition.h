@@ -68,6 +68,8 @@ struct LineDefinition;
 /// definition.
 struct EdgeRule {
     std::function<void(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds)> mark;
+    /// A definition among whose edges this one chooses: short gaps along its chains are closed (path/bridge_folds.h).
+    const LineDefinition* part_of = nullptr;
 };
 
 /// Types of curves across triangles, which decide how they are processed once chained (path/find_curves.h).

@@ -84,7 +84,7 @@ extern const LineDefinition silhouette = {
         "The outer boundary of an object, against the background or another object. Freestyle calls it Contour",
     .scope = Scope::scene,
     .importance = 1.0,
-    .rule = EdgeRule{mark},
+    .rule = EdgeRule{mark, &contour},
     .smooth_twin = &smooth_silhouette,
     .slow = true,
     .stand_ins = {{&contour}, {&border, {{"loose", 0.0}}}},

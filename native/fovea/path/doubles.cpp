@@ -67,8 +67,10 @@ CurveChains Claims::claim(const CurveRule& rule, CurveChains chains) {
     return chains;
 }
 
-Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without) {
-    const Surface& surface = seen.surface;
+namespace {
+
+/// Per vertex: 1 if it is within two triangles of one of these.
+Array<std::uint8_t> within_two(const Surface& surface, In<Index> triangles) {
     const auto neighbors = neighbors_in(surface);
     Array<std::uint8_t> near(surface.vertex_count(), 0);
     Array<Index> at;
@@ -79,10 +81,31 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t
             near[t[i]] = 1;
         }
     };
-    for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
-        if (without.empty() || !without[piece.triangle]) mark(piece.triangle, true);
+    for (const Index triangle : triangles) mark(triangle, true);
     for (const Index v : at)
         for (const Index triangle : neighbors->triangles[v]) mark(triangle, false);
+    return near;
+}
+
+}  // namespace
+
+Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without) {
+    Array<Index> triangles;
+    for (const CurvePiece& piece : find_smooth_contour(seen, [](Index) { return 1.0f; }))
+        if (without.empty() || !without[piece.triangle]) triangles.push_back(piece.triangle);
+    return within_two(seen.surface, triangles);
+}
+
+Array<std::uint8_t> near_curves(const Surface& surface, const std::vector<const CurveChains*>& curves) {
+    Array<Index> triangles;
+    for (const CurveChains* chains : curves)
+        triangles.insert(triangles.end(), chains->triangle.begin(), chains->triangle.end());
+    Array<std::uint8_t> near = within_two(surface, triangles);
+    for (const CurveChains* chains : curves)
+        for (Index c = 0; c < chains->rows.count(); ++c)
+            if (!chains->closed[c])
+                for (const Index i : {chains->rows.begin(c), chains->rows.end(c) - 1})
+                    for (int k = 0; k < 3; ++k) near[surface.triangles[chains->triangle[i]][k]] = 0;
     return near;
 }
 

@@ -26,8 +26,11 @@ class Claims {
 /// which contours are not drawn; or empty.
 Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t> without = {});
 
+/// Per vertex: 1 if it is within two triangles of some curves, but not at their ends: there another line goes on.
+Array<std::uint8_t> near_curves(const Surface& surface, const std::vector<const CurveChains*>& curves);
+
 /// Clears bits[e] of kinds[e] for edges close to a smooth contour, which replaces them, except where the mesh has a
-/// hard edge. `near`: from near_smooth_contour. `bits`: per edge.
+/// hard edge. `near`: from near_curves. `bits`: per edge.
 void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds);
 
 /// Per vertex: 1 at the ends of hard edges that have one of `bits` in `kinds`.

@@ -87,25 +87,37 @@ Array<std::uint8_t> triangles_without(const Surface& surface, const std::vector<
     });
 }
 
+/// Per vertex: 1 beside the smooth contours that are drawn.
+Array<std::uint8_t> near_drawn(const Surface& surface, const PlacementPaths& paths) {
+    std::vector<const CurveChains*> drawn;
+    for (const FoundCurves& curves : paths.seen_curves)
+        if (smooth_contours() >> curves.definition & 1) drawn.push_back(curves.chains.get());
+    return near_curves(surface, drawn);
+}
+
 PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash,
                                  bool view_dependent) {
     Cache& cache = seen.surface.cache();
     PlacementPaths paths;
-    Array<std::uint8_t> near, hard;
+    Array<std::uint8_t> near;
     const Kinds asked = asked_of(sets);
-    if (view_dependent && (asked & contours()) && (doubled_edges(asked) || any_beside_contours(sets)))
+    if (view_dependent && (asked & contours()) && any_beside_contours(sets))
         near = near_smooth_contour(seen, triangles_without(seen.surface, sets, contours()));
-    if (any_marks_edges(sets, false)) {
-        auto [edges, hard_ones] = find_edges(seen, sets, sets_hash, true, near);
-        paths.edges = std::make_shared<const EdgePaths>(std::move(edges));
-        hard = std::move(hard_ones);
-    } else if (any_marks_edges(sets, true)) {
-        paths.edges =
-            cache.get<EdgePaths>(sets_hash, [&] { return find_edges(seen, sets, sets_hash, false, {}).first; });
-    }
+    const bool edges_of_view = any_marks_edges(sets, false);
+    FoundEdges edges;
+    if (edges_of_view) edges = find_edges(seen, sets, sets_hash, true);
     paths.kept_curves = cache.get<std::vector<FoundCurves>>(
         sets_hash, [&] { return find_curves({.surface = seen.surface}, sets, true); });
-    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, hard);
+    if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, edges.hard);
+    if (edges_of_view) {
+        const Array<std::uint8_t> drawn =
+            edges.doubled.empty() ? Array<std::uint8_t>() : near_drawn(seen.surface, paths);
+        paths.edges = std::make_shared<const EdgePaths>(chain_edges(seen, sets, sets_hash, std::move(edges), drawn));
+    } else if (any_marks_edges(sets, true)) {
+        paths.edges = cache.get<EdgePaths>(sets_hash, [&] {
+            return chain_edges(seen, sets, sets_hash, find_edges(seen, sets, sets_hash, false), {});
+        });
+    }
     return paths;
 }
 

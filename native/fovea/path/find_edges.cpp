@@ -6,6 +6,7 @@
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
+#include <fovea/path/bridge_folds.h>
 #include <fovea/path/doubles.h>
 #include <fovea/path/paths.h>
 
@@ -14,18 +15,14 @@ namespace {
 
 constexpr std::uint8_t unlabelled = 255;
 
-/// View-independent lines of a surface for one style: kinds per line set and edge, and the edges that have any.
-struct StaticLines {
-    std::vector<Array<Kinds>> kinds;
-    Array<Index> edges;
-};
-
 void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
     for (const LineKind& kind : set.kinds) {
         const LineDefinition& definition = *line_definitions()[kind.definition];
         const auto* edges = std::get_if<EdgeRule>(&definition.rule);
-        if (edges && (definition.scope == Scope::surface) == of_surface)
-            edges->mark(seen, kind.values, Kinds(1) << kind.definition, kinds);
+        const Kinds bit = Kinds(1) << kind.definition;
+        if (!edges || (definition.scope == Scope::surface) != of_surface) continue;
+        edges->mark(seen, kind.values, bit, kinds);
+        if (edges->part_of) bridge_folds(seen, *edges->part_of, bit, kinds);
     }
     if (set.materials.empty()) return;
     const auto wanted = [&](int material) { return set.has_material(material); };
@@ -134,40 +131,45 @@ Kinds doubled_edges(Kinds asked) {
     return doubled;
 }
 
-std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
-                                                     std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near) {
+FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash, bool of_view) {
     const Surface& surface = seen.surface;
+    FoundEdges found;
+    found.kept = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
+    found.kinds = found.kept->kinds;
+    if (!of_view) return found;
+    find_facing(seen);
+    const Kinds doubled = doubled_edges(asked_of(sets));
+    if (doubled) found.doubled = doubled_at_edges(surface, sets);
+    Array<Kinds> all(found.doubled.size(), 0);
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        trace_kinds(sets[s], seen, false, found.kinds[s]);
+        parallel_for(all.size(), [&](std::size_t e) { all[e] |= found.kinds[s][e]; });
+    }
+    if (doubled) found.hard = at_hard_edges(surface, doubled, all);
+    return found;
+}
+
+EdgePaths chain_edges(const SurfaceView& seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash,
+                      FoundEdges found, In<std::uint8_t> near) {
+    const Surface& surface = seen.surface;
+    if (!found.doubled.empty() && !near.empty())
+        for (Array<Kinds>& kinds : found.kinds) drop_doubled_edges(surface, near, found.doubled, kinds);
     // Near cusps, contours of a mesh fold back on themselves. They are chained into one path through all folds (no
     // corner angle), so that later stages can tell visible fragments of folds from lines.
     std::vector<double> corner_angles, never(sets.size(), glm::pi<double>());
     for (const PlacedSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
-    const auto lines = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
-    std::vector<Array<Kinds>> kinds = lines->kinds;
-    Array<std::uint8_t> hard;
-    if (of_view) {
-        find_facing(seen);
-        const Kinds doubled = doubled_edges(asked_of(sets));
-        const Array<Kinds> doubled_at = doubled ? doubled_at_edges(surface, sets) : Array<Kinds>();
-        Array<Kinds> all(doubled_at.size(), 0);
-        for (std::size_t s = 0; s < sets.size(); ++s) {
-            trace_kinds(sets[s], seen, false, kinds[s]);
-            if (doubled) drop_doubled_edges(surface, near, doubled_at, kinds[s]);
-            parallel_for(all.size(), [&](std::size_t e) { all[e] |= kinds[s][e]; });
-        }
-        if (doubled) hard = at_hard_edges(surface, doubled, all);
-    }
-    const Labelled labelled = label_edges(*lines, kinds);
+    const Labelled labelled = label_edges(*found.kept, found.kinds);
     // With a single line set the labels never change, so the view-independent chains are built once.
     const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
     const auto kept_chains = surface.cache().get<Chains>(
-        chains_hash, [&] { return chain(seen, false, lines->edges, labelled.kept_labels, corner_angles); });
+        chains_hash, [&] { return chain(seen, false, found.kept->edges, labelled.kept_labels, corner_angles); });
     const auto seen_chains =
         std::make_shared<const Chains>(chain(seen, true, labelled.seen_edges, labelled.seen_labels, never));
-    const Array<std::uint8_t> lines_at = lines_at_vertices(surface, lines->edges, labelled.seen_edges);
+    const Array<std::uint8_t> lines_at = lines_at_vertices(surface, found.kept->edges, labelled.seen_edges);
     const auto with_kinds = [&](const std::shared_ptr<const Chains>& chains) -> EdgeChains {
         return {chains, kinds_of(*chains, labelled.kinds), free_ends(*chains, lines_at)};
     };
-    return {{with_kinds(kept_chains), with_kinds(seen_chains)}, hard};
+    return {with_kinds(kept_chains), with_kinds(seen_chains)};
 }
 
 }  // namespace fovea::path

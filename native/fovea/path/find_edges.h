@@ -21,10 +21,26 @@ struct EdgePaths {
 /// Definitions on mesh edges whose smooth twin is in `asked`.
 Kinds doubled_edges(Kinds asked);
 
-/// Finds and chains the edges of all line sets; with `of_view`, view-dependent ones, too. `near`: per vertex, from
-/// near_smooth_contour, or empty. `sets_hash`: key of the cached part. Also returns at_hard_edges for the mesh-edge
-/// contours that have a requested smooth twin (empty if there are none).
-std::pair<EdgePaths, Array<std::uint8_t>> find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets,
-                                                     std::uint64_t sets_hash, bool of_view, In<std::uint8_t> near);
+/// View-independent lines of a surface for one style: kinds per line set and edge, and the edges that have any.
+struct StaticLines {
+    std::vector<Array<Kinds>> kinds;
+    Array<Index> edges;
+};
+
+/// Edges of all line sets; with a view, of it, too.
+struct FoundEdges {
+    std::shared_ptr<const StaticLines> kept;
+    std::vector<Array<Kinds>> kinds;  ///< per line set and edge
+    Array<Kinds> doubled;             ///< per edge: mesh-edge contours whose smooth twin is requested; or empty
+    Array<std::uint8_t> hard;         ///< at_hard_edges for these; or empty
+};
+
+/// Finds the edges of all line sets; with `of_view`, view-dependent ones, too. `sets_hash`: key of the cached part.
+FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash, bool of_view);
+
+/// Chains them, without mesh-edge contours beside a smooth one that is drawn: `near`, per vertex (near_curves), or
+/// empty.
+EdgePaths chain_edges(const SurfaceView& seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash,
+                      FoundEdges found, In<std::uint8_t> near);
 
 }  // namespace fovea::path

@@ -4,8 +4,9 @@
 // hidden runs. Amounts per path have one entry per path of Paths. Parallel; results do not depend on the number of
 // threads.
 //
-// Order: close_gaps, trim_folds, without_narrow_strips (narrow_strips.h), without_beside_visible, without_short_hidden,
-// halo, meet_ends, overshoot. Halo must precede overshoot: otherwise the overshoot past the occluding line survives.
+// Order: without_own_roughness (runs/own_roughness.h), join_folds (runs/join_folds.h), close_gaps, trim_folds,
+// without_tips, without_narrow_strips (runs/narrow_strips.h), without_beside_visible, without_short_hidden, halo,
+// meet_ends, overshoot. Halo must precede overshoot: otherwise the overshoot past the occluding line survives.
 #pragma once
 
 #include <fovea/visibility/runs.h>
@@ -19,9 +20,14 @@ Runs close_gaps(const ClippedPaths& clipped, const Runs& runs, double gap_px, In
 
 /// Trims folds: a contour along mesh edges doubles back where a smooth surface turns away, and the returning part is
 /// hidden. On paths with `of_view` set (one entry per path of Paths), cuts folds of at most `fold_px` off the ends of
-/// visible runs (not off ends of pieces, unless they end at cusps), and ends a run where the next one continues beside
-/// it.
+/// visible runs (not off ends of pieces, unless they end at cusps).
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px);
+
+/// Removes visible runs that peek out: groups that meet at the ends of their lines (runs/groups.h), are smaller than
+/// `tip_px` together, go on where a surface hides them, and have an end that no other line comes nearer to than
+/// `touch_px`. They come and go from frame to frame where parts of a body intersect. What fills a gap between other
+/// lines stays. `placement`: per path of Paths.
+Runs without_tips(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double tip_px, double touch_px);
 
 /// Closes gaps where a contour along mesh edges breaks off because facets of its own rough outline hide it, and another
 /// line begins nearby. Extends visible runs of paths with `of_view` set by at most `reach_px` along their hidden

@@ -29,22 +29,6 @@ double trim_end(const ClippedPaths& clipped, Index piece, double start, double e
     return result;
 }
 
-/// New end of a run so that it meets the next one, which starts at `next`: the position within fold_px of its end that
-/// is nearest to that start, if it is near enough for one line to continue as the other.
-double meet_next(const ClippedPaths& clipped, Index piece, double start, double end, double next, double fold_px) {
-    constexpr double near_px = 3.0, step_px = 0.5;
-    const vec2 goal = clipped.place_px(piece, next);
-    double nearest = near_px, result = end;
-    for (double arc = end; arc > std::max(start, end - fold_px); arc -= step_px) {
-        const double distance = glm::length(clipped.place_px(piece, arc) - goal);
-        if (distance < nearest) {
-            nearest = distance;
-            result = arc;
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> of_view, double fold_px) {
@@ -61,10 +45,6 @@ Runs trim_folds(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> 
             end = trim_end(clipped, piece, start, end, 1, fold_px);
         if (cusps || start > clipped.first_arc(piece) + same_place_px)
             start = trim_end(clipped, piece, end, start, -1, fold_px);
-        std::size_t next = r + 1;
-        while (next < count && runs.invisibility[next] != 0) ++next;
-        const bool goes_on = next < count && runs.piece[next] == piece && runs.start_px[next] - end < fold_px;
-        if (goes_on) end = meet_next(clipped, piece, start, end, runs.start_px[next], fold_px);
         trimmed.start_px[r] = start;
         trimmed.end_px[r] = end;
     });
