@@ -1234,7 +1234,7 @@ class Frame:
         view: View,
         style: style.Style,
         *,
-        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=10.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), focus_step=1, with_depth=False, with_focus=False),
+        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), focus_step=1, with_depth=False, with_focus=False),
         assets: Assets | None=None,
         backend: Backend | None=None,
         overrides: Overrides | None=None,

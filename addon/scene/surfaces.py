@@ -105,7 +105,7 @@ class SurfaceCache:
         return self._core.Surface(name, self._core.Mesh(**vars(arrays), **triangles)).shape
 
     def bare(self, key, name, shape, slots):
-        """The native surface of what has no faces (bare_shapes.Shape), or None if there is nothing of it: as `surface`."""
+        """The native surface of a bare_shapes.Shape, or None if there is nothing of it: as `surface`."""
         if (read := shape.read()) is None:
             return None
         key, hides = self._ordered(key), slots[0].hides

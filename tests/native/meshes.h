@@ -29,7 +29,7 @@ struct Mesh {
 
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
-                material,  occluding,  sharp,        seam,         edge_mark,       smooth, one_sided};
+                material,  occluding,  sharp,        seam,         edge_mark,       smooth,         one_sided};
     }
     std::shared_ptr<Surface> surface() const;
 

@@ -47,7 +47,7 @@ using Owned = std::vector<T>;
 struct OwnedMesh : MeshOf<Owned> {
     MeshArrays arrays() const {
         return {positions, edge_verts, corner_verts, corner_edges, polygon_offsets, ngon_triangles, ngon_polygon,
-                material,  occluding,  sharp,        seam,         edge_mark,       smooth, one_sided};
+                material,  occluding,  sharp,        seam,         edge_mark,       smooth,         one_sided};
     }
 };
 

@@ -20,7 +20,8 @@ struct Unfolded {
 /// at the places at most `fold_px` from their facing ends that are closest to each other, if these are closer than
 /// `near_px`, no more of them is cut off than is hidden, only spurs of that lead away, and the line does not turn back
 /// there; what lies between is taken out. A run shorter than `spur_px` that meets neither neighbor is passed over.
-/// `visible`: runs of invisibility 0. Parallel; the result does not depend on the number of threads. Cf. Northrup & Markosian, "Artistic Silhouettes: A Hybrid Approach", NPAR 2000.
+/// `visible`: runs of invisibility 0. Parallel; the result does not depend on the number of threads. Cf. Northrup &
+/// Markosian, "Artistic Silhouettes: A Hybrid Approach", NPAR 2000.
 Unfolded join_folds(const ClippedPaths& clipped, const Runs& visible, In<std::uint8_t> of_view, double fold_px,
                     double near_px, double spur_px);
 
