@@ -60,7 +60,7 @@ class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
 
     def edit(self, held):
         source, place = edited(held), min(held.line_set_index, len(held.line_sets))
-        like = style_read.line_set(source) if source else style.load("plain").line_sets[0]
+        like = style_read.line_set(source) if source else style.load("plain").line_sets[-1]
         _insert(held, like.replace(name=_free_name(held, "Lines"), hidden=(), **_FOR_ALL), place)
 
 

@@ -96,14 +96,16 @@ def title(name):
 
 
 def choose_lines(held, names):
-    """Restricts a style's properties to the named kinds of lines: each line set keeps its kinds among them, and the
-    last one gets the named kinds that no other set has."""
+    """Restricts a style's properties to the named kinds of lines, on whatever surfaces: each line set keeps its kinds
+    among them, but for those of smooth shapes, and the last one gets the named kinds that no other set has."""
+    for line_set in held.line_sets:
+        line_set.surfaces = "ALL"
     *before, last = held.line_sets
     taken = set()
     for line_set in before:
         for definition in definitions():
             kind = definition["name"]
-            on = getattr(line_set.kinds, kind) and kind in names
+            on = getattr(line_set.kinds, kind) and kind in names and not definition["of_smooth"]
             setattr(line_set.kinds, kind, on)
             taken |= {kind} if on else set()
     for definition in definitions():

@@ -44,7 +44,8 @@ py::typing::List<py::typing::Dict<std::string, py::object>> definitions() {
             py::arg("view_dependent") = definition->scope >= Scope::view,
             py::arg("importance") = definition->importance, py::arg("slow") = definition->slow,
             py::arg("stand_ins") = stand_ins_of(*definition), py::arg("smooth_twin") = twin ? twin->name : nullptr,
-            py::arg("reads_edge_marks") = definition->reads_edge_marks, py::arg("usual") = definition->usual));
+            py::arg("reads_edge_marks") = definition->reads_edge_marks, py::arg("usual") = definition->usual,
+            py::arg("of_smooth") = definition->of_smooth));
     }
     return result;
 }

@@ -12,14 +12,18 @@ pytestmark = pytest.mark.gpu
 @pytest.mark.parametrize("name", style.names())
 def test_every_style(name):
     chosen, view = style.load(name), view_of(480, 300)
-    drawn, reference = (
-        pipeline.draw(room(), view, chosen, backend, pipeline.options()).lines
-        for backend in (part("gpu.backend").Backend(), core.CpuBackend())
-    )
-    assert drawn.shape == reference.shape == (300, 480, 4) and drawn.dtype == np.float32
-    assert reference[..., 3].mean() > 0.01
-    assert np.abs(drawn - reference).max() < 0.02
-    assert np.abs(drawn - reference).mean() < 5e-4
+    for thinned in (False, True):
+        chosen = chosen.replace(elision=chosen.elision.replace(enabled=thinned))
+        drawn, reference = (
+            pipeline.draw(room(), view, chosen, backend, pipeline.options()).lines
+            for backend in (part("gpu.backend").Backend(), core.CpuBackend())
+        )
+        assert drawn.shape == reference.shape == (300, 480, 4) and drawn.dtype == np.float32
+        assert reference[..., 3].mean() > 0.01
+        differs = np.abs(drawn - reference)
+        # A sample at the border of a band may count on one side alone: a line is a little paler there.
+        assert (differs.max(axis=-1) >= 0.02).mean() <= (1e-4 if thinned else 0) and differs.max() < 0.1
+        assert differs.mean() < 5e-4
 
 
 def on_both(scene, chosen):

@@ -208,9 +208,9 @@ def test_edits_are_undone_and_redone(scene):
 
 def test_a_scene_goes_over_into_another_style_as_keyed(tmp_path):
     scene = box_scene()
-    use_style(scene, "plain").line_sets[0].pen.opacity = 1.0
+    use_style(scene, "plain").line_sets[-1].pen.opacity = 1.0
     other = style_data.new("Faint", style.load("plain"))
-    other.fovea.line_sets[0].pen.opacity, other.fovea.paper.color = 0.0, (0.5, 0.5, 0.5)
+    other.fovea.line_sets[-1].pen.opacity, other.fovea.paper.color = 0.0, (0.5, 0.5, 0.5)
     assert properties.style_of(scene) == style_read.read(scene.fovea.style)
     scene.fovea.mixed_style = other
     assert properties.style_of(scene).paper.color == (1.0, 1.0, 1.0)

@@ -131,7 +131,7 @@ def test_a_new_line_set_is_as_the_edited_one_but_for_filters_and_hidden_pens(sce
     assert below.hidden and below.collection == "Scenery" and below.pen_away is not None
     assert made == below.replace(name="Lines", collection="", outside=False, hidden=())
     bpy.ops.fovea.line_set_add()
-    assert names(scene) == ["outline", "Lines.001", "Lines", "lines"]
+    assert names(scene) == ["outline", "forms", "Lines.001", "Lines", "lines"]
 
 
 def test_a_style_without_line_sets_gets_one_that_draws(scene):

@@ -37,11 +37,11 @@ struct Pair {
     Sheet sheet;
     OwnBands own;
 
-    Pair(float apart, float size_px, float third = 1000.0f) {
+    Pair(float apart, float size_px, float third = 1000.0f, float largest_px = 80.0f) {
         for (const float y : {80.0f - third, 80.0f, 80.0f + apart}) sheet.line({{40.0f, y}, {120.0f, y}});
         own = sheet.own();
         const Groups groups{{0, 1, 1}, {80.0f, size_px}, {80.0f, 160.0f}, {0, 0}};
-        mark_figures(groups, sheet.runs, sheet.ranks(), own);
+        mark_figures(groups, sheet.runs, sheet.ranks(), largest_px, own);
     }
     std::vector<float> scores(Index line) const { return sheet.of(line, sheet.scores(own)); }
 };
@@ -106,6 +106,11 @@ TEST(Figures, GrowUpSteadily) {
         before = score;
     }
     EXPECT_EQ(before, Pair(3.0f, 1000.0f).scores(2)[20]);
+}
+
+TEST(Figures, AreNoLettersFromALargestSizeOnHoweverFewLinesShallBe) {
+    EXPECT_EQ(Pair(3.0f, 10.0f, 1000.0f, 20.0f).scores(2)[20], 1.0f);
+    EXPECT_EQ(Pair(3.0f, 20.0f, 1000.0f, 20.0f).scores(2), Pair(3.0f, 1000.0f).scores(2));
 }
 
 TEST(Figures, SmallOnesDoNotVanish) {

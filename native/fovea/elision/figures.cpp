@@ -8,8 +8,8 @@
 
 namespace fovea::elision {
 
-void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, OwnBands& own) {
-    constexpr float small_enough = 2.0f, too_large = 4.0f;  // sizes, in bands' widths
+void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, float largest_px, OwnBands& own) {
+    constexpr float small_enough = 2.0f, too_large = 2.0f * small_enough;  // sizes, in bands' widths
     check(own.runs.count() == runs.size() && ranks.size() == runs.size() && figures.of_run.size() == runs.size(),
           "figures: bands, ranks or groups of other runs");
     own.figure_of_rank.assign(ranks.empty() ? 1 : std::ranges::max(ranks) + std::size_t(1), -1.0f);
@@ -19,7 +19,7 @@ void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, OwnB
         const Index figure = figures.of_run[r];
         if (figure == none) return;
         for (Index s = own.runs.begin(Index(r)); s < own.runs.end(Index(r)); ++s) {
-            const float width = 2.0f * own.band[s].x, length = own.figure[s].z;
+            const float width = std::min(2.0f * own.band[s].x, largest_px / too_large), length = own.figure[s].z;
             const float weight =
                 1.0f - glm::smoothstep(small_enough * width, too_large * width, figures.size_px[figure]);
             own.figure[s] = vec3(float(figure), weight, glm::mix(length, figures.length_px[figure], weight));

@@ -8,8 +8,12 @@
 
 namespace fovea::elision {
 
+/// Size from which a figure is no letter [px of the reference picture].
+inline constexpr double largest_figure = 48.0;
+
 /// Fills OwnBands::figure and figure_of_rank. A figure counts as small, with a weight of 1, up to twice the
-/// distance that its lines keep from others, and not at all from four times on.
-void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, OwnBands& own);
+/// distance that its lines keep from others, and not at all from four times on; nor from `largest_px` on, whatever they
+/// keep: where lines shall be few, a box is not a letter.
+void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, float largest_px, OwnBands& own);
 
 }  // namespace fovea::elision
