@@ -120,7 +120,7 @@ def save(sheet, path):
     if gray:
         stored.file_format, stored.color_mode, stored.color_depth, stored.compression = "PNG", "BW", "8", 100
     else:
-        stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", 80
+        stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", 70
     with output.written(path, picture.is_whole) as fresh:
         image.save_render(str(fresh), scene=scene)
     bpy.data.scenes.remove(scene)
