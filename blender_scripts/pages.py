@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of its example
-model, the demo scene at each stage of the method and with several focus models, pens that change along strokes, plots
-of transfer functions."""
+model, the demo scene at each stage of the method and with several focus models, pens that change along strokes, scenes
+of what artists meet, plots of transfer functions."""
 
 import argparse
 import sys
@@ -63,6 +63,17 @@ def stage(name, path):
     return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
 
 
+def situation(name, path):
+    """(H, W, 3) picture of a scene that shows what artists meet, supersampled by 2."""
+    shown = pages.SITUATIONS[name]
+    draw.open_scene(name)
+    width, height = quantities.frame_size(pages.SITUATIONS_SIZE)
+    words = [name, *shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
+    set_drawing(bpy.context.scene, draw_options.parse(words), shown.settings)
+    picture.render(bpy.context.scene, path)
+    return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+
+
 def stroke(name, path):
     """(H, W) picture of a monkey by a pen that changes along its strokes, supersampled by 2."""
     open_model(pages.MONKEY[0])
@@ -91,7 +102,9 @@ def plot(name, path):
     return gray.reshape(size, fine, size, fine).mean(axis=(1, 3))
 
 
-DRAWN_BY = {"lines": line, "way": stage, "focus": stage, "strokes": stroke, "transfers": plot}
+DRAWN_BY = {
+    "lines": line, "way": stage, "focus": stage, "strokes": stroke, "situations": situation, "transfers": plot,
+}  # fmt: skip
 
 
 def magnify(scene, u, v, times):

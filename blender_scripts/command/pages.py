@@ -65,7 +65,7 @@ LINES = {
 
 @dataclass(frozen=True)
 class Stage:
-    """A picture of the demo scene at one stage of the method."""
+    """A picture of a scene as a whole, or of the demo scene at one stage of the method."""
 
     words: tuple  # options of `fovea draw`
     settings: dict = field(default_factory=dict)  # {PART.NAME: value}; parts "pen", "hidden": those of all line sets
@@ -98,6 +98,20 @@ FOCUS = {  # focus model -> its picture
     "scene": Stage((*_WATERCOLOR, "--focus", "0,-2.3,1.2", "--focus-radii", "1,4")),
     "object": Stage((*_WATERCOLOR, "--focus", "Bicycle", "--focus-radii", "0.2,3")),
 }
+SITUATIONS_SIZE = "480x300"
+_DARK = {"color.background": (0.012, 0.016, 0.035), "color.on_paper": False}
+SITUATIONS = {  # scene of scenes/ -> its picture
+    "foliage": Stage(("--style", "pen_and_ink")),
+    "hair": Stage(("--style", "pencil")),
+    "hull": Stage(("--style", "watercolor")),
+    "scan": Stage(("--style", "pencil")),
+    "parts": Stage(("--style", "technical")),
+    "runner": Stage(("--style", "brush")),
+    "office": Stage(("--style", "pen_and_ink")),
+    "grove": Stage(("--style", "pen_and_ink")),
+    "lettering": Stage(("--style", "plain")),
+    "night": Stage(("--style", "watercolor"), _DARK),
+}
 _LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
 STROKES_SIZE = "280x210"
 STROKES_WORDS = (*MONKEY[1], "--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
@@ -121,7 +135,9 @@ PLOT = 240  # pixels
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.
-GROUPS = {"lines": LINES, "way": WAY, "focus": FOCUS, "strokes": STROKES, "transfers": TRANSFERS}
+GROUPS = {
+    "lines": LINES, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS, "transfers": TRANSFERS,
+}  # fmt: skip
 
 
 def names():

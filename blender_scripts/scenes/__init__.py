@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes by name: `boxes:N`, `suzanne:L`, `hair:N`, `office`, `demo`. Importing this package needs no Blender; building
-does."""
+"""Scenes by name: `demo`, `office`, `boxes:N`, `suzanne:L`, and the situations of addon/docs/situations.md. Importing this
+package needs no Blender; building does."""
 
 import importlib
 from pathlib import Path
 
 # Name -> default argument. None: the scene takes no argument.
-DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5, "hair": 2000}
+DEFAULTS = {"demo": None, "office": None, "boxes": 100, "suzanne": 5} | {
+    "foliage": 260, "hair": 2000, "hull": None, "scan": 5, "parts": None, "runner": None, "grove": 400,
+    "lettering": None, "night": None,
+}  # fmt: skip
 # Range of arguments; the maximum gives over ten million triangles.
-RANGES = {"boxes": (1, 1000), "suzanne": (0, 7), "hair": (1, 1_000_000)}
+RANGES = {"boxes": (1, 1000), "suzanne": (0, 7), "hair": (1, 1_000_000)} | {
+    "foliage": (1, 100_000), "scan": (0, 7), "grove": (1, 100_000),
+}  # fmt: skip
 
 
 def names() -> list[str]:

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""runner, a figure of limbs on an armature: one smooth mesh, subdivided, that its bones bend, in the middle of a run."""
+
+import math
+
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+
+from . import shapes, stage
+
+BONES = {  # name: (parent, head, tail, thickness at head and tail)
+    "spine": (None, (0, 0, 1.0), (0, 0, 1.5), (0.15, 0.19)),
+    "head": ("spine", (0, 0, 1.58), (0, -0.02, 1.82), (0.1, 0.1)),
+    **{f"thigh.{s}": ("spine", (x, 0, 0.98), (x, 0, 0.54), (0.1, 0.07)) for s, x in (("L", 0.1), ("R", -0.1))},
+    **{f"shin.{s}": (f"thigh.{s}", (x, 0, 0.54), (x, 0, 0.1), (0.065, 0.045)) for s, x in (("L", 0.1), ("R", -0.1))},
+    **{f"foot.{s}": (f"shin.{s}", (x, 0.04, 0.06), (x, -0.16, 0.04), (0.05, 0.04)) for s, x in (("L", 0.1), ("R", -0.1))},
+    **{f"arm.{s}": ("spine", (x, 0, 1.46), (1.25 * x, 0, 1.18), (0.065, 0.05)) for s, x in (("L", 0.22), ("R", -0.22))},
+    **{f"hand.{s}": (f"arm.{s}", (1.25 * x, 0, 1.18), (1.3 * x, 0, 0.86), (0.048, 0.035)) for s, x in (("L", 0.22), ("R", -0.22))},
+}  # fmt: skip
+POSE = {"spine": 12, "head": -8, "thigh.L": 48, "shin.L": -70, "foot.L": 10, "thigh.R": -32, "shin.R": -45, "foot.R": -15,
+        "arm.L": -55, "hand.L": 75, "arm.R": 50, "hand.R": 85}  # degrees forwards  # fmt: skip
+
+
+def build(argument, shared):
+    stage.clear()
+    stage.frame()
+    rig = armature()
+    limbs, of_bone = [], []
+    for name, (_, head, tail, thick) in BONES.items():
+        limb = shapes.sweep(name, spindle(head, tail), taper(*thick), 16)
+        limbs.append(limb)
+        of_bone += [name] * len(limb.vertices)
+    body = stage.link("Body", shapes.joined("Body", limbs))
+    body.data.materials.append(stage.material("Clay", (0.75, 0.55, 0.42)))
+    body.data.shade_smooth()
+    for name in BONES:
+        body.vertex_groups.new(name=name).add([i for i, owner in enumerate(of_bone) if owner == name], 1.0, "REPLACE")
+    bend = body.modifiers.new("Armature", "ARMATURE")
+    bend.object = rig
+    body.modifiers.new("Subdivision", "SUBSURF").render_levels = 2
+    ground = shapes.sheet("Ground", [[(-3, -3, 0), (-3, 3, 0)], [(3, -3, 0), (3, 3, 0)]])
+    stage.link("Ground", ground).data.materials.append(stage.material("Track", (0.6, 0.35, 0.25)))
+    stage.camera((-4.6, -2.2, 1.5), (0, 0, 0.95))
+    stage.sun(-120, 50)
+
+
+def armature():
+    rig = stage.link("Rig", bpy.data.armatures.new("Rig"))
+    bpy.context.view_layer.objects.active = rig
+    bpy.ops.object.mode_set(mode="EDIT")
+    for name, (parent, head, tail, _) in BONES.items():
+        bone = rig.data.edit_bones.new(name)
+        bone.head, bone.tail, bone.roll = head, tail, 0.0
+        bone.parent = rig.data.edit_bones[parent] if parent else None
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for name, degrees in POSE.items():  # about the figure's left-right axis
+        bone = rig.pose.bones[name]
+        axis = bone.bone.matrix_local.to_3x3().inverted() @ Vector((1, 0, 0))
+        bone.rotation_mode = "QUATERNION"
+        bone.rotation_quaternion = Matrix.Rotation(math.radians(-degrees), 3, axis).to_quaternion()
+    return rig
+
+
+def spindle(head, tail, steps: int = 9):
+    """Points from a little before the head to a little behind the tail, so that limbs overlap at joints."""
+    head, tail = np.array(head, float), np.array(tail, float)
+    return head + (tail - head) * np.linspace(-0.12, 1.12, steps)[:, None]
+
+
+def taper(first: float, last: float, steps: int = 9):
+    t = np.linspace(0, 1, steps)
+    return (first + (last - first) * t) * np.sqrt(np.clip(1 - (2 * t - 1) ** 8, 0.05, 1))
