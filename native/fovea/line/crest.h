@@ -8,15 +8,23 @@
 namespace fovea::line {
 
 struct CrestValues : ThresholdValues {
-    double sharpness;
+    double sharpness, prominence;
 };
 
 inline Parameters<CrestValues> crest_parameters() {
     return threshold_parameters<CrestValues>(0.1, 0.5, 6.0,
                                              "Curvature that a line reaches somewhere, in units of 1 / feature size")
         .with({{&CrestValues::sharpness, "sharpness", "Sharpness", 0.002, 0.0, 100.0, Unit::none,
-                "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"}});
+                "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"},
+               {&CrestValues::prominence, "prominence", "Prominence", 0.0, 0.0, 1.0, Unit::none,
+                "Least share by which curvature falls to both sides, half a radian of turning away: ripples of tubes "
+                "and limbs do not"}});
 }
+
+/// The pieces of crests of which curvature, half a radian of turning away from them to both sides (at least two sides
+/// of triangles, along straight geodesics), has fallen by at least the share `least`. `sign`: 1 for ridges, -1 for
+/// valleys. Sides on which the surface ends do not count.
+Curves prominent(const Surface& surface, const Curves& crests, float sign, double least);
 
 /// Crest lines: maxima of sign * k1 along e1 where it is positive. On tubes, spheres and tori curvature hardly changes
 /// across such lines, which are noise: the sharpness threshold removes them.
@@ -34,9 +42,10 @@ inline Curves find_crests(const SurfaceView& seen, const CrestValues& values, fl
         const Curvature& c = fields->curvature[v];
         return sign * c.C[0] * c.e1;
     };
-    return trace_maxima(
+    const Curves crests = trace_maxima(
         surface, same_kind, uphill, static_cast<float>(values.sharpness * unit * unit * unit),
         [&](Index v) { return k1(v) - thresholds.low; }, thresholds);
+    return values.prominence > 0.0 ? prominent(surface, crests, sign, values.prominence) : crests;
 }
 
 }  // namespace fovea::line
