@@ -133,7 +133,13 @@ def draw_lines(shown, lines, params, pen, path):
 
 
 def set_drawing(scene, options, settings):
-    """Applies all settings of `fovea draw`, then properties of the style, named as in pages.Stage.settings."""
+    """Applies all settings of `fovea draw`, then properties of the style, named as in pages.Stage.settings. Where every
+    edge shall be a crease, faces are flat and surfaces hard: others have only folds."""
+    if ("crease.angle", 0.0) in options.param:
+        for obj in scene.objects:
+            obj.fovea.shape = "HARD"
+            if obj.type == "MESH":
+                obj.data.shade_flat()
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
     draw.set_drawing(scene, options)
