@@ -115,7 +115,11 @@ TEST(Frame, PolylinesKnowHowFarEachEffectGoesAlongThem) {
     Job job = job_of(with_hidden_lines);
     style::Style& style = job.style;
     style.line_sets[0].pen_away = style.line_sets[0].pen;
-    style.focus = {.model = style::FocusModel::scene, .points = {{.at = {0, 1, 0}, .near = 0.0, .far = 4.0}}};
+    style.focus.model = style::FocusModel::scene;
+    style::FocusPlace& place = style.focus.points.emplace_back();
+    place.at = {0, 1, 0};
+    place.near = 0.0;
+    place.far = 4.0;
     style.effects.color.strength = 0.25;
     Frame plain(job_of(with_hidden_lines)), frame(std::move(job));
     const Polylines without = polylines_of(plain), lines = polylines_of(frame);

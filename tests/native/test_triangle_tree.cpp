@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -192,4 +193,24 @@ TEST(FourPlanes, NeighborsAtASmoothVertexDoNotCrossAndThoseOfAFoldMay) {
     EXPECT_EQ(within.may_cross(15u, others, 0), 0u);  // 3 and 4 have a side in common
     EXPECT_EQ(within.may_cross(15u, others, 1), 0u);
     EXPECT_EQ(within.may_cross(15u, others, 2), 1u);  // goes through the first
+}
+
+TEST(BoxTree, FindsWhatMeetsAnEndlessBoxAndNothingElse) {
+    constexpr float endless = std::numeric_limits<float>::infinity();
+    for (const std::size_t count : {1, 2, 5, 17, 70}) {
+        Array<Box> boxes;
+        for (std::size_t i = 0; i < count; ++i) boxes.push_back({vec3(float(i)), vec3(float(i) + 0.5f)});
+        const BoxTree tree(boxes);
+        const auto met = [&](const Box& box) {
+            std::set<Index> found;
+            tree.each_meeting(box, [&](Index i) { return found.insert(i).second; });
+            return found;
+        };
+        EXPECT_EQ(met({vec3(-endless), vec3(endless)}).size(), count);
+        EXPECT_EQ(met({vec3(0.25f), vec3(0.3f)}), (std::set<Index>{0}));
+        EXPECT_TRUE(met({vec3(-2.0f), vec3(-1.0f)}).empty());
+        int asked = 0;
+        tree.each_meeting({vec3(-endless), vec3(endless)}, [&](Index) { return ++asked < 2; });
+        EXPECT_EQ(asked, std::min<int>(2, int(count)));
+    }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <glm/mat4x3.hpp>
+#include <limits>
 #include <vector>
 
 #include <fovea/base/four.h>
@@ -79,7 +80,9 @@ class BoxTree {
     /// Calls found(number) for boxes that meet `box`, in the same order every time, until it returns false.
     template <typename Found>
     void each_meeting(const Box& box, const Found& found) const {
-        if (!levels_.empty()) descend(levels_.size() - 1, 0, box, found);
+        constexpr float farthest = std::numeric_limits<float>::max();  // lanes that are not used begin beyond
+        const Box finite{glm::max(box.low, -farthest), glm::min(box.high, farthest)};
+        if (!levels_.empty()) descend(levels_.size() - 1, 0, finite, found);
     }
 
    private:

@@ -134,6 +134,7 @@ class Beside {
    private:
     /// Whether `here`, gone along `across`, stays beside `there`. False where it ends at once.
     bool stays(const dvec3& across, const dvec3& up, const Side& here, const Side& there) const {
+        if (!(scale_.near > 0.0)) return false;
         bool seen = false;
         for (double way = farthest_sides * scale_.side; way >= nearest_sides * scale_.near; way *= 0.5) {
             const auto at = here.nearest(middle_ + way * across);
