@@ -80,6 +80,8 @@ TEST(OneSided, OccludingTrianglesStandInTheOrderTwoSidedThenOneSided) {
     for (Index t = 0; t < 18; ++t) {
         const Index polygon = surface->facet_polygon[surface->triangle_facet[t]];
         EXPECT_EQ(mesh.occluding[polygon] != 0, t < 14);
-        if (t < 14) EXPECT_EQ(mesh.one_sided[polygon] == 0, t < 10);
+        if (t < 14) {
+            EXPECT_EQ(mesh.one_sided[polygon] == 0, t < 10);
+        }
     }
 }
