@@ -52,25 +52,24 @@ def line(name, path):
 
 def stage(name, path):
     """(H, W, 3) picture of the demo scene at one stage or with one focus, supersampled by 2."""
-    shown = (pages.WAY | pages.FOCUS)[name]
-    draw.open_scene("demo")
-    scene = bpy.context.scene
-    width, height = quantities.frame_size(pages.STAGE_SIZE)
-    words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
-    set_drawing(scene, draw_options.parse(words), shown.settings)
-    magnify(scene, *pages.STAGE_VIEW)
-    picture.render(scene, path)
-    return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+    return scene_in_colors("demo", (pages.WAY | pages.FOCUS)[name], pages.STAGE_SIZE, path, pages.STAGE_VIEW)
 
 
 def situation(name, path):
     """(H, W, 3) picture of a scene that shows what artists meet, supersampled by 2."""
-    shown = pages.SITUATIONS[name]
+    return scene_in_colors(name, pages.SITUATIONS[name], pages.SITUATIONS_SIZE, path)
+
+
+def scene_in_colors(name, shown, size, path, crop=None):
+    """(H, W, 3) picture of a scene, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`."""
     draw.open_scene(name)
-    width, height = quantities.frame_size(pages.SITUATIONS_SIZE)
+    scene = bpy.context.scene
+    width, height = quantities.frame_size(size)
     words = [name, *shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
-    set_drawing(bpy.context.scene, draw_options.parse(words), shown.settings)
-    picture.render(bpy.context.scene, path)
+    set_drawing(scene, draw_options.parse(words), shown.settings)
+    if crop:
+        magnify(scene, *crop)
+    picture.render(scene, path)
     return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
 
 

@@ -79,25 +79,16 @@ def draw_pen(layout, pen, most=None):
 
 
 def _draw_curve_of_pen(layout, pen, where, declared):
-    name = declared["name"]
-    body = draw_transfer(layout, pen, where, declared, curves=pen.curves)
-    if body and not pen.id_data.nodes.get(style_curves.node_name(pen.curves, name)):
-        added = body.operator("fovea.pen_curve_add", icon="FCURVE")
-        added.pen, added.effect = pen.path_from_id(), name
-
-
-def draw_transfer(layout, group, part, declared, heeded=True, curves=None):
-    """Draws a transfer function of a group of properties, with its curve if it has one; returns the section's body, or
-    None if it is closed. `curves`: part of the names of the curves' nodes, by default `part`."""
-    name = declared["name"]
-    transfer, tree = getattr(group, name), group.id_data
-    body = fold(layout, f"{part}_{name}", declared["label"], heeded=heeded and transfer.strength > 0)
-    if body:
-        body.active = heeded
+    """Draws a transfer function along strokes, with its curve if it has one."""
+    name, tree = declared["name"], pen.id_data
+    transfer = getattr(pen, name)
+    if body := fold(layout, f"{where}_{name}", declared["label"], heeded=transfer.strength > 0):
         draw_properties(body, transfer, ("start", "end", "strength"))
-        if node := tree.nodes.get(style_curves.node_name(part if curves is None else curves, name)):
+        if node := tree.nodes.get(style_curves.node_name(pen.curves, name)):
             body.template_curve_mapping(node, "mapping")
-    return body
+        else:
+            added = body.operator("fovea.pen_curve_add", icon="FCURVE")
+            added.pen, added.effect = pen.path_from_id(), name
 
 
 def fold(layout, name, title, closed=True, heeded=True):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes by name: `demo`, `office`, `boxes:N`, `suzanne:L`, and the situations of addon/docs/situations.md. Importing this
-package needs no Blender; building does."""
+"""Scenes by name: `demo`, `office`, `boxes:N`, `suzanne:L`, and the situations of addon/docs/situations.md.
+
+Importing this package needs no Blender; building does."""
 
 import importlib
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""runner, a figure of limbs on an armature: one smooth mesh, subdivided, that its bones bend, in the middle of a run."""
+"""runner, a figure of limbs on an armature: one smooth mesh, subdivided, that its bones bend, in mid-stride."""
 
 import math
 
@@ -9,17 +9,28 @@ from mathutils import Matrix, Vector
 
 from . import shapes, stage
 
+
+def limb_pair(limb, parent, head, tail, thick):
+    """Bones of a left and a right limb, mirrored in x. `parent` may name {side}."""
+    for side, x in (("L", 1), ("R", -1)):
+        ends = tuple((x * end[0], *end[1:]) for end in (head, tail))
+        yield f"{limb}.{side}", (parent.format(side=side), *ends, thick)
+
+
 BONES = {  # name: (parent, head, tail, thickness at head and tail)
     "spine": (None, (0, 0, 1.0), (0, 0, 1.5), (0.15, 0.19)),
     "head": ("spine", (0, 0, 1.58), (0, -0.02, 1.82), (0.1, 0.1)),
-    **{f"thigh.{s}": ("spine", (x, 0, 0.98), (x, 0, 0.54), (0.1, 0.07)) for s, x in (("L", 0.1), ("R", -0.1))},
-    **{f"shin.{s}": (f"thigh.{s}", (x, 0, 0.54), (x, 0, 0.1), (0.065, 0.045)) for s, x in (("L", 0.1), ("R", -0.1))},
-    **{f"foot.{s}": (f"shin.{s}", (x, 0.04, 0.06), (x, -0.16, 0.04), (0.05, 0.04)) for s, x in (("L", 0.1), ("R", -0.1))},
-    **{f"arm.{s}": ("spine", (x, 0, 1.46), (1.25 * x, 0, 1.18), (0.065, 0.05)) for s, x in (("L", 0.22), ("R", -0.22))},
-    **{f"hand.{s}": (f"arm.{s}", (1.25 * x, 0, 1.18), (1.3 * x, 0, 0.86), (0.048, 0.035)) for s, x in (("L", 0.22), ("R", -0.22))},
+    **dict(limb_pair("thigh", "spine", (0.1, 0, 0.98), (0.1, 0, 0.54), (0.1, 0.07))),
+    **dict(limb_pair("shin", "thigh.{side}", (0.1, 0, 0.54), (0.1, 0, 0.1), (0.065, 0.045))),
+    **dict(limb_pair("foot", "shin.{side}", (0.1, 0.04, 0.06), (0.1, -0.16, 0.04), (0.05, 0.04))),
+    **dict(limb_pair("arm", "spine", (0.22, 0, 1.46), (1.25 * 0.22, 0, 1.18), (0.065, 0.05))),
+    **dict(limb_pair("hand", "arm.{side}", (1.25 * 0.22, 0, 1.18), (1.3 * 0.22, 0, 0.86), (0.048, 0.035))),
+}
+POSE = {  # degrees forwards
+    "spine": 12, "head": -8,
+    "thigh.L": 48, "shin.L": -70, "foot.L": 10, "arm.L": -55, "hand.L": 75,
+    "thigh.R": -32, "shin.R": -45, "foot.R": -15, "arm.R": 50, "hand.R": 85,
 }  # fmt: skip
-POSE = {"spine": 12, "head": -8, "thigh.L": 48, "shin.L": -70, "foot.L": 10, "thigh.R": -32, "shin.R": -45, "foot.R": -15,
-        "arm.L": -55, "hand.L": 75, "arm.R": 50, "hand.R": 85}  # degrees forwards  # fmt: skip
 
 
 def build(argument, shared):

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <tuple>
 
 #include <fovea/base/check.h>
+#include <fovea/base/disjoint_sets.h>
 #include <fovea/runs/chain.h>
 
 namespace fovea::runs {
@@ -33,23 +33,6 @@ struct Ends {
         at_end = last && (clipped.ends[piece] & path_end);
     }
     bool at_start, at_end, hidden;
-};
-
-/// Disjoint sets of numbers; the least is the root of each.
-class Sets {
-   public:
-    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
-    Index root(Index i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(Index a, Index b) {
-        a = root(a), b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-   private:
-    std::vector<Index> parent_;
 };
 
 bool belongs(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, std::size_t run) {
@@ -96,7 +79,7 @@ struct Box {
 Groups group_runs(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, bool whole_paths) {
     check_runs(clipped, runs);
     check(clipped.path.empty() || clipped.path.back() < placement.size(), "groups: one placement per path expected");
-    Sets sets(runs.size());
+    DisjointSets sets(runs.size());
     const Array<End> ends = ends_of_paths(clipped, runs, placement);
     for (std::size_t k = 1; k < ends.size(); ++k)
         if (ends[k].place() == ends[k - 1].place()) sets.join(ends[k].run, ends[k - 1].run);
@@ -111,7 +94,7 @@ Groups group_runs(const ClippedPaths& clipped, const Runs& runs, In<Index> place
     std::vector<Box> boxes;
     for (Index r = 0; r < runs.size(); ++r) {
         if (!belongs(clipped, runs, placement, r)) continue;
-        const Index root = sets.root(r);
+        const Index root = sets.name(r);
         if (root == r) {
             groups.of_run[r] = Index(boxes.size());
             boxes.emplace_back();
