@@ -40,6 +40,21 @@ Mesh of_polygons(const std::string& name, const std::vector<vec3>& positions, co
     return mesh;
 }
 
+Mesh with_another(const Mesh& first, const Mesh& second) {
+    std::vector<vec3> positions = first.positions;
+    Polygons polygons;
+    for (const auto& [mesh, base] : {std::pair(&first, 0), std::pair(&second, int(first.positions.size()))}) {
+        if (base > 0)
+            for (const vec3& p : mesh->positions) positions.push_back(p + vec3(5, 0, 0));
+        for (std::size_t f = 0; f + 1 < mesh->polygon_offsets.size(); ++f) {
+            polygons.push_back({});
+            for (int c = mesh->polygon_offsets[f]; c < mesh->polygon_offsets[f + 1]; ++c)
+                polygons.back().push_back(mesh->corner_verts[c] + base);
+        }
+    }
+    return of_polygons("two", positions, polygons);
+}
+
 Mesh box(vec3 low, vec3 high) {
     std::vector<vec3> p;
     for (int i = 0; i < 8; ++i) p.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});

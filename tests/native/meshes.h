@@ -49,6 +49,9 @@ using Polygons = std::vector<std::vector<int>>;
 
 Mesh of_polygons(const std::string& name, const std::vector<vec3>& positions, const Polygons& polygons);
 
+/// A mesh, and another 5 to its right, as one.
+Mesh with_another(const Mesh& first, const Mesh& second);
+
 /// Polygons of another mesh with their winding turned around where `flip(polygon)` holds.
 template <typename Flip>
 Mesh flipped(const Mesh& mesh, const Flip& flip) {

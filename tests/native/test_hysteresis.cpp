@@ -30,6 +30,7 @@ CurveChains chain_of(const std::vector<float>& strengths, bool closed = false) {
     }
     if (closed) chains.point.back() = chains.point.front();
     chains.closed.push_back(closed);
+    chains.free.push_back(closed ? 0 : any_free);
     chains.anchor.push_back(std::uint64_t(3) << 32 | 10);
     chains.rows.offsets.push_back(Index(strengths.size()));
     return chains;
@@ -110,6 +111,18 @@ TEST(Hysteresis, AClosedChainOpensWhereItIsCut) {
         EXPECT_NEAR(length_of(open), 4.0, 1e-5) << "of six sides of length 1";
     }
     EXPECT_EQ(select_stretches(chain_of({0, 0, 0, 0}, true), {.level = 0.5f}).rows.count(), 0u);
+}
+
+TEST(Hysteresis, EndsAreFreeUnlessAnotherLineGoesOnThere) {
+    std::vector<std::uint8_t> removed(20, 0);
+    removed[12] = 1;
+    const CurveChains chains = chain_of({1, 1, 1, 1, 1, 1});
+    const auto bits = [](const CurveChains& of) { return std::vector<int>(of.free.begin(), of.free.end()); };
+    EXPECT_EQ(bits(without_triangles(chains, removed)), std::vector<int>({any_free, any_free}));
+    const CurveChains cut = without_triangles(chains, removed, true);
+    EXPECT_EQ(bits(cut), std::vector<int>({free_start, free_end}));
+    EXPECT_EQ(bits(select_stretches(cut, {.level = 0.5f})), bits(cut)) << "what is kept keeps its ends";
+    EXPECT_EQ(bits(without_triangles(chain_of({1, 1, 1, 1, 1, 1}, true), removed, true)), std::vector<int>({0}));
 }
 
 TEST(Hysteresis, TrianglesLeaveTheirGapsInChains) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth contours and silhouettes: where they end, who has them, and nothing drawn twice.
+#include <bit>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -83,6 +84,21 @@ TEST(SmoothContour, EndsAtTheCuspsOfATorus) {
     }
 }
 
+TEST(SmoothContour, PartsThatAreInsideOutHideNothingOfTheirOwn) {
+    const meshes::Mesh torus = analytic::torus({.n = 96}).mesh;
+    const Index own = torus.polygon_offsets.size() - 1;
+    const auto surface = meshes::with_another(torus, meshes::flipped(torus, [](int) { return true; })).surface();
+    const CurveChains ended = contour_of(*surface, 1);
+    int open = 0, closed = 0;
+    for (Index c = 0; c < ended.rows.count(); ++c) {
+        const bool second = surface->triangle_facet[ended.triangle[ended.rows.begin(c)]] >= own;
+        EXPECT_EQ(ended.closed[c] != 0, second || ended.rows.size(c) > 200u);
+        (ended.closed[c] ? closed : open) += second;
+    }
+    EXPECT_EQ(closed, 2);
+    EXPECT_EQ(open, 0);
+}
+
 TEST(SmoothContour, NothingThatIsSeenGoesAtCusps) {
     const auto visible = [](double end_at_cusps) {
         const Drawing drawing({place(analytic::torus({.n = 128, .irregular = true}).mesh)},
@@ -152,6 +168,22 @@ TEST(SmoothSilhouette, IsTheOuterBoundaryAndNothingTwice) {
     std::set<Index> both(outer.begin(), outer.end());
     both.insert(inner.begin(), inner.end());
     for (Index t : contour.triangles.at(0)) EXPECT_TRUE(both.count(t)) << "missing";
+}
+
+TEST(SmoothSilhouette, TheContourGoesOnWhereItEnds) {
+    const auto mesh = analytic::torus({.n = 128, .irregular = true}).mesh;
+    const auto free_ends = [&](const std::vector<LineSet>& sets) {
+        std::map<int, int> count;
+        const Drawing drawing({place(mesh)}, perspective({5, -2, 1.2}, dvec3(0)), sets);
+        for (Index p = 0; p < drawing.paths.count(); ++p)
+            count[drawing.paths.line_set[p]] += std::popcount(drawing.paths.free_ends[p]);
+        return count;
+    };
+    const LineSet outer = line_set({"smooth_silhouette"}), whole = line_set({"smooth_contour"});
+    EXPECT_GT(free_ends({outer})[0], 0) << "alone, nothing does";
+    auto both = free_ends({outer, whole});
+    EXPECT_EQ(both[0], 0);
+    EXPECT_LE(both[1], free_ends({whole})[0]) << "at most its cusps";
 }
 
 TEST(SmoothSilhouette, OfMeshEdgesStandsForIt) {

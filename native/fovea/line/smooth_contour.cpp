@@ -8,6 +8,10 @@
 //      Perception 1984)
 #include <fovea/line/smooth_contour.h>
 
+#include <algorithm>
+
+#include <fovea/scene/bodies.h>
+
 namespace fovea::line {
 namespace {
 
@@ -23,32 +27,35 @@ const Parameters<SmoothContour> parameters{{&SmoothContour::end_at_cusps, "end_a
 /// break a contour.
 constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
 
-/// Whether a surface is closed and has positive volume. Open shells are seen from both sides, so they do not occlude
-/// their own contours; on inside-out surfaces the test is invalid.
-struct Solid {
-    bool yes;
+/// Parts of a surface that hide their own contours: closed ones of positive volume. Open shells are seen from both
+/// sides; of inside-out ones, such as hulls that show their backs as an outline, what would hide is not there.
+struct Hiding {
+    Array<std::uint8_t> vertices;  ///< per vertex; empty: none
 };
 
-Solid solid(const Surface& surface) {
-    for (Index e = 0; e < surface.edges.size(); ++e)
-        if (surface.edge_rows.size(e) == 1) return {false};
-    double volume = 0.0;
-    const dvec3 center(surface.center);
-    for (const Triangle& t : surface.triangles) {
-        const auto at = [&](Index v) { return dvec3(surface.positions[v]) - center; };
-        volume += glm::dot(at(t.x), glm::cross(at(t.y), at(t.z)));
-    }
-    return {volume > 0.0};
+Hiding hiding(const Surface& surface) {
+    const auto bodies = bodies_of(surface);
+    if (std::ranges::find(bodies->outward, 1) == bodies->outward.end()) return {};
+    Hiding found{Array<std::uint8_t>(surface.vertex_count(), 0)};
+    for (Index t = 0; t < surface.occluding_triangles; ++t)
+        if (bodies->outward[bodies->of_facet[surface.triangle_facet[t]]])
+            for (int k = 0; k < 3; ++k) found.vertices[surface.triangles[t][k]] = 1;
+    return found;
 }
 
-bool hides_its_own(const Surface& surface, const SmoothContour& values) {
-    return values.end_at_cusps && surface.cache().get<Solid>(0, [&] { return solid(surface); })->yes;
+/// Null if no part hides its own contour.
+std::shared_ptr<const Hiding> hides_its_own(const Surface& surface, const SmoothContour& values) {
+    if (!values.end_at_cusps) return nullptr;
+    auto found = surface.cache().get<Hiding>(0, [&] { return hiding(surface); });
+    return found->vertices.empty() ? nullptr : found;
 }
 
 Curves find(const SurfaceView& seen, const SmoothContour& values) {
-    if (!hides_its_own(seen.surface, values)) return find_smooth_contour(seen, [](Index) { return 1.0f; });
+    const auto hides = hides_its_own(seen.surface, values);
+    if (!hides) return find_smooth_contour(seen, [](Index) { return 1.0f; });
     const auto fields = fields_of(seen.surface);
     return find_smooth_contour(seen, [&](Index v) {
+        if (!hides->vertices[v]) return 1.0f;
         const Curvature& c = fields->curvature[v];
         const float k_r = radial(c, see_vertex(seen, c, v)).curvature;
         return std::clamp(at_cusp + sureness * fields->feature_size * k_r, 1e-3f, 1.0f);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fovea/path/ends.h>
+#include <fovea/path/paths.h>
 
 namespace fovea::path {
 namespace {
@@ -93,6 +94,7 @@ CurveChains chain_curves(const Curves& pieces) {
     const auto finish = [&](bool closed) {
         const Index points = static_cast<Index>(chains.point.size());
         chains.closed.push_back(closed && points - chains.rows.offsets.back() > 2);
+        chains.free.push_back(chains.closed.back() ? 0 : any_free);
         chains.anchor.push_back(std::exchange(lowest, highest));
         chains.rows.offsets.push_back(points);
     };

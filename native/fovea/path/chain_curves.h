@@ -10,7 +10,7 @@ namespace fovea::path {
 /// Polylines across triangles; curve c has the points rows.begin(c) .. rows.end(c) - 1.
 struct CurveChains {
     Rows rows;
-    Array<std::uint8_t> closed;
+    Array<std::uint8_t> closed, free;
     Array<std::uint64_t> anchor;
     Array<vec3> point;
     Array<float> strength;
@@ -18,6 +18,7 @@ struct CurveChains {
 
     static constexpr std::tuple curve_columns{
         Column{"closed", &CurveChains::closed, "the last point repeats the first"},
+        Column{"free", &CurveChains::free, "FreeEnds (path/paths.h): ends at which no other line goes on"},
         Column{
             "anchor", &CurveChains::anchor,
             "level (high half) and lowest triangle, or the lowest triangles of both surfaces: no two have the same"}};

@@ -61,7 +61,7 @@ void mark_long_stretches(const CurveChains& chains, Index chain, const Surface& 
 
 CurveChains Claims::claim(const CurveRule& rule, CurveChains chains) {
     Array<std::uint8_t>& taken = taken_[rule.part_of ? &std::get<CurveRule>(rule.part_of->rule) : &rule];
-    if (!taken.empty()) chains = without_triangles(chains, taken);
+    if (!taken.empty()) chains = without_triangles(chains, taken, true);
     taken.resize(surface_.triangles.size(), 0);
     for (Index triangle : chains.triangle) taken[triangle] = 1;
     return chains;

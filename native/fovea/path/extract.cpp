@@ -175,8 +175,7 @@ void write_found(const Scene& scene, const FoundCurves& found, Slot slot, Paths&
     std::uint64_t id = placement ? placement->id : 0;
     if (found.other != none && found.other != slot.placement) id = hash_numbers(id, scene.placements[found.other].id);
     write_paths(
-        chains, slot, [&](std::size_t) { return found.line_set; },
-        [&](std::size_t c) { return chains.closed[c] ? 0 : free_start | free_end; },
+        chains, slot, [&](std::size_t) { return found.line_set; }, [&](std::size_t c) { return chains.free[c]; },
         [&](std::size_t c) { return hash_numbers(id, found.definition + 1, chains.anchor[c]); },
         [&](Index i) { return chains.point[i]; }, paths);
     if (slot.of_view && (smooth_contours() >> found.definition & 1))

@@ -42,6 +42,12 @@ struct Plan {
         if (found == jobs.end()) jobs.push_back({rule, values});
         return place;
     }
+    /// Whether the rest of the curves that a rule finds a part of is requested: it goes on where that part ends.
+    bool has_rest_of(const CurveRule& rule) const {
+        return rule.part_of && std::ranges::any_of(shares, [&](const Share& share) {
+                   return share.number != none && line_definitions()[share.number] == rule.part_of;
+               });
+    }
 };
 
 /// Whether a set before set `s` requests the definition and satisfies has(set).
@@ -130,6 +136,7 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
         CurveChains part = part_of(chains[share.job], share, sets, seen.surface);
         if (rule.type == CurveType::contour) part = claims.claim(rule, std::move(part));
         if (share.number == none) continue;
+        if (plan.has_rest_of(rule)) std::ranges::fill(part.free, 0);
         if (seen.surface.source()) to_object(seen.surface.stretch(), part.point);
         found.push_back({share.line_set, share.number, std::make_shared<const CurveChains>(std::move(part))});
     }

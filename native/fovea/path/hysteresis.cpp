@@ -5,6 +5,7 @@
 
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/triangle_sides.h>
+#include <fovea/path/paths.h>
 
 namespace fovea::path {
 namespace {
@@ -147,8 +148,18 @@ Index spur(const Walk& walk, int way, float side) {
     return found;
 }
 
-/// Builds chains from intervals of `chains`. `uniform`: with strength 1.
-CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool uniform) {
+/// FreeEnds of an interval of a chain, of which those that cut the chain are in `at_cuts`.
+int free_ends(const CurveChains& chains, const Stretch& stretch, int at_cuts) {
+    if (stretch.closed) return 0;
+    const bool closed = chains.closed[stretch.chain];
+    const bool from_start = !closed && stretch.begin.i == 0 && stretch.begin.t == 0.0f;
+    const bool to_end = !closed && stretch.end.i + 1 == chains.rows.size(stretch.chain);
+    const int before = chains.free[stretch.chain];
+    return ((from_start ? before : at_cuts) & free_start) | ((to_end ? before : at_cuts) & free_end);
+}
+
+/// Builds chains from intervals of `chains`. `uniform`: with strength 1. `at_cuts`: FreeEnds where chains are cut.
+CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool uniform, int at_cuts = any_free) {
     CurveChains out;
     Index points = 0;
     for (const Stretch& stretch : stretches) out.rows.offsets.push_back(points += stretch.points());
@@ -171,6 +182,7 @@ CurveChains gather(const CurveChains& chains, In<Stretch> stretches, bool unifor
             lowest = std::min(lowest, out.triangle[o]);
         }
         out.closed[s] = stretch.closed;
+        out.free[s] = std::uint8_t(free_ends(chains, stretch, at_cuts));
         out.anchor[s] = chains.anchor[stretch.chain] >> 32 << 32 | lowest;
     });
     return out;
@@ -228,11 +240,11 @@ CurveChains without_spurs(const CurveChains& chains, const Surface& surface) {
     return gather(chains, find_stretches(chains, find), false);
 }
 
-CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed) {
+CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed, bool another_goes_on) {
     const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
         cut_whole(walk, [&](Index i) { return !removed[chains.triangle[walk.at(i)]]; }, out);
     };
-    return gather(chains, find_stretches(chains, find), false);
+    return gather(chains, find_stretches(chains, find), false, another_goes_on ? 0 : any_free);
 }
 
 }  // namespace fovea::path

@@ -14,7 +14,8 @@ CurveChains select_stretches(const CurveChains& chains, const Selection& selecti
 /// degrees within two side lengths of the end.
 CurveChains without_spurs(const CurveChains& chains, const Surface& surface);
 
-/// The parts of chains outside triangles with `removed` set (per triangle of the surface).
-CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed);
+/// The parts of chains outside triangles with `removed` set (per triangle of the surface). `another_goes_on`: another
+/// line takes over there, so the cut ends are not free.
+CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed, bool another_goes_on = false);
 
 }  // namespace fovea::path

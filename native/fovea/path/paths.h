@@ -8,7 +8,7 @@
 namespace fovea::path {
 
 /// Bits: ends of a path that touch no other line.
-enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2 };
+enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2, any_free = 3 };
 
 inline constexpr std::uint8_t ends_at_cusps = 2;
 

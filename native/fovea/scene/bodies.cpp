@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/scene/bodies.h>
 
+#include <algorithm>
+
 #include <fovea/base/disjoint_sets.h>
+#include <fovea/base/parallel.h>
 
 namespace fovea::scene {
 
@@ -39,8 +42,8 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
         const auto corner = [&](int i) { return dvec3(surface.positions[surface.triangles[t][i]] - surface.center); };
         volume[of_facet[surface.triangle_facet[t]]] += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
     }
-    all_outward = count > 0;
-    for (Index b = 0; b < count; ++b) all_outward = all_outward && solid[b] && volume[b] > 0.0;
+    outward = parallel_map<std::uint8_t>(count, [&](std::size_t b) { return solid[b] && volume[b] > 0.0; });
+    all_outward = count > 0 && std::ranges::find(outward, 0) == outward.end();
 }
 
 std::shared_ptr<const Bodies> bodies_of(const Surface& surface) {

@@ -10,9 +10,10 @@ namespace fovea::scene {
 /// consistently oriented: at each of its edges as many sides run one way as the other. All others are open shells,
 /// however small their holes.
 struct Bodies {
-    Array<Index> of_facet;      ///< component index, numbered by first facet; `none` for facets that do not occlude
-    Array<std::uint8_t> solid;  ///< per component
-    bool all_outward = false;   ///< there is a component, all are solid, and each encloses positive volume
+    Array<Index> of_facet;        ///< component index, numbered by first facet; `none` for facets that do not occlude
+    Array<std::uint8_t> solid;    ///< per component
+    Array<std::uint8_t> outward;  ///< per component: it is solid and encloses positive volume
+    bool all_outward = false;     ///< there is a component, and all are outward
 
     explicit Bodies(const Surface& surface);
 };
