@@ -271,7 +271,9 @@ def render_frames(scene, options, camera=None):
         scene.frame_set(frame)
         if dump:  # first, because rendering may fail
             frame_dump.write(bpy.context, dump)
+            ending.announce(dump)
         picture.render(scene, path)
+        ending.announce(path)
 
 
 if __name__ == "__main__":

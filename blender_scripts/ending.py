@@ -1,10 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error handling of the scripts that `fovea` runs inside Blender: errors that the user can fix end with one line and
-exit status 1, others with a traceback."""
+"""What the scripts that `fovea` runs inside Blender tell it: each file that they have written, and, with exit status 1,
+errors that the user can fix as one line; others with a traceback."""
 
+import json
 import sys
 
 MARK = "fovea: "  # prefix of that line, which distinguishes it from Blender's own output
+WROTE = "fovea wrote: "  # prefix of the line of a file, whose path follows as JSON
+
+
+def announce(path):
+    """Tells of a file that is written."""
+    print(f"{WROTE}{json.dumps(str(path))}", flush=True)
+
+
+def announced(line):
+    """The path in a line of output; None if it tells of no file."""
+    return json.loads(line.removeprefix(WROTE)) if line.startswith(WROTE) else None
 
 
 def run(main):

@@ -26,6 +26,7 @@ def main(words):
     bpy.context.scene.view_settings.view_transform = "Standard"
     with output.written(options.output) as fresh:
         bpy.ops.wm.save_as_mainfile(filepath=str(fresh))
+    ending.announce(options.output.absolute())
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 import bpy
+import ending
 import numpy as np
 import picture
 from bl_ext.user_default.fovea.style import style_data
@@ -123,5 +124,6 @@ def save(sheet, path):
         stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", 70
     with output.written(path, picture.is_whole) as fresh:
         image.save_render(str(fresh), scene=scene)
+    ending.announce(path)
     bpy.data.scenes.remove(scene)
     bpy.data.images.remove(image)

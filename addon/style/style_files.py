@@ -9,7 +9,7 @@ from pathlib import Path
 
 import bpy
 
-from .. import native, style
+from .. import files, native, style
 from ..scene.own_preferences import ADDON, own
 from . import style_picture
 
@@ -23,7 +23,7 @@ def user_folder(create=False):
 
 def user_names():
     try:
-        return sorted(path.stem for path in user_folder().glob("*.json"))
+        return sorted(path.stem for path in user_folder().glob("[!.]*.json"))  # hidden: of a killed Blender
     except ValueError:
         return []
 
@@ -62,14 +62,18 @@ def file_name(title):
 def save(name, wanted):
     """Writes a Style and its thumbnail to the user's folder, replacing one of the same name; returns its path."""
     path = user_folder(create=True) / f"{name}.json"
+    for old in (path, _picture_of(path)):
+        if old.is_symlink():  # nothing outside the folder is written
+            old.unlink()
     write(path, wanted)
     _draw(_picture_of(path), wanted)
     return path
 
 
 def write(path, wanted):
-    """Writes a Style to a file atomically: on an error the old file stays."""
-    _write(Path(path), style.dump(wanted).encode())
+    """Writes a Style to a file atomically: on an error the old file stays. NotWritten if it cannot be written."""
+    with files.written(path) as fresh:
+        fresh.write_bytes(style.dump(wanted).encode())
 
 
 def rename(name, fresh):
@@ -110,13 +114,9 @@ def _picture_of(path):
 def _draw(path, wanted):
     """Writes a style's thumbnail; if that fails, removes the old one, which would be of another style."""
     try:
-        _write(path, style_picture.png(style_picture.draw(wanted)))
+        drawn = style_picture.png(style_picture.draw(wanted))
+        with files.written(path) as fresh:
+            fresh.write_bytes(drawn)
     except (native.Unavailable, ValueError) as error:
         _log.warning("no thumbnail of %s: %s", path.stem, error)
         path.unlink(missing_ok=True)
-
-
-def _write(path, data):
-    fresh = path.with_name(f"{path.name}.new")
-    fresh.write_bytes(data)
-    fresh.replace(path)

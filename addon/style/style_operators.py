@@ -7,7 +7,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from .. import style
+from .. import files, style
 from ..focus import focus_settings
 from ..scene import animation
 from ..scene.operator import Operator
@@ -36,7 +36,8 @@ class StyleOperator(Operator):
 
     @staticmethod
     def sentence(error):
-        return str(error) if isinstance(error, style.StyleError) else f"Fovea cannot do that: {error}"
+        told = isinstance(error, (style.StyleError, files.NotWritten))
+        return str(error) if told else f"Fovea cannot do that: {error}"
 
 
 class OnStyle(StyleOperator):

@@ -49,9 +49,6 @@ def draw(target, words):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "draw.py"
     in_blender(target, f"drawing {options.scene}", script, words)
-    camera = "CAMERA" if options.cameras else None  # their names are known in Blender alone
-    for path in (*draw_options.pictures(options, camera), *draw_options.dumps(options, camera)):
-        print(path)
     return 0
 
 
@@ -66,7 +63,6 @@ def scene(target, words):
     output.check(options.output)
     extension.install(target)
     in_blender(target, f"building {options.scene}", PROJECT / "blender_scripts" / "save_scene.py", words)
-    print(options.output.absolute())
     return 0
 
 
@@ -117,13 +113,17 @@ def agreement(target, words):
 
 
 def in_blender(target, sentence, script, words):
-    """Runs a script in Blender in background mode. StepFailed on an error, with the script's message if it has one
-    (ending.py), else with the end of the log."""
+    """Runs a script in Blender in background mode, and prints the paths of the files it wrote, of all of them or of
+    those before an error. StepFailed on an error, with the script's message if it has one (ending.py), else with the
+    end of the log."""
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
     log, status = target.attempt(sentence, command)
+    lines = log.read_text(errors="replace").splitlines()
+    for path in filter(None, map(ending.announced, lines)):
+        print(path)
     if status == 0:
         return
-    for line in log.read_text(errors="replace").splitlines():
+    for line in lines:
         if line.startswith(ending.MARK):
             raise StepFailed(line.removeprefix(ending.MARK))
     how = f"by signal {-status}, as when memory is too small" if status < 0 else status

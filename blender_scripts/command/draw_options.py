@@ -57,7 +57,7 @@ def _numbered(path, frames):
 
 
 def _parser():
-    parser = argparse.ArgumentParser("fovea draw")
+    parser = argparse.ArgumentParser("fovea draw", usage=argparse.SUPPRESS)
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj (or .glb, .fbx, ...), SCENE.blend or a scene's NAME[:N]")
     add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
@@ -137,8 +137,7 @@ def _check(options):
         raise ValueError(f"a margin of {options.margin} percent leaves no picture")
     if options.dump and options.dump.suffix != ".npz":
         raise ValueError(f"a dump is a .npz, not {options.dump.name}")
-    for path in (*pictures(options), *dumps(options)):
-        output.check(path)
+    output.check(*pictures(options), *dumps(options))
 
 
 def _check_sheet(options):

@@ -78,14 +78,12 @@ def draw_sheet(target, name, picture):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "variants.py"
     actions.in_blender(target, f"drawing the sheet {name}", script, [name, str(picture)])
-    print(picture)
 
 
 def draw_thumbnails(target):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "thumbnails.py"
     actions.in_blender(target, "drawing the thumbnails", script, [str(STYLES)])
-    print(STYLES)
 
 
 def draw_steps(target):
@@ -108,5 +106,3 @@ def draw_pages(target, name):
     (pages.DOCS / name.partition("/")[0]).mkdir(parents=True, exist_ok=True)
     script = PROJECT / "blender_scripts" / "pages.py"
     actions.in_blender(target, f"drawing the pictures {name}", script, [str(pages.DOCS), *wanted])
-    for picture in wanted:
-        print(pages.DOCS / pages.file_of(picture))

@@ -30,7 +30,7 @@ def lines(target, words):
 
 
 def parse(words):
-    parser = argparse.ArgumentParser("fovea lines")
+    parser = argparse.ArgumentParser("fovea lines", usage=argparse.SUPPRESS)
     parser.add_argument("model", type=Path, metavar="MODEL.obj")
     drawn = parser.add_mutually_exclusive_group(required=True)
     drawn.add_argument("--definition", metavar="NAME")

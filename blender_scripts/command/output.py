@@ -1,39 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Atomic writing of output files: they are complete and from this run, or unchanged."""
+"""Output files of commands: checked before the work, and written by the add-on's module, which needs no Blender."""
 
+import importlib.util
 import os
-import secrets
-from contextlib import contextmanager
+import tempfile
 from pathlib import Path
 
+from .target import PROJECT
 
-def check(path):
-    """ValueError if no file can be written to `path`; call it before doing the work."""
-    place = Path(path).resolve()
-    if place.is_dir():
-        raise ValueError(f"{path} is a folder: name a file in it")
-    if not place.parent.is_dir():
-        raise ValueError(f"there is no folder {place.parent}")
-    if not os.access(place.parent, os.W_OK | os.X_OK):
-        raise ValueError(f"nothing can be written to the folder {place.parent}: name another folder")
-    if place.exists() and not (place.is_file() and os.access(place, os.W_OK)):
-        raise ValueError(f"{path} cannot be replaced: name another file")
+# By its file, because the package `addon` is the staged one, with the native module, where it is imported at all.
+_spec = importlib.util.spec_from_file_location("fovea_files", PROJECT / "addon" / "files.py")
+_files = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(_files)
+written = _files.written
 
 
-@contextmanager
-def written(path, is_whole=Path.is_file):
-    """Context with a temporary path beside `path`, with its suffix, to write to; at the end it is moved to `path` if
-    is_whole(Path). If not, or on an OSError or RuntimeError (as Blender's operators raise), `path` is left unchanged
-    and ValueError is raised."""
-    place = Path(path).resolve()
-    fresh = place.with_name(f".{secrets.token_hex(8)}{place.suffix}")
-    try:
-        yield fresh
-        if not is_whole(fresh):
-            raise OSError
-        fresh.replace(place)
-    except (OSError, RuntimeError) as error:
-        reason = getattr(error, "strerror", None) or "its disk did not take all of it"
-        raise ValueError(f"{path} could not be written ({reason}): make room, or name another place") from error
-    finally:
-        fresh.unlink(missing_ok=True)
+def check(*paths):
+    """ValueError if a file cannot be written to one of the paths; call it before doing the work."""
+    places = [Path(path).resolve() for path in paths]
+    for path, place in zip(paths, places, strict=True):
+        if place.is_dir():
+            raise ValueError(f"{path} is a folder: name a file in it")
+        if place.exists() and not (place.is_file() and os.access(place, os.W_OK)):
+            raise ValueError(f"{path} cannot be replaced: name another file")
+    for folder in dict.fromkeys(place.parent for place in places):
+        if not folder.is_dir():
+            raise ValueError(f"there is no folder {folder}")
+        try:
+            tempfile.TemporaryFile(dir=folder).close()
+        except OSError as error:
+            refused = f"nothing can be written to the folder {folder} ({error.strerror}): name another folder"
+            raise ValueError(refused) from error

@@ -23,6 +23,8 @@ in_suite() {
         named_options --bind "$@"
         option --bind "$work" "$work" --bind "$cache/ccache" "$cache/ccache" --chdir "$PWD"
         environment_options
+        # What would be written to the sandbox's own folders would be lost at its end.
+        option --remount-ro / --remount-ro /dev --remount-ro /run
     } >"$options"
     exec 8<"$options"
     rm "$options"
@@ -34,7 +36,7 @@ option() {
 }
 
 system_options() {
-    option --unshare-pid --die-with-parent --clearenv --dev /dev --dev-bind-try /dev/dri /dev/dri --proc /proc \
+    option --unshare-pid --die-with-parent --clearenv --dev /dev --dev-bind-try /dev/dri /dev/dri --bind-try /dev/shm /dev/shm --proc /proc \
         --tmpfs /run --bind /tmp /tmp
     for entry in "$suite_root"/*; do
         [ ! -h "$entry" ] || option --symlink "$(readlink "$entry")" "/${entry##*/}"

@@ -2,9 +2,12 @@
 #include <tool/drawing.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 #include <fovea/base/check.h>
 #include <fovea/color/png.h>
@@ -17,6 +20,22 @@ std::uint8_t encoded(float linear) {
     const float x = std::clamp(linear, 0.0f, 1.0f);
     const float srgb = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
     return static_cast<std::uint8_t>(std::lround(255.0f * srgb));
+}
+
+/// Writes a file, whole or not at all; throws std::invalid_argument, with the file and the cause.
+void write_whole(const std::string& bytes, const std::filesystem::path& file) {
+    std::filesystem::path part = file;
+    part += "." + std::to_string(getpid()) + ".part";
+    std::FILE* stream = std::fopen(part.c_str(), "wb");
+    bool written = stream && std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size() &&
+                   std::fflush(stream) == 0 && fsync(fileno(stream)) == 0;
+    std::error_code cause(errno, std::generic_category());
+    if (stream) written = std::fclose(stream) == 0 && written;
+    if (written) std::filesystem::rename(part, file, cause);
+    if (written && !cause) return;
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw std::invalid_argument(file.string() + " could not be written: " + cause.message());
 }
 
 }  // namespace
@@ -62,16 +81,7 @@ void write_png(const Frame& frame, const std::filesystem::path& file) {
         for (int c = 0; c < 3; ++c) rgb[3 * i + c] = encoded(pixel[c] + 1.0f - pixel.a);
     });
     const std::string bytes = png_bytes(rgb, view.width, view.height);
-    std::filesystem::path part = file;
-    part += ".part";
-    std::ofstream stream(part, std::ios::binary);
-    stream.write(bytes.data(), std::streamsize(bytes.size()));
-    stream.close();
-    std::error_code failed;
-    if (stream) std::filesystem::rename(part, file, failed);
-    const bool written = stream && !failed;
-    if (!written) std::filesystem::remove(part, failed);
-    check(written, file.string() + " could not be written");
+    write_whole(bytes, file);
 }
 
 }  // namespace fovea::tool

@@ -6,6 +6,7 @@
 #include <tool/read_model.h>
 #include <tool/statistics.h>
 
+#include <fovea/base/check.h>
 #include <fovea/base/threads.h>
 
 int main(int count, char** words) {
@@ -26,7 +27,8 @@ int main(int count, char** words) {
         }
         const nlohmann::ordered_json found = tool::statistics(model, frame);
         // Names of files need not be UTF-8.
-        std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+        std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+        check(std::cout.good(), "the statistics could not be printed");
     } catch (const std::exception& problem) {
         std::cerr << "fovea_tool: " << problem.what() << "\n";
         return 1;

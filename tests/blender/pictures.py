@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A scene to render, and access to the picture files that renders of it write."""
 
+import resource
+import signal
 import subprocess
 import sys
 from pathlib import Path
 
 import bpy
-from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, use_style
+from the_addon import add_camera, box_mesh, empty_scene, fovea, lines_of, new_object, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
@@ -62,3 +64,15 @@ def layered(scene, path):
         command += [str(path), "--subimage", str(part), "--ch", name, "--chnames", "R", "-o", str(files[name])]
     subprocess.run(command, check=True)
     return {name: pixels_of(file)[..., 0] for name, file in files.items()}
+
+
+def in_blender_without_room(words):
+    """Another Blender with the add-on, where no file can have more than 2 kB, as on a full disk; words go to it."""
+    command = [bpy.app.binary_path, "-b", "--factory-startup", "--addons", fovea.__name__, "--python-exit-code", "1"]
+    streams = {"capture_output": True, "text": True, "errors": "replace"}
+    return subprocess.run([*command, *words], **streams, preexec_fn=_take_room, restore_signals=False)
+
+
+def _take_room():
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048))

@@ -118,6 +118,12 @@ def test_no_picture_is_taken_from_outside_the_folder(scene, folder, tmp_path):
     assert (tmp_path / "far.png").read_bytes() == before and files.picture("own") == folder / "own.png"
 
 
+def test_what_a_killed_blender_left_of_a_style_is_none(scene, folder):
+    bpy.ops.fovea.style_save(name="own")
+    (folder / ".0123.json").write_bytes((folder / "own.json").read_bytes())
+    assert files.user_names() == ["own"]
+
+
 def test_without_a_native_module_a_style_is_saved_without_a_picture(scene, folder, monkeypatch):
     bpy.ops.fovea.style_save(name="own")
 

@@ -5,6 +5,7 @@ import json
 
 import bpy
 import pytest
+from pictures import in_blender_without_room
 from the_addon import empty_scene, lines_of, own_style, part, use_style
 
 catalogue, properties, style = part("catalogue"), part("render.properties"), part("style")
@@ -93,8 +94,22 @@ def test_a_file_that_is_not_there_is_told(scene, tmp_path):
     with pytest.raises(RuntimeError, match="cannot be read"):
         bpy.ops.fovea.style_import(filepath=str(tmp_path / "none.json"))
     own_style(scene)
-    with pytest.raises(RuntimeError, match="cannot do that"):
-        bpy.ops.fovea.style_export(filepath=str(tmp_path / "no" / "folder.json"), check_existing=False)
+    for place, cause in ((tmp_path / "no" / "folder.json", "No such file"), (tmp_path / "styles", "Is a directory")):
+        with pytest.raises(RuntimeError, match=f"{place}.* could not be written .{cause}"):
+            bpy.ops.fovea.style_export(filepath=str(place), check_existing=False)
+
+
+def test_a_style_that_a_full_disk_does_not_take_leaves_the_one_before(tmp_path):
+    path, script = tmp_path / "out.json", tmp_path / "script.py"
+    path.write_text("of an earlier run")
+    script.write_text(
+        "import bpy\n"
+        "bpy.ops.fovea.style_new()\n"
+        f"bpy.ops.fovea.style_export(filepath={str(path)!r}, check_existing=False)\n"
+    )
+    done = in_blender_without_room(["-P", str(script)])
+    assert done.returncode == 1 and f"{path} could not be written (File too large)" in done.stderr
+    assert sorted(tmp_path.iterdir()) == [path, script] and path.read_text() == "of an earlier run"
 
 
 def names(scene):

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the tool draws.
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <tool/drawing.h>
 #include <tool/read_obj.h>
 
@@ -21,6 +23,7 @@ struct Folder {
     std::filesystem::path path = std::filesystem::temp_directory_path() / ("fovea-drawing-" + std::to_string(getpid()));
     Folder() { std::filesystem::create_directories(path); }
     ~Folder() { std::filesystem::remove_all(path); }
+    int count() const { return int(std::distance(std::filesystem::directory_iterator(path), {})); }
 };
 
 }  // namespace
@@ -41,7 +44,7 @@ TEST(ToolDrawing, OfACubeIsInkOnWhitePaperInAFileOfThePicturesSize) {
     }
     EXPECT_GT(white, seen.ink.size() * 8 / 10);
     EXPECT_GT(darker, 200u);
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "cube.png.part"));
+    EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(ToolDrawing, WhatCannotBeWrittenOrReadIsNamed) {
@@ -51,7 +54,29 @@ TEST(ToolDrawing, WhatCannotBeWrittenOrReadIsNamed) {
     frame.picture();
     const auto nowhere = folder.path / "missing" / "cube.png";
     EXPECT_NE(refused([&] { tool::write_png(frame, nowhere); }).find("missing"), std::string::npos);
+    EXPECT_EQ(refused([&] { tool::write_png(frame, folder.path); }),
+              folder.path.string() + " could not be written: Is a directory");
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "none.json"); }).find("none.json"), std::string::npos);
     std::ofstream(folder.path / "broken.json") << R"({"schema": 1, "paper": {"tooth": "sharp"}, "line_sets": [{}]})";
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "broken.json"); }).find("paper.tooth"), std::string::npos);
+}
+
+TEST(ToolDrawing, AFullDiskIsNamedAndLeavesTheFileThatWasThere) {
+    const Folder folder;
+    const auto file = folder.path / "cube.png";
+    std::ofstream(file) << "old";
+    Frame frame = tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = 320, .height = 200},
+                                 tool::style_of({"contour"}));
+    frame.picture();
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlimit small{200, limit.rlim_max};  // bytes
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string said = refused([&] { tool::write_png(frame, file); });
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(said, file.string() + " could not be written: File too large");
+    EXPECT_EQ(std::filesystem::file_size(file), 3u);
+    EXPECT_EQ(folder.count(), 1);
 }

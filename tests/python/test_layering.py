@@ -53,6 +53,7 @@ DOORS = {
 MODULES = {
     "__init__": "",
     "stages": "",
+    "files": "",
     "native": "_native",
     "style": "catalogue native",
     "catalogue": "native",

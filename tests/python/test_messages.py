@@ -24,6 +24,18 @@ class Blender:
         return self.log, self.status
 
 
+def test_files_that_were_written_are_told_and_no_others(tmp_path, capsys):
+    odd = "/tmp/a \n\udc80\u2028b.png"
+    ending.announce("/tmp/a_0001.png")
+    ending.announce(odd)
+    log = f"Saved: '/tmp/b.png'\n{capsys.readouterr().out}Blender quit\n"
+    assert [path for path in map(ending.announced, log.splitlines()) if path] == ["/tmp/a_0001.png", odd]
+    actions.in_blender(Blender(tmp_path, log.replace("\\udc80", ""), 0), "drawing A", "draw.py", [])
+    assert capsys.readouterr().out == "/tmp/a_0001.png\n/tmp/a \n\u2028b.png\n"
+    said(tmp_path, f"{log.splitlines()[1]}\nfovea: /tmp/a_0002.png could not be written\n")
+    assert capsys.readouterr().out == "/tmp/a_0001.png\n"
+
+
 def said(tmp_path, log, status=1):
     with pytest.raises(StepFailed) as failure:
         actions.in_blender(Blender(tmp_path, log, status), "drawing A", "draw.py", [])

@@ -2,6 +2,9 @@
 """Output files of commands are complete, or unchanged."""
 
 import os
+import resource
+import signal
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -64,18 +67,55 @@ def test_what_cannot_be_written_is_told_before(tmp_path, monkeypatch):
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "full.png").symlink_to("/dev/full")
     (tmp_path / "read_only.png").touch()
-    can_write = {tmp_path / "read_only.png": False, tmp_path / "read_only": False}
-    (tmp_path / "read_only").mkdir()
-    monkeypatch.setattr(output.os, "access", lambda path, mode: can_write.get(Path(path), True))
+    monkeypatch.setattr(output.os, "access", lambda path, mode: Path(path).name != "read_only.png")
     for name, reason in (
         ("folder.png", "is a folder"),
         ("none/x.png", "there is no folder"),
         ("full.png", "cannot be replaced"),
         ("read_only.png", "cannot be replaced"),
-        ("read_only/x.png", "nothing can be written to the folder"),
+        ("/proc/x.png", "nothing can be written to the folder /proc \\(.*\\): name another folder"),
     ):
         with pytest.raises(ValueError, match=reason):
-            output.check(tmp_path / name)
+            output.check(tmp_path / "good.png", tmp_path / name)
+    assert not (tmp_path / "good.png").exists()
+
+
+def test_a_sandbox_has_no_folder_of_its_own_where_an_output_would_be_lost():
+    mounts = [line.split() for line in Path("/proc/self/mounts").read_text().splitlines()]
+    own = [place for _, place, kind, *_ in mounts if kind == "tmpfs" and place in ("/", "/dev", "/run")]
+    if "/" not in own:
+        pytest.skip("this is no sandbox")
+    for place in own:
+        with pytest.raises(ValueError, match=f"nothing can be written to the folder {place} "):
+            output.check(f"{place}/x.png")
+
+
+@contextmanager
+def no_room():
+    """Context with a disk that takes 2 kB of a file, that of the tests' own output included."""
+    handler, limits = signal.signal(signal.SIGXFSZ, signal.SIG_IGN), resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2048, limits[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        signal.signal(signal.SIGXFSZ, handler)
+
+
+@pytest.mark.parametrize("left", [0, 100, 2048])
+def test_why_a_file_broke_off_is_found_where_its_writer_does_not_say(tmp_path, left):
+    with pytest.raises(ValueError, match=r"out.png could not be written \(File too large\)"):
+        with no_room(), output.written(tmp_path / "out.png", lambda path: False) as fresh:
+            fresh.write_bytes(bytes(left))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_that_came_in_its_place_meanwhile_is_named(tmp_path):
+    with pytest.raises(ValueError, match=r"out.png could not be written \(Is a directory\)"):
+        with output.written(tmp_path / "out.png") as fresh:
+            fresh.touch()
+            (tmp_path / "out.png").mkdir()
+    assert [path.name for path in tmp_path.iterdir()] == ["out.png"]
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
