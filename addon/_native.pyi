@@ -395,7 +395,12 @@ class style:
     def parameters(definition: str, values: dict, where: str) -> dict[str, float]:
         """{parameter: value} of a line definition, checked. ValueError says what is wrong with it."""
 
+    def file_bytes(path: bytes) -> bytes:
+        """The bytes of a style file; a byte order mark does not count. ValueError if it is none or too large."""
+
     SCHEMA: int
+
+    LARGEST: int
 
     MOST_SURFACES: int
 

@@ -9,6 +9,7 @@ Unknown fields are preserved and written back; `remark` lists them, so that miss
 """
 
 import json
+import os
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
@@ -18,7 +19,6 @@ from .. import catalogue, native
 _PACKAGE = Path(__file__).parents[1]
 FOLDER, TEXTURES, PAPERS = _PACKAGE / "styles", _PACKAGE / "textures", _PACKAGE / "papers"
 DEFAULT = "pen_and_ink"
-LARGEST = 1 << 20  # bytes: the core's limit on the size of a style file
 MOST_TOLD = 8  # most unknown fields that `remark` names
 MOST_WORDS = 500  # most characters of an error message, as files may contain anything
 
@@ -66,18 +66,20 @@ def load(name):
     return read(FOLDER / f"{name}.json")
 
 
+def named(words):
+    """The bundled style of that name or, where words end in .json, the one in that file."""
+    return read(words) if Path(words).suffix == ".json" else load(words)
+
+
 def read(path):
     """The style in a file, which may be untrusted. StyleError if it cannot be read or is invalid."""
     try:
-        with open(path, "rb") as file:
-            data = file.read(LARGEST + 4)  # a byte order mark does not count
-    except (OSError, ValueError) as error:
-        raise StyleError(f"the style {str(path)!r} cannot be read: {error}") from error
+        data = native.load().style.file_bytes(os.fsencode(path))
+    except ValueError as error:
+        raise StyleError(f"the style {error}") from error
     try:
         return parse(data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
-        if len(data) > LARGEST:
-            raise StyleError("the style has more than 1 MB: that is no style") from error
         raise StyleError(f"the style is not text in UTF-8: byte {error.start} is not") from error
 
 

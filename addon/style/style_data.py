@@ -6,6 +6,7 @@ properties it returns.
 """
 
 import hashlib
+from pathlib import Path
 
 import bpy
 
@@ -40,9 +41,10 @@ def default():
 
 
 def use(scene, wanted, name="Style"):
-    """Assigns a Style, or the bundled one of a name, to a scene as a new datablock; returns its properties."""
+    """Assigns a Style, or that of a name or a file (style.named), to a scene as a new datablock; returns its
+    properties."""
     if isinstance(wanted, str):
-        wanted, name = style.load(wanted), title(wanted)
+        wanted, name = style.named(wanted), title(Path(wanted).stem)
     assign(scene, new(name, wanted), wanted.focus)
     return scene.fovea.style.fovea
 

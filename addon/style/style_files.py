@@ -4,6 +4,7 @@ names."""
 
 import logging
 import re
+import struct
 from functools import lru_cache
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from .. import files, native, style
 from ..scene.own_preferences import ADDON, own
 from . import style_picture
 
+LARGEST = 1024  # pixels along a side of a thumbnail that is shown
 _log = logging.getLogger(__package__)
 
 
@@ -93,12 +95,20 @@ def delete(name):
 
 
 def picture(name):
-    """Path of a style's thumbnail, or None."""
+    """Path of a style's thumbnail, or None. Those of the user are none if they are links, or large, by their header."""
     if name in shipped_names():
         path = style.FOLDER / f"{name}.jpg"
-    else:
-        path = _picture_of(user_folder() / f"{name}.json") if name in user_names() else None
-    return path if path and path.is_file() and not path.is_symlink() else None
+        return path if path.is_file() else None
+    path = _picture_of(user_folder() / f"{name}.json") if name in user_names() else None
+    return path if path and path.is_file() and not path.is_symlink() and _is_small(path) else None
+
+
+def _is_small(path):
+    """Whether a file has the header of a PNG of at most LARGEST pixels along each side."""
+    with path.open("rb") as file:
+        header = file.read(24)
+    sizes = struct.unpack(">II", header[16:]) if len(header) == 24 and header[1:4] == b"PNG" else (LARGEST + 1,)
+    return max(sizes) <= LARGEST
 
 
 def _of_user(name):

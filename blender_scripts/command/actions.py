@@ -15,7 +15,7 @@ import scenes
 from . import build as native
 from . import draw_options, output
 from . import package as extension
-from .target import PROJECT, SHARED, StepFailed, tail
+from .target import PROJECT, SHARED, StepFailed, say, tail
 
 
 def build(target, words):
@@ -46,10 +46,30 @@ def blender(target, words):
 
 def draw(target, words):
     options = draw_options.parse(words)
+    if options.style:
+        check_style(target, options.style)
     extension.install(target)
     script = PROJECT / "blender_scripts" / "draw.py"
     in_blender(target, f"drawing {options.scene}", script, words)
     return 0
+
+
+def check_style(target, words):
+    """ValueError if --style names no style, or a file that is none: told before Blender starts."""
+    style = imported(target, "style")
+    try:
+        remark = style.remark(style.named(words))
+    except ValueError as error:
+        raise ValueError(f"--style {words}: {error}") from error
+    if remark:
+        say(f"--style {words}: {remark}")
+
+
+def imported(target, name):
+    """A module of the staged add-on, without Blender."""
+    extension.stage(target)
+    sys.path.insert(0, str(extension.importable(target)))
+    return importlib.import_module(f"addon.{name}")
 
 
 def scene(target, words):
@@ -83,10 +103,7 @@ def bench_lines(target, words):
     from bench import lines
 
     lines.parse(words)
-    extension.stage(target)
-    sys.path.insert(0, str(extension.importable(target)))
-    native = importlib.import_module("addon.native").load()
-    return lines.main(words, native, shared())
+    return lines.main(words, imported(target, "native").load(), shared())
 
 
 def bench_ink(target, words):

@@ -80,7 +80,7 @@ def _parser():
     add("--depth-scale", type=int, choices=(1, 2, 3), help="texels of the depth buffer per pixel (2)")
     add("--layers", type=int, choices=(1, 2, 3), help="lines to a texel of the item buffer (3)")
     add("--frames", type=quantities.frames, metavar="A-B", help="an animation: OUT_0001.png ...")
-    add("--style", metavar="NAME")
+    add("--style", metavar="NAME|FILE.json")
     add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
     add("--param", type=quantities.assignment, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
     add("--hidden", action="store_true", help="draw hidden lines, too: dashed, unless the style says how")

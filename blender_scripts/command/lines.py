@@ -34,7 +34,7 @@ def parse(words):
     parser.add_argument("model", type=Path, metavar="MODEL.obj")
     drawn = parser.add_mutually_exclusive_group(required=True)
     drawn.add_argument("--definition", metavar="NAME")
-    drawn.add_argument("--style", metavar="NAME|FILE", help="with --visible: the lines of a style")
+    drawn.add_argument("--style", metavar="NAME|FILE.json", help="with --visible: the lines of a style")
     parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
     parser.add_argument("--param", action="append", type=quantities.assignment, default=[], metavar="NAME=VALUE")
@@ -90,9 +90,7 @@ def _style(options):
         given = {options.definition: style.parameters(options.definition, dict(options.param), "definition")}
         lines_of = importlib.import_module("addon.pipeline").style_of_lines
         return lines_of(given, options.corner_angle, options.hidden)
-    if options.style in style.names():
-        return style.load(options.style)
-    return style.read(options.style)
+    return style.named(options.style)
 
 
 def _output(text):

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Styles: records, files, and the declarations of their members.
+#include <fovea/base/files.h>
 #include <fovea/draw/pens.h>
 #include <fovea/style/json.h>
+#include <fovea/style/json_value.h>
 #include <fovea/style/mix.h>
 
 #include "bindings/bind.h"
@@ -131,7 +133,13 @@ void bind_style(py::module_& parent) {
         },
         py::arg("definition"), py::arg("values"), py::arg("where"),
         "{parameter: value} of a line definition, checked. ValueError says what is wrong with it.");
+    m.def(
+        "file_bytes",
+        [](const py::bytes& path) { return py::bytes(bytes_of_file(std::string(path), style::largest + 3)); },
+        py::arg("path"),
+        "The bytes of a style file; a byte order mark does not count. ValueError if it is none or too large.");
     m.attr("SCHEMA") = style::schema;
+    m.attr("LARGEST") = style::largest;
     m.attr("MOST_SURFACES") = style::most_surfaces;
     m.attr("MOST_PLACES") = style::Focus::most_places;
     m.attr("MOST_CURVE_POINTS") = style::Transfer::most_points;

@@ -5,13 +5,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 #include <fovea/base/check.h>
+#include <fovea/base/files.h>
 #include <fovea/color/png.h>
 #include <fovea/style/json.h>
+#include <fovea/style/json_value.h>
 
 namespace fovea::tool {
 namespace {
@@ -51,12 +51,9 @@ style::Style style_of(const std::vector<std::string>& lines) {
 }
 
 style::Style read_style(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    check(stream.good(), file.string() + " cannot be read");
+    const std::string text = bytes_of_file(file, style::largest);
     try {
-        return style::read_style(text.str());
+        return style::read_style(text);
     } catch (const std::invalid_argument& problem) {
         throw std::invalid_argument(file.string() + ": " + problem.what());
     }

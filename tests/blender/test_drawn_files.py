@@ -8,12 +8,14 @@ from pathlib import Path
 import bpy
 import pytest
 from pictures import SIZE, box_scene, pixels_of
-from the_addon import new_object
+from the_addon import new_object, part
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 import draw
 from command import draw_options, quantities
+
+properties, style = part("render.properties"), part("style")
 
 CHANNEL = 77  # a number that is easily found
 
@@ -65,6 +67,18 @@ def test_a_file_is_drawn_though_opening_it_reports_an_error(tmp_path, capfd):
     draw.main([str(blend), "-o", str(path)])
     assert "Error: 1 sequence strips were not read" in capfd.readouterr().out
     assert pixels_of(path).shape[:2] == SIZE[::-1]
+
+
+def test_a_style_is_that_of_a_name_or_of_a_file(tmp_path):
+    paper = style.Paper(color=(0.25, 0.5, 0.75))
+    (tmp_path / "my own.json").write_text(style.dump(style.load("charcoal").replace(paper=paper)), encoding="utf-8")
+    drawn = []
+    for words in ("charcoal", str(tmp_path / "my own.json")):
+        draw.main(["boxes:1", "--size", "64x36", "--style", words, "-o", str(tmp_path / "a.png")])
+        drawn.append(properties.style_of(bpy.context.scene))
+    assert drawn[1] == drawn[0].replace(paper=paper) and drawn[1] != drawn[0]
+    with pytest.raises(style.StyleError, match="none.json cannot be read: No such file"):
+        draw.main(["boxes:1", "--style", str(tmp_path / "none.json"), "-o", str(tmp_path / "a.png")])
 
 
 def test_what_is_no_blend_file_is_refused(tmp_path):

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The user's saved styles: thumbnails, update, rename, and the preferred default."""
 
+import os
+import struct
+
 import bpy
 import numpy as np
 import pytest
@@ -116,6 +119,18 @@ def test_no_picture_is_taken_from_outside_the_folder(scene, folder, tmp_path):
     lines_of(scene).pen.width = 14
     bpy.ops.fovea.style_update()
     assert (tmp_path / "far.png").read_bytes() == before and files.picture("own") == folder / "own.png"
+
+
+def test_a_picture_that_is_huge_or_a_pipe_is_not_loaded(scene, folder):
+    bpy.ops.fovea.style_save(name="own")
+    path = folder / "own.png"
+    data = path.read_bytes()
+    for side, shown in ((files.LARGEST, path), (files.LARGEST + 1, None), (30000, None)):
+        path.write_bytes(data[:16] + struct.pack(">II", side, 1) + data[24:])
+        assert files.picture("own") == shown
+    path.unlink()
+    os.mkfifo(path)
+    assert files.picture("own") is None
 
 
 def test_what_a_killed_blender_left_of_a_style_is_none(scene, folder):

@@ -38,19 +38,6 @@ Job job_of(const char* json, const Options& options = {}) {
             .backend = std::make_shared<CpuBackend>()};
 }
 
-/// A folder with one texture, which is gone afterwards.
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("fovea-assets-" + std::to_string(getpid()));
-
-    Folder() {
-        std::filesystem::create_directories(path / "textures");
-        std::ofstream(path / "textures" / "textures.json") << R"({"gray": {"length_in_widths": 8}})";
-        const std::uint8_t half[3] = {188, 188, 188};
-        std::ofstream(path / "textures" / "gray.png", std::ios::binary) << png_bytes(half, 1, 1);
-    }
-    ~Folder() { std::filesystem::remove_all(path); }
-};
-
 }  // namespace
 
 TEST(Frame, AStepTakesThoseBeforeItAndNoneAfterIt) {
@@ -204,19 +191,6 @@ TEST(Frame, WithoutWhatAStepNeedsIsRefused) {
     Job nowhere = job_of(with_hidden_lines);
     nowhere.scene = nullptr;
     EXPECT_THROW(Frame(std::move(nowhere)).find(), std::invalid_argument);
-}
-
-TEST(Frame, TexturesAreThoseOfTheFolderAndNamesLeadOutOfNone) {
-    const Folder folder;
-    const Assets assets(folder.path);
-    EXPECT_EQ(assets.texture("solid"), nullptr);
-    ASSERT_NE(assets.texture("gray"), nullptr);
-    EXPECT_NEAR(assets.texture("gray")->ink.ink[0], 188 / 255.0, 1e-6);
-    EXPECT_EQ(assets.texture("gray")->length_in_widths, 8.0);
-    EXPECT_EQ(assets.texture("gray"), assets.texture("gray"));
-    EXPECT_THROW(assets.texture("missing"), std::invalid_argument);
-    EXPECT_THROW(assets.texture("../gray"), std::invalid_argument);
-    EXPECT_THROW(assets.paper("a/b"), std::invalid_argument);
 }
 
 TEST(Style, PensAreNumberedByLineSetThenThoseOfHiddenPartsThenThoseOutOfFocus) {

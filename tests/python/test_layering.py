@@ -29,7 +29,7 @@ LIBRARIES = {
     r"tbb/parallel_": r"native/fovea/base/parallel",
     r"embree\d?/": r"native/fovea/scene/bvh",
     r"CLI/": r"native/tool/",
-    r"nlohmann/": r"native/(tool/|fovea/style/json|fovea/draw/assets)",
+    r"nlohmann/": r"native/(tool/|fovea/style/json)",
     r"Python\.h": r"nowhere",
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The messages of `fovea` when a script inside Blender fails: each sentence once, without Blender's own lines."""
 
+import importlib
 import sys
 
 import ending
@@ -50,6 +51,20 @@ def ended(error, monkeypatch):
     with pytest.raises(SystemExit) as end:
         ending.run(main)
     return f"{end.value}\n"
+
+
+def test_a_style_that_is_none_is_told_before_blender_starts(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(actions, "imported", lambda target, name: importlib.import_module(f"addon.{name}"))
+    file, words = tmp_path / "a.json", ["boxes:1", "-o", str(tmp_path / "a.png"), "--style"]
+    for text, reason in (("{", "the style is not JSON at line 1"), ("[" * 40, "nested more than 32 levels deep")):
+        file.write_text(text)
+        with pytest.raises(ValueError, match=f"--style {file}: .*{reason}"):
+            actions.draw(None, [*words, str(file)])
+    with pytest.raises(ValueError, match="there is no style 'none'"):
+        actions.draw(None, [*words, "none"])
+    file.write_text('{"schema": 1, "line_sets": [{}], "widht": 1}')
+    actions.check_style(None, str(file))
+    assert "does not know and leaves alone: widht" in capsys.readouterr().err
 
 
 def test_what_blender_reports_and_raises_is_said_once(tmp_path, monkeypatch):

@@ -3,6 +3,7 @@
 
 import copy
 import json
+import os
 import random
 
 import pytest
@@ -185,6 +186,57 @@ def test_what_is_no_style(text, sentence):
     assert sentence in refusal(text)
 
 
+def a_pipe(path):
+    os.mkfifo(path)
+
+
+def of_200_mb(path):
+    path.touch()
+    os.truncate(path, 200_000_000)
+
+
+@pytest.mark.parametrize(
+    "made, cause",
+    [
+        (lambda path: None, "No such file or directory"),
+        (lambda path: path.mkdir(), "it is no file"),
+        (a_pipe, "it is no file"),  # would keep waiting who reads it
+        (lambda path: path.symlink_to("/dev/zero"), "it is no file"),
+        (lambda path: path.symlink_to(path), "Too many levels of symbolic links"),
+        (of_200_mb, "it has more than 1 MB"),
+    ],
+)
+def test_what_is_no_style_file_is_refused_before_it_is_read(tmp_path, made, cause):
+    made(tmp_path / "a.json")
+    with pytest.raises(style.StyleError) as error:
+        style.named(str(tmp_path / "a.json"))
+    assert checked(error.value) == f"the style {tmp_path}/a.json cannot be read: {cause}"
+
+
+def test_a_name_with_a_zero_is_no_file(tmp_path):
+    (tmp_path / "a").write_text(style.dump(style.load("plain")))
+    with pytest.raises(style.StyleError, match="cannot be read"):
+        style.read(str(tmp_path / "a\0b"))
+
+
+@pytest.mark.parametrize(
+    "place, data",
+    [
+        ("line_sets[0].pen.texture", {"line_sets": [{"pen": {"texture": "mine"}}]}),
+        ("paper.texture", {"line_sets": [{}], "paper": {"texture": "mine"}}),
+    ],
+)
+def test_pictures_beside_a_style_file_are_not_looked_for(tmp_path, place, data):
+    """Textures and papers are those that ship, whatever a file's folder has."""
+    (tmp_path / "a.json").write_text(json.dumps({"schema": 1, **data}))
+    for folder in (tmp_path, tmp_path / "textures", tmp_path / "papers"):
+        folder.mkdir(exist_ok=True)
+        a_pipe(folder / "mine.png")
+    with pytest.raises(style.StyleError) as error:
+        style.named(str(tmp_path / "a.json"))
+    assert checked(error.value).startswith(f"{place} is 'mine'; there are: ")
+
+
 def test_fifty_thousand_keys_that_are_not_known_are_kept():
     data = {"schema": 1, "line_sets": [{"pen": {f"key_{i}": 0 for i in range(50000)}}]}
     read = style.parse(json.dumps(data))
@@ -210,11 +262,8 @@ def test_files(tmp_path):
     (tmp_path / "good.json").write_bytes(b"\xef\xbb\xbf" + good)
     assert style.read(tmp_path / "good.json") == style.load(style.DEFAULT)
     assert refused(good[:40] + b"\xff\xfe" + good[40:]) == "the style is not text in UTF-8: byte 40 is not"
-    assert refused(good + b" " * 50_000_000) == "the style has more than 1 MB: that is no style"
-    assert refused(b"[" * 50_000_000) == "the style has more than 1 MB: that is no style"
+    large = f"the style {tmp_path}/a.json cannot be read: it has more than 1 MB"
+    assert refused(good + b" " * 50_000_000) == refused(b"[" * 50_000_000) == large
     assert "not JSON" in refused(b"\0" * 1000)
-    for path in (tmp_path, tmp_path / "none.json", tmp_path / "a\0b"):
-        with pytest.raises(style.StyleError, match="cannot be read"):
-            style.read(path)
     with pytest.raises(style.StyleError, match="more than 1 MB"):
         style.parse(" " * (LARGEST + 1))

@@ -4,16 +4,23 @@
 #include <png.h>
 
 #include <fovea/base/check.h>
+#include <fovea/base/files.h>
 
 namespace fovea::color {
 
 PenTexture read_texture(const std::string& path) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
-    check(png_image_begin_read_from_file(&image, path.c_str()), path + ": " + image.message);
+    const std::string bytes = bytes_of_file(path, largest_texture);
+    bool done = png_image_begin_read_from_memory(&image, bytes.data(), bytes.size());
+    check(done, path + ": " + image.message);
+    const bool fits = image.width <= largest_side && image.height <= largest_side;
+    if (!fits) png_image_free(&image);
+    check(fits, path + ": it has more than " + std::to_string(largest_side) + " pixels along a side");
     image.format = PNG_FORMAT_GRAY;
     std::vector<std::uint8_t> gray(PNG_IMAGE_SIZE(image));
-    check(png_image_finish_read(&image, nullptr, gray.data(), 0, nullptr), path + ": " + image.message);
+    done = png_image_finish_read(&image, nullptr, gray.data(), 0, nullptr);
+    check(done, path + ": " + image.message);
     PenTexture texture{int(image.width), int(image.height), Array<float>(gray.size())};
     for (std::size_t i = 0; i < gray.size(); ++i) texture.ink[i] = static_cast<float>(gray[i]) / 255.0f;
     return texture;
@@ -30,7 +37,8 @@ std::string png_bytes(In<std::uint8_t> rgb, int width, int height) {
     const png_int_32 upwards = -3 * width;
     std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
     png_alloc_size_t size = bytes.size();
-    check(png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), upwards, nullptr), image.message);
+    const bool done = png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), upwards, nullptr);
+    check(done, image.message);
     bytes.resize(size);
     return bytes;
 }

@@ -8,7 +8,11 @@
 
 namespace fovea::color {
 
-/// Reads a PNG as gray: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read.
+inline constexpr int largest_side = 4096;                  ///< pixels of a texture along a side
+inline constexpr std::size_t largest_texture = 64u << 20;  ///< bytes of its file
+
+/// Reads a PNG as gray: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read or is
+/// larger than the limits, which is known before its pixels are read.
 PenTexture read_texture(const std::string& path);
 
 /// The bytes of a PNG file of width x height pixels, sRGB, three values each, bottom row first (as in textures). Throws

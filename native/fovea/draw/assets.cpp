@@ -3,31 +3,55 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include <fovea/base/check.h>
+#include <fovea/base/files.h>
 #include <fovea/color/png.h>
+#include <fovea/style/json_value.h>
 
 namespace fovea::draw {
 
-/// Path of a shipped file. Names come from untrusted style files, so they must not leave the folder.
-std::filesystem::path Assets::file(const char* kind, const std::string& name) const {
+/// Path of a file of a kind. Names come from untrusted style files, and folders with links from anywhere, so neither
+/// may leave the folder.
+std::filesystem::path Assets::file(const char* kind, const std::string& name, const char* suffix) const {
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
     check(!name.empty() && std::ranges::all_of(name, plain), "'" + name + "' is no name of a texture");
-    return folder_ / kind / (name + ".png");
+    check(!folder_.empty(), "a style with " + std::string(kind) + " needs their folder: name it by --assets");
+    const std::filesystem::path path = folder_ / kind / (name + suffix);
+    std::error_code problem;  // told where the file is read
+    const auto whole = std::filesystem::weakly_canonical(path, problem);
+    if (problem) return path;
+    const auto inside = whole.lexically_relative(std::filesystem::weakly_canonical(folder_));
+    check(!inside.empty() && *inside.begin() != "..", path.string() + " leads out of its folder");
+    return path;
 }
+
+namespace {
+
+style::JsonValue sizes_in(const std::filesystem::path& path) {
+    const std::string text = bytes_of_file(path, style::largest);
+    try {
+        return style::parse_json(text);
+    } catch (const std::invalid_argument& problem) {
+        throw std::invalid_argument(path.string() + ": " + problem.what());
+    }
+}
+
+}  // namespace
 
 /// The number that KIND/KIND.json has for a file; 1 if it has none.
 double Assets::size(const char* kind, const char* key, const std::string& name) const {
     const std::lock_guard lock(mutex_);
     auto& sizes = sizes_[kind];
     if (sizes.empty()) {
-        const std::filesystem::path path = folder_ / kind / (std::string(kind) + ".json");
-        std::ifstream file(path);
-        const auto data = nlohmann::json::parse(file, nullptr, false);
-        check(data.is_object(), path.string() + " cannot be read");
-        for (const auto& [entry, values] : data.items()) sizes[entry] = values.value(key, 1.0);
+        const std::filesystem::path path = file(kind, kind, ".json");
+        const style::JsonValue data = sizes_in(path);
+        check(data.type == style::JsonValue::Type::object, path.string() + " must be a JSON object");
+        for (std::size_t i = 0; i < data.keys.size(); ++i) {
+            const style::JsonValue* number = data.items[i].at(key);
+            check(!number || number->number > 0.0, path.string() + ": " + data.keys[i] + " has no " + key + " above 0");
+            sizes[data.keys[i]] = number ? number->number : 1.0;
+        }
     }
     const auto found = sizes.find(name);
     return found == sizes.end() ? 1.0 : found->second;

@@ -35,7 +35,7 @@ class Assets {
     std::shared_ptr<const PaperTexture> wash(const std::string& name) const;
 
    private:
-    std::filesystem::path file(const char* kind, const std::string& name) const;
+    std::filesystem::path file(const char* kind, const std::string& name, const char* suffix = ".png") const;
     double size(const char* kind, const char* key, const std::string& name) const;
     std::shared_ptr<const PaperTexture> sheet(const char* kind, const std::string& name) const;
 

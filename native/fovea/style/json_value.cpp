@@ -14,9 +14,6 @@ namespace {
 
 using Type = JsonValue::Type;
 
-constexpr std::size_t largest = 1 << 20;  // bytes; shipped styles have about two thousand
-constexpr std::size_t deepest = 32;       // levels of objects and lists
-
 /// Event handler of the library's parser.
 class Builder {
    public:

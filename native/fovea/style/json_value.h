@@ -11,6 +11,9 @@
 
 namespace fovea::style {
 
+inline constexpr std::size_t largest = 1 << 20;  ///< bytes; shipped styles have about two thousand
+inline constexpr std::size_t deepest = 32;       ///< levels of objects and lists
+
 /// One step of a path into a JSON value: an object key or a list index.
 using Step = std::variant<std::string, std::size_t>;
 using Path = std::vector<Step>;
@@ -45,7 +48,7 @@ struct JsonValue {
 };
 
 /// Parses a text. Throws std::invalid_argument with a sentence that names the place, for invalid JSON, duplicate keys
-/// in an object, non-finite numbers, more than 1 MiB, or more than 32 levels.
+/// in an object, non-finite numbers, or a text that is larger or deeper than the limits.
 JsonValue parse_json(std::string_view text);
 
 }  // namespace fovea::style
