@@ -2,6 +2,8 @@
 # A Debian suite as a folder in the cache: CACHE/SUITE/root. Created once by debootstrap (signatures verified with the
 # archive's keyring) from the mirror that the machine's apt uses; later calls and other clones recognize it by stamps.
 
+host_settings=/etc/apt/apt.conf.d/90host # in a suite, while packages are installed
+
 # set_up_suite SUITE [PACKAGE...]: sets a suite up with the packages of packages.txt, or adds the given packages to it.
 # Returns at once if nothing is to be done, and resumes an interrupted call.
 set_up_suite() {
@@ -12,6 +14,8 @@ set_up_suite() {
     suite_folder=$cache/$suite
     root=$suite_folder/root
     stamp=$suite_folder/installed/$(printf '%s\n' "$@" | sha256sum | cut -c 1-16)
+    # Earlier versions stored what now is seen only while packages are installed.
+    [ ! -s "$root$host_settings" ] || truncate -s 0 "$root$host_settings" || true
     [ ! -e "$stamp" ] || return 0
     [ "$(id -u)" = 0 ] || {
         say "setting up Debian $suite needs root: run this once as root, or give a fitting Blender by BLENDER="
@@ -96,8 +100,6 @@ make_base() {
     bwrap --dev-bind / / --proc /proc --dev-bind "$suite_folder" /mnt --unshare-pid --die-with-parent \
         debootstrap --variant=minbase --keyring="$archive_keyring" --cache-dir=/mnt/archives \
         "$suite" /mnt/root.partial "$mirror" || { why_debootstrap_failed; return 1; }
-    # Copies this machine's settings for reaching the archive (proxies, retries, date checks) to the suite.
-    apt-config dump | grep -E '^Acquire::(https?|Retries|Check-)' >"$root.partial/etc/apt/apt.conf.d/90host" || true
     # dpkg without fsync after every file: three times as fast, and a suite lost in a power failure is created again.
     echo force-unsafe-io >"$root.partial/etc/dpkg/dpkg.cfg.d/unsafe-io"
     ln -sfn /proc/self/mounts "$root.partial/etc/mtab"
@@ -117,9 +119,17 @@ install_packages() {
         in_root apt-get clean
 }
 
-# in_root COMMAND...: runs a command as root of the suite, with its system writable.
+# Prints this machine's settings for reaching the archive: proxies, how often and how long it is tried, and whether its
+# age is checked, as that of a frozen mirror cannot be. Checks of who signed it or serves it stay on, whatever this
+# machine has.
+reaching_settings() {
+    apt-config dump | grep -E '^Acquire::(https?::(Proxy(::[^ ]+)?|Timeout)|Retries|Check-(Date|Valid-Until)) "' || true
+}
+
+# in_root COMMAND...: runs a command as root of the suite, with its system writable. The settings, which may have
+# passwords, are seen by the command alone, and stored nowhere in the suite.
 in_root() {
-    bwrap --bind "$root" / --dev /dev --proc /proc --tmpfs /tmp --tmpfs /run --unshare-pid --die-with-parent --clearenv \
+    reaching_settings | bwrap --bind "$root" / --ro-bind-data 0 "$host_settings" --dev /dev --proc /proc --tmpfs /tmp --tmpfs /run --unshare-pid --die-with-parent --clearenv \
         --setenv PATH /usr/sbin:/usr/bin:/sbin:/bin --setenv LC_ALL C.UTF-8 --setenv DEBIAN_FRONTEND noninteractive \
         --ro-bind-try /etc/resolv.conf /etc/resolv.conf --ro-bind-try /etc/hosts /etc/hosts --chdir / "$@"
 }
