@@ -47,19 +47,38 @@ def nearest_place(points, half_width, half_height):
 
 
 def visible_points(depsgraph):
-    """World positions (n, 3) of the vertices of every mesh that is rendered, including instances; finite ones only."""
+    """World positions (n, 3) of the vertices that are drawn of every mesh that is rendered, including instances."""
     found = [np.empty((0, 3))]
     for instance in depsgraph.object_instances:
         mesh = instance.object.data
         hidden = not instance.show_self or (instance.parent or instance.object).original.hide_render
         if hidden or not isinstance(mesh, bpy.types.Mesh) or not len(mesh.vertices):
             continue
-        positions = np.empty(len(mesh.vertices) * 3, np.float32)
-        mesh.vertices.foreach_get("co", positions)
         matrix = np.array(instance.matrix_world)
-        found.append(positions.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3])
+        found.append(_drawn_positions(mesh) @ matrix[:3, :3].T + matrix[:3, 3])
     points = np.concatenate(found)
     return points[np.isfinite(points).all(axis=1)]
+
+
+def _drawn_positions(mesh):
+    """(n, 3) of the vertices of faces and loose edges without broken vertices; of all where a mesh has neither."""
+    positions = _read(mesh.vertices, "co", np.float32, 3)
+    if not len(mesh.edges):
+        return positions
+    finite = np.isfinite(positions).all(axis=1)
+    ends, loose = _read(mesh.edges, "vertices", np.int32, 2), _read(mesh.edges, "is_loose", bool, 1)[:, 0]
+    corners = _read(mesh.loops, "vertex_index", np.int32, 1)[:, 0]
+    starts = _read(mesh.polygons, "loop_start", np.int32, 1)[:, 0]
+    whole = np.logical_and.reduceat(finite[corners], starts) if len(starts) else np.zeros(0, bool)
+    of_faces = corners[np.repeat(whole, np.diff(starts, append=len(corners)))]
+    return positions[np.union1d(of_faces, ends[loose & finite[ends].all(axis=1)])]
+
+
+def _read(elements, name, kind, count):
+    """(n, count) of an attribute of a mesh's elements."""
+    found = np.empty((len(elements), count), kind)
+    elements.foreach_get(name, found.ravel())
+    return found
 
 
 def _half_frame(camera, scene):

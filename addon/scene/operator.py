@@ -30,6 +30,9 @@ class Operator:
         except self.errors as error:
             self.report({self.level}, self.sentence(error))
             return {"CANCELLED"}
+        except MemoryError:
+            self.report({"ERROR"}, "Memory is too small for this: hide or simplify the largest objects")
+            return {"CANCELLED"}
         return {"FINISHED"}
 
     @staticmethod

@@ -67,7 +67,7 @@ def extract(native, options):
     polygons = obj.read(options.model)
     surface = _surface(native, options.model.stem, polygons)
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
-    scene, view, view_to_object = _look(native, surface, polygons.positions, options)
+    scene, view, view_to_object = _look(native, surface, polygons.drawn_positions(), options)
     chosen = _style(options)
     frame = pipeline.frame(scene, view, chosen, native.CpuBackend(), pipeline.options())
     frame.find()

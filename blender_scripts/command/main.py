@@ -2,11 +2,13 @@
 """The part of `fovea` that runs inside a suite or with the user's own Blender; blender_scripts/fovea starts it."""
 
 import importlib
+import signal
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from command import temporary
 from command.target import StepFailed, Target, say
 
 # Sub-commands with a module of their own; the others are functions of `actions`.
@@ -15,17 +17,32 @@ MODULES = ("check", "figures", "lines", "stub", "test")
 
 def main(words):
     """words: NAME WORK CACHE BLENDER PYTHON_INCLUDE SUB-COMMAND ARGUMENTS..."""
-    target = Target(words[0], Path(words[1]), Path(words[2]), words[3], words[4])
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, interrupt)
+    work = Path(words[1])
     try:
-        module = importlib.import_module(f"command.{words[5] if words[5] in MODULES else 'actions'}")
-        return getattr(module, words[5])(target, words[6:])
+        with temporary.folder(work / "tmp") as held:
+            target = Target(words[0], work, Path(words[2]), words[3], words[4], held)
+            module = importlib.import_module(f"command.{words[5] if words[5] in MODULES else 'actions'}")
+            status = getattr(module, words[5])(target, words[6:])
+            sys.stdout.flush()
+            return status
     except StepFailed as failure:
         say(str(failure))
+    except MemoryError:
+        say(f"{words[5]}: memory is too small for this: take a simpler model, or a smaller --size")
     except (ValueError, OSError) as error:
         say(f"{words[5]}: {error}")
     except KeyboardInterrupt:
-        say("interrupted")
+        return 130  # blender_scripts/fovea says so
     return 1
+
+
+def interrupt(_number, _frame):
+    """Ends what is done, once: what is interrupted again would not put its things in order."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 if __name__ == "__main__":

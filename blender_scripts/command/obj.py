@@ -16,6 +16,12 @@ class Polygons:
     offsets: np.ndarray  # (F + 1,) int32: first corner of each polygon
     material: np.ndarray  # (F,) int32: index of the material name in the file; 0: none
 
+    def drawn_positions(self):
+        """(n, 3): of the vertices that polygons without broken vertices have."""
+        finite = np.isfinite(self.positions).all(axis=1)[self.corner_verts]
+        whole = np.logical_and.reduceat(finite, self.offsets[:-1]) if len(finite) else finite
+        return self.positions[np.unique(self.corner_verts[np.repeat(whole, np.diff(self.offsets))])]
+
     def ngon_triangles(self):
         """Triangulation of polygons with more than four corners: vertices (T, 3) int32 and polygon (T,) int32."""
         triangles, owners = [np.empty((0, 3), np.int32)], [np.empty(0, np.int32)]

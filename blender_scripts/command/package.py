@@ -2,6 +2,7 @@
 """The extension zip: staged, built and validated with Blender's extension command, and installed as by a user."""
 
 import hashlib
+import os
 import shutil
 import tomllib
 
@@ -66,7 +67,7 @@ def install(target):
     stamp = target.work / "installed"
 
     def installed():
-        return stamp.exists() and stamp.read_text() == content and _is_installed(target, content)
+        return stamp.exists() and stamp.read_text() == _installation(target, content) and _is_installed(target, content)
 
     if installed():
         return
@@ -77,7 +78,7 @@ def install(target):
         log = extension(target, "installing", "install-file", "-r", "user_default", "--enable", archive)
         if not _is_installed(target, content):
             raise StepFailed(f"Blender did not install the extension; the last lines of {log}:\n{tail(log, 25)}")
-        stamp.write_text(content)
+        stamp.write_text(_installation(target, content))
 
 
 def extension(target, sentence, *words):
@@ -88,6 +89,15 @@ def _is_installed(target, content):
     """Whether a package of this content (digest) is installed in the target's home."""
     folders = target.home.glob(f".config/blender/*/extensions/user_default/{ID}")
     return any(_content(folder) == content for folder in folders)
+
+
+def _installation(target, content):
+    """What an installation consists of besides its files: the package's digest, the Blender, as another version has its
+    extensions in another folder, and the preferences, which enable it."""
+    blender = os.stat(shutil.which(target.blender) or target.blender)
+    preferences = sorted(target.home.glob(".config/blender/*/config/userpref.blend"))
+    digests = [hashlib.sha256(file.read_bytes()).hexdigest() for file in preferences]
+    return " ".join([content, str(blender.st_size), str(blender.st_mtime_ns), *digests])
 
 
 def _content(folder):

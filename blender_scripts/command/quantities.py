@@ -65,8 +65,11 @@ def surfaces(text):
 
 
 def focus(text):
-    """A tuple of two or three numbers; text with letters other than exponents is an object's name."""
-    if re.search(r"[^\W\d]", re.sub(r"(?<=[\d.])[eE](?=[-+\d])", "", text)):
+    """A tuple of two or three numbers; text with letters other than exponents, and other than nan and inf among
+    several, is an object's name."""
+    parts = [re.sub(r"^\s*[-+]?(nan|inf|infinity)\s*$", "0", part, flags=re.IGNORECASE) for part in text.split(",")]
+    words = ",".join(parts) if len(parts) > 1 else text
+    if re.search(r"[^\W\d]", re.sub(r"(?<=[\d.])[eE](?=[-+\d])", "", words)):
         return text
     return _numbers(text, (2, 3), "U,V in the image, X,Y,Z in space, or an object's name")
 

@@ -2,7 +2,7 @@
 # `fovea test`: on both suites side by side, or on the one target that was chosen.
 
 test_targets() {
-    trap 'stop_children; exit 130' INT TERM
+    trap 'stop_children; interrupt' INT TERM
     passed=0 failed=0 skipped=0 broken= failures=
     if [ "${1:-}" = --long ]; then
         shift
@@ -21,13 +21,15 @@ test_targets() {
 }
 
 # Runs what takes longer than all other tests, on the suite with a fixed compiler and clang-tidy: the tests of threads
-# under the thread sanitizer, and the lint of all C++ files, which counts as one test.
+# under the thread sanitizer, runs that are killed in a loop, and the lint of all C++ files, which counts as one test.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
     [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie"
     use_suite trixie || exit 1
-    test_target no "$(getconf _NPROCESSORS_ONLN)" threads || status=$?
-    add_counts
+    for part in threads kills; do
+        test_target no "$(getconf _NPROCESSORS_ONLN)" "$part" || status=$?
+        add_counts
+    done
     (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
 }
 

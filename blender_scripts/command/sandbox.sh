@@ -13,6 +13,7 @@ in_suite() {
         ! is_system "$place" || fail "$place cannot be seen inside Debian $target_name: move it out of /usr, /etc and the like"
     done
     mkdir -p "$work/home" "$work/tmp" "$cache/ccache"
+    find "$work" -maxdepth 1 -name 'sandbox.*' -mmin +1 -delete # of killed runs
     options=$(mktemp "$work/sandbox.XXXXXX")
     # In bubblewrap later mounts cover earlier ones, so writable ones come last.
     {
@@ -28,7 +29,7 @@ in_suite() {
     } >"$options"
     exec 8<"$options"
     rm "$options"
-    bwrap --args 8 "$@" 8<&8
+    run_child bwrap --args 8 "$@" 8<&8
 }
 
 option() {

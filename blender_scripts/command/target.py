@@ -4,6 +4,7 @@
 import contextlib
 import fcntl
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -11,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
+PATIENCE = 3  # seconds in which a process that is interrupted ends by itself
 SHARED = PROJECT.parent / "shared"  # models that are not part of the project; may be absent
 
 
@@ -29,6 +31,7 @@ class Target:
     cache: Path
     blender: str
     python_include: str  # folder of Python.h; "" if the interpreter reports it
+    held: int | None = None  # descriptor of the lock on this run's temporary files (temporary.py)
 
     @property
     def is_suite(self):
@@ -68,12 +71,15 @@ class Target:
         with log.open("wb") as output:
             process = subprocess.Popen(
                 [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
-                env=self.environment() | environment,
+                env=self.environment() | environment, pass_fds=() if self.held is None else (self.held,),
             )  # fmt: skip
-            while True:
-                with contextlib.suppress(subprocess.TimeoutExpired):
-                    return log, process.wait(timeout=15)
-                say(f"  {self.name}: {sentence} {time.monotonic() - start:.0f} s: {tail(log, 1).strip()[:80]}")
+            try:
+                while True:
+                    with contextlib.suppress(subprocess.TimeoutExpired):
+                        return log, process.wait(timeout=15)
+                    say(f"  {self.name}: {sentence} {time.monotonic() - start:.0f} s: {tail(log, 1).strip()[:80]}")
+            finally:
+                _end(process)
 
     @contextlib.contextmanager
     def lock(self):
@@ -82,6 +88,16 @@ class Target:
         with (self.work / "lock").open("w") as file:
             fcntl.flock(file, fcntl.LOCK_EX)
             yield
+
+
+def _end(process):
+    """Ends a process that still runs, as this one is interrupted: the terminal may have told it, too. Told twice,
+    Blender leaves what it was writing."""
+    for tell in (lambda: None, lambda: process.send_signal(signal.SIGINT), process.kill):
+        tell()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(timeout=PATIENCE)
+            return
 
 
 def tail(log, count, without=None):

@@ -47,9 +47,28 @@ run_command() {
     mkdir -p "$work/home"
     set -- "$python" -B "$here/main.py" "$target_name" "$work" "$cache" "$blender" "$python_include" "$@"
     case $target_name in
-    own-*) "$@" ;;
+    own-*) run_child "$@" ;;
     *) in_suite "$target_name" "$work" "$@" ;;
     esac
+}
+
+# run_child COMMAND...: runs a command as a child that is waited for, so that an interrupt of this shell alone reaches it.
+run_child() {
+    "$@" <&0 &
+    child=$!
+    wait "$child"
+}
+
+# Interrupts the child, or the command in its sandbox, and ends when it has put its things in order.
+interrupt() {
+    trap '' INT TERM
+    running=${child:-}
+    while [ "$(cat "/proc/$running/comm" 2>/dev/null)" = bwrap ]; do
+        running=$(cut -d ' ' -f 1 "/proc/$running/task/$running/children")
+    done
+    [ -z "$running" ] || kill -INT "$running" 2>/dev/null || true
+    [ -z "${child:-}" ] || wait "$child" || true
+    exit 130
 }
 
 # Prints this checkout's work folder for the chosen target.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs all tests on one target: native, native under sanitizers, Python without Blender, inside Blender, in its window.
-The tests of threads, under the thread sanitizer, run only when named."""
+The tests of threads, under the thread sanitizer, and runs that are killed in a loop run only when named."""
 
 import os
 import re
@@ -10,6 +10,7 @@ import time
 import xml.etree.ElementTree as xml
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 from . import build, package
 from .target import PROJECT, StepFailed, say, tail
@@ -142,10 +143,17 @@ def _window(target, report, words):
     return [("window tests", command, report, environment)]
 
 
+def _kills(target, report, words):
+    package.install(target)
+    command = [sys.executable, "-m", "pytest", TESTS / "long", "-v", f"--junitxml={report}", *words]
+    whole = [target.name, target.work, target.cache, target.blender, target.python_include]
+    return [("runs that are killed", command, report, {"FOVEA_TARGET": "\n".join(map(str, whole))})]
+
+
 def _crashes(target, start):
     """Blender's crash reports since `start`; frames in Blender are addresses, those of the native module have
     symbols."""
-    files = [file for file in (target.work / "tmp").glob("*.crash.txt") if file.stat().st_mtime >= start]
+    files = [file for file in Path(os.environ["TMPDIR"]).glob("*.crash.txt") if file.stat().st_mtime >= start]
     return "".join(f"\n{file.name}:\n{tail(file, 40, WAY)}" for file in files)
 
 
@@ -175,5 +183,6 @@ PARTS = {
     "core": _core,
     "sanitize": _sanitize,
     "threads": _threads,
+    "kills": _kills,
 }
-LONG = ("threads",)  # parts that run only when named, because they take longer than all others
+LONG = ("threads", "kills")  # parts that run only when named, because they take longer than all others

@@ -63,7 +63,7 @@ Frame frame_of(const Model& model, const Camera& camera, const style::Style& sty
                const std::filesystem::path& assets) {
     Job job;
     job.scene = std::make_shared<Scene>(std::vector<Placement>{{.surface = model.surface(), .id = 1}});
-    job.view = view_of(model.positions, camera, model.y_up);
+    job.view = view_of(model.drawn_positions(), camera, model.y_up);
     job.style = style;
     job.assets = std::make_shared<Assets>(assets);
     job.backend = std::make_shared<CpuBackend>();

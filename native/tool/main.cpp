@@ -7,6 +7,7 @@
 #include <tool/statistics.h>
 
 #include <fovea/base/check.h>
+#include <fovea/base/memory_error.h>
 #include <fovea/base/threads.h>
 
 int main(int count, char** words) {
@@ -30,7 +31,9 @@ int main(int count, char** words) {
         std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
         check(std::cout.good(), "the statistics could not be printed");
     } catch (const std::exception& problem) {
-        std::cerr << "fovea_tool: " << problem.what() << "\n";
+        const std::string memory =
+            "memory is too small for " + options.model.string() + ": simplify it, or lower --size";
+        std::cerr << "fovea_tool: " << (is_of_memory(problem) ? memory : problem.what()) << "\n";
         return 1;
     }
 }

@@ -2,6 +2,7 @@
 #include <tool/model.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -17,6 +18,21 @@ constexpr std::size_t most_elements = std::size_t(none / 4);  // limit of a surf
 
 std::shared_ptr<Surface> Model::surface() const {
     return polygon_surface(name, positions, corner_verts, polygon_offsets, material);
+}
+
+std::vector<vec3> Model::drawn_positions() const {
+    const auto is_finite = [&](int v) { return std::isfinite(positions[v].x + positions[v].y + positions[v].z); };
+    std::vector<bool> drawn(positions.size());
+    for (Index f = 0; f < polygon_count(); ++f) {
+        const auto begin = corner_verts.begin() + polygon_offsets[f],
+                   end = corner_verts.begin() + polygon_offsets[f + 1];
+        if (std::all_of(begin, end, is_finite))
+            for (auto corner = begin; corner != end; ++corner) drawn[*corner] = true;
+    }
+    std::vector<vec3> found;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+        if (drawn[v]) found.push_back(positions[v]);
+    return found;
 }
 
 void refuse(const std::string& file, const char* unit, std::size_t place, const std::string& what) {

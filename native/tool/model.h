@@ -25,6 +25,8 @@ struct Model {
 
     Index polygon_count() const { return Index(polygon_offsets.size()) - 1; }
     std::shared_ptr<Surface> surface() const;
+    /// Positions of the vertices that polygons without broken vertices have: what a picture frames.
+    std::vector<vec3> drawn_positions() const;
 };
 
 /// Throws std::invalid_argument with one sentence that names the file and `place`; `unit` is "line" or "byte".

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <tool/statistics.h>
 
 #include <fovea/line/registry.h>
@@ -12,17 +13,31 @@
 namespace fovea::tool {
 namespace {
 
+constexpr int largest_picture = 65536;  // pixels along a side, as in Blender
+
 std::vector<std::string> all_lines() {
     std::vector<std::string> names;
     for (const LineDefinition* definition : line_definitions()) names.push_back(definition->name);
     return names;
 }
 
+/// Numbers from `low` to `high`; CLI::Range lets pass what is no number.
+CLI::Validator within(int low, int high) {
+    const auto check = [low, high](const std::string& text) {
+        double number = std::numeric_limits<double>::quiet_NaN();
+        CLI::detail::lexical_cast(text, number);
+        if (number >= low && number <= high) return std::string();
+        return "'" + text + "' is not a number from " + std::to_string(low) + " to " + std::to_string(high);
+    };
+    return CLI::Validator(check, "");
+}
+
 void take_size(const std::string& text, Camera& camera) {
     char rest;
     if (std::sscanf(text.c_str(), "%5dx%5d%c", &camera.width, &camera.height, &rest) != 2 || camera.width < 1 ||
-        camera.height < 1)
-        throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT in pixels");
+        camera.height < 1 || std::max(camera.width, camera.height) > largest_picture)
+        throw CLI::ValidationError(
+            "--size", "'" + text + "' is not WIDTHxHEIGHT, up to " + std::to_string(largest_picture) + " pixels");
 }
 
 }  // namespace
@@ -42,14 +57,12 @@ Options parse(int count, char** words) {
         "--size", [&](const std::string& text) { take_size(text, options.camera); },
         "of the picture, WIDTHxHEIGHT (1920x1080)");
     Camera& camera = options.camera;
-    app.add_option("--azimuth", camera.azimuth, "degrees left of the model's front")->capture_default_str();
-    app.add_option("--elevation", camera.elevation, "degrees above it")
+    app.add_option("--azimuth", camera.azimuth, "degrees left of the model's front")
         ->capture_default_str()
-        ->check(CLI::Range(-90.0, 90.0));
-    app.add_option("--lens", camera.lens, "millimeters")->capture_default_str()->check(CLI::Range(1.0, 5000.0));
-    app.add_option("--margin", camera.margin, "percent free on each side")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 49.0));
+        ->check(within(-360, 360));
+    app.add_option("--elevation", camera.elevation, "degrees above it")->capture_default_str()->check(within(-90, 90));
+    app.add_option("--lens", camera.lens, "millimeters")->capture_default_str()->check(within(1, 5000));
+    app.add_option("--margin", camera.margin, "percent free on each side")->capture_default_str()->check(within(0, 49));
     app.add_option("--threads", options.threads, "at most; 0: as many as there are")->check(CLI::Range(0, 4096));
     try {
         app.parse(count, words);

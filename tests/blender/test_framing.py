@@ -57,6 +57,32 @@ def test_only_what_renders_is_framed():
     assert near < 20
 
 
+@pytest.mark.parametrize("place", [(1e30, 0, 0), (50, -50, 50), (float("nan"), 0, 0)])
+def test_a_vertex_that_nothing_is_drawn_of_is_not_framed(place):
+    scene = empty_scene()
+    box = box_mesh()
+    vertices = [tuple(v.co) for v in box.vertices]
+    polygons = [tuple(p.vertices) for p in box.polygons]
+    new_object(box)
+    expected = framed(scene)
+    scene = empty_scene()
+    new_object(new_mesh([*vertices, place], [], polygons))
+    np.testing.assert_array_equal(framed(scene), expected)
+
+
+def test_a_face_with_a_broken_vertex_is_not_framed():
+    scene = empty_scene()
+    box = box_mesh()
+    vertices, polygons = [tuple(v.co) for v in box.vertices], [tuple(p.vertices) for p in box.polygons]
+    new_object(box)
+    expected = framed(scene)
+    scene = empty_scene()
+    broken = new_mesh([*vertices, (0, 0, 0), (0, 0, 1)], [], [*polygons, (0, 8, 9)])
+    broken.vertices[8].co = (float("nan"), 0, 0)
+    new_object(broken)
+    np.testing.assert_array_equal(framed(scene), expected)
+
+
 def test_nothing_to_frame_is_said():
     scene = empty_scene()
     new_object(new_mesh([], [], []))

@@ -52,6 +52,16 @@ def baked():
     return list(bpy.data.collections["Lines"].objects)
 
 
+def test_too_little_memory_is_said(scene, monkeypatch):
+    def full(*_):
+        raise MemoryError
+
+    monkeypatch.setattr(part("render.as_rendered"), "look", full)
+    for operator in (bpy.ops.fovea.render_lines, bpy.ops.fovea.bake_strokes):
+        with pytest.raises(RuntimeError, match="Memory is too small for this: hide or simplify"):
+            operator()
+
+
 def test_baked_as_a_mesh_it_is_the_box(scene):
     assert bpy.ops.fovea.bake_strokes(kind="MESH") == {"FINISHED"}
     (obj,) = baked()

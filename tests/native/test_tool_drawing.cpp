@@ -8,6 +8,7 @@
 #include <tool/drawing.h>
 #include <tool/read_obj.h>
 
+#include <fovea/base/memory_error.h>
 #include <fovea/color/png.h>
 
 #include "model_files.h"
@@ -79,4 +80,24 @@ TEST(ToolDrawing, AFullDiskIsNamedAndLeavesTheFileThatWasThere) {
     EXPECT_EQ(said, file.string() + " could not be written: File too large");
     EXPECT_EQ(std::filesystem::file_size(file), 3u);
     EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(ToolDrawing, FramesWhatIsDrawnAndNothingElseOfTheFile) {
+    const auto seen = [](const std::string& more) {
+        const Frame frame =
+            tool::frame_of(tool::read_obj("cube.obj", cube_obj() + more), {.width = 32, .height = 32}, {});
+        return frame.job.view.world_to_view;
+    };
+    const glm::dmat4 cube = seen("");
+    EXPECT_EQ(seen("v 1e30 0 0\n"), cube) << "no polygon has it";
+    EXPECT_EQ(seen("v 50 -50 50\n"), cube);
+    EXPECT_EQ(seen("v nan 0 0\nv 90 90 90\nf 1 9 10\n"), cube) << "a polygon with a broken vertex";
+    EXPECT_NE(seen("v 50 -50 50\nf 1 2 9\n"), cube);
+}
+
+TEST(ToolDrawing, ErrorsOfMemoryAreToldFromOthers) {
+    EXPECT_TRUE(is_of_memory(std::bad_alloc()));
+    EXPECT_TRUE(is_of_memory(std::runtime_error("Suzanne: Embree error 4")));
+    EXPECT_FALSE(is_of_memory(std::runtime_error("Suzanne: Embree error 2")));
+    EXPECT_FALSE(is_of_memory(std::invalid_argument("Embree error 4 is no file")));
 }

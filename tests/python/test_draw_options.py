@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from command import draw_options
 
+NUMBERS = ("--lens", "--margin", "--azimuth", "--elevation", "--halo", "--overshoot")  # options of one number
+
 
 def refused(capsys, *words):
     with pytest.raises(SystemExit):
@@ -85,6 +87,8 @@ def test_hidden_lines_are_chosen_by_what_hides_them(text, surfaces):
         ("Suzanne", "Suzanne"),
         ("Box.001", "Box.001"),
         ("Tür 2", "Tür 2"),
+        ("nan", "nan"),
+        ("Box,nan", "Box,nan"),
     ],
 )
 def test_focus_is_a_place_or_an_object(text, where):
@@ -130,6 +134,11 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
         (["--focus", "0.5,0.5", "--focus-painted", "focus"], "not allowed with"),
         (["--sheet", "--focus-painted", "focus"], "a sheet has no --focus-painted"),
         (["--halo", "wide"], "'wide' is not a number of pixels"),
+        (["--lens", "0"], "is not a number of millimeters from 1 to 5000"),
+        *(([f"{name}={text}"], "is not a number of") for name in NUMBERS for text in ("nan", "inf", "-inf", "1e999")),
+        *((["--focus", text], "X,Y,Z in space, or an object's name") for text in ("nan,0.5", "0,-inf", "1,Infinity,2")),
+        *((["--focus-radii", text], "not NEAR,FAR") for text in ("nan,1", "0,inf", "nan,nan")),
+        *((["--param", f"crease.angle={text}"], "not NAME=NUMBER") for text in ("nan", "inf")),
     ],
 )
 def test_mistakes_are_named(capsys, words, reason):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The extension is installed again only if the installed files differ from the package."""
 
+import os
 import shutil
 
 import pytest
@@ -17,7 +18,9 @@ class Installation:
         for name, text in FILES.items():
             (self.staged / name).parent.mkdir(parents=True, exist_ok=True)
             (self.staged / name).write_text(text)
-        self.target = target.Target("sid", folder / "work", folder / "cache", "blender", "")
+        self.blender = folder / "blender"
+        self.blender.touch()
+        self.target = target.Target("sid", folder / "work", folder / "cache", str(self.blender), "")
         self.place = self.target.home / ".config/blender/5.2/extensions/user_default/fovea"
         monkeypatch.setattr(package, "stage", lambda target: self.staged)
         monkeypatch.setattr(package, "package", lambda target, folder: folder)
@@ -65,6 +68,29 @@ def test_a_lost_folder_is_installed_again(installation):
 def test_another_package_is_installed(installation):
     (installation.staged / "__init__.py").write_text("VERSION = 2")
     assert installation.install() == 2
+
+
+def test_for_another_version_of_blender_it_is_installed_again(installation):
+    installation.blender.write_text("of another version, which looks into another folder")
+    assert installation.install() == 2
+
+
+@pytest.mark.parametrize("damage", [lambda file: file.unlink(), lambda file: file.write_text("junk")])
+def test_where_preferences_are_lost_or_damaged_it_is_installed_and_enabled_again(installation, damage):
+    file = installation.place.parents[2] / "config/userpref.blend"
+    file.parent.mkdir()
+    file.write_text("enabled")
+    assert installation.install() == 2 and installation.install() == 2
+    damage(file)
+    assert installation.install() == 3
+
+
+def test_a_file_that_is_damaged_and_keeps_its_size_and_time_is_installed_again(installation):
+    file = installation.place / "styles/plain.json"
+    before = file.stat()
+    file.write_text("[]")
+    os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert installation.install() == 2 and file.read_text() == "{}"
 
 
 def test_what_another_part_installs_meanwhile_is_left_alone(installation, monkeypatch):

@@ -85,3 +85,12 @@ def test_polygons_have_the_material_named_last(read):
     found = read(f"{SQUARE}f 1 2 3\nusemtl a\nf 1 2\nf 1 2 3\nusemtl  b \nf 1 2 4\nusemtl a\nf 2 3 4\n")
     assert found.material.tolist() == [0, 1, 2, 1]
     assert read(f"{SQUARE}f 1 2 3\n").material.tolist() == [0] and read("").material.tolist() == []
+
+
+@pytest.mark.parametrize("broken", ["1e30 0 0", "nan 0 0", "inf nan 5"])
+def test_what_is_drawn_has_neither_vertices_without_a_polygon_nor_polygons_with_a_broken_vertex(read, broken):
+    found = read(f"{SQUARE}v {broken}\nf 1 2 3 4\n")
+    assert found.drawn_positions().tolist() == found.positions[:4].tolist()
+    found = read(f"{SQUARE}v nan 0 0\nv 9 9 9\nf 1 2 3 4\nf 1 5 6\nf 1 2 3\n")
+    assert found.drawn_positions().tolist() == found.positions[:4].tolist()
+    assert read("").drawn_positions().tolist() == []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A suite has the mirror that the machine's apt uses, and nothing else of its configuration. The machine is made up: its
-programs are scripts that say what they would do."""
+"""A suite has the mirror that the machine's apt uses, and nothing else of its configuration. The machine is made up:
+its programs are scripts that say what they would do."""
 
 import subprocess
 from pathlib import Path
@@ -30,9 +30,11 @@ OTHERS = [
 ]
 PROGRAMS = {
     "apt-config": "cat <<'END'\n{settings}\nEND",
-    # debootstrap alone leaves something, what apt would have is what it is given
-    "bwrap": 'case "$*" in *debootstrap*) mkdir -p "$root.partial/etc/apt/apt.conf.d" "$root.partial/etc/dpkg/dpkg.cfg.d" ;;\n'
-    '*) echo "$*" >>"$said"; cat >>"$given" ;; esac',
+    # Of debootstrap folders are left, of what runs in the suite its words and what it is given.
+    "bwrap": """case "$*" in
+        *debootstrap*) mkdir -p "$root.partial/etc/apt/apt.conf.d" "$root.partial/etc/dpkg/dpkg.cfg.d" ;;
+        *) echo "$*" >>"$said" && cat >>"$given" ;;
+    esac""",
 }
 SCRIPT = """
 here=$1 cache=$2 suite=sid suite_folder=$2/sid root=$2/sid/root mirror=http://mirror.example/debian archive_keyring=k
