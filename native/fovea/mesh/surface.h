@@ -96,8 +96,8 @@ struct SurfaceArrays {
     Array<Index> facet_polygon;
     Rows edge_rows;  ///< per entry of `edges`: its range of edge_sides
     Array<EdgeSide> edge_sides;
-    vec3 center{0.0f};    ///< of the bounding box
-    float radius = 0.0f;  ///< of a sphere at `center` that contains all vertices
+    vec3 center{0.0f}, half{0.0f};  ///< of the bounding box: its center, and half its sides
+    float radius = 0.0f;            ///< of a sphere at `center` that contains all vertices
 };
 
 /// A facet is the largest piece that is planar: a whole polygon if it is (to 0.1 degrees), else each of its triangles.
