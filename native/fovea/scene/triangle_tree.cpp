@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/scene/triangle_tree.h>
 
+#include <algorithm>
 #include <limits>
+
 namespace fovea::scene {
 namespace {
 
@@ -16,6 +18,31 @@ Array<Index> triangle_order(const Surface& surface) {
         const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
         return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
     });
+}
+
+/// Whether two triangles have the same corners, in whatever order.
+bool coincide(const Surface& surface, Index a, Index b) {
+    const Triangle &s = surface.triangles[a], &t = surface.triangles[b];
+    for (int i = 0; i < 3; ++i) {
+        const vec3& corner = surface.positions[s[i]];
+        if (corner != surface.positions[t.x] && corner != surface.positions[t.y] && corner != surface.positions[t.z])
+            return false;
+    }
+    return true;
+}
+
+/// Leaves out triangles that coincide with one of the `near` kept before them: in Morton order they follow each other,
+/// with others of the same box between them at most.
+void leave_out_repeated(const Surface& surface, Array<Index>& order) {
+    constexpr std::size_t near = 8;
+    std::size_t kept = 0;
+    for (const Index triangle : order) {
+        const std::size_t first = kept - std::min(kept, near);
+        bool again = false;
+        for (std::size_t k = first; k < kept && !again; ++k) again = coincide(surface, order[k], triangle);
+        if (!again) order[kept++] = triangle;
+    }
+    order.resize(kept);
 }
 
 FourTriangles leaf_of(const Surface& surface, In<Index> triangles) {
@@ -40,6 +67,7 @@ FourBoxes used_boxes(const FourTriangles& leaf) {
 TriangleTree make_tree(const Surface& surface) {
     TriangleTree tree;
     tree.order = triangle_order(surface);
+    leave_out_repeated(surface, tree.order);
     if (tree.order.empty()) return tree;
     const std::size_t leaves = (tree.order.size() + 3) / 4;
     tree.leaves = parallel_map<FourTriangles>(leaves, [&](std::size_t i) {
