@@ -2,6 +2,7 @@
 #include <fovea/scene/triangle_tree.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace fovea::scene {
@@ -31,16 +32,22 @@ bool coincide(const Surface& surface, Index a, Index b) {
     return true;
 }
 
-/// Leaves out triangles that coincide with one of the `near` kept before them: in Morton order they follow each other,
-/// with others of the same box between them at most.
+/// Of triangles that coincide, leaves out those beyond the `crowd` first. In Morton order they follow each other, with
+/// others of the same box between them at most, so each is held against the last few that differ.
 void leave_out_repeated(const Surface& surface, Array<Index>& order) {
-    constexpr std::size_t near = 8;
-    std::size_t kept = 0;
+    constexpr int crowd = 16;
+    struct Place {
+        Index triangle = none;
+        int met = 0;
+    };
+    std::array<Place, 8> last;
+    std::size_t kept = 0, next = 0;
     for (const Index triangle : order) {
-        const std::size_t first = kept - std::min(kept, near);
-        bool again = false;
-        for (std::size_t k = first; k < kept && !again; ++k) again = coincide(surface, order[k], triangle);
-        if (!again) order[kept++] = triangle;
+        const auto place = std::ranges::find_if(last, [&](const Place& place) {
+            return place.triangle != none && coincide(surface, place.triangle, triangle);
+        });
+        if (place == last.end()) last[next++ % last.size()] = {triangle, 0};
+        if (place == last.end() || ++place->met < crowd) order[kept++] = triangle;
     }
     order.resize(kept);
 }
