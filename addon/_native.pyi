@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Cancel:
-    """A flag that long calls poll; cancel() makes them raise Cancelled."""
+    """A flag that long calls poll; cancel() makes them raise Cancelled. As a context: calls in it, by the same thread,
+    poll it."""
     def __init__(self) -> None: ...
     def cancel(self) -> None: ...
     @property
@@ -457,10 +458,21 @@ class RepairReport:
     def turned_polygons(self) -> int: ...
     @property
     def refused_polygons(self) -> int: ...
+    @property
+    def too_many_triangles(self) -> int: ...
 
 class RepairedMesh:
     """A mesh put in order; see native/fovea/repair/repair.h."""
-    def __init__(self, name: str, mesh: Mesh, *, orient: bool=False, resample: int=0, edge_length: float=0.0) -> None:
+    def __init__(
+        self,
+        name: str,
+        mesh: Mesh,
+        *,
+        orient: bool=False,
+        resample: int=0,
+        edge_length: float=0.0,
+        most_triangles: int | None=None,
+    ) -> None:
         """Raises ValueError, naming the object, as Surface does."""
     @property
     def mesh(self) -> Mesh: ...

@@ -11,6 +11,7 @@ from . import repair as repairs
 from .shapes import AUTOMATIC
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
+BYTES_RESAMPLED = 1000  # per triangle, while a mesh is resampled
 
 
 REMARKS = {  # counts of a surface's report -> text
@@ -167,6 +168,7 @@ class SurfaceCache:
 
     def _move(self, entry, arrays, positions):
         """Sets the positions of an entry's surface; `positions`: their content hash."""
+        entry.positions = None  # until it has all of them: setting them may be cancelled
         entry.surface.set_positions(arrays.positions, refit=self._refit)
         entry.positions = positions
         self.moved.append(entry.surface)
@@ -175,7 +177,8 @@ class SurfaceCache:
         """A native Mesh, repaired if `repair` is not None; adds a remark on what was repaired."""
         if not repair:
             return mesh
-        repaired = self._core.RepairedMesh(name, mesh, **repair.words())
+        most = kept.room() // BYTES_RESAMPLED
+        repaired = self._core.RepairedMesh(name, mesh, **repair.words(), most_triangles=most)
         if told := remark(name, repaired.report, repairs.REMARKS):
             self.remarks.append(told)
         return repaired.mesh

@@ -133,7 +133,8 @@ TEST(Crowds, OfTrianglesInOnePlaceMeetOthersOnce) {
     using namespace intersections;
     const auto stack = [](int count) {
         Mesh mesh("stack", {});
-        const vec3 quad[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, wall[] = {{0, -2, -1}, {0, 2, -1}, {0, 0, 2}};
+        const vec3 quad[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
+                   wall[] = {{0, -2, -1}, {0, 2, -1}, {0, 0, 2}};
         for (int i = 0; i < count; ++i) {
             const int first = int(mesh.positions.size());
             mesh.positions.insert(mesh.positions.end(), std::begin(quad), std::end(quad));

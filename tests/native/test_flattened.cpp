@@ -23,7 +23,7 @@ const std::pair<const char*, dmat4> flattening[] = {
     {"x", scaled({0, 1, 1})},
     {"y", scaled({2, 0, 1})},
     {"z", scaled({1, -1, 0})},
-    {"turned", moved({3, 1, 2}) * tilted * scaled({1, 0, 1})},
+    {"turned", moved({3, 1, 2}) * tilted* scaled({1, 0, 1})},
     {"by a parent", scaled({1, 1, 0}) * tilted},
     {"nearly", scaled({1, 1e-8, 1})},
 };

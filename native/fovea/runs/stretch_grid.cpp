@@ -94,9 +94,8 @@ void StretchGrid::thin_crowds() {
     counts_to_offsets(starts);
     if (starts.back() == entries_.size()) return;
     std::vector<Index> entries(starts.back());
-    parallel_for(cells, [&](std::size_t cell) {
-        std::copy_n(&entries_[starts_[cell]], kept[cell], &entries[starts[cell]]);
-    });
+    parallel_for(cells,
+                 [&](std::size_t cell) { std::copy_n(&entries_[starts_[cell]], kept[cell], &entries[starts[cell]]); });
     starts_ = std::move(starts);
     entries_ = std::move(entries);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <tbb/task_arena.h>
 
+#include <fovea/base/cancel.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/morton.h>
 #include <fovea/scene/bvh.h>
@@ -67,7 +68,19 @@ RTCDevice bvh_device() {
 
 void check_bvh_device(const std::string& what) {
     const RTCError error = rtcGetDeviceError(bvh_device());
+    if (error == RTC_ERROR_CANCELLED) throw Cancelled();
     if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
+}
+
+void build_bvh(RTCScene scene, const std::string& what) {
+    const Cancel* const cancel = Cancelling::current();
+    if (cancel)
+        rtcSetSceneProgressMonitorFunction(
+            scene, [](void* of, double) { return !static_cast<const Cancel*>(of)->asked(); },
+            const_cast<Cancel*>(cancel));
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+    check_bvh_device(what);
 }
 
 void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
@@ -86,9 +99,8 @@ SurfaceBvh::SurfaceBvh(const Surface& surface)
     rtcAttachGeometry(scene_.get(), geometry_);
     rtcReleaseGeometry(geometry_);
     rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_COMPACT);
-    rtcCommitScene(scene_.get());
+    build_bvh(scene_.get(), surface.name());
     version_ = surface.version();
-    check_bvh_device(surface.name());
 }
 
 void SurfaceBvh::follow(const Surface& surface) const {

@@ -10,9 +10,7 @@ namespace {
 /// that it gets. Below 1/2000 a surface counts as one without curvature (mesh/stretch.h).
 constexpr double flat = 1e-6, thickness = 1.0 / 2048.0;
 
-double size(const dmat3& m) {
-    return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-}
+double size(const dmat3& m) { return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2])); }
 
 /// The cross products of two columns each; their size is about the product of the two largest scales.
 dmat3 areas(const dmat3& m) { return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])}; }
