@@ -531,7 +531,7 @@ class Surface:
         """Raises ValueError, naming the object, where sizes or indices do not fit together."""
     def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
         """Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
-        one, which is faster; distances then differ in their last bits from those of a new surface."""
+        one, which is faster; which triangle a ray through the side of two hits then depends on earlier positions."""
     def set_field_options(self, estimator: str='automatic', degree: int=0, rings: int=0, smoothing: float=0.0) -> None:
         """How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and rings (1
         to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian it is averaged with."""

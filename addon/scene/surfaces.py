@@ -11,7 +11,7 @@ from . import repair as repairs
 from .shapes import AUTOMATIC
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
-BYTES_RESAMPLED = 1000  # per triangle, while a mesh is resampled
+BYTES_RESAMPLED = 600  # per expected triangle, while a mesh is resampled
 
 
 REMARKS = {  # counts of a surface's report -> text
@@ -38,8 +38,9 @@ class SurfaceCache:
     """Surfaces by a key that identifies the mesh's source; content hashes decide whether an entry is valid."""
 
     def __init__(self, core, *, refit=False):
-        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but the
-        last bits of ray hits then depend on earlier frames. Not for final renders, whose frames must be independent."""
+        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but which
+        of two triangles a ray through their side hits then depends on earlier frames. Not for final renders, whose
+        frames must be independent."""
         self._core, self._refit = core, refit
         self.entries = {}
         self._asked = {}  # key -> number of its uses in this pass

@@ -198,7 +198,7 @@ void bind_surface(SurfaceClass& surface) {
             },
             py::arg("positions"), py::kw_only(), py::arg("refit") = false,
             R"(Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
-one, which is faster; distances then differ in their last bits from those of a new surface.)")
+one, which is faster; which triangle a ray through the side of two hits then depends on earlier positions.)")
         .def(
             "set_field_options",
             [](Surface& surface, const py::str& estimator, int degree, int rings, double smoothing) {

@@ -17,6 +17,9 @@ namespace {
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
 
+/// Compact whether it is refitted or not: Embree intersects triangles that it stores otherwise by other arithmetic.
+const RTCSceneFlags surface_flags = bvh_flags | RTC_SCENE_FLAG_COMPACT;
+
 vec3 middle(const Surface& surface, Index triangle) {
     const Triangle& t = surface.triangles[triangle];
     return (surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3.0f;
@@ -98,7 +101,7 @@ SurfaceBvh::SurfaceBvh(const Surface& surface)
     rtcCommitGeometry(geometry_);
     rtcAttachGeometry(scene_.get(), geometry_);
     rtcReleaseGeometry(geometry_);
-    rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_COMPACT);
+    rtcSetSceneFlags(scene_.get(), surface_flags);
     build_bvh(scene_.get(), surface.name());
     version_ = surface.version();
 }
@@ -110,7 +113,7 @@ void SurfaceBvh::follow(const Surface& surface) const {
     if (same && spread(surface, neighbors_) <= worst_spread * spread_) {
         rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
     } else {
-        rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_DYNAMIC);
+        rtcSetSceneFlags(scene_.get(), surface_flags | RTC_SCENE_FLAG_DYNAMIC);
         rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
         take_triangles(surface);  // for other triangles Embree rebuilds the BVH
