@@ -38,8 +38,8 @@ class SurfaceCache:
     """Surfaces by a key that identifies the mesh's source; content hashes decide whether an entry is valid."""
 
     def __init__(self, core, *, refit=False):
-        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but which
-        of two triangles a ray through their side hits then depends on earlier frames. Not for final renders, whose
+        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but then
+        it depends on earlier frames which of two triangles a ray through their side hits. Not for final renders, whose
         frames must be independent."""
         self._core, self._refit = core, refit
         self.entries = {}
