@@ -144,7 +144,7 @@ TEST(Bvh, OfASurfaceMovedWithRefitDoesSo) {
     }
 }
 
-TEST(Bvh, RefittedTellsTheSameDistanceAlongRaysThroughVerticesAndSides) {
+TEST(Bvh, RefittedHitsTheSamePlaceAlongRaysThroughVerticesAndSidesByWhicheverTriangle) {
     // Looked at from straight above, 20 pixels to a square.
     const View above = orthographic({0, 0, 5}, {0, 0, 0}, 3.2);
     const auto surface = grid(10).surface();
@@ -160,7 +160,7 @@ TEST(Bvh, RefittedTellsTheSameDistanceAlongRaysThroughVerticesAndSides) {
                 const auto a = old_tracer.seen({x, y}), b = new_tracer.seen({x, y});
                 ASSERT_EQ(a.has_value(), b.has_value()) << x << " " << y;
                 if (!a) continue;
-                EXPECT_EQ(a->t, b->t) << x << " " << y;
+                EXPECT_NEAR(a->t, b->t, 2e-6) << x << " " << y;
                 ++hits;
             }
         EXPECT_GT(hits, 3000);

@@ -45,7 +45,7 @@ Job job_of(std::shared_ptr<const Cancel> cancel, int size) {
     const auto scene = std::make_shared<Scene>(
         Scene({place(sphere(size)), place(grid(size, 3.0f), dmat4(1.0), 2), place(box(), moved({0.6, 0.2, 0.3}), 3)}));
     Options options;
-    options.with_depth = true;
+    options.with_depth = options.with_focus = true;
     return {.scene = scene,
             .view = perspective({3, -8, 4}, {0, 0, 0}, 50, 160, 120),
             .style = style::read_style(everything),
