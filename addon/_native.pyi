@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Cancel:
-    """A flag that long calls poll; cancel() makes them raise Cancelled."""
+    """A flag that long calls poll; cancel() makes them raise Cancelled. As a context: calls in it, by the same thread,
+    poll it."""
     def __init__(self) -> None: ...
     def cancel(self) -> None: ...
     @property
@@ -462,10 +463,21 @@ class RepairReport:
     def turned_polygons(self) -> int: ...
     @property
     def refused_polygons(self) -> int: ...
+    @property
+    def too_many_triangles(self) -> int: ...
 
 class RepairedMesh:
     """A mesh put in order; see native/fovea/repair/repair.h."""
-    def __init__(self, name: str, mesh: Mesh, *, orient: bool=False, resample: int=0, edge_length: float=0.0) -> None:
+    def __init__(
+        self,
+        name: str,
+        mesh: Mesh,
+        *,
+        orient: bool=False,
+        resample: int=0,
+        edge_length: float=0.0,
+        most_triangles: int | None=None,
+    ) -> None:
         """Raises ValueError, naming the object, as Surface does."""
     @property
     def mesh(self) -> Mesh: ...
@@ -524,7 +536,7 @@ class Surface:
         """Raises ValueError, naming the object, where sizes or indices do not fit together."""
     def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
         """Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
-        one, which is faster; distances then differ in their last bits from those of a new surface."""
+        one, which is faster; which triangle a ray through the side of two hits then depends on earlier positions."""
     def set_field_options(self, estimator: str='automatic', degree: int=0, rings: int=0, smoothing: float=0.0) -> None:
         """How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and rings (1
         to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian it is averaged with."""

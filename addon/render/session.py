@@ -132,7 +132,7 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
-    with watched(engine, cancel):
+    with watched(engine, cancel), cancel:
         try:
             start = time.perf_counter()
             near = lines_near(engine, depsgraph, chosen, backend, options, cancel)

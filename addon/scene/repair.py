@@ -21,6 +21,7 @@ NOTHING = Repair()
 REMARKS = {  # counts of a native RepairReport -> text
     "turned_polygons": "faces were turned around",
     "refused_polygons": "faces are not manifold and were left as they are",
+    "too_many_triangles": "triangles are more than memory holds, so it was not resampled: set a longer Edge Length",
 }
 REMOVED = {"repair_weld": "Weld", "repair_smooth": "Smooth"}  # settings of old files -> the modifier to use instead
 

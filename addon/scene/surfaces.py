@@ -11,6 +11,7 @@ from . import repair as repairs
 from .shapes import AUTOMATIC
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
+BYTES_RESAMPLED = 600  # per expected triangle, while a mesh is resampled
 
 
 REMARKS = {  # counts of a surface's report -> text
@@ -37,8 +38,9 @@ class SurfaceCache:
     """Surfaces by a key that identifies the mesh's source; content hashes decide whether an entry is valid."""
 
     def __init__(self, core, *, refit=False):
-        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but the
-        last bits of ray hits then depend on earlier frames. Not for final renders, whose frames must be independent."""
+        """`core`: the native module. `refit`: refit BVHs of deforming meshes, which is faster than rebuilding, but then
+        it depends on earlier frames which of two triangles a ray through their side hits. Not for final renders, whose
+        frames must be independent."""
         self._core, self._refit = core, refit
         self.entries = {}
         self._asked = {}  # key -> number of its uses in this pass
@@ -167,6 +169,7 @@ class SurfaceCache:
 
     def _move(self, entry, arrays, positions):
         """Sets the positions of an entry's surface; `positions`: their content hash."""
+        entry.positions = None  # until it has all of them: setting them may be cancelled
         entry.surface.set_positions(arrays.positions, refit=self._refit)
         entry.positions = positions
         self.moved.append(entry.surface)
@@ -175,7 +178,8 @@ class SurfaceCache:
         """A native Mesh, repaired if `repair` is not None; adds a remark on what was repaired."""
         if not repair:
             return mesh
-        repaired = self._core.RepairedMesh(name, mesh, **repair.words())
+        most = kept.room() // BYTES_RESAMPLED
+        repaired = self._core.RepairedMesh(name, mesh, **repair.words(), most_triangles=most)
         if told := remark(name, repaired.report, repairs.REMARKS):
             self.remarks.append(told)
         return repaired.mesh

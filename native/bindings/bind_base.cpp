@@ -8,13 +8,33 @@
 #include "bindings/bind.h"
 
 namespace fovea::bindings {
+namespace {
+
+/// A context of Python in which a Cancel is polled.
+struct Scope {
+    std::shared_ptr<const Cancel> cancel;
+    Cancelling polled;
+
+    explicit Scope(std::shared_ptr<const Cancel> of) : cancel(std::move(of)), polled(cancel.get()) {}
+};
+
+thread_local std::vector<std::unique_ptr<Scope>> scopes;  // the innermost last
+
+}  // namespace
 
 void bind_base(py::module_& m) {
     py::class_<Cancel, std::shared_ptr<Cancel>>(m, "Cancel",
-                                                "A flag that long calls poll; cancel() makes them raise Cancelled.")
+                                                "A flag that long calls poll; cancel() makes them raise Cancelled. "
+                                                "As a context: calls in it, by the same thread, poll it.")
         .def(py::init<>())
         .def("cancel", [](Cancel& cancel) { cancel.requested = true; })
-        .def_property_readonly("requested", [](const Cancel& cancel) { return cancel.requested.load(); });
+        .def_property_readonly("requested", [](const Cancel& cancel) { return cancel.requested.load(); })
+        .def("__enter__",
+             [](std::shared_ptr<Cancel> cancel) {
+                 scopes.push_back(std::make_unique<Scope>(cancel));
+                 return cancel;
+             })
+        .def("__exit__", [](const Cancel&, const py::args&) { scopes.pop_back(); });
     py::register_exception<Cancelled>(m, "Cancelled", PyExc_RuntimeError);
     m.def("limit_threads", &limit_threads, py::arg("most"),
           "Most threads that work at once from now on; 0: as many as the machine has. Results never depend on it.");

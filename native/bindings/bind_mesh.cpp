@@ -100,16 +100,20 @@ seen.)");
 
     py::class_<RepairReport>(m, "RepairReport", "How much a repair has done; counts of elements.")
         .def_readonly("turned_polygons", &RepairReport::turned_polygons)
-        .def_readonly("refused_polygons", &RepairReport::refused_polygons);
+        .def_readonly("refused_polygons", &RepairReport::refused_polygons)
+        .def_readonly("too_many_triangles", &RepairReport::too_many_triangles);
     py::class_<RepairedMesh, std::shared_ptr<RepairedMesh>>(m, "RepairedMesh",
                                                             "A mesh put in order; see native/fovea/repair/repair.h.")
         .def(
-            py::init([](const std::string& name, const Mesh& mesh, bool orient, int resample, double edge_length) {
-                const Repair repair{orient, resample, edge_length};
+            py::init([](const std::string& name, const Mesh& mesh, bool orient, int resample, double edge_length,
+                        std::optional<std::uint64_t> most_triangles) {
+                Repair repair{orient, resample, edge_length};
+                repair.most_triangles = most_triangles.value_or(repair.most_triangles);
                 return without_gil([&] { return std::make_shared<RepairedMesh>(repaired(name, mesh.arrays, repair)); });
             }),
             py::arg("name"), py::arg("mesh"), py::kw_only(), py::arg("orient") = false, py::arg("resample") = 0,
-            py::arg("edge_length") = 0.0, "Raises ValueError, naming the object, as Surface does.")
+            py::arg("edge_length") = 0.0, py::arg("most_triangles") = py::none(),
+            "Raises ValueError, naming the object, as Surface does.")
         .def_property_readonly("mesh",
                                [](py::object self) { return Mesh{self.cast<const RepairedMesh&>().arrays(), {self}}; })
         .def_readonly("report", &RepairedMesh::report);
@@ -194,7 +198,7 @@ void bind_surface(SurfaceClass& surface) {
             },
             py::arg("positions"), py::kw_only(), py::arg("refit") = false,
             R"(Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
-one, which is faster; distances then differ in their last bits from those of a new surface.)")
+one, which is faster; which triangle a ray through the side of two hits then depends on earlier positions.)")
         .def(
             "set_field_options",
             [](Surface& surface, const py::str& estimator, int degree, int rings, double smoothing) {

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from snapshots import NATIVE, fresh_scene, in_viewport, new_cache
-from the_addon import box_mesh, new_mesh, new_object
+from the_addon import box_mesh, new_mesh, new_object, part
 
 pytestmark = pytest.mark.usefixtures(fresh_scene.__name__)
 
@@ -103,3 +103,37 @@ def test_a_script_that_uses_a_removed_setting_hears_which_modifier_to_add(settin
         setattr(settings, setting, 1)
     with pytest.raises(AttributeError, match=f"add the modifier {modifier}"):
         getattr(settings, setting)
+
+
+def test_resampling_beyond_memory_leaves_the_mesh_as_it_is_and_says_what_to_do():
+    obj = new_object(box_mesh(), "Cube")
+    obj.fovea.repair_resample, obj.fovea.repair_edge_length = 100, 1e-4
+    cache = new_cache(NATIVE)
+    assert only_surface(cache).mesh_edges == 12
+    (told,) = cache.remarks
+    count = int(told.removeprefix("'Cube': ").split()[0])
+    assert 5e9 < count < 6e9  # triangles of sides of 1e-4 on a cube of 24 square units
+    assert told.endswith("more than memory holds, so it was not resampled: set a longer Edge Length")
+
+
+def test_the_memory_limit_bounds_resampling(monkeypatch):
+    obj = new_object(box_mesh(), "Cube")
+    obj.fovea.repair_resample, obj.fovea.repair_edge_length = 4, 0.2
+    assert only_surface().mesh_edges > 500
+    monkeypatch.setattr(part("scene.kept"), "limit", 100_000)
+    cache = new_cache(NATIVE)
+    assert only_surface(cache).mesh_edges == 12 and "set a longer Edge Length" in cache.remarks[0]
+
+
+def test_reading_is_cancelled_and_then_done_anew():
+    core, cache = part("native").load(), new_cache(NATIVE)
+    obj = new_object(box_mesh(), "Cube")
+    whole = only_surface(cache).positions.copy()
+    obj.data.vertices[0].co.x -= 1.0
+    obj.data.update()
+    cancel = core.Cancel()
+    cancel.cancel()
+    with cancel, pytest.raises(core.Cancelled):
+        only_surface(cache)
+    moved = only_surface(cache).positions
+    assert (moved != whole).any() and (moved == only_surface().positions).all()

@@ -41,6 +41,21 @@ void expect_same(const std::shared_ptr<Surface>& moved_surface, const Mesh& now,
     }
 }
 
+/// Number of rays that hit; each must hit the same of both scenes, to the last bit.
+int same_hits(const Scene& one, const Scene& other, const View& seen) {
+    const Tracer first(one, seen), second(other, seen);
+    int hits = 0;
+    for (int y = 0; y < 480; y += 2)
+        for (int x = 0; x < 640; x += 2) {
+            const auto a = first.seen({x + 0.37, y + 0.41}), b = second.seen({x + 0.37, y + 0.41});
+            EXPECT_EQ(a.has_value(), b.has_value());
+            if (!a || !b) continue;
+            EXPECT_EQ(std::tuple(a->triangle, a->t, a->u, a->v), std::tuple(b->triangle, b->t, b->u, b->v));
+            ++hits;
+        }
+    return hits;
+}
+
 }  // namespace
 
 TEST(Bvh, FollowsASurfaceThatMoves) {
@@ -114,18 +129,40 @@ TEST(Bvh, OfASurfaceMovedWithoutRefitTellsWhatThatOfANewOneDoesToTheLastBit) {
     const auto surface = bent(0).surface();
     for (int k = 1; k <= 4; ++k) {
         surface->set_positions(bent(k).positions);
-        const auto fresh = bent(k).surface();
-        const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{fresh, dmat4(1.0), 1}});
-        const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
+        const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{bent(k).surface(), dmat4(1.0), 1}});
+        EXPECT_GT(same_hits(old_scene, new_scene, view), 3000) << k;
+    }
+}
+
+TEST(Bvh, OfASurfaceMovedWithRefitDoesSo) {
+    const auto surface = bent(0).surface();
+    for (int k = 1; k <= 4; ++k) {
+        surface->set_positions(bent(k).positions, true);
+        const dmat4 turned = glm::rotate(dmat4(1.0), 0.3, dvec3(1, 2, 3));
+        const Scene old_scene({{surface, turned, 1}}), new_scene({{bent(k).surface(), turned, 1}});
+        EXPECT_GT(same_hits(old_scene, new_scene, view), 3000) << k;
+    }
+}
+
+TEST(Bvh, RefittedHitsTheSamePlaceAlongRaysThroughVerticesAndSidesByWhicheverTriangle) {
+    // Looked at from straight above, 20 pixels to a square.
+    const View above = orthographic({0, 0, 5}, {0, 0, 0}, 3.2);
+    const auto surface = grid(10).surface();
+    for (const float height : {0.5f, 0.25f, 1.0f}) {
+        Mesh mesh = grid(10);
+        for (vec3& p : mesh.positions) p.z = height * p.x * p.x;
+        surface->set_positions(mesh.positions, true);
+        const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{mesh.surface(), dmat4(1.0), 1}});
+        const Tracer old_tracer(old_scene, above), new_tracer(new_scene, above);
         int hits = 0;
-        for (int y = 0; y < 480; y += 3)
-            for (int x = 0; x < 640; x += 3) {
-                const auto a = old_tracer.seen({x + 0.5, y + 0.5}), b = new_tracer.seen({x + 0.5, y + 0.5});
-                ASSERT_EQ(a.has_value(), b.has_value());
-                if (!a || !b) continue;
-                EXPECT_EQ(std::tuple(a->triangle, a->t, a->u, a->v), std::tuple(b->triangle, b->t, b->u, b->v));
+        for (int y = 0; y < 480; y += 4)
+            for (int x = 0; x < 640; x += 4) {
+                const auto a = old_tracer.seen({x, y}), b = new_tracer.seen({x, y});
+                ASSERT_EQ(a.has_value(), b.has_value()) << x << " " << y;
+                if (!a) continue;
+                EXPECT_NEAR(a->t, b->t, 2e-6) << x << " " << y;
                 ++hits;
             }
-        EXPECT_GT(hits, 3000) << k;
+        EXPECT_GT(hits, 3000);
     }
 }

@@ -143,3 +143,17 @@ TEST(Repair, BrokenPolygonsAreRefusedNotFatal) {
     const Repair all{.orient = true, .resample = 1};
     EXPECT_EQ(repaired(Mesh("nothing", {}), all).positions.size(), 0u);
 }
+
+TEST(Repair, WhatWouldBeTooManyTrianglesIsLeftAsItIs) {
+    const Mesh mesh = box();
+    const RepairedMesh refused = repaired(mesh, {.resample = 50, .edge_length = 1e-4, .most_triangles = 1'000'000});
+    EXPECT_NEAR(double(refused.report.too_many_triangles), 24.0 / (std::sqrt(0.75) / 2.0 * 1e-8), 1e7);
+    EXPECT_EQ(refused.positions.size(), 8u);
+    EXPECT_EQ(refused.polygon_offsets.size(), 7u);
+    const RepairedMesh few_steps = repaired(mesh, {.resample = 2, .edge_length = 1e-4, .most_triangles = 1'000'000});
+    EXPECT_EQ(few_steps.report.too_many_triangles, 0u) << "at most 12 x 4 x 4";
+    EXPECT_GT(few_steps.positions.size(), 8u);
+    const RepairedMesh endless = repaired(mesh, {.resample = 100, .edge_length = 1e-300, .most_triangles = 100});
+    EXPECT_GT(endless.report.too_many_triangles, 1'000'000'000u);
+    EXPECT_EQ(endless.positions.size(), 8u);
+}

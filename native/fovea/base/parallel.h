@@ -5,10 +5,8 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <stdexcept>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -16,33 +14,25 @@
 #include <utility>
 #include <vector>
 
+#include <fovea/base/cancel.h>
 #include <fovea/base/fork_join.h>
 #include <fovea/base/types.h>
 
 namespace fovea::base {
 
-/// Thrown when a long call is cancelled.
-struct Cancelled : std::runtime_error {
-    Cancelled() : std::runtime_error("cancelled") {}
-};
-
-/// A flag that long calls poll once per block; may be set from any thread.
-struct Cancel {
-    std::atomic<bool> requested{false};
-    void poll() const {
-        if (requested.load(std::memory_order_relaxed)) throw Cancelled();
-    }
-};
-
-/// Calls body(i) for every i in [0, count), in blocks of at least `grain`.
+/// Calls body(i) for every i in [0, count), in blocks of at least `grain`. Before each it polls the Cancel of the
+/// calling thread's scope, as all loops here do.
 template <typename Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     const auto all_of = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i != end; ++i) body(i);
     };
     const ForkJoin call;
+    const Cancel* const cancel = Cancelling::current();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) FOVEA_TBB_HANDS_OVER {
         const ForkJoin::Body here(call);
+        const Cancelling scope(cancel);
+        Cancelling::poll();
         all_of(range.begin(), range.end());
     });
 }
@@ -92,8 +82,10 @@ Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body)
 template <typename First, typename Second>
 void parallel_invoke(const First& first, const Second& second) {
     const ForkJoin call;
+    const Cancel* const cancel = Cancelling::current();
     const auto run = [&](const auto& body) FOVEA_TBB_HANDS_OVER {
         const ForkJoin::Body here(call);
+        const Cancelling scope(cancel);
         body();
     };
     tbb::parallel_invoke([&]() FOVEA_TBB_HANDS_OVER { run(first); }, [&]() FOVEA_TBB_HANDS_OVER { run(second); });
@@ -102,6 +94,7 @@ void parallel_invoke(const First& first, const Second& second) {
 /// Sorts by a total order, so that the result is unique.
 template <typename Iterator, typename Less = std::less<>>
 void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
+    Cancelling::poll();
 #ifdef FOVEA_THREAD_SANITIZER
     std::sort(begin, end, less);  // TSan does not see the synchronization inside oneTBB's sort
 #else

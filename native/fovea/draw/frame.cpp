@@ -35,6 +35,8 @@ Frame::Frame(Job given) : job(std::move(given)) {}
 void Frame::stage(const char* name, double share, const std::function<void()>& body) {
     if (job.progress) job.progress(share_, name);
     const auto start = std::chrono::steady_clock::now();
+    const Cancelling scope(job.cancel.get());
+    Cancelling::poll();
     body();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     stages.emplace_back(name, took.count());
@@ -200,6 +202,7 @@ std::string Frame::visibility_in_words() const {
 
 ShownLines Frame::shown_lines() {
     filter();
+    const Cancelling scope(job.cancel.get());
     return elision::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
 }
 

@@ -106,6 +106,7 @@ void Frame::put_on_paper() {
 
 Array<float> Frame::focus_of_pixels() {
     const style::Focus& focus = job.style.focus;
+    const Cancelling scope(job.cancel.get());
     if (!focus.active()) return {};
     if (job.options.focus_step > 1 && focus.basis() != style::FocusBasis::image) return focus_of_fewer_pixels();
     if (focus.is_painted()) return inverted(painted_image(rays(), painted(focus.attribute), cancel()));

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <tuple>
 
 #include <fovea/base/check.h>
+#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::elision {
@@ -16,6 +17,11 @@ constexpr std::size_t runs_per_block = 64;
 constexpr double width_error_px = 0.05;
 constexpr double pulled_back = 0.25;  // share of half the width by which bands are shortened at their ends
 constexpr Index most_ranks = (Index(1) << 23) - 1;
+
+/// Runs of more than `crowd` ranks that are alike are one: only so many bands are drawn, of the highest ranks. Two
+/// would do (a pixel keeps the first band and one that crosses it) if bands that are alike were the same to the bit.
+constexpr std::size_t crowd = 16;
+constexpr float alike_px = 0.0625f;
 
 /// Half width at an arc length.
 struct Knot {
@@ -179,6 +185,49 @@ class Band {
     bool has_before_ = false;
 };
 
+/// Hash of the place and the widths of a run's band, rounded.
+std::uint64_t hash_of_band(const ClippedPaths& clipped, const Runs& runs, const OwnBands& own, Index run) {
+    const auto rounded = [](float px) { return std::int64_t(std::lround(px / alike_px)); };
+    const Index piece = runs.piece[run], last = clipped.pieces.end(piece) - 1;
+    std::uint64_t hash = hash_numbers(rounded(float(runs.end_px[run] - runs.start_px[run])), own.runs.size(run));
+    const auto add = [&](const vec2& px) { hash = hash_numbers(hash, rounded(px.x), rounded(px.y)); };
+    add(clipped.place_px(piece, runs.start_px[run]));
+    for (Index i = clipped.segment_at(piece, runs.start_px[run]) + 1; i < last && clipped.arc_px[i] < runs.end_px[run];
+         ++i)
+        add(clipped.px[i]);
+    add(clipped.place_px(piece, runs.end_px[run]));
+    for (Index s = own.runs.begin(run); s < own.runs.end(run); ++s) hash = hash_numbers(hash, rounded(own.band[s].x));
+    return hash;
+}
+
+/// Runs with samples by descending rank, without those of bands that are drawn often enough.
+std::vector<Index> runs_to_draw(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own) {
+    struct Candidate {
+        std::uint64_t band;
+        Index above, run;  // runs of higher ranks come first
+        auto order() const { return std::tuple(band, above, run); }
+    };
+    auto candidates = parallel_map<Candidate>(runs.size(), [&](std::size_t r) -> Candidate {
+        return {own.runs.size(Index(r)) > 0 ? hash_of_band(clipped, runs, own, Index(r)) : 0, most_ranks - ranks[r],
+                Index(r)};
+    });
+    parallel_sort(candidates.begin(), candidates.end(),
+                  [](const Candidate& a, const Candidate& b) { return a.order() < b.order(); });
+    std::vector<Candidate> chosen;
+    std::size_t alike = 0;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const bool again = k > 0 && candidates[k].band == candidates[k - 1].band;
+        alike = again ? alike + (candidates[k].above != candidates[k - 1].above) : 1;
+        if (alike <= crowd && own.runs.size(candidates[k].run) > 0) chosen.push_back(candidates[k]);
+    }
+    parallel_sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) {
+        return std::pair(a.above, a.run) < std::pair(b.above, b.run);
+    });
+    std::vector<Index> order(chosen.size());
+    std::ranges::transform(chosen, order.begin(), &Candidate::run);
+    return order;
+}
+
 }  // namespace
 
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own) {
@@ -186,11 +235,9 @@ Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks,
     check(ranks.size() == runs.size() && own.runs.count() == runs.size(), "elision: ranks or samples of other runs");
     check(ranks.empty() || std::ranges::max(ranks) <= most_ranks,
           "elision: too many paths; 8 million can be told apart");
-    std::vector<std::size_t> order(runs.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });
+    const std::vector<Index> order = runs_to_draw(clipped, runs, ranks, own);
     auto parts =
-        parallel_parts<Bands>(runs.size(), runs_per_block, [&](Bands& part, std::size_t begin, std::size_t end) {
+        parallel_parts<Bands>(order.size(), runs_per_block, [&](Bands& part, std::size_t begin, std::size_t end) {
             Band band(clipped, runs, ranks, own, part);
             for (std::size_t k = begin; k < end; ++k) band.add(order[k]);
         });

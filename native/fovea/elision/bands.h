@@ -28,7 +28,8 @@ struct Bands {
 };
 
 /// Bands of all runs that own samples. The gap on the outer side of a bend is filled. The width is linear between
-/// samples, to 1/20 px. Throws std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
+/// samples, to 1/20 px. Of bands that are alike (to 1/16 px), those of the 16 highest ranks are drawn. Throws
+/// std::invalid_argument for more than 2^23 - 1 ranks. Cole 2009, section 5.2.2.
 Bands draw_bands(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, const OwnBands& own);
 
 }  // namespace fovea::elision

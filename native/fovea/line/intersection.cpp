@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Intersection: where surfaces pass through each other, two objects or parts of one.
 // In   triangles of all placements that are drawn; independent of the view
-// Out  curves on two triangles at once. They belong to the placement with the lower id (the other one if its transform
-//      is singular) and are in its object space; `other` is the triangle of the second placement. Surfaces that only
-//      touch have none (scene/crossings.h): a box on a floor is outlined by its own creases. Two placements with
-//      singular transforms have none with each other, nor have instances in a heap (see below).
+// Out  curves on two triangles at once. They belong to the placement with the lower id (the other one if that is scaled
+//      to a point) and are in its object space; `other` is the triangle of the second placement. Surfaces that only
+//      touch have none (scene/crossings.h): a box on a floor is outlined by its own creases. Instances in a heap have
+//      none with each other (see below).
 // Results are cached with the first surface, keyed by the second's version and its placement relative to the first, in
 // single precision. So nothing is recomputed when the camera, or both objects together, move, and pairs of instances
 // with equal relative placement share one result.

@@ -96,8 +96,8 @@ struct SurfaceArrays {
     Array<Index> facet_polygon;
     Rows edge_rows;  ///< per entry of `edges`: its range of edge_sides
     Array<EdgeSide> edge_sides;
-    vec3 center{0.0f};    ///< of the bounding box
-    float radius = 0.0f;  ///< of a sphere at `center` that contains all vertices
+    vec3 center{0.0f}, half{0.0f};  ///< of the bounding box: its center, and half its sides
+    float radius = 0.0f;            ///< of a sphere at `center` that contains all vertices
 };
 
 /// A facet is the largest piece that is planar: a whole polygon if it is (to 0.1 degrees), else each of its triangles.
@@ -114,8 +114,8 @@ class Surface : public SurfaceArrays {
     Surface(const Surface& source, const dmat3& stretch);
 
     /// Moves the vertices; topology is unchanged. Clears everything derived from positions. With `refit`, lasting_cache
-    /// is kept and its entries are updated instead of rebuilt: faster, but results may differ in the last bits from
-    /// those of a newly built surface, so they depend on earlier positions.
+    /// is kept and updated, not rebuilt: faster, and rays tell the same to the last bit, but which of the triangles at
+    /// a shared side or vertex a ray through it hits depends on earlier positions.
     void set_positions(In<vec3> positions, bool refit = false);
 
     /// Sets how fields are estimated; fields are cached per options. Throws std::invalid_argument, naming the object,

@@ -285,6 +285,7 @@ void Surface::bound() {
     }
     const bool any = low.x <= high.x;
     center = any ? 0.5f * (low + high) : vec3(0.0f);
+    half = any ? 0.5f * (high - low) : vec3(0.0f);
     radius = any ? 0.5f * glm::length(high - low) : 0.0f;
 }
 

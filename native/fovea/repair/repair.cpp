@@ -27,7 +27,8 @@ RepairedMesh repaired(const std::string& name, const MeshArrays& mesh, const Rep
     RepairedMesh result{owned(mesh), {}};
     if (repair.orient) result.report.turned_polygons = orient(result);
     if (repair.resample > 0) {
-        resample(result, repair.resample, repair.edge_length);
+        resample(result, repair.resample, repair.edge_length, repair.most_triangles);
+        if (result.report.too_many_triangles > 0) return result;
         // Its edges are new: where shading was smooth somewhere, it is now on all that are not marked sharp.
         if (!mesh.smooth.empty()) result.smooth.assign(result.edge_verts.size(), 1);
     }

@@ -5,6 +5,7 @@
 #include <OpenMesh/Tools/Decimater/ModEdgeLengthT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Smoother/JacobiLaplaceSmootherT.hh>
+#include <cmath>
 
 #include <fovea/base/parallel.h>
 #include <fovea/repair/half_edges.h>
@@ -16,23 +17,31 @@ namespace {
 /// Limit of the change of a triangle's normal in a collapse; 0.2 is its cosine.
 constexpr double most_turned = 78.46;  // degrees
 
+/// Polls the thread's Cancel once in a thousand calls.
+void poll_sometimes(int call) {
+    if (call % 1024 == 0) Cancelling::poll();
+}
+
 /// Collapses the shortest edge first, and none whose collapse would create an edge that the next iteration splits.
 struct ShortestFirst : OpenMesh::Decimater::ModBaseT<HalfEdges> {
     using Handle = OpenMesh::Decimater::ModHandleT<ShortestFirst>;
     DECIMATER_MODNAME(ShortestFirst)
     explicit ShortestFirst(HalfEdges& mesh) : ModBaseT(mesh, false) {}
     float collapse_priority(const CollapseInfo& collapse) override {
+        poll_sometimes(++looks);
         for (const auto v : mesh().vv_range(collapse.v0))
             if (OpenMesh::norm(mesh().point(v) - collapse.p1) > longest) return float(ILLEGAL_COLLAPSE);
         return static_cast<float>(OpenMesh::norm(collapse.p1 - collapse.p0));
     }
     double longest = 0.0;
+    int looks = 0;
 };
 
 void split_long(HalfEdges& mesh, double longest) {
     // Only edges that exist now; halves that are still too long are split in the next iteration.
     const int edges = static_cast<int>(mesh.n_edges());
     for (int i = 0; i < edges; ++i) {
+        poll_sometimes(i);
         const auto e = OpenMesh::make_smart(HalfEdges::EdgeHandle(i), mesh);
         if (mesh.data(e).held || mesh.calc_edge_length(e) <= longest) continue;
         const auto a = e.v0(), b = e.v1();
@@ -87,8 +96,10 @@ bool faces_well(const HalfEdges& mesh, const OpenMesh::SmartEdgeHandle& e) {
 }
 
 void even_out_valences(HalfEdges& mesh) {
-    for (const auto e : mesh.edges())
+    for (const auto e : mesh.edges()) {
+        poll_sometimes(e.idx());
         if (!e.feature() && !e.is_boundary() && mesh.is_flip_ok(e) && evens_out(e) && faces_well(mesh, e)) mesh.flip(e);
+    }
 }
 
 void relax(HalfEdges& mesh, const NearestPoint& surface) {
@@ -109,6 +120,15 @@ double mean_edge(const HalfEdges& mesh) {
     return mesh.n_edges() ? sum / double(mesh.n_edges()) : 0.0;
 }
 
+/// About the number of triangles of that side length on the mesh, or of those that so many steps, which divide each
+/// triangle into four at most, make: whichever is less.
+double expected_triangles(const HalfEdges& mesh, int steps, double length) {
+    double area = 0.0;
+    for (const auto f : mesh.faces()) area += mesh.calc_face_area(f);
+    const double even = area / (std::sqrt(3.0) / 4.0 * length * length);
+    return std::min(even, double(mesh.n_faces()) * std::pow(4.0, steps));
+}
+
 NearestPoint surface_of(const HalfEdges& mesh) {
     Array<vec3> positions;
     Array<Triangle> triangles;
@@ -122,12 +142,19 @@ NearestPoint surface_of(const HalfEdges& mesh) {
 
 }  // namespace
 
-void resample(RepairedMesh& source, int steps, double length) {
+void resample(RepairedMesh& source, int steps, double length, std::uint64_t most) {
     Triangulated triangulated(source);
     HalfEdges& mesh = triangulated.mesh;
     source.report.refused_polygons = static_cast<Index>(triangulated.refused.size());
     if (!(length > 0.0)) length = mean_edge(mesh);
     if (!(length > 0.0)) return;
+    const double expected = expected_triangles(mesh, steps, length);
+    if (!(expected <= double(most))) {
+        constexpr double countless = 1e18;
+        source.report = {.turned_polygons = source.report.turned_polygons,
+                         .too_many_triangles = std::uint64_t(std::min(expected, countless))};
+        return;
+    }
     const NearestPoint surface = surface_of(mesh);
     const double shortest = 4.0 / 5.0 * length, longest = 4.0 / 3.0 * length;
     for (int i = 0; i < steps; ++i) {

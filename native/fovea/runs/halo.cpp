@@ -12,17 +12,21 @@ namespace {
 
 constexpr double least_sine = 0.2588;  // sine of 15 degrees: bounds the length of gaps at grazing crossings
 
-/// Subtracts a span from all spans.
-void cut_out(const Span& gap, std::vector<Span>& spans) {
-    const std::size_t count = spans.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        Span& span = spans[i];
-        if (gap.end <= span.begin || gap.begin >= span.end) continue;
-        const Span after{gap.end, span.end};
-        span.end = gap.begin;
-        if (after.begin < after.end) spans.push_back(after);
+/// Subtracts the gaps from ascending, disjoint spans.
+void cut_out(std::vector<Span>& gaps, std::vector<Span>& spans) {
+    std::ranges::sort(gaps, {}, &Span::begin);
+    join_spans(gaps, [](const Span& before, const Span& gap) { return gap.begin <= before.end; });
+    std::vector<Span> left;
+    auto first = gaps.begin();
+    for (Span span : spans) {
+        while (first != gaps.end() && first->end <= span.begin) ++first;
+        for (auto gap = first; gap != gaps.end() && gap->begin < span.end; ++gap) {
+            if (span.begin < gap->begin) left.push_back({span.begin, gap->begin});
+            span.begin = gap->end;
+        }
+        if (span.begin < span.end) left.push_back(span);
     }
-    std::erase_if(spans, [](const Span& span) { return span.begin >= span.end; });
+    spans = std::move(left);
 }
 
 }  // namespace
@@ -42,16 +46,18 @@ Runs halo(const ClippedPaths& clipped, const Runs& runs, In<float> gap_px, In<st
     return change_visible(clipped, runs, changes, [&](Index path, const Chain& chain, std::vector<Span>& spans) {
         const double gap = gap_px[path];
         const bool contour = !of_view.empty() && of_view[path];
+        std::vector<Span> gaps;
         for (const auto& [piece, shift] : chain.parts()) {
             for (const PassBehind& pass : std::ranges::equal_range(passes, piece, {}, &PassBehind::piece)) {
                 if (contour && pass.sine < least_sine) continue;
                 const double at = pass.arc_px + shift, along = gap / std::max(pass.sine, least_sine);
-                cut_out({at - along, at + along}, spans);
+                gaps.push_back({at - along, at + along});
                 if (!chain.cyclic) continue;
-                cut_out({at - along - chain.length(), at + along - chain.length()}, spans);
-                cut_out({at - along + chain.length(), at + along + chain.length()}, spans);
+                gaps.push_back({at - along - chain.length(), at + along - chain.length()});
+                gaps.push_back({at - along + chain.length(), at + along + chain.length()});
             }
         }
+        cut_out(gaps, spans);
     });
 }
 

@@ -5,12 +5,12 @@
 
 #include <fovea/base/check.h>
 #include <fovea/runs/chain.h>
+#include <fovea/runs/ends_by_cell.h>
 #include <fovea/runs/filters.h>
 
 namespace fovea::runs {
 namespace {
 
-constexpr double look_back_px = 4.0;  // segments on dense meshes zigzag
 constexpr double step_px = 0.5;
 constexpr double facing = -0.5;        // maximum cosine between the outward directions of two facing ends
 constexpr double near_px = 3.5;        // distance at which a hidden continuation meets another end
@@ -18,38 +18,26 @@ constexpr double in_line_px = 1.5;     // the same for a straight extension; end
 constexpr double straight_on = 0.375;  // maximum straight extension, as a fraction of the reach
 constexpr double gain_px = 0.5;        // minimum extension
 
-/// An end of a visible run, its cell in the grid, and its outward direction.
-struct End {
-    std::int64_t row, column;
-    Index run;
-    bool at_end;
-    dvec2 px, way;
-};
-
 class Ends {
    public:
     Ends(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double reach_px)
-        : clipped_(clipped), runs_(runs), placement_(placement), reach_(reach_px) {
-        for (Index r = 0; r < runs.size(); ++r)
-            if (runs.invisibility[r] == 0)
-                for (bool at_end : {false, true}) {
-                    const End end = end_of(r, at_end);
-                    if (std::isfinite(end.way.x + end.way.y)) ends_.push_back(end);
-                }
-        std::ranges::sort(ends_, {}, [](const End& e) { return std::tuple(e.row, e.column, e.run, e.at_end); });
-    }
+        : clipped_(clipped),
+          runs_(runs),
+          placement_(placement),
+          reach_(reach_px),
+          ends_(ends_by_cell(clipped, runs, placement, reach_px)) {}
 
     /// New arc length of an end of a run, at most at `limit` [px of the piece].
     double met(Index run, bool at_end, double limit) const {
-        const End own = end_of(run, at_end);
+        const End own = end_of(clipped_, runs_, placement_, reach_, run, at_end);
         const double start = at_end ? runs_.end_px[run] : runs_.start_px[run], sign = at_end ? 1.0 : -1.0;
         double least = std::min(reach_, (limit - start) * sign), found = 0.0;
         if (!(least > gain_px) || !std::isfinite(own.way.x + own.way.y)) return start;
         for (std::int64_t row = own.row - 1; row <= own.row + 1; ++row) {
-            const auto place = [](const End& e) { return std::pair(e.row, e.column); };
-            for (auto e = std::ranges::lower_bound(ends_, std::pair(row, own.column - 1), {}, place);
-                 e != ends_.end() && e->row == row && e->column <= own.column + 1; ++e) {
-                const double way = way_to(own, *e, start, sign, least);
+            const std::tuple first(row, own.placement, own.column - 1), last(row, own.placement, own.column + 1);
+            const auto cell = [](const End& e) { return e.cell(); };
+            for (auto e = std::ranges::lower_bound(ends_, first, {}, cell); e != ends_.end() && cell(*e) <= last; ++e) {
+                const double way = way_to(run, own, *e, start, sign, least);
                 if (way > gain_px && (found == 0.0 || way < found)) found = way;
             }
         }
@@ -57,20 +45,10 @@ class Ends {
     }
 
    private:
-    End end_of(Index run, bool at_end) const {
-        const double end = at_end ? runs_.end_px[run] : runs_.start_px[run];
-        const double length = std::min(look_back_px, runs_.end_px[run] - runs_.start_px[run]);
-        const dvec2 px(clipped_.place_px(runs_.piece[run], end));
-        const dvec2 out = px - dvec2(clipped_.place_px(runs_.piece[run], at_end ? end - length : end + length));
-        const dvec2 cell = glm::floor(px / reach_);
-        return {std::int64_t(cell.y), std::int64_t(cell.x), run, at_end, px, out / glm::length(out)};
-    }
-
     /// Extension of an end along its own line to the point nearest to a facing end; 0 if they do not meet.
-    double way_to(const End& own, const End& other, double start, double sign, double most) const {
-        const Index piece = runs_.piece[own.run], path = clipped_.path[piece];
-        const Index others = clipped_.path[runs_.piece[other.run]];
-        if (others == path || placement_[others] != placement_[path]) return 0.0;
+    double way_to(Index run, const End& own, const End& other, double start, double sign, double most) const {
+        if (other.path == own.path) return 0.0;
+        const Index piece = runs_.piece[run];
         const dvec2 between = other.px - own.px;
         const double apart = glm::length(between);
         const bool ahead = glm::dot(between, own.way) > 0.0 && glm::dot(own.way, other.way) <= facing;

@@ -27,7 +27,8 @@ void for_stretches(const ClippedPaths& clipped, Index piece, double start, doubl
         const double from = std::max(0.0, (start - arc) / length), to = std::min(1.0, (end - arc) / length);
         const dvec2 a(clipped.px[i]), b(clipped.px[i + 1]);
         if (!std::isfinite(a.x + a.y + b.x + b.y)) continue;
-        body(Stretch{vec2(glm::mix(a, b, from)), vec2(glm::mix(a, b, to)), i});
+        const float far = 0.5f * (clipped.position_view[i].z + clipped.position_view[i + 1].z);
+        body(Stretch{vec2(glm::mix(a, b, from)), vec2(glm::mix(a, b, to)), i, -far});
     }
 }
 

@@ -11,13 +11,21 @@ namespace fovea::runs {
 /// The part of a segment of ClippedPaths between two positions in the image [px].
 struct Stretch {
     vec2 a, b;
-    Index point;  ///< first point of the segment
+    Index point;     ///< first point of the segment
+    float distance;  ///< from the eye, of its middle
 };
 
-/// A uniform grid over stretches, with about as many cells as stretches.
+/// A uniform grid over stretches, with about as many cells as stretches, or fewer where these are long. A cell of more
+/// than `crowd` stretches has, of those that are alike in it (to 1/16 px), only the one nearest to the eye: so many
+/// lines in one place are one line, and cost no more than n log n.
 class StretchGrid {
    public:
+    static constexpr std::size_t crowd = 512;
+
     explicit StretchGrid(Array<Stretch>&& stretches);
+
+    /// Number of stretches over all cells.
+    std::size_t entries() const { return entries_.size(); }
 
     /// Calls body(stretch) for every stretch that may cross the one from a to b; some repeatedly, in unspecified order.
     template <typename Body>
@@ -48,6 +56,9 @@ class StretchGrid {
     }
 
     static int clamped(double at, int count) { return static_cast<int>(std::clamp(at, 0.0, count - 1.0)); }
+
+    glm::ivec4 within(const Stretch& stretch, std::size_t cell) const;
+    void thin_crowds();
 
     Array<Stretch> stretches_;
     dvec2 low_{0.0};

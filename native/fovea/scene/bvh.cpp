@@ -33,10 +33,7 @@ void Tracer::Bvh::add(const Scene& scene, Index placement) {
     versions.push_back(surface.version());
 }
 
-void Tracer::Bvh::commit() {
-    rtcCommitScene(top.get());
-    check_bvh_device("scene");
-}
+void Tracer::Bvh::commit() { build_bvh(top.get(), "scene"); }
 
 std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const {
     RayContext context(scene, placement_of_instance, ray, ignore);

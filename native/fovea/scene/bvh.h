@@ -19,8 +19,12 @@ using OwnedScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
 /// The process-wide Embree device.
 RTCDevice bvh_device();
-/// Throws std::runtime_error, naming `what`, if Embree has reported an error since the last call.
+/// Throws std::runtime_error, naming `what`, if Embree has reported an error since the last call; Cancelled if it was
+/// cancelled.
 void check_bvh_device(const std::string& what);
+/// Builds a scene's BVH, polling the Cancel of the calling thread's scope, and checks the device. A scene whose build
+/// was cancelled is not usable.
+void build_bvh(RTCScene scene, const std::string& what);
 /// Makes a geometry use the first `vertices` and `count` entries of these arrays, which are borrowed.
 void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
                      const Array<Triangle>& triangles, Index count);

@@ -50,8 +50,7 @@ struct NearestPoint::Bvh {
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene.get(), geometry);
         rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene.get());
-        check_bvh_device("nearest point");
+        build_bvh(scene.get(), "nearest point");
     }
 
     /// State of one query.

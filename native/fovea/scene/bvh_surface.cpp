@@ -5,6 +5,7 @@
 #include <string>
 #include <tbb/task_arena.h>
 
+#include <fovea/base/cancel.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/morton.h>
 #include <fovea/scene/bvh.h>
@@ -15,6 +16,9 @@ namespace {
 /// Number of triangles sampled to judge a refitted BVH, and the factor by which their spread may grow before a rebuild.
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
+
+/// Compact whether it is refitted or not: Embree intersects triangles that it stores otherwise by other arithmetic.
+const RTCSceneFlags surface_flags = bvh_flags | RTC_SCENE_FLAG_COMPACT;
 
 vec3 middle(const Surface& surface, Index triangle) {
     const Triangle& t = surface.triangles[triangle];
@@ -67,7 +71,19 @@ RTCDevice bvh_device() {
 
 void check_bvh_device(const std::string& what) {
     const RTCError error = rtcGetDeviceError(bvh_device());
+    if (error == RTC_ERROR_CANCELLED) throw Cancelled();
     if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
+}
+
+void build_bvh(RTCScene scene, const std::string& what) {
+    const Cancel* const cancel = Cancelling::current();
+    if (cancel)
+        rtcSetSceneProgressMonitorFunction(
+            scene, [](void* of, double) { return !static_cast<const Cancel*>(of)->asked(); },
+            const_cast<Cancel*>(cancel));
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+    check_bvh_device(what);
 }
 
 void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
@@ -85,10 +101,9 @@ SurfaceBvh::SurfaceBvh(const Surface& surface)
     rtcCommitGeometry(geometry_);
     rtcAttachGeometry(scene_.get(), geometry_);
     rtcReleaseGeometry(geometry_);
-    rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_COMPACT);
-    rtcCommitScene(scene_.get());
+    rtcSetSceneFlags(scene_.get(), surface_flags);
+    build_bvh(scene_.get(), surface.name());
     version_ = surface.version();
-    check_bvh_device(surface.name());
 }
 
 void SurfaceBvh::follow(const Surface& surface) const {
@@ -98,7 +113,7 @@ void SurfaceBvh::follow(const Surface& surface) const {
     if (same && spread(surface, neighbors_) <= worst_spread * spread_) {
         rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
     } else {
-        rtcSetSceneFlags(scene_.get(), bvh_flags | RTC_SCENE_FLAG_DYNAMIC);
+        rtcSetSceneFlags(scene_.get(), surface_flags | RTC_SCENE_FLAG_DYNAMIC);
         rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
         take_triangles(surface);  // for other triangles Embree rebuilds the BVH

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/scene/scene.h>
 
+#include <fovea/scene/flattened.h>
+
 namespace fovea::scene {
+
+Scene::Scene(std::vector<Placement> placed) : placements(std::move(placed)) {
+    Index base = 0;
+    for (Placement& placement : placements) {
+        const Surface& surface = *placement.surface;
+        placement.object_to_world =
+            with_thickness(placement.object_to_world, dvec3(surface.center), dvec3(surface.half));
+        facet_base.push_back(base);
+        base += surface.facet_count();
+    }
+}
 
 Sphere bounding_sphere(const Placement& placement, const View& view) {
     const Surface& surface = *placement.surface;

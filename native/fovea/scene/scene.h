@@ -35,13 +35,8 @@ struct Scene {
     Array<Index> facet_base;
 
     Scene() = default;
-    explicit Scene(std::vector<Placement> placed) : placements(std::move(placed)) {
-        Index base = 0;
-        for (const Placement& placement : placements) {
-            facet_base.push_back(base);
-            base += placement.surface->facet_count();
-        }
-    }
+    /// Placements whose transform flattens their surface get a thickness (flattened.h).
+    explicit Scene(std::vector<Placement> placed);
 
     /// Whether two placements are one, or two of a group.
     bool share_outline(Index a, Index b) const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/scene/triangle_tree.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+
 namespace fovea::scene {
 namespace {
 
@@ -16,6 +19,37 @@ Array<Index> triangle_order(const Surface& surface) {
         const vec3 &a = surface.positions[t.x], &b = surface.positions[t.y], &c = surface.positions[t.z];
         return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
     });
+}
+
+/// Whether two triangles have the same corners, in whatever order.
+bool coincide(const Surface& surface, Index a, Index b) {
+    const Triangle &s = surface.triangles[a], &t = surface.triangles[b];
+    for (int i = 0; i < 3; ++i) {
+        const vec3& corner = surface.positions[s[i]];
+        if (corner != surface.positions[t.x] && corner != surface.positions[t.y] && corner != surface.positions[t.z])
+            return false;
+    }
+    return true;
+}
+
+/// Of triangles that coincide, leaves out those beyond the `crowd` first. In Morton order they follow each other, with
+/// others of the same box between them at most, so each is held against the last few that differ.
+void leave_out_repeated(const Surface& surface, Array<Index>& order) {
+    constexpr int crowd = 16;
+    struct Place {
+        Index triangle = none;
+        int met = 0;
+    };
+    std::array<Place, 8> last;
+    std::size_t kept = 0, next = 0;
+    for (const Index triangle : order) {
+        const auto place = std::ranges::find_if(last, [&](const Place& place) {
+            return place.triangle != none && coincide(surface, place.triangle, triangle);
+        });
+        if (place == last.end()) last[next++ % last.size()] = {triangle, 0};
+        if (place == last.end() || ++place->met < crowd) order[kept++] = triangle;
+    }
+    order.resize(kept);
 }
 
 FourTriangles leaf_of(const Surface& surface, In<Index> triangles) {
@@ -40,6 +74,7 @@ FourBoxes used_boxes(const FourTriangles& leaf) {
 TriangleTree make_tree(const Surface& surface) {
     TriangleTree tree;
     tree.order = triangle_order(surface);
+    leave_out_repeated(surface, tree.order);
     if (tree.order.empty()) return tree;
     const std::size_t leaves = (tree.order.size() + 3) / 4;
     tree.leaves = parallel_map<FourTriangles>(leaves, [&](std::size_t i) {

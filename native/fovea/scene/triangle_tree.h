@@ -18,7 +18,7 @@ struct FourTriangles {
 /// Triangles of a surface in Morton order (Lauterbach et al., "Fast BVH Construction on GPUs", CGF 2009), with boxes
 /// over runs of 4, 16, 64, ... of them. Object space.
 struct TriangleTree {
-    Array<Index> order;           ///< triangles in Morton order
+    Array<Index> order;           ///< triangles in Morton order; of those that coincide, 16 at most
     Array<FourTriangles> leaves;  ///< of four consecutive entries of `order`
     /// Lane i of node j of levels[0] bounds leaf 4 j + i; of levels[k], node 4 j + i of levels[k - 1]. The last has one
     /// node; there are none above a single leaf.
