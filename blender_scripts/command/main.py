@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from command.target import StepFailed, Target, say
 
 # Sub-commands with a module of their own; the others are functions of `actions`.
-MODULES = ("check", "figures", "lines", "stub", "test")
+MODULES = ("check", "figures", "fuzz", "lines", "stub", "test")
 
 
 def main(words):
