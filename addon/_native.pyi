@@ -750,8 +750,8 @@ class ClippedPaths:
         taper"""
     @property
     def path_length_px(self) -> NDArray[numpy.float64]:
-        """(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies
-        behind the near plane, which has no pixels, does not count"""
+        """(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; what lies behind the
+        near plane, or a million frames away, has no pixels and does not count"""
     @property
     def ends(self) -> NDArray[numpy.uint8]:
         """(Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the frame

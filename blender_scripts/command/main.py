@@ -12,7 +12,7 @@ from command import temporary
 from command.target import StepFailed, Target, say
 
 # Sub-commands with a module of their own; the others are functions of `actions`.
-MODULES = ("check", "figures", "lines", "stub", "test")
+MODULES = ("check", "figures", "fuzz", "lines", "stub", "test")
 
 
 def main(words):

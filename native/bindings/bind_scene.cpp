@@ -47,18 +47,17 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
 
 View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int width, int height, bool orthographic,
                double near_clip, double far_clip, double reference_scale, const std::optional<dvec4>& frame) {
-    check(width > 0 && height > 0, "view: the image has no pixels");
-    check(near_clip > 0.0 || orthographic, "view: the near clip distance must be positive");
-    check(far_clip > near_clip, "view: the far clip distance must lie beyond the near one");
-    return {matrix(world_to_view, "world_to_view"),
-            matrix(view_to_clip, "view_to_clip"),
-            width,
-            height,
-            orthographic,
-            near_clip,
-            far_clip,
-            reference_scale,
-            frame.value_or(dvec4(0.0, 0.0, width, height))};
+    const View view{matrix(world_to_view, "world_to_view"),
+                    matrix(view_to_clip, "view_to_clip"),
+                    width,
+                    height,
+                    orthographic,
+                    near_clip,
+                    far_clip,
+                    reference_scale,
+                    frame.value_or(dvec4(0.0, 0.0, width, height))};
+    check_view(view);
+    return view;
 }
 
 /// Paths of {definition: {parameter: value}}.

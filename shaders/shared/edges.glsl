@@ -9,12 +9,12 @@ int edge_code(int along, float inside)
   return along + int(clamp(inside, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-// `inside`: any linear function that is 0 on the edge and positive inside; `slope`: its gradient. Without a gradient
-// the edge excludes nothing.
+// `inside`: any linear function that is 0 on the edge and positive inside; `slope`: its gradient. Without a gradient,
+// or with one beyond all numbers, the edge excludes nothing.
 int edge_code_of(float inside, vec2 slope)
 {
   float size = abs(slope.x) + abs(slope.y);
-  if (!(size > 0.0f)) {
+  if (!(size > 0.0f && size < 1e37f)) {
     return 255;
   }
   float x = slope.x / size;

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include <fovea/mesh/polygon_surface.h>
+
 #include "meshes.h"
+#include "refused.h"
 
 using namespace fovea;
 using namespace fovea::draw;
@@ -141,6 +144,19 @@ TEST(BrokenMesh, TriangulationsThatBelongToOtherVerticesDoNotCrash) {
     mesh.positions[3].z = 0.5f;
     mesh.ngon_triangles = {{0, 0, 0}, {0, 1, 2}, {2, 1, 0}, {5, 5, 1}};
     EXPECT_EQ(mesh.surface()->triangles.size(), 4u);
+}
+
+TEST(BrokenMesh, PlainPolygonsThatNameAVertexThatIsNotThereAreRefusedBeforeTheyAreCut) {
+    const std::vector<vec3> positions(5, vec3(0.0f));
+    const std::vector<int> offsets{0, 6};
+    for (const int wrong : {-1, 5, 1 << 30}) {
+        const std::vector<int> corners{0, 1, 2, wrong, 3, 4};
+        const std::string sentence = refused([&] { polygon_surface("Kite", positions, corners, offsets); });
+        EXPECT_EQ(sentence.substr(0, 6), "Kite: ") << sentence;
+    }
+    const std::vector<int> corners{0, 1, 2, 3, 4, 0};
+    EXPECT_EQ(refused([&] { polygon_surface("Kite", positions, corners, std::vector<int>{0, 7}); }),
+              "Kite: polygon_offsets must ascend and stay within corner_verts");
 }
 
 TEST(BrokenMesh, TenThousandCornersWithAndWithoutTriangulation) {

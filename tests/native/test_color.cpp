@@ -79,6 +79,24 @@ TEST(Color, BrokenInputHasAPicture) {
         ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w));
 }
 
+TEST(Color, NumbersThatAreNoneHaveAPictureOnBothSidesOfAPlacementWithoutVolume) {
+    const Scene scene({place(meshes::sphere(6), dmat4(1.0)), place(meshes::box(), scaled({1, 0, 1}), 2)});
+    const Tracer tracer(scene, perspective({5, -4, 3}, {0, 0, 0}, 50.0, 64, 48));
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    auto broken = std::make_shared<SurfaceColor>();
+    broken->slots = {{.color = vec3(1.0f), .texture = {}, .uv = none, .attribute = 0, .unlit = false}};
+    broken->attributes.emplace_back(scene.placements[0].surface->corner_count(), vec3(nan, inf, -inf));
+    const Light lights[] = {{.kind = Light::sun, .direction = dvec3(inf), .color = vec3(1.0f)},
+                            {.kind = Light::sun, .direction = {0, 0, -1}, .color = vec3(1.0f)}};
+    const SceneColor colors{broken, nullptr};
+    float most = 0.0f;
+    for (const vec4& pixel : color_layer(tracer, colors, lights, vec3(0.1f, nan, inf), in(Shading::smooth), Cancel())) {
+        ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w));
+        most = std::max(most, pixel.w);
+    }
+    EXPECT_EQ(most, 1.0f);
+}
+
 TEST(Color, EffectsTakeEmptyAndThinImages) {
     Array<vec4> nothing;
     blur(nothing, 5, {});

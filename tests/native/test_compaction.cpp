@@ -54,6 +54,16 @@ TEST(Compaction, EndsLieOnTheLineInSpaceAndInTheImage) {
     }
 }
 
+TEST(Compaction, ALineThatEndsEndlesslyFarAwayHasItsEnds) {
+    const Wires wires({{{-1.0, 0.2, -64.0}, {2e17, 1e17, -7.76257e17}}});
+    const ClippedPaths clipped = wires.project(camera(0.1, false));
+    ASSERT_EQ(clipped.px.size(), 2u);
+    const double first = clipped.arc_px[0], last = clipped.arc_px[1];
+    const Runs runs = runs_of({{0, first, 0.5 * (first + last)}, {0, 0.5 * (first + last), last}});
+    for (const vec3& position : compact(clipped, wires.paths, runs).position_view)
+        for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(position[i]));
+}
+
 TEST(Compaction, KnotsArePointsOnTheLineAndNothingElseChanges) {
     for (bool orthographic : {false, true}) {
         const View view = camera(0.1, orthographic);

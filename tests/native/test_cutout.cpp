@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cut-outs of meshes by opacity images: their area, their borders, and what they hide.
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -241,6 +242,24 @@ TEST(Cutout, AnyImageOnAnyMeshHasNoBorderButThatOfItsOpaqueRegion) {
         const CutMesh made = cut(mesh, noise), single = cut(card(), noise);
         EXPECT_NEAR(area(made), area(single), 0.002);
         EXPECT_NEAR(borders(made).length, borders(single).length, 0.01 * borders(single).length);
+    }
+}
+
+TEST(Cutout, TexelsThatAreNoNumbersAreTransparentAndEndlessOnesOpaque) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    const auto halves = [](float left, float right) {
+        return opacity_of(8, 8, [=](dvec2 at) { return at.x < 0.5 ? left : right; });
+    };
+    for (const double px_per_unit : {0.0, 1.0}) {  // as they are, and halved
+        const double half = area(cut(card(), halves(1.0f, 0.0f), px_per_unit));
+        EXPECT_NEAR(half, 2.0, 0.5);
+        EXPECT_NEAR(area(cut(card(), halves(inf, -inf), px_per_unit)), half, 0.25);
+        EXPECT_NEAR(area(cut(card(), halves(1.0f, nan), px_per_unit)), half, 1e-6);
+    }
+    for (const float threshold : {nan, inf}) {
+        const auto image = halves(1.0f, 0.0f);
+        image->threshold = threshold;
+        EXPECT_EQ(area(cut(card(), image)), 0.0);
     }
 }
 

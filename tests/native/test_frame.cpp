@@ -12,6 +12,7 @@
 #include <fovea/style/json.h>
 
 #include "drawing.h"
+#include "refused.h"
 
 using namespace fovea;
 using namespace fovea::draw;
@@ -191,6 +192,52 @@ TEST(Frame, WithoutWhatAStepNeedsIsRefused) {
     Job nowhere = job_of(with_hidden_lines);
     nowhere.scene = nullptr;
     EXPECT_THROW(Frame(std::move(nowhere)).find(), std::invalid_argument);
+}
+
+TEST(Frame, AViewThatShowsNothingIsRefusedInASentenceAboutTheCamera) {
+    const auto said = [](const auto& spoil) {
+        Job job = job_of(with_hidden_lines);
+        spoil(job.view);
+        return refused([&] { Frame frame(std::move(job)); });
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const auto begins = [](const std::string& sentence) { return sentence.substr(0, 8); };
+    EXPECT_EQ(said([](View&) {}), "");
+    EXPECT_EQ(said([](View& v) { v.width = 0; }), "camera: its picture has no pixels; make it wider or higher");
+    EXPECT_EQ(said([](View& v) { v.far_clip = v.near_clip; }),
+              "camera: it sees nothing; set its Clip Start below its Clip End");
+    for (const double bad : {nan, inf, 1e300}) {
+        EXPECT_EQ(begins(said([&](View& v) { v.world_to_view[3].x = bad; })), "camera: ");
+        EXPECT_EQ(begins(said([&](View& v) { v.view_to_clip[0].x = bad; })), "camera: ");
+        EXPECT_EQ(begins(said([&](View& v) { v.reference_scale = bad; })), "camera: ");
+        EXPECT_EQ(begins(said([&](View& v) { v.frame.z = bad; })), "camera: ");
+    }
+    for (const double bad : {nan, inf, 0.0, -1.0}) {
+        EXPECT_EQ(begins(said([&](View& v) { v.near_clip = bad; })), "camera: ");
+        EXPECT_EQ(begins(said([&](View& v) { v.world_to_view[1] *= bad == -1.0 ? 0.0 : bad; })), "camera: ");
+        EXPECT_EQ(begins(said([&](View& v) { v.view_to_clip[1] *= bad == -1.0 ? 0.0 : bad; })), "camera: ");
+    }
+}
+
+TEST(Frame, AnOptionOutOfItsRangeIsNamed) {
+    const auto said = [](const Options& options) {
+        return refused([&] { Frame frame(job_of(with_hidden_lines, options)); });
+    };
+    EXPECT_EQ(said({}), "");
+    EXPECT_EQ(said({.probes = 17}), "options.probes is 17, outside 1 to 16");
+    EXPECT_EQ(said({.depth_scale = 0}), "options.depth_scale is 0, outside 1 to 8");
+    EXPECT_EQ(said({.gap = -1.0}), "options.gap is -1, outside 0 to 10000");
+    EXPECT_EQ(said({.sample_step = std::numeric_limits<double>::quiet_NaN()}),
+              "options.sample_step is nan, outside 0.01 to 1000");
+}
+
+TEST(Frame, APictureOfOnePixelIsDrawn) {
+    Job job = job_of(with_hidden_lines, {.sample_step = 0.5});
+    job.view = perspective({3, -8, 4}, {0, 1, 0}, 50, 1, 1);
+    job.view.reference_scale = 1.0 / 1080.0;
+    Frame frame(std::move(job));
+    frame.picture();
+    EXPECT_EQ(frame.passes.combined.size(), 1u);
 }
 
 TEST(Style, PensAreNumberedByLineSetThenThoseOfHiddenPartsThenThoseOutOfFocus) {

@@ -112,6 +112,23 @@ TEST(Gaussian, KeepsConstantsAndAddsVariances) {
     EXPECT_NEAR(variance, 4.0, 0.05) << "less what is cut off";
 }
 
+TEST(Lattice, OfAnAxisFarOutsideOfTheImageHasNodesAllOverIt) {
+    for (const double shift : {0.0, 1e3, 1e12, 1e25}) {
+        View view = drawing::orthographic({0, 0, 5}, {0, 0, 0}, 2.0, 40, 30);
+        view.view_to_clip[3].x = shift;
+        const image::Lattice lattice = image::lattice_over(view, 1.0, 3);
+        EXPECT_GE(lattice.width, 40 + 6) << shift;
+        EXPECT_GE(lattice.height, 30 + 6) << shift;
+        EXPECT_LT(lattice.size(), 10000u) << shift;
+    }
+}
+
+TEST(Lattice, OfAFewPixelsIsSmall) {
+    View view = drawing::orthographic({0, 0, 5}, {0, 0, 0}, 2.0, 16, 1);
+    view.reference_scale = 1.0 / reference_height;
+    EXPECT_LT(image::lattice_over(view, 1.5, 3).size(), 40000u);
+}
+
 TEST(LocalFit, IsExactOnQuadratics) {
     const Lattice lattice{{0, 0}, 1.0, 5, 5};
     Buffer values(25);

@@ -172,7 +172,7 @@ TEST(Project, OrthographicIsPerspectiveFromFarAway) {
 TEST(Project, PlacementsThatAreNoPlaceLeaveNothing) {
     const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
-    for (const double bad : {not_a_number, infinity, 1e300})
+    for (const double bad : {not_a_number, infinity, 1e300, 1e18, 1e17})
         for (const dmat4& at :
              {drawing::moved({bad, 0, 0}), drawing::moved({0, 0, bad}), drawing::scaled({1, bad, 1}), dmat4(bad)}) {
             const ClippedPaths clipped = Wires({{{-1, 0, -3}, {1, 0.5, -3}}}, at).project(camera());
@@ -180,6 +180,29 @@ TEST(Project, PlacementsThatAreNoPlaceLeaveNothing) {
             for (const double arc : clipped.arc_px) EXPECT_TRUE(std::isfinite(arc));
             EXPECT_LT(clipped.samples, 10000u);
         }
+}
+
+TEST(Project, LinesCloseByTheEyeHaveFinitePixels) {
+    for (const double near : {1e-9, 1e-6, 1e-5, 1e-4})
+        for (const double away : {0.0, 1e-3, 1.0, 1e9}) {
+            // From in front of the eye to behind it, past it by nearly nothing.
+            const ClippedPaths clipped =
+                project_line({{0.1, 0.05, -2}, {1e-12, 0, -near}, {away, away, 5}}, camera(near));
+            EXPECT_GT(clipped.samples, 0u);
+            for (const double arc : clipped.arc_px) EXPECT_TRUE(std::isfinite(arc));
+            for (const double length : clipped.path_length_px) EXPECT_LT(length, 1e10);
+        }
+}
+
+TEST(Project, LinesThatEndEndlesslyFarAwayHaveFinitePixels) {
+    for (const double far : {1e12, 1e15, 1e17, 9e17})
+        for (const dvec3& end : {dvec3(far, 0, 0), dvec3(far, 0.3 * far, far), dvec3(-0.1 * far, far, -far)})
+            for (const double x : {-3e-4, 0.0, 0.05}) {
+                const ClippedPaths clipped = project_line({{x, 0.1, -0.3}, end, {0.0, 0.0, -far}}, camera());
+                for (const vec2& px : clipped.px) EXPECT_TRUE(std::abs(px.x) < 1000 && std::abs(px.y) < 1000) << far;
+                EXPECT_TRUE(std::ranges::is_sorted(clipped.arc_px));
+                EXPECT_LT(clipped.samples, 10000u);
+            }
 }
 
 TEST(Project, RefusesASampleStepThatIsNone) {

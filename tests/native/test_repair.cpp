@@ -132,6 +132,16 @@ TEST(Repair, NonManifoldPartsStayAsTheyAre) {
     for (Index e = 0; e < surface.mesh_edges; ++e) EXPECT_GE(surface.edge_rows.size(e), 2u);
 }
 
+TEST(Repair, PolygonsWithoutCornersHaveNoOrientation) {
+    for (const Polygons& polygons :
+         {Polygons{{}}, Polygons{{}, {}, {0, 1, 2}}, Polygons{{0, 1, 2}, {}, {0, 1, 3}, {}}}) {
+        const Mesh mesh = of_polygons("empty", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, polygons);
+        const RepairedMesh out = repaired(mesh, {.orient = true, .resample = 0});
+        EXPECT_EQ(out.polygon_offsets.size(), polygons.size() + 1);
+        EXPECT_EQ(out.report.turned_polygons, polygons.size() == 4 ? 1u : 0u);
+    }
+}
+
 TEST(Repair, BrokenPolygonsAreRefusedNotFatal) {
     Mesh mesh = grid(3);
     mesh.positions[5].z = std::nanf("");

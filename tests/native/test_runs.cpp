@@ -85,6 +85,21 @@ TEST(Runs, ASampleHoldsTheShareThatIsCovered) {
     EXPECT_NEAR(samples[start + 30], 0.0f, 1e-3f);
 }
 
+TEST(Runs, ASampleOfASegmentWithoutLengthIsThatOfTheRunItLiesIn) {
+    ClippedPaths clipped = pieces_of({{40, 3, 40}});
+    const Index short_one = clipped.pieces.begin(0) + 1;
+    ASSERT_GT(clipped.sample_count[short_one], 0u);
+    clipped.arc_px[short_one + 1] = clipped.arc_px[short_one];  // as rounding has it, far along a path
+    for (const bool visible : {true, false}) {
+        Runs runs;
+        if (visible) add_run(runs, 0, clipped.first_arc(0), clipped.last_arc(0));
+        const Array<float> samples = samples_from_runs(clipped, runs);
+        for (Index j = 0; j < clipped.sample_count[short_one]; ++j)
+            EXPECT_EQ(samples[clipped.sample_start[short_one] + j], visible ? 1.0f : 0.0f);
+        EXPECT_EQ(runs_from_samples(clipped, samples).size(), runs.size());
+    }
+}
+
 TEST(Runs, EndWhereTheSamplesCrossTheThreshold) {
     const ClippedPaths clipped = pieces_of({{100}});
     Array<float> samples(clipped.samples, 0.0f);

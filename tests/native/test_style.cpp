@@ -105,6 +105,26 @@ TEST(Style, EveryMemberThatIsWrittenIsReadAgain) {
     EXPECT_EQ(read_style(write_style(style)), style);
 }
 
+TEST(Style, ASentenceAboutAFileIsShortAndOnOneLine) {
+    for (const std::string& text :
+         {std::string(70000, 'x'), std::string(300, 'x') + "\\u0000\\n" + std::string(300, 'y')}) {
+        const std::string sentence =
+            said(R"({"schema": 1, "line_sets": [{}], "color": {"shading": ")" + text + R"("}})");
+        EXPECT_LT(sentence.size(), 500u);
+        EXPECT_EQ(sentence.substr(0, 24), "color.shading is 'xxxxxx");
+        EXPECT_NE(sentence.find("it can be: plain"), std::string::npos);
+        EXPECT_TRUE(std::ranges::none_of(sentence, [](unsigned char c) { return std::iscntrl(c); }));
+    }
+    std::string umlauts;
+    for (int i = 0; i < 1000; ++i) umlauts += "\u00e4";
+    const std::string sentence = said(R"({"schema": ")" + umlauts + R"("})");
+    EXPECT_LT(sentence.size(), 500u);
+    for (std::size_t i = 0; i < sentence.size(); ++i)
+        if ((sentence[i] & 0xc0) == 0xc0) {
+            EXPECT_EQ(sentence[++i] & 0xc0, 0x80) << "no letter is cut";
+        }
+}
+
 TEST(Style, PensOfHiddenPartsStandInTheOrderOfTheirRangesWithWhatIsNotKnownOfThem) {
     const Style style = read(R"("line_sets": [{"hidden": [{"from": 4, "new": 4}, {"to": 2, "old": 1}]}])");
     EXPECT_EQ(style.line_sets[0].hidden[0].last, 2);

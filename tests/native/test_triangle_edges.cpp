@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 #include <fovea/visibility/triangle_edges.h>
@@ -37,6 +38,12 @@ TEST(TriangleEdges, FarEdgesAndThoseWithoutDirectionCutNothingOff) {
     for (const float x : {-0.99f, 0.0f, 0.99f})
         for (const float y : {-0.99f, 0.0f, 0.99f})
             EXPECT_TRUE(formula.packed_edges_hold(formula.pack_edges(far, nowhere, far), {x, y}));
+}
+
+TEST(TriangleEdges, EdgesSteeperThanNumbersCountCutNothingOff) {
+    constexpr float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
+    for (const vec2 slope : {vec2(inf, 0), vec2(-inf, inf), vec2(most, most), vec2(0, -most)})
+        EXPECT_EQ(code(1.0f, slope.x, slope.y), code(1.0f, 0.0f, 0.0f));
 }
 
 TEST(TriangleEdges, EachOfThreeCountsAndTheOrderDoesNot) {

@@ -31,6 +31,9 @@ struct View {
     dvec4 frame{0.0};
 };
 
+/// Throws std::invalid_argument for a view that shows nothing.
+void check_view(const View& view);
+
 /// The same view at `scale` times the resolution, width and height rounded, at least 1.
 inline View smaller(const View& view, double scale) {
     const auto side = [&](int pixels) { return std::max(1, int(std::nearbyint(pixels * scale))); };

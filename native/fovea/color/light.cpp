@@ -43,8 +43,9 @@ vec3 arriving(const Light& light, const dvec3& point, vec3& to_light) {
 
 bool usable(const Light& light) {
     const float total = light.color.x + light.color.y + light.color.z;
+    const double turned = glm::length(light.direction);
     return std::isfinite(total) && brightness(light.color) > 0.0f && std::isfinite(glm::length(light.position)) &&
-           glm::length(light.direction) > 0.0;
+           std::isfinite(turned) && turned > 0.0;
 }
 
 /// Median over the placements of the irradiance at their centers from all lights, with spots and areas counted as point
@@ -86,10 +87,11 @@ Lighting::Lighting(In<Light> lights, const vec3& world, const Scene& scene, cons
         return;
     }
     for (Light& light : lights_) light.color /= full;
-    const float sky = brightness(world), from_sky = glm::pi<float>() * std::max(sky, 0.0f);
+    const float sky = std::isfinite(world.x + world.y + world.z) ? brightness(world) : 0.0f,
+                from_sky = glm::pi<float>() * std::max(sky, 0.0f);
     const float share = from_sky / (from_sky + full);
     ambient_share_ = share >= least_ambient ? std::min(share, most_ambient) : least_ambient;
-    if (sky > 0.0f && std::isfinite(sky)) ambient_ = glm::mix(vec3(1.0f), world / sky, 0.5f);
+    if (sky > 0.0f) ambient_ = glm::mix(vec3(1.0f), world / sky, 0.5f);
 }
 
 vec3 Lighting::irradiance(const dvec3& point, const vec3& normal, const vec3& to_eye) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/color/shader.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fovea/base/check.h>
@@ -23,6 +24,20 @@ T mixed(const Array<T>& values, const std::array<Index, 3>& at, const vec3& shar
 }
 
 const ColorSlot default_slot;
+
+bool is_direction(const vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0f && std::isfinite(length);
+}
+
+/// Bound of colors, so that sums and products of them are finite, too.
+constexpr float brightest = 1e6f;
+
+/// NaN is black, as in textures.
+vec3 bounded(const vec3& color) {
+    const auto channel = [](float c) { return std::isnan(c) ? 0.0f : std::clamp(c, -brightest, brightest); };
+    return {channel(color.r), channel(color.g), channel(color.b)};
+}
 
 }  // namespace
 
@@ -65,13 +80,13 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
 
 vec3 ColorShader::color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
     const vec3 inside = normalized(share);
-    const vec3 color = base(triangle, px, inside);
+    const vec3 color = bounded(base(triangle, px, inside));
     if (lighting_.shading() == Shading::flat || triangle.slot->unlit) return color;
     const dvec3 ray = pixel_to_ray_ * dvec3(px, 1.0);
     const double distance = triangle.screen.distance(share);
     const dvec3 point = view_.orthographic ? dvec3(ray.x, ray.y, -distance) : ray * distance;
     const vec3 to_eye = view_.orthographic ? vec3(0, 0, 1) : vec3(glm::normalize(-ray));
-    return color * lighting_.at(point, normal(triangle, inside, to_eye), to_eye);
+    return bounded(color * lighting_.at(point, normal(triangle, inside, to_eye), to_eye));
 }
 
 vec3 ColorShader::base(const SeenTriangle& triangle, const dvec2& px, const vec3& share) const {
@@ -98,7 +113,9 @@ vec3 ColorShader::base(const SeenTriangle& triangle, const dvec2& px, const vec3
 vec3 ColorShader::normal(const SeenTriangle& triangle, const vec3& share, const vec3& to_eye) const {
     const Surface& surface = *scene_.placements[triangle.placement].surface;
     const Placed& placed = placed_[triangle.placement];
-    const vec3 facet = placed.normal_to_view * vec3(surface.facet_plane[surface.triangle_facet[triangle.triangle]]);
+    const vec3 across = placed.normal_to_view * vec3(surface.facet_plane[surface.triangle_facet[triangle.triangle]]);
+    // A placement without volume gives no direction.
+    const vec3 facet = is_direction(across) ? across : to_eye;
     vec3 found(0.0f);
     if (placed.normals) {
         for (int k = 0; k < 3; ++k)
@@ -107,8 +124,7 @@ vec3 ColorShader::normal(const SeenTriangle& triangle, const vec3& share, const 
         found = mixed(colors_[triangle.placement]->normals, triangle.corner, share);
     }
     found = placed.normal_to_view * found;
-    const float length = glm::length(found);
-    found = length > 0.0f && std::isfinite(length) ? found / length : glm::normalize(facet);
+    found = is_direction(found) ? found / glm::length(found) : glm::normalize(facet);
     return glm::dot(facet, to_eye) < 0.0f ? -found : found;
 }
 

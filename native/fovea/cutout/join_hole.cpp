@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
+#include <functional>
 
 #include <fovea/cutout/clip.h>
 
@@ -39,22 +39,27 @@ void join_hole(std::vector<PieceCorner>& around, const std::vector<PieceCorner>&
         return std::pair(a.place.x, a.place.y) < std::pair(b.place.x, b.place.y);
     });
     const dvec2 from = right->place;
-    std::vector<std::size_t> order(around.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto away = [&](std::size_t i) { return glm::distance(around[i].place, from); };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
     const auto free = [&](std::size_t i) {
         const dvec2& to = around[i].place;
         return starts_inside(around, i, from) && !collides(from, to, around) && !collides(from, to, hole) &&
                std::none_of(others.begin(), others.end(), [&](const auto& other) { return collides(from, to, other); });
     };
-    const auto found = std::find_if(order.begin(), order.end(), free);
-    if (found == order.end()) return;  // touching outlines leave no way: the hole is filled
+    // The nearest corners first, in a heap: of thousands only a few are looked at.
+    using Away = std::pair<double, std::size_t>;
+    std::vector<Away> near(around.size());
+    for (std::size_t i = 0; i < near.size(); ++i) near[i] = {glm::distance(around[i].place, from), i};
+    std::ranges::make_heap(near, std::greater());
+    while (!near.empty() && !free(near.front().second)) {
+        std::ranges::pop_heap(near, std::greater());
+        near.pop_back();
+    }
+    if (near.empty()) return;  // touching outlines leave no way: the hole is filled
+    const std::size_t found = near.front().second;
     std::vector<PieceCorner> seam(right, hole.end());
     seam.insert(seam.end(), hole.begin(), right);
     seam.push_back(*right);
-    seam.push_back(around[*found]);
-    around.insert(around.begin() + std::ptrdiff_t(*found) + 1, seam.begin(), seam.end());
+    seam.push_back(around[found]);
+    around.insert(around.begin() + std::ptrdiff_t(found) + 1, seam.begin(), seam.end());
 }
 
 }  // namespace fovea::cutout

@@ -9,6 +9,9 @@
 namespace fovea::cutout {
 namespace {
 
+/// Images with numbers that are none, or endless, have means and an order, too.
+float bounded(float texel) { return std::isnan(texel) ? 0.0f : std::clamp(texel, -1e6f, 1e6f); }
+
 int floor_mod(int a, int n) { return (a % n + n) % n; }
 
 /// Index of the texel that stands at place `i`; -1: none.
@@ -73,7 +76,7 @@ float threshold_for(const Opacity& image, double share) {
 
 float Opacity::at(int x, int y) const {
     const int u = extended(x, width, extension), v = extended(y, height, extension);
-    return u < 0 || v < 0 ? 0.0f : texels[std::size_t(v) * width + u];
+    return u < 0 || v < 0 ? 0.0f : bounded(texels[std::size_t(v) * width + u]);
 }
 
 Opacity halved(const Opacity& opacity) {
@@ -87,7 +90,7 @@ Opacity halved(const Opacity& opacity) {
             double sum = 0.0, weight = 0.0;
             up.each(int(y), [&](int v, double of_row) {
                 across.each(x, [&](int u, double of_texel) {
-                    sum += of_row * of_texel * opacity.texels[std::size_t(v) * opacity.width + u];
+                    sum += of_row * of_texel * bounded(opacity.texels[std::size_t(v) * opacity.width + u]);
                     weight += of_row * of_texel;
                 });
             });

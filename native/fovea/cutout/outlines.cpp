@@ -14,6 +14,7 @@ constexpr int side_bits = 20, least_bits = 8;  // units of an image's side; of a
 /// Deviation, in texels, up to which points of outlines are left out; and the area of the least island or hole.
 constexpr double tolerance = 0.25, least_area = 0.75;
 constexpr std::int64_t rows_at_most = 512;
+constexpr float most_opaque = 1e6f;  // opacities are about 1; of endless ones there is no middle
 
 std::int64_t odd(double v) { return 2 * static_cast<std::int64_t>(std::floor(0.5 * v)) + 1; }
 
@@ -43,7 +44,9 @@ class Tracing {
             for (int i = 0; i < width_; ++i) {
                 const bool rim = i == 0 || j == 0 || i + 1 == width_ || int(j) + 1 == y_.size();
                 const float value = opacity.at(x_.texel[i], y_.texel[j]) - opacity.threshold;
-                values_[j * width_ + i] = rim || !(value > 0.0f) ? std::min(rim ? -1.0f : value, -1e-6f) : value;
+                // Without an opacity above a threshold that is none, a node is transparent.
+                const float below = value < -1e-6f ? std::max(value, -most_opaque) : -1e-6f;
+                values_[j * width_ + i] = rim ? -1.0f : value > 0.0f ? std::min(value, most_opaque) : below;
             }
         });
     }

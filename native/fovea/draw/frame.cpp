@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
@@ -30,7 +31,22 @@ constexpr double hands_over = 12.0;   // reference pixels before its end at whic
 
 }  // namespace
 
-Frame::Frame(Job given) : job(std::move(given)) {}
+void check_options(const Options& options) {
+    style::for_each_field<Options>([&]<typename V>(const style::Field<Options, V>& field) {
+        if constexpr (std::is_same_v<V, double> || std::is_same_v<V, int>) {
+            const double value = options.*field.member, least = field.domain.least, most = field.domain.most;
+            if (value >= least && value <= most) return;
+            std::ostringstream sentence;
+            sentence << "options." << field.name << " is " << value << ", outside " << least << " to " << most;
+            throw std::invalid_argument(sentence.str());
+        }
+    });
+}
+
+Frame::Frame(Job given) : job(std::move(given)) {
+    check_view(job.view);
+    check_options(job.options);
+}
 
 void Frame::stage(const char* name, double share, const std::function<void()>& body) {
     if (job.progress) job.progress(share_, name);
@@ -52,7 +68,7 @@ void Frame::find() {
             std::make_shared<Paths>(extract_paths(*job.scene, job.view, sets, *tracer, cancel(), job.overrides.lines));
     });
     stage("project", 0.15, [&] {
-        ProjectOptions options{.sample_step_px = job.options.sample_step * scale()};
+        ProjectOptions options{.sample_step_px = std::max(job.options.sample_step * scale(), least_sample_step_px)};
         for (const auto& set : job.style.line_sets) options.least_length_px.push_back(set.least_length * scale());
         clipped = std::make_shared<ClippedPaths>(project::project(*paths, *job.scene, job.view, options, cancel()));
     });

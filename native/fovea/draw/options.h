@@ -45,25 +45,31 @@ struct Options {
 
     bool operator==(const Options&) const = default;
 
-    static constexpr std::tuple fields{style::Field{"visibility", &Options::visibility},
-                                       style::Field{"sample_step", &Options::sample_step},
-                                       style::Field{"depth_scale", &Options::depth_scale},
-                                       style::Field{"probes", &Options::probes},
-                                       style::Field{"layers", &Options::layers},
-                                       style::Field{"gap", &Options::gap},
-                                       style::Field{"spur", &Options::spur},
-                                       style::Field{"contour_spur", &Options::contour_spur},
-                                       style::Field{"fold", &Options::fold},
-                                       style::Field{"tip", &Options::tip},
-                                       style::Field{"joint", &Options::joint},
-                                       style::Field{"meet", &Options::meet},
-                                       style::Field{"beside", &Options::beside},
-                                       style::Field{"least_hidden", &Options::least_hidden},
-                                       style::Field{"outlines", &Options::outlines},
-                                       style::Field{"focus_step", &Options::focus_step},
-                                       style::Field{"with_depth", &Options::with_depth},
-                                       style::Field{"with_focus", &Options::with_focus}};
+    static constexpr style::Domain length = style::number(0.0, 10000.0, 100.0);
+    static constexpr style::Domain reach = style::number(0.001, 10000.0, 100.0);
+    static constexpr std::tuple fields{
+        style::Field{"visibility", &Options::visibility},
+        style::Field{"sample_step", &Options::sample_step, "", "", style::number(0.01, 1000.0, 100.0)},
+        style::Field{"depth_scale", &Options::depth_scale, "", "", style::number(1, 8, 3)},
+        style::Field{"probes", &Options::probes, "", "", style::number(1, 16, 16)},
+        style::Field{"layers", &Options::layers, "", "", style::number(1, 3, 3)},
+        style::Field{"gap", &Options::gap, "", "", length},
+        style::Field{"spur", &Options::spur, "", "", length},
+        style::Field{"contour_spur", &Options::contour_spur, "", "", length},
+        style::Field{"fold", &Options::fold, "", "", length},
+        style::Field{"tip", &Options::tip, "", "", length},
+        style::Field{"joint", &Options::joint, "", "", length},
+        style::Field{"meet", &Options::meet, "", "", reach},
+        style::Field{"beside", &Options::beside, "", "", reach},
+        style::Field{"least_hidden", &Options::least_hidden, "", "", length},
+        style::Field{"outlines", &Options::outlines},
+        style::Field{"focus_step", &Options::focus_step, "", "", style::number(1, 1000, 8)},
+        style::Field{"with_depth", &Options::with_depth},
+        style::Field{"with_focus", &Options::with_focus}};
 };
+
+/// Throws std::invalid_argument, naming the option, for a number out of its range.
+void check_options(const Options& options);
 
 }  // namespace fovea::draw
 

@@ -37,13 +37,17 @@ std::pair<std::vector<glm::ivec3>, std::vector<int>> ngon_triangles(In<vec3> pos
     return {std::move(triangles), std::move(polygons)};
 }
 
-}  // namespace
-
-PolygonEdges polygon_edges(In<int> polygon_offsets, In<int> corner_verts) {
+void check_offsets(const std::string& before, In<int> polygon_offsets, In<int> corner_verts) {
     check(polygon_offsets.empty() ||
               (polygon_offsets.front() >= 0 && std::is_sorted(polygon_offsets.begin(), polygon_offsets.end()) &&
                std::size_t(polygon_offsets.back()) <= corner_verts.size()),
-          "polygon_offsets must ascend and stay within corner_verts");
+          before + "polygon_offsets must ascend and stay within corner_verts");
+}
+
+}  // namespace
+
+PolygonEdges polygon_edges(In<int> polygon_offsets, In<int> corner_verts) {
+    check_offsets("", polygon_offsets, corner_verts);
     PolygonEdges result;
     result.corner_edges.resize(corner_verts.size());
     std::unordered_map<std::uint64_t, int> known;
@@ -63,17 +67,19 @@ PolygonEdges polygon_edges(In<int> polygon_offsets, In<int> corner_verts) {
 
 std::shared_ptr<Surface> polygon_surface(const std::string& name, In<vec3> positions, In<int> corner_verts,
                                          In<int> polygon_offsets, In<int> material) {
+    check_offsets(name + ": ", polygon_offsets, corner_verts);
     const PolygonEdges edges = polygon_edges(polygon_offsets, corner_verts);
-    const auto [triangles, triangle_polygons] = ngon_triangles(positions, corner_verts, polygon_offsets);
     MeshArrays mesh;
     mesh.positions = positions;
     mesh.edge_verts = edges.edge_verts;
     mesh.corner_verts = corner_verts;
     mesh.corner_edges = edges.corner_edges;
     mesh.polygon_offsets = polygon_offsets;
+    mesh.material = material;
+    check_mesh(name, mesh);
+    const auto [triangles, triangle_polygons] = ngon_triangles(positions, corner_verts, polygon_offsets);
     mesh.ngon_triangles = triangles;
     mesh.ngon_polygon = triangle_polygons;
-    mesh.material = material;
     return std::make_shared<Surface>(name, mesh);
 }
 

@@ -11,9 +11,8 @@ namespace {
 
 void check_materials(const MaterialFilter& filter, std::size_t placements) {
     if (filter.row.empty()) return;
-    check(filter.row.size() == placements, "a filter of materials must name a mask for each placement");
-    for (Index row : filter.row)
-        check(row < filter.masks.size(), "a filter of materials names a mask that is not there");
+    check(filter.row.size() == placements, "materials: a mask for each placement expected");
+    for (Index row : filter.row) check(row < filter.masks.size(), "materials: a mask is named that is not there");
 }
 
 /// Materials that pass both filters for a placement, as a mask; empty if all do.
@@ -39,12 +38,12 @@ bool any_asks(const std::vector<LineSet>& sets, const LineDefinition& definition
 void check_filters(std::size_t placements, const std::vector<LineSet>& sets, const OwnLines& own) {
     for (const LineSet& set : sets) {
         check(set.placements.empty() || set.placements.size() == placements,
-              "a line set must say of each placement whether its lines are for it");
+              "placements: whether a line set is for it expected of each placement");
         check_materials(set.materials, placements);
     }
-    check(own.kinds.empty() || own.kinds.size() == placements, "own lines must say what each placement shows");
+    check(own.kinds.empty() || own.kinds.size() == placements, "shown: what each placement shows expected");
     for (const OwnLines::Parameter& parameter : own.parameters)
-        check(parameter.values.size() == placements, "own parameters must have a value for each placement");
+        check(parameter.values.size() == placements, "parameters: a value for each placement expected");
     check_materials(own.materials, placements);
 }
 

@@ -45,13 +45,6 @@ inline void clip_plane(double at_begin, double at_end, ClipRange& range) {
     }
 }
 
-/// The part of a segment that lies in front of the near plane.
-inline ClipRange clip_near(const dvec3& a, const dvec3& b, const View& view) {
-    ClipRange range;
-    clip_plane(plane_distance(0, a, {}, view, 0.0), plane_distance(0, b, {}, view, 0.0), range);
-    return range;
-}
-
 /// The part in front of the near plane and inside the widened frame.
 inline ClipRange clip_segment(const dvec3& a, const dvec3& b, const dvec4& clip_a, const dvec4& clip_b,
                               const View& view, double margin) {

@@ -40,10 +40,9 @@ struct ClippedPaths {
         Column{"free_ends", &ClippedPaths::free_ends,
                "(Q,) uint8: 1 where it starts, 2 where it ends with an end of the path that touches no other line: "
                "there pens taper"},
-        Column{
-            "path_length_px", &ClippedPaths::path_length_px,
-            "(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; only what lies "
-            "behind the near plane, which has no pixels, does not count"},
+        Column{"path_length_px", &ClippedPaths::path_length_px,
+               "(Q,) float64 pixels of its whole path, whatever of it is outside of the frame or hidden; what lies "
+               "behind the near plane, or a million frames away, has no pixels and does not count"},
         Column{"ends", &ClippedPaths::ends,
                "(Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the "
                "frame cuts it"}};

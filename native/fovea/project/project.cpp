@@ -11,11 +11,13 @@ namespace fovea::project {
 namespace {
 
 constexpr std::size_t paths_per_block = 512;
-constexpr const char* too_many_samples = "the drawing has more than four billion samples; raise the sample step";
+constexpr const char* too_many_samples =
+    "options.sample_step: the drawing has more than four billion samples; draw fewer lines or a smaller picture";
 /// Coordinates beyond this overflow in Embree; such paths are dropped.
 constexpr double farthest = 1e18;
-/// Lower bound that limits memory.
-constexpr double least_sample_step_px = 1e-3;
+/// Beyond so many half sizes of the frame, a path has no pixels: lines that pass close by the eye would have more than
+/// numbers can count.
+constexpr double most_frames = 1e6;
 
 /// One path, projected, before clipping.
 struct Projected {
@@ -24,9 +26,9 @@ struct Projected {
     std::vector<dvec2> px;              // of points in front of the near plane
     std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it is outside of
     std::uint8_t outside_all = 0, outside_any = 0;
-    std::vector<ClipRange> near_range;  // per segment: the part in front of the near plane
+    std::vector<ClipRange> has_pixels;  // per segment: the part in front of the near plane, and not beyond most_frames
     std::vector<double> length;         // per segment, in space
-    std::vector<double> arc_px;         // per point: pixels of path in front of the near plane before it
+    std::vector<double> arc_px;         // per point: pixels of path before it
     double middle_px = 0.0;
 };
 
@@ -57,6 +59,7 @@ class Projector {
         transform(path, begin, end);
         if (!reachable() || p_.outside_all) return;
         measure();
+        if (!std::isfinite(p_.arc_px.back() - p_.middle_px)) return;
         if (is_speck(path) || is_sliver(path)) return;
         clip(path, begin, end);
     }
@@ -137,10 +140,10 @@ class Projector {
         return std::abs(area) < roundness * perimeter * perimeter;
     }
 
-    /// Measures arc length in pixels in front of the near plane, and its value at the path's middle (in space).
+    /// Measures arc length in pixels, and its value at the path's middle (in space).
     void measure() {
         const std::size_t segments = p_.clip.size() - 1;
-        p_.near_range.resize(segments);
+        p_.has_pixels.resize(segments);
         p_.arc_px.resize(segments + 1);
         p_.length.resize(segments);
         double total_space = 0.0;
@@ -151,8 +154,9 @@ class Projector {
         for (std::size_t i = 0; i < segments; ++i) {
             p_.arc_px[i] = px;
             ClipRange range;
-            if (p_.outside_any & 1) range = clip_near(p_.view[i], p_.view[i + 1], view_);
-            p_.near_range[i] = range;
+            if (p_.outside_any)
+                range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, most_frames);
+            p_.has_pixels[i] = range;
             const double length = p_.length[i];
             const double to_middle = 0.5 * total_space - space;
             if (!middle_found && (to_middle <= length || i + 1 == segments)) {
@@ -171,18 +175,28 @@ class Projector {
     dvec2 pixels_at(std::size_t segment, double t) const {
         if (t == 0.0 && !(p_.outside[segment] & 1)) return p_.px[segment];
         if (t == 1.0 && !(p_.outside[segment + 1] & 1)) return p_.px[segment + 1];
-        return to_pixels(view_, glm::mix(p_.clip[segment], p_.clip[segment + 1], t));
+        // Of a segment that ends endlessly far away, a position has no digits that tell it from the eye.
+        const dvec2 px = to_pixels(view_, glm::mix(p_.clip[segment], p_.clip[segment + 1], t));
+        const dvec2 most = most_frames * dvec2(view_.width, view_.height);
+        return {std::fmin(std::fmax(px.x, -most.x), most.x), std::fmin(std::fmax(px.y, -most.y), most.y)};
     }
     double pixel_length(std::size_t segment, double t0, double t1) const {
         return glm::length(pixels_at(segment, t1) - pixels_at(segment, t0));
     }
 
-    /// Arc length [px] at a position, counting the part in front of the near plane.
+    /// Arc length [px] at a position.
     double arc_at(std::size_t segment, double t) const {
-        const ClipRange& range = p_.near_range[segment];
+        const ClipRange& range = p_.has_pixels[segment];
         if (t <= range.begin) return p_.arc_px[segment];
         if (t >= range.end) return p_.arc_px[segment + 1];
-        return p_.arc_px[segment] + pixel_length(segment, range.begin, t);
+        return std::min(p_.arc_px[segment] + pixel_length(segment, range.begin, t), p_.arc_px[segment + 1]);
+    }
+
+    /// False where numbers have too few digits to clip a segment at the frame: it ends endlessly far away.
+    bool is_near_frame(std::size_t segment, double t) const {
+        const dvec2 size = (1.0 + options_.margin) * dvec2(view_.width, view_.height);
+        const dvec2 off = glm::abs(pixels_at(segment, t) - 0.5 * dvec2(view_.width, view_.height));
+        return off.x <= size.x && off.y <= size.y;
     }
 
     void clip(Index path, Index begin, Index end) {
@@ -194,7 +208,8 @@ class Projector {
             ClipRange range;
             if (p_.outside[i] | p_.outside[i + 1])
                 range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
-            const bool visible = range.begin < range.end && !(backs_.any() && backs_.hold(paths_, path, begin + i));
+            const bool visible = range.begin < range.end && is_near_frame(i, range.begin) &&
+                                 is_near_frame(i, range.end) && !(backs_.any() && backs_.hold(paths_, path, begin + i));
             whole = whole && range.begin == 0.0 && range.end == 1.0;
             if (!visible || range.begin > 0.0) finish_piece(path, begin);
             if (!visible) continue;

@@ -8,6 +8,9 @@
 
 namespace fovea::project {
 
+/// Lower bound of sample_step_px, which limits memory.
+inline constexpr double least_sample_step_px = 1e-3;
+
 struct ProjectOptions {
     /// Pixels between samples (k of eq. 5.1): l = ceil(length / k).
     double sample_step_px = 2.0;

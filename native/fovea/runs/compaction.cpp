@@ -81,8 +81,9 @@ class Writer {
         const Index before = clipped_.segment_at(piece_, arc), after = before + 1;
         const double s = clipped_.share_at(before, arc);
         const dvec3 a(clipped_.position_view[before]), b(clipped_.position_view[after]);
-        // Screen fraction of the segment, and the same position as its fraction in space.
-        const double t = clipped_.orthographic ? s : s * a.z / (b.z + s * (a.z - b.z));
+        // Screen fraction of the segment, and the same position as its fraction in space. No difference of depths,
+        // which vanishes where one is a million times the other.
+        const double t = clipped_.orthographic ? s : s * a.z / ((1.0 - s) * b.z + s * a.z);
         out_.px[at] = vec2(glm::mix(dvec2(clipped_.px[before]), dvec2(clipped_.px[after]), s));
         out_.position_view[at] = vec3(glm::mix(a, b, t));
         out_.arc_px[at] = arc;

@@ -76,9 +76,7 @@ class Reader {
     void expect(bool holds, const std::string& sentence) const {
         if (!holds) refuse(sentence);
     }
-    [[noreturn]] void refuse(const std::string& sentence) const {
-        throw std::invalid_argument(dotted(path_) + " " + sentence);
-    }
+    [[noreturn]] void refuse(const std::string& sentence) const { style::refuse(dotted(path_) + " " + sentence); }
 
    private:
     template <Record S, typename V>
@@ -229,12 +227,10 @@ void check_schema(const JsonValue& json) {
     const JsonValue* found = json.at("schema");
     const JsonValue given = found ? *found : JsonValue();
     if (given.type != Type::whole || given.number < 1)
-        throw std::invalid_argument("schema is " + given.written(false) + ", not the number of a schema: 1 to " +
-                                    std::to_string(schema));
+        refuse("schema is " + given.written(false) + ", not the number of a schema: 1 to " + std::to_string(schema));
     if (given.number > schema)
-        throw std::invalid_argument("schema is " + given.text +
-                                    ": a newer version of Fovea wrote the style, this one reads up to " +
-                                    std::to_string(schema));
+        refuse("schema is " + given.text + ": a newer version of Fovea wrote the style, this one reads up to " +
+               std::to_string(schema));
 }
 
 }  // namespace

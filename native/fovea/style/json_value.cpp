@@ -2,6 +2,7 @@
 #include <fovea/style/json_value.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,8 @@ namespace fovea::style {
 namespace {
 
 using Type = JsonValue::Type;
+
+constexpr std::size_t longest = 400;  // bytes of a sentence
 
 /// Event handler of the library's parser.
 class Builder {
@@ -74,7 +77,6 @@ class Builder {
         }
         return steps;
     }
-    [[noreturn]] static void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
     bool put(JsonValue value) {
         place(std::move(value));
         return true;
@@ -184,6 +186,19 @@ JsonValue JsonValue::of(std::string value) { return {.type = Type::text, .text =
 void JsonValue::add(std::string key, JsonValue value) {
     keys.push_back(std::move(key));
     items.push_back(std::move(value));
+}
+
+void refuse(std::string sentence) {
+    if (sentence.size() > longest) {
+        const auto begins = [&](std::size_t i) { return (sentence[i] & 0xc0) != 0x80; };  // a letter, in UTF-8
+        std::size_t cut = longest - 100, on = sentence.size() - 90;
+        while (!begins(cut)) --cut;
+        while (!begins(on)) --on;
+        sentence = sentence.substr(0, cut) + " ... " + sentence.substr(on);
+    }
+    for (char& c : sentence)
+        if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
+    throw std::invalid_argument(sentence);
 }
 
 const JsonValue* JsonValue::at(const Step& step) const {

@@ -21,6 +21,9 @@ using Path = std::vector<Step>;
 /// Dotted notation of a path, such as line_sets[0].pen.width; `the style` if it is empty.
 std::string dotted(const Path& path);
 
+/// Throws std::invalid_argument with a sentence about a file: on one line, and shortened, as a file may hold anything.
+[[noreturn]] void refuse(std::string sentence);
+
 struct JsonValue {
     enum class Type { null, boolean, whole, number, text, list, object };
 

@@ -90,7 +90,10 @@ Array<float> samples_from_runs(const ClippedPaths& clipped, const Runs& runs) {
                     for (Index r = run; r < rows.end(q) && runs.start_px[r] < to; ++r)
                         if (runs.invisibility[r] == 0)
                             covered += std::min(to, runs.end_px[r]) - std::max(from, runs.start_px[r]);
-                    samples[clipped.sample_start[i] + j] = static_cast<float>(std::clamp(covered / step, 0.0, 1.0));
+                    // Far along a path, a short segment may have no length: a run covers it or not.
+                    const bool within = run < rows.end(q) && runs.invisibility[run] == 0 && runs.start_px[run] <= from;
+                    const double share = step > 0.0 ? std::clamp(covered / step, 0.0, 1.0) : double(within);
+                    samples[clipped.sample_start[i] + j] = static_cast<float>(share);
                 }
             }
         }
