@@ -67,7 +67,7 @@ def test_repaired_arrays_make_a_surface():
     quads[2] = quads[2][::-1]
     turned = mesh(CORNERS, quads.ravel())
     whole = native.RepairedMesh("turned", turned, orient=True)
-    assert counts(whole.report) == {"turned_polygons": 1, "refused_polygons": 0}
+    assert counts(whole.report) == {"turned_polygons": 1, "refused_polygons": 0, "too_many_triangles": 0}
     surface = native.Surface("turned", whole.mesh)
     assert surface.mesh_edges == 12 and surface.report.inconsistent_edges == 0
     with pytest.raises(ValueError, match="turned: repair: lengths"):
