@@ -17,14 +17,16 @@ void must(bool holds, const std::string& what) {
 
 template <typename T>
 void check_finite(const Array<T>& values, const std::string& name) {
+    const auto check = [&](auto value, std::size_t i, const char* part) {
+        if (!std::isfinite(double(value)))
+            throw Broken(name + "[" + std::to_string(i) + "]" + part + " is " + std::to_string(value));
+    };
+    static constexpr const char* parts[] = {".x", ".y", ".z", ".w"};
     if constexpr (std::is_floating_point_v<T>)
-        for (std::size_t i = 0; i < values.size(); ++i)
-            must(std::isfinite(values[i]), name + "[" + std::to_string(i) + "] is " + std::to_string(values[i]));
+        for (std::size_t i = 0; i < values.size(); ++i) check(values[i], i, "");
     else if constexpr (requires { T::length(); })
         for (std::size_t i = 0; i < values.size(); ++i)
-            for (int c = 0; c < T::length(); ++c)
-                must(std::isfinite(double(values[i][c])), name + "[" + std::to_string(i) + "][" + std::to_string(c) +
-                                                              "] is " + std::to_string(values[i][c]));
+            for (int c = 0; c < T::length(); ++c) check(values[i][c], i, parts[c]);
 }
 
 template <typename Structure, typename Columns>
