@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Per-placement overrides: priorities, painted attributes, the density map, and filters of lines."""
 
-import numpy as np
-
 from . import line_filters
 from .color_corners import Corners
 
@@ -29,10 +27,9 @@ class Gathering:
         surfaces = snapshot.surface_of_placement
         painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
         return self._core.Overrides(
-            importance=snapshot.of_origins("importance", np.float32),
+            importance=snapshot.importance,
             painted=painted,
-            objects=[origin.owners for origin in snapshot.origins],
-            objects_of_placement=snapshot.origin_of_placement,
+            objects=snapshot.owners,
             density_map=image and self._cache.images.texture(image),
             **line_filters.of(self._core, self._line_sets, snapshot),
         )

@@ -2,10 +2,8 @@
 """Reads an evaluated depsgraph into a Snapshot: one native surface per mesh, and its placements."""
 
 import hashlib
-from array import array
 from dataclasses import dataclass
-from functools import cached_property, partial
-from typing import NamedTuple
+from functools import partial
 
 import bpy
 import numpy as np
@@ -18,47 +16,23 @@ VIEWPORTS = 4  # factor on the number of passes after which unused surfaces are 
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 
-class Origin(NamedTuple):
-    """What the placements of an object's data by one instancer have in common."""
-
-    surface: int  # its index
-    names: int  # hash of the object's and the instancer's names
-    usage: int  # bits DRAW, OCCLUDE, HOLDOUT
-    group: int  # the same where objects have one outline together; 0: of none
-    object: str  # name
-    owners: tuple  # full names: the object's and, for an instance, its instancer's
-    importance: float  # in [0, 1], the object's priority
-    shown: int  # kinds of lines that the object shows, bit i: the registry's definition i
-    own: tuple  # per parameter of own_lines.parameters(): the object's value, NaN: not overridden
-
-
 @dataclass(frozen=True, eq=False)
 class Snapshot:
     """A scene as the native module takes it: n placements of m surfaces."""
 
     surfaces: list  # m native surfaces
     slots: list  # m tuples of materials.Slot
-    origins: list  # Origins
-    origin_of_placement: np.ndarray  # (n,) uint32
+    surface_of_placement: np.ndarray  # (n,) int32
     object_to_world: np.ndarray  # (n, 4, 4) float64
     persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
-    usage: np.ndarray  # (n,) uint8, as of the Origin
+    usage: np.ndarray  # (n,) uint8, bits DRAW, OCCLUDE, HOLDOUT
+    groups: np.ndarray  # (n,) uint64, the same where objects have one outline together; 0: of none
+    objects: list  # n object names
+    owners: list  # n tuples of full names: the object's and, for an instance, its instancer's
+    importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
+    shown: np.ndarray  # (n,) uint32, kinds of lines that the objects show, bit i: the registry's definition i
+    own_values: list  # per parameter of own_lines.parameters(): (n,) float64 per-object value, NaN: not overridden
     left_out: dict  # object name -> why some of it has no lines
-
-    def of_origins(self, member, dtype):
-        """(n,) array of a member of the placements' Origins."""
-        return np.array([getattr(origin, member) for origin in self.origins], dtype)[self.origin_of_placement]
-
-    @cached_property
-    def surface_of_placement(self):
-        """(n,) int32."""
-        return self.of_origins("surface", np.int32)
-
-    @cached_property
-    def objects(self):
-        """n object names."""
-        names = [origin.object for origin in self.origins]
-        return [names[i] for i in self.origin_of_placement.tolist()]
 
 
 class _Gathering:
@@ -75,42 +49,7 @@ class _Gathering:
         self.known_own, self.known_guides, self.left_out = {}, None, {}
         self.outlines = bare_shapes.outlines()
         self.together = None  # {object: collection with one outline}, by full names
-        self.origins, self.known_origins = [], {}  # Origins; key of an instance -> indices of its Origins
-        self.steps, self.origin_of = array("i"), array("i")  # per placement: index of the instance; its Origin
-
-    def add(self, step, instance):
-        """Adds the placements of an instance; `step`: its index in the depsgraph."""
-        obj, data, parent = instance.object, instance.object.data, instance.parent
-        # Where the data is the same, all but the place is; the instance's object is a temporary copy.
-        identity = data and data.as_pointer(), obj.name_full, parent and parent.name_full
-        key = (*identity, instance.is_instance, instance.show_self, instance.show_particles)
-        if key not in self.known_origins:
-            first = len(self.origins)
-            if usage := self.usage(instance, instance.show_self):
-                self.add_data(instance, usage)
-            if instance.show_particles and (usage := self.usage(instance, True)):
-                for shape in bare_shapes.of_particles(obj, self.depsgraph):
-                    self.add_shape(shape, instance, usage)
-            self.known_origins[key] = range(first, len(self.origins))
-        for origin in self.known_origins[key]:
-            self.steps.append(step)
-            self.origin_of.append(origin)
-
-    def add_data(self, instance, usage):
-        """Adds what is drawn of an instance's own data."""
-        obj = instance.object
-        if isinstance(obj.data, bpy.types.Mesh):
-            if is_edited(obj):
-                # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
-                self.add_mesh(obj, obj.to_mesh(), instance, usage)
-                obj.to_mesh_clear()
-            else:
-                self.add_mesh(obj, obj.data, instance, usage)
-        # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
-        elif obj.type in bare_shapes.CURVES:
-            self.add_wire(instance, usage)
-        elif shape := bare_shapes.of_data(obj, self.depsgraph.scene):
-            self.add_shape(shape, instance, usage)
+        self.rows = []  # per placement: (instance, surface, hash of names, usage, group, object, owners, *own)
 
     def usage(self, instance, shown):
         """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
@@ -201,13 +140,13 @@ class _Gathering:
             found = self.cache.surface(key, obj.name, mesh, slots, mend, cuts, rest=rest, **words)
         return found
 
-    def add_mesh(self, obj, mesh, instance, usage):
-        """Adds the Origin of an evaluated mesh. Skips empty meshes."""
+    def add(self, step, obj, mesh, instance, usage):
+        """Adds a placement of an evaluated mesh; `step`: index of the instance in the depsgraph. Skips empty meshes."""
         if len(mesh.edges):
-            self.add_origin(self.surface_index(obj, mesh), instance, usage)
+            self.place(step, self.surface_index(obj, mesh), instance, usage)
 
-    def add_shape(self, shape, instance, usage):
-        """Adds the Origin of a bare_shapes.Shape, unless it is empty."""
+    def add_shape(self, step, shape, instance, usage):
+        """Adds a placement of a bare_shapes.Shape, unless it is empty."""
         obj, place = instance.object, (*shape.place, instance.object.name_full)
         if place not in self.index_of:
             slots = materials.slots(shape, shape, self.known_materials)
@@ -219,10 +158,10 @@ class _Gathering:
                 self.surfaces.append(surface)
                 self.slots.append(slots)
         if self.index_of[place] is not None:
-            self.add_origin(self.index_of[place], instance, usage, shape)
+            self.place(step, self.index_of[place], instance, usage, shape)
 
-    def add_wire(self, instance, usage):
-        """Adds the Origin of a curve that has no faces, as the edges that Blender makes of it."""
+    def add_wire(self, step, instance, usage):
+        """Adds a placement of a curve that has no faces, as the edges that Blender makes of it."""
         obj = instance.object
         mesh = obj.to_mesh()
         if self.known_guides is None:
@@ -234,11 +173,11 @@ class _Gathering:
         elif obj.original in self.known_guides:
             self.left_out[obj.name] = bare_shapes.GUIDE
         else:
-            self.add_mesh(obj, mesh, instance, usage)
+            self.add(step, obj, mesh, instance, usage)
         obj.to_mesh_clear()
 
-    def add_origin(self, surface, instance, usage, shape=None):
-        """Adds the Origin of placements of a surface (its index). `shape`: the Shape that it is made of, or None."""
+    def place(self, step, surface, instance, usage, shape=None):
+        """Adds a placement of a surface (its index). `shape`: the Shape that it is made of, or None."""
         obj = instance.object
         if usage & OCCLUDE and all(slot.holdout for slot in self.slots[surface]):
             usage = OCCLUDE | HOLDOUT
@@ -248,8 +187,9 @@ class _Gathering:
         if shape:
             names = (*names, shape.name) if shape.name else names
             shown &= self.outlines if shape.outlined else shown
-        names, group = self.name_hash(*names), self.outline_group(obj, parent)
-        self.origins.append(Origin(surface, names, usage, group, obj.name, owners, priority, shown, own))
+        own = priority, shown, *own
+        group = self.outline_group(obj, parent)
+        self.rows.append((step, surface, self.name_hash(*names), usage, group, obj.name, owners, *own))
 
     def own(self, obj):
         """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""
@@ -281,12 +221,23 @@ class _Gathering:
 
     def snapshot(self, matrices, persistent):
         """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8): of all k instances of the depsgraph."""
-        steps, origin_of = np.array(self.steps, np.int32), np.array(self.origin_of, np.uint32)
-        names = np.array([origin.names for origin in self.origins], np.uint64)[origin_of]
-        usage = np.array([origin.usage for origin in self.origins], np.uint8)[origin_of]
-        ids = instances.ids(names, persistent[steps])
+        columns = zip(*self.rows) if self.rows else ((),) * 9
+        steps, surface, names, usage, groups, objects, owners, importance, shown, *own_values = columns
+        chosen = np.array(steps, np.intp)
         return Snapshot(
-            self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, self.left_out
+            self.surfaces,
+            self.slots,
+            np.array(surface, np.int32),
+            matrices[chosen],
+            instances.ids(np.array(names, np.uint64), persistent[chosen]),
+            np.array(usage, np.uint8),
+            np.array(groups, np.uint64),
+            list(objects),
+            list(owners),
+            np.array(importance, np.float32),
+            np.array(shown, np.uint32),
+            [np.array(values, np.float64) for values in own_values],
+            self.left_out,
         )
 
 
@@ -303,9 +254,14 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, col
     gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes)
     cache.begin()
     for step, instance in enumerate(depsgraph.object_instances):
-        if colors and instance.object.type == "LIGHT" and instance.show_self:
+        obj = instance.object
+        if colors and obj.type == "LIGHT" and instance.show_self:
             colors.add_light(instance)
-        gathering.add(step, instance)
+        if usage := gathering.usage(instance, instance.show_self):
+            _gather_data(gathering, step, instance, usage)
+        if instance.show_particles and (usage := gathering.usage(instance, True)):
+            for shape in bare_shapes.of_particles(obj, depsgraph):
+                gathering.add_shape(step, shape, instance, usage)
     # View layers and viewports may show different parts of a scene in alternating passes.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
     found = gathering.snapshot(*instances.arrays(depsgraph.object_instances))
@@ -321,6 +277,23 @@ def _sizes(depsgraph):
     return detail.px_per_unit(depsgraph, depsgraph.object_instances, matrices)
 
 
+def _gather_data(gathering, step, instance, usage):
+    """Adds what is drawn of an instance's own data."""
+    obj = instance.object
+    if isinstance(obj.data, bpy.types.Mesh):
+        if is_edited(obj):
+            # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
+            gathering.add(step, obj, obj.to_mesh(), instance, usage)
+            obj.to_mesh_clear()
+        else:
+            gathering.add(step, obj, obj.data, instance, usage)
+    # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
+    elif obj.type in bare_shapes.CURVES:
+        gathering.add_wire(step, instance, usage)
+    elif shape := bare_shapes.of_data(obj, gathering.depsgraph.scene):
+        gathering.add_shape(step, shape, instance, usage)
+
+
 def placed(core, snapshot):
     """The native Scene of a Snapshot."""
     found = snapshot
@@ -330,7 +303,7 @@ def placed(core, snapshot):
         found.object_to_world,
         found.persistent_id,
         found.usage,
-        found.of_origins("group", np.uint64),
+        found.groups,
     )
 
 
