@@ -5,6 +5,7 @@ import math
 
 import bpy
 import numpy as np
+from command import obj
 
 AZIMUTH, ELEVATION, LENS = 35.0, 25.0, 50.0  # degrees left of the front and above it, millimetres
 
@@ -69,8 +70,7 @@ def _drawn_positions(mesh):
     ends, loose = _read(mesh.edges, "vertices", np.int32, 2), _read(mesh.edges, "is_loose", bool, 1)[:, 0]
     corners = _read(mesh.loops, "vertex_index", np.int32, 1)[:, 0]
     starts = _read(mesh.polygons, "loop_start", np.int32, 1)[:, 0]
-    whole = np.logical_and.reduceat(finite[corners], starts) if len(starts) else np.zeros(0, bool)
-    of_faces = corners[np.repeat(whole, np.diff(starts, append=len(corners)))]
+    of_faces = obj.whole_corners(finite, corners, starts)
     return positions[np.union1d(of_faces, ends[loose & finite[ends].all(axis=1)])]
 
 

@@ -9,6 +9,13 @@ import numpy as np
 from . import ears
 
 
+def whole_corners(finite, corners, starts):
+    """The corners of the polygons without a broken vertex. finite (V,) bool; corners (C,): vertices; starts (F,): the
+    first corner of each polygon."""
+    whole = np.logical_and.reduceat(finite[corners], starts) if len(starts) else np.zeros(0, bool)
+    return corners[np.repeat(whole, np.diff(starts, append=len(corners)))]
+
+
 @dataclass(frozen=True)
 class Polygons:
     positions: np.ndarray  # (V, 3) float64
@@ -18,9 +25,8 @@ class Polygons:
 
     def drawn_positions(self):
         """(n, 3): of the vertices that polygons without broken vertices have."""
-        finite = np.isfinite(self.positions).all(axis=1)[self.corner_verts]
-        whole = np.logical_and.reduceat(finite, self.offsets[:-1]) if len(finite) else finite
-        return self.positions[np.unique(self.corner_verts[np.repeat(whole, np.diff(self.offsets))])]
+        finite = np.isfinite(self.positions).all(axis=1)
+        return self.positions[np.unique(whole_corners(finite, self.corner_verts, self.offsets[:-1]))]
 
     def ngon_triangles(self):
         """Triangulation of polygons with more than four corners: vertices (T, 3) int32 and polygon (T,) int32."""

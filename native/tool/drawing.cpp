@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <fovea/base/check.h>
-#include <fovea/base/files.h>
 #include <fovea/color/png.h>
 #include <fovea/style/json.h>
 #include <fovea/style/json_value.h>
@@ -51,12 +50,7 @@ style::Style style_of(const std::vector<std::string>& lines) {
 }
 
 style::Style read_style(const std::filesystem::path& file) {
-    const std::string text = bytes_of_file(file, style::largest);
-    try {
-        return style::read_style(text);
-    } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument(file.string() + ": " + problem.what());
-    }
+    return style::read_file(file, [](const std::string& text) { return style::read_style(text); });
 }
 
 Frame frame_of(const Model& model, const Camera& camera, const style::Style& style,

@@ -5,7 +5,6 @@
 #include <cctype>
 
 #include <fovea/base/check.h>
-#include <fovea/base/files.h>
 #include <fovea/color/png.h>
 #include <fovea/style/json_value.h>
 
@@ -26,26 +25,13 @@ std::filesystem::path Assets::file(const char* kind, const std::string& name, co
     return path;
 }
 
-namespace {
-
-style::JsonValue sizes_in(const std::filesystem::path& path) {
-    const std::string text = bytes_of_file(path, style::largest);
-    try {
-        return style::parse_json(text);
-    } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument(path.string() + ": " + problem.what());
-    }
-}
-
-}  // namespace
-
 /// The number that KIND/KIND.json has for a file; 1 if it has none.
 double Assets::size(const char* kind, const char* key, const std::string& name) const {
     const std::lock_guard lock(mutex_);
     auto& sizes = sizes_[kind];
     if (sizes.empty()) {
         const std::filesystem::path path = file(kind, kind, ".json");
-        const style::JsonValue data = sizes_in(path);
+        const style::JsonValue data = style::read_file(path, style::parse_json);
         check(data.type == style::JsonValue::Type::object, path.string() + " must be a JSON object");
         for (std::size_t i = 0; i < data.keys.size(); ++i) {
             const style::JsonValue* number = data.items[i].at(key);

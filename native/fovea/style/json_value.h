@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <fovea/base/files.h>
 
 namespace fovea::style {
 
@@ -49,6 +53,17 @@ struct JsonValue {
     /// Serializes to ASCII: with `indent`, two spaces per level and one value per line; else on one line.
     std::string written(bool indent) const;
 };
+
+/// parse(text) of a style's file, or one beside it. Throws std::invalid_argument with a sentence that names the file.
+template <typename Parse>
+auto read_file(const std::filesystem::path& file, const Parse& parse) {
+    const std::string text = base::bytes_of_file(file, largest);
+    try {
+        return parse(text);
+    } catch (const std::invalid_argument& problem) {
+        throw std::invalid_argument(file.string() + ": " + problem.what());
+    }
+}
 
 /// Parses a text. Throws std::invalid_argument with a sentence that names the place, for invalid JSON, duplicate keys
 /// in an object, non-finite numbers, or a text that is larger or deeper than the limits.
