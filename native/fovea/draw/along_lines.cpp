@@ -66,6 +66,14 @@ Array<float> spacing_by_path(const Paths& paths, double scale, const style::Styl
     return by_path(paths, scale, of_set);
 }
 
+Array<float> pen_width_of_runs(const style::Style& style, const Paths& paths, const ClippedPaths& clipped,
+                               const Runs& runs, double scale) {
+    std::vector<float> of_set;
+    for (const style::LineSet& set : style.line_sets) of_set.push_back(float(style.width_px(set.pen, scale)));
+    return parallel_map<float>(runs.size(),
+                               [&](std::size_t r) { return of_set[paths.line_set[clipped.path[runs.piece[r]]]]; });
+}
+
 Array<float> by_view(const Paths& paths, double of_view, double other) {
     Array<float> amounts(paths.count());
     for (Index p = 0; p < paths.count(); ++p) amounts[p] = float(paths.of_view[p] ? of_view : other);

@@ -20,6 +20,10 @@ Array<float> by_path(const Paths& paths, double scale, const std::vector<double>
 /// Per path: the spacing of its line set's pen in focus, in image pixels.
 Array<float> spacing_by_path(const Paths& paths, double scale, const style::Style& style);
 
+/// Per run: the width of its line set's pen in focus [px].
+Array<float> pen_width_of_runs(const style::Style& style, const Paths& paths, const ClippedPaths& clipped,
+                               const Runs& runs, double scale);
+
 /// Per path: `of_view` where its definition depends on the view, else `other`.
 Array<float> by_view(const Paths& paths, double of_view, double other);
 

@@ -246,8 +246,9 @@ Array<float> Frame::left(float cut) {
     const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
 
     OwnBands own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
-    mark_figures(group_runs(*clipped, *runs, paths->placement, true), *runs, ranks, float(largest_figure * scale()),
-                 own);
+    const Groups figures = group_runs(*clipped, *runs, paths->placement, true);
+    mark_figures(figures, *runs, ranks, float(largest_figure * scale()), own);
+    mark_dots(figures, pen_width_of_runs(job.style, *paths, *clipped, *runs, scale()), own);
     Bands bands = draw_bands(*clipped, *runs, ranks, own);
     const Elision elision{std::move(own), std::move(bands)};
     const Array<vec2> crowding = job.backend->elide(*this, elision);

@@ -68,12 +68,15 @@ class Band {
         run_start_ = start_;
         run_end_ = end_;
         reach_ = std::max(1e-6, std::min(double(own_.reach_px), 0.5 * (end_ - start_)));
-        pull_back();
+        move_ends(own_.dot.empty() ? 0.0 : own_.dot[run]);
         knot_ = 0;
         has_before_ = false;
-        const Index last = clipped_.pieces.end(piece) - 1;
-        for (Index i = clipped_.segment_at(piece, run_start_); i < last && clipped_.arc_px[i] < end_; ++i)
-            add_segment(i);
+        const Index last = clipped_.pieces.end(piece) - 1, first = clipped_.segment_at(piece, run_start_);
+        for (Index i = first; i < last && clipped_.arc_px[i] < run_end_; ++i) {
+            const bool ends = i + 1 == last || clipped_.arc_px[i + 1] >= run_end_;
+            add_segment(i, i == first ? start_ : std::max(start_, clipped_.arc_px[i]),
+                        ends ? end_ : std::min(end_, clipped_.arc_px[i + 1]));
+        }
     }
 
    private:
@@ -87,11 +90,12 @@ class Band {
     }
 
     /// Shortens the band at both ends, so that bands of lines that continue each other do not overlap, even if slightly
-    /// misaligned.
-    void pull_back() {
+    /// misaligned; that of a dot goes on by half its width.
+    void move_ends(double dot) {
         const double most = (end_ - start_) * 0.25;
-        start_ += std::min(most, pulled_back * knots_.front().half);
-        end_ -= std::min(most, pulled_back * knots_.back().half);
+        const auto shorter = [&](double half) { return glm::mix(std::min(most, pulled_back * half), -half, dot); };
+        start_ += shorter(knots_.front().half);
+        end_ -= shorter(knots_.back().half);
     }
 
     /// Half width at an arc length; calls must be in ascending order.
@@ -104,20 +108,21 @@ class Band {
     }
 
     double near_end(double arc) const {
-        return std::max(0.0, 1.0 - (run_end_ - arc) / reach_) - std::max(0.0, 1.0 - (arc - run_start_) / reach_);
+        const auto near = [&](double px) { return std::clamp(1.0 - px / reach_, 0.0, 1.0); };
+        return near(run_end_ - arc) - near(arc - run_start_);
     }
 
     /// The next arc length, at most `last`, at which width or distance to an end stops being linear.
     double next_bend(double arc, double last) const {
         double next = last;
         if (knot_ + 1 < knots_.size()) next = std::min(next, std::max(knots_[knot_ + 1].arc, arc));
-        for (const double bend : {run_start_ + reach_, run_end_ - reach_})
+        for (const double bend : {run_start_, run_start_ + reach_, run_end_ - reach_, run_end_})
             if (bend > arc) next = std::min(next, bend);
         return next > arc ? next : last;
     }
 
-    void add_segment(Index i) {
-        const double from = std::max(start_, clipped_.arc_px[i]), to = std::min(end_, clipped_.arc_px[i + 1]);
+    /// The part of the band along segment i between two arc lengths, which may lie beyond the segment.
+    void add_segment(Index i, double from, double to) {
         const dvec2 p = clipped_.px[i], way = dvec2(clipped_.px[i + 1]) - p;
         const double length = glm::length(way), arcs = clipped_.arc_px[i + 1] - clipped_.arc_px[i];
         if (!(to > from) || !(length > 0.0)) return;
@@ -189,7 +194,8 @@ class Band {
 std::uint64_t hash_of_band(const ClippedPaths& clipped, const Runs& runs, const OwnBands& own, Index run) {
     const auto rounded = [](float px) { return std::int64_t(std::lround(px / alike_px)); };
     const Index piece = runs.piece[run], last = clipped.pieces.end(piece) - 1;
-    std::uint64_t hash = hash_numbers(rounded(float(runs.end_px[run] - runs.start_px[run])), own.runs.size(run));
+    std::uint64_t hash = hash_numbers(rounded(float(runs.end_px[run] - runs.start_px[run])), own.runs.size(run),
+                                      rounded(own.dot.empty() ? 0.0f : own.dot[run]));
     const auto add = [&](const vec2& px) { hash = hash_numbers(hash, rounded(px.x), rounded(px.y)); };
     add(clipped.place_px(piece, runs.start_px[run]));
     for (Index i = clipped.segment_at(piece, runs.start_px[run]) + 1; i < last && clipped.arc_px[i] < runs.end_px[run];

@@ -27,4 +27,21 @@ void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, floa
     });
 }
 
+void mark_dots(const Groups& figures, In<float> pen_px, OwnBands& own) {
+    constexpr float largest = 3.0f;  // in widths of the pen
+    check(own.runs.count() == pen_px.size() && figures.of_run.size() == pen_px.size(),
+          "figures: bands, pens or groups of other runs");
+    own.dot = parallel_map<float>(pen_px.size(), [&](std::size_t r) {
+        const Index figure = figures.of_run[r];
+        if (figure == none || !(pen_px[r] > 0.0f)) return 0.0f;
+        const float dot = 1.0f - glm::smoothstep(pen_px[r], largest * pen_px[r], figures.size_px[figure]);
+        for (Index s = own.runs.begin(Index(r)); dot > 0.0f && s < own.runs.end(Index(r)); ++s) {
+            own.band[s].x = std::max(own.band[s].x, 0.5f * dot_room * dot * pen_px[r]);
+            vec3& own_figure = own.figure[s];
+            own_figure = vec3(float(figure), std::max(own_figure.y, dot), own_figure.z * (1.0f - dot));
+        }
+        return dot;
+    });
+}
+
 }  // namespace fovea::elision

@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::size_t taps_aside = 4;
 
-/// Calls body(begin, end) for the samples of every run.
+/// Calls body(run, begin, end) for the samples of every run.
 template <typename Body>
 void for_runs(const Rows& runs, const Body& body) {
     parallel_for(runs.count(), 64, [&](std::size_t r) {
-        if (runs.size(Index(r)) > 0) body(runs.begin(Index(r)), runs.end(Index(r)));
+        if (runs.size(Index(r)) > 0) body(r, runs.begin(Index(r)), runs.end(Index(r)));
     });
 }
 
@@ -89,7 +89,7 @@ double spacing(const OwnBands& own, std::size_t begin, std::size_t end) {
 Array<float> elision_scores(const OwnBands& own, In<vec2> crowding) {
     check(crowding.size() == own.sample.size(), "elision: one pair per sample of a run expected");
     Array<float> scores(crowding.size());
-    for_runs(own.runs, [&](std::size_t begin, std::size_t end) {
+    for_runs(own.runs, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
             vec2 sum(0.0f);
             const std::size_t first = s - std::min(taps_aside, s - begin);
@@ -111,10 +111,11 @@ Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own,
     parallel_blocks(opacities.size(), 1 << 16, [&](auto, std::size_t begin, std::size_t end) {
         std::fill_n(opacities.begin() + begin, end - begin, 1.0f);
     });
-    for_runs(own.runs, [&](std::size_t begin, std::size_t end) {
+    for_runs(own.runs, [&](std::size_t r, std::size_t begin, std::size_t end) {
+        const float dot = own.dot.empty() ? 0.0f : own.dot[r];
         static thread_local Opening open;
         for (std::size_t s = begin; s < end; ++s) {
-            const float from = options.fade_from * (1.0f - own.figure[s].y);
+            const float from = options.fade_from * (1.0f - own.figure[s].y * (1.0f - dot));
             left[s] = std::clamp((scores[s] - from) / (1.0f - from), 0.0f, 1.0f);
         }
         const double step = spacing(own, begin, end);

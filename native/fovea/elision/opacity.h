@@ -22,9 +22,9 @@ struct ElisionOptions {
 Array<float> elision_scores(const OwnBands& own, In<vec2> crowding);
 
 /// Opacity factor per atlas sample from scores, in [0,1], 1 where no run is: 0 at fade_from, 1 at 1, linear between. A
-/// small figure fades in proportion to what it loses, and does not vanish, by its weight (elision/figures.h).
-/// Remainders shorter than stub_px are removed by a gray-scale opening along each run (Serra 1982): each sample gets
-/// the greatest, over all windows of that length that contain it, of the windows' least opacities. The result is
+/// small figure fades in proportion to what it loses, and does not vanish, by its weight (elision/figures.h); a dot
+/// does. Remainders shorter than stub_px are removed by a gray-scale opening along each run (Serra 1982): each sample
+/// gets the greatest, over all windows of that length that contain it, of the windows' least opacities. The result is
 /// continuous in the scores, unless `cut` is set.
 Array<float> elision_opacities(const ClippedPaths& clipped, const OwnBands& own, In<float> scores,
                                const ElisionOptions& options);

@@ -32,6 +32,9 @@ struct OwnBands {
     /// Per rank: number of the figure of its run; -1: none. May be empty: there are no figures.
     Array<float> figure_of_rank;
 
+    /// Per run: how far it belongs to a dot, in [0, 1] (elision/figures.h). May be empty: there are none.
+    Array<float> dot;
+
     /// Distance before its end at which a line begins to hand over to one that continues there [px].
     float reach_px = 0.0f;
 };
