@@ -2,6 +2,7 @@
 #include <fovea/raster/triangles.h>
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 #include <fovea/base/check.h>
@@ -25,7 +26,9 @@ double edge_function(dvec2 a, dvec2 b, dvec2 p) {
 
 /// First texel whose center is at or above `edge`, clamped to [0, size].
 int first_texel(double edge, int size) {
-    return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(size)));
+    const double center = std::clamp(edge - 0.5, 0.0, double(size));
+    const int below = static_cast<int>(center);
+    return below + (below < center);
 }
 
 /// Homogeneous image coordinates of a corner.
@@ -47,13 +50,14 @@ struct Source {
     Index mesh, triangle;
 };
 
-/// Appends the triangle unless it covers no texel center. `clip`: its homogeneous corners (x w, y w, w) after
-/// near-plane clipping. `away`: sign of the area of triangles to cull; 0: none.
-void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, const RasterTarget& target, double away,
+/// Appends the triangle unless it covers no texel center. `clip`: its corners as those of a Source, after near-plane
+/// clipping. `away`: sign of the area of triangles to cull; 0: none.
+void append_on_screen(const std::array<dvec4, 3>& clip, const Source& source, const RasterTarget& target, double away,
                       const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {
     RasterTriangle t;
-    t.of_mesh = of_mesh;
-    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].z;
+    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].w;
+    const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
+    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
     const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
     const auto [ay, by, cy] = std::array{t.corner[0].y, t.corner[1].y, t.corner[2].y};
     t.x0 = first_texel(std::min({ax, bx, cx}), target.width);
@@ -61,8 +65,7 @@ void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, co
     t.y0 = first_texel(std::min({ay, by, cy}), target.height);
     t.y1 = first_texel(std::max({ay, by, cy}), target.height);
     if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
-    const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
-    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
+    t.of_mesh = of_mesh;
     if (area < 0.0) {
         std::swap(t.corner[1], t.corner[2]);
         std::swap(t.of_mesh[0], t.of_mesh[2]);
@@ -75,17 +78,16 @@ void append_on_screen(const std::array<dvec3, 3>& clip, const Source& source, co
 
 /// Clips the triangle at the near plane (depth <= 1) and appends the result, at most two triangles.
 void append_clipped(const Source& source, const RasterTarget& target, double away, std::vector<RasterTriangle>& out) {
-    std::array<dvec3, 3> corner;
+    const std::array<dvec4, 3>& corner = source.corner;
     std::array<double, 3> inside;
     int kept = 0;
     for (int i = 0; i < 3; ++i) {
-        corner[i] = without_depth(source.corner[i]);
-        inside[i] = source.corner[i].w - source.corner[i].z;
+        inside[i] = corner[i].w - corner[i].z;
         kept += inside[i] >= 0.0;
     }
     if (kept == 0) return;
     if (kept == 3) return append_on_screen(corner, source, target, away, {true, true, true}, out);
-    std::array<dvec3, 4> polygon;
+    std::array<dvec4, 4> polygon;
     std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
     int count = 0;
     for (int i = 0; i < 3; ++i) {
@@ -120,18 +122,55 @@ std::vector<Block> divide(In<RasterMesh> meshes) {
     return blocks;
 }
 
+std::string name_of(Index mesh) { return "depth mesh " + std::to_string(mesh) + ": "; }
+
+void check_vertices(const RasterMesh& mesh, const Block& block) {
+    Index highest = 0;
+    for (const auto& t : mesh.triangles.subspan(block.begin, block.end - block.begin))
+        highest = std::max({highest, t.x, t.y, t.z});
+    check(highest < mesh.positions.size(), name_of(block.mesh) + "triangle refers to a missing vertex");
+}
+
+/// Vertices of a mesh in texels, homogeneous. Most are asked for again soon, and are not computed again then.
+class Vertices {
+   public:
+    /// `asks`: how often vertices will be asked for.
+    Vertices(In<vec3> positions, const dmat4& to_texels, std::size_t asks)
+        : positions_(positions), to_texels_(to_texels), last_(std::bit_floor(std::min(kept_.size(), asks)) - 1) {
+        for (std::size_t i = 0; i <= last_; ++i) kept_[i].vertex = none;
+    }
+
+    const dvec4& at(Index vertex) {
+        Kept& kept = kept_[vertex & last_];
+        if (kept.vertex != vertex) kept = {vertex, to_texels_ * dvec4(positions_[vertex], 1.0)};
+        return kept.place;
+    }
+
+   private:
+    struct Kept {
+        Index vertex;
+        dvec4 place;
+    };
+    In<vec3> positions_;
+    dmat4 to_texels_;
+    std::size_t last_;
+    std::array<Kept, 512> kept_;  // by the last digits of their indices
+};
+
 void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTarget& target,
                       std::vector<RasterTriangle>& out) {
     const RasterMesh& mesh = meshes[block.mesh];
+    check_vertices(mesh, block);
     // Maps to texels, still homogeneous: (x / w * .5 + .5) * size.
     dmat4 to_texels(1.0);
     to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
     to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
-    const dmat4 matrix = to_texels * target.view_to_clip * mesh.object_to_view;
+    Vertices vertices(mesh.positions, to_texels * target.view_to_clip * mesh.object_to_view,
+                      3 * (block.end - block.begin));
     const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
         Source source{{}, block.mesh, static_cast<Index>(i)};
-        for (int k = 0; k < 3; ++k) source.corner[k] = matrix * dvec4(mesh.positions[mesh.triangles[i][k]], 1.0);
+        for (int k = 0; k < 3; ++k) source.corner[k] = vertices.at(mesh.triangles[i][k]);
         append_clipped(source, target, i < mesh.one_sided_from ? 0.0 : away, out);
     }
 }
@@ -144,6 +183,7 @@ struct Binned {
 
 Binned bin_block(In<RasterMesh> meshes, const Block& block, const RasterTarget& target, int bands) {
     Binned binned;
+    binned.triangles.reserve(block.end - block.begin);
     append_triangles(meshes, block, target, binned.triangles);
     binned.bands = lists_of<Index>(bands, [&](const auto& give) {
         for (Index i = 0; i < binned.triangles.size(); ++i) {
@@ -155,14 +195,6 @@ Binned bin_block(In<RasterMesh> meshes, const Block& block, const RasterTarget& 
     return binned;
 }
 
-void check_mesh(const RasterMesh& mesh, std::size_t number) {
-    const std::string name = "depth mesh " + std::to_string(number) + ": ";
-    check(mesh.triangles.size() == mesh.triangle_facet.size(), name + "one facet per triangle expected");
-    Index highest = 0;
-    for (const auto& t : mesh.triangles) highest = std::max({highest, t.x, t.y, t.z});
-    check(mesh.triangles.empty() || highest < mesh.positions.size(), name + "triangle refers to a missing vertex");
-}
-
 }  // namespace
 
 bool RasterTriangle::covers(dvec2 p) const {
@@ -171,7 +203,7 @@ bool RasterTriangle::covers(dvec2 p) const {
     return true;
 }
 
-TriangleRows::TriangleRows(const RasterTriangle& t) : triangle_(t), plane_(t.plane) {
+TriangleRows::TriangleRows(const RasterTriangle& t) : triangle_(t) {
     left_.fill({-HUGE_VAL, 0.0});
     right_.fill({HUGE_VAL, 0.0});
     int lefts = 0, rights = 0;
@@ -212,7 +244,9 @@ TriangleRows::Texels TriangleRows::covered(int y) const {
 
 void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Cancel* cancel,
                     const std::function<void(const RasterTriangle&, int, int)>& draw) {
-    for (std::size_t m = 0; m < meshes.size(); ++m) check_mesh(meshes[m], m);
+    for (Index m = 0; m < meshes.size(); ++m)
+        check(meshes[m].triangles.size() == meshes[m].triangle_facet.size(),
+              name_of(m) + "one facet per triangle expected");
     const std::vector<Block> blocks = divide(meshes);
     const int bands = (target.height + raster_band_rows - 1) / raster_band_rows;
     // Groups bound the memory. Groups, and the triangles in them, are processed in input order.

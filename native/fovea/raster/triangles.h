@@ -33,6 +33,9 @@ struct RasterTriangle {
     int x0, x1, y0, y1;  ///< texels whose centers are within the bounding box, x1 and y1 exclusive
 
     bool covers(dvec2 p) const;
+    double depth(int x, double depth_y) const { return plane.x * (x + 0.5) + depth_y; }
+    /// The term of `depth` that is constant along row y.
+    double depth_y(int y) const { return plane.y * (y + 0.5) + plane.z; }
 };
 
 /// Texels covered by a triangle, row by row. The triangle is borrowed and must outlive this.
@@ -47,9 +50,7 @@ class TriangleRows {
     /// Texels of row y whose centers are covered; contiguous, as the triangle is convex.
     Texels covered(int y) const;
 
-    double depth(int x, double depth_y) const { return plane_.x * (x + 0.5) + depth_y; }
-    /// The term of `depth` that is constant along row y.
-    double depth_y(int y) const { return plane_.y * (y + 0.5) + plane_.z; }
+    const RasterTriangle& triangle() const { return triangle_; }
 
    private:
     /// Line of an edge, as x over rows, at texel centers: x = at + step * y.
@@ -57,7 +58,6 @@ class TriangleRows {
         double at, step;
     };
     const RasterTriangle& triangle_;
-    dvec3 plane_;
     std::array<Side, 2> left_, right_;  // without a second edge on that side: a line that clips nothing
     double unsure_ = 0.0;               // centers closer than this to an edge are decided by `covers`
 };
@@ -65,10 +65,11 @@ class TriangleRows {
 /// Calls put(x, depth) for each covered texel x of row y for which in_front(x, depth) is true.
 template <typename InFront, typename Put>
 void each_texel(const TriangleRows& rows, int y, const InFront& in_front, const Put& put) {
-    const double depth_y = rows.depth_y(y);
+    const RasterTriangle& triangle = rows.triangle();
+    const double depth_y = triangle.depth_y(y);
     const auto [begin, end] = rows.covered(y);
     for (int x = begin; x < end; ++x) {
-        const double depth = rows.depth(x, depth_y);
+        const double depth = triangle.depth(x, depth_y);
         if (in_front(x, depth)) put(x, depth);
     }
 }

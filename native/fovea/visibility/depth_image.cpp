@@ -29,18 +29,18 @@ class Nearest {
 
     /// Rasterizes rows y0 to y1 (excluded), which lie in one row of tiles.
     void draw(const RasterTriangle& triangle, int y0, int y1) {
-        const TriangleRows rows(triangle);
         int first = triangle.x0 / side, last = (triangle.x1 - 1) / side;
-        while (first <= last && hidden(triangle, rows, first, y0, y1)) ++first;
-        while (first < last && hidden(triangle, rows, last, y0, y1)) --last;
+        while (first <= last && hidden(triangle, first, y0, y1)) ++first;
+        while (first < last && hidden(triangle, last, y0, y1)) --last;
         if (first > last) return;
+        const TriangleRows rows(triangle);
         for (int x = first; x <= last; ++x) ++tile(x, y0).drawn;
         for (int y = y0; y < y1; ++y) {
-            const double depth_y = rows.depth_y(y);
+            const double depth_y = triangle.depth_y(y);
             const auto [begin, end] = rows.covered(y);
             float* const texels = row(y);
             for (int x = std::max(begin, first * side), stop = std::min(end, (last + 1) * side); x < stop; ++x)
-                texels[x] = std::max(texels[x], nearness(rows.depth(x, depth_y)));
+                texels[x] = std::max(texels[x], nearness(triangle.depth(x, depth_y)));
         }
     }
 
@@ -59,11 +59,11 @@ class Nearest {
     float nearness(double depth) const { return static_cast<float>(scale_ * depth + offset_); }
     Tile& tile(int x, int y) { return tiles_[std::size_t(y / side) * across_ + x]; }
 
-    bool hidden(const RasterTriangle& triangle, const TriangleRows& rows, int x, int y0, int y1) {
+    bool hidden(const RasterTriangle& triangle, int x, int y0, int y1) {
         // A plane is nearest at a corner of the tile; computed as for the texels, so that rounding is monotonic.
         const int left = std::max(x * side, triangle.x0), right = std::min((x + 1) * side, triangle.x1) - 1;
-        const double depth_y = rows.depth_y(triangle.plane.y > 0.0 ? y1 - 1 : y0);
-        const float nearest = nearness(rows.depth(triangle.plane.x > 0.0 ? right : left, depth_y));
+        const double depth_y = triangle.depth_y(triangle.plane.y > 0.0 ? y1 - 1 : y0);
+        const float nearest = nearness(triangle.depth(triangle.plane.x > 0.0 ? right : left, depth_y));
         Tile& here = tile(x, y0);
         if (nearest > here.farthest && here.drawn >= draws_between_looks) look(here, x, y0);
         return nearest <= here.farthest;
