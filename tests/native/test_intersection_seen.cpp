@@ -134,3 +134,20 @@ TEST(IntersectionSeen, AThirdObjectHidesThem) {
     EXPECT_GT(Drawing(boxes, view, {line_set({"intersection"})}).visible_px(0), 50.0);
     EXPECT_EQ(Drawing(behind, view, {line_set({"intersection"})}).visible_px(0), 0.0);
 }
+
+TEST(IntersectionSeen, ATipThatPokesThroughASurfaceIsASpeckWhereItIsSmall) {
+    const Mesh floor = box({-2, -2, -1}, {2, 2, 0});
+    for (const double corner : {60.0, 180.0})
+        for (const float half : {0.02f, 0.03f}) {  // square posts of 16 and 24 px around
+            const Mesh post = box({-half, -half, -0.5f}, {half, half, 0.5f});
+            const auto px = [&](const char* definition, double least) {
+                const Drawing drawing({place(floor), place(post, dmat4(1.0), 2)},
+                                      orthographic({0, 0, 5}, dvec3(0), 6.4), {line_set({definition}, corner)},
+                                      {.least_length_px = {least}});
+                return drawing.total_px(0) + drawing.total_px(1);
+            };
+            EXPECT_NEAR(px("intersection", 0.0), 800 * half, 0.5);
+            EXPECT_NEAR(px("intersection", 60.0), half < 0.025f ? 0.0 : 800 * half, 0.5) << corner;
+            EXPECT_EQ(px("crease", 60.0), px("crease", 0.0)) << "edges of a body that is far away";
+        }
+}

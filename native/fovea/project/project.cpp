@@ -110,11 +110,14 @@ class Projector {
         });
     }
 
-    /// Whether a path with a free end is shorter than the minimum; faint parts do not count.
+    /// Whether a path with a free end is shorter than the minimum, or what goes around a tip of one surface that pokes
+    /// through another is than a third of it; faint parts do not count.
     bool is_speck(Index path) const {
         const std::size_t set = paths_.line_set[path];
-        return set < options_.least_length_px.size() && paths_.free_ends[path] != 0 &&
-               drawn_px(path) < options_.least_length_px[set];
+        if (set >= options_.least_length_px.size()) return false;
+        const double least = options_.least_length_px[set];
+        const bool around_tip = paths_.closed[path] && paths_.other_facet_at(paths_.rows.begin(path)) != none;
+        return (paths_.free_ends[path] != 0 && drawn_px(path) < least) || (around_tip && drawn_px(path) < least / 3.0);
     }
 
     /// Length in pixels of the segments of a path whose strength is visible.
