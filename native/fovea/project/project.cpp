@@ -175,6 +175,11 @@ class Projector {
         p_.arc_px[segments] = px;
     }
 
+    dvec3 position_at(std::size_t segment, double t) const {
+        if (t == 0.0) return p_.view[segment];
+        if (t == 1.0) return p_.view[segment + 1];
+        return glm::mix(p_.view[segment], p_.view[segment + 1], t);
+    }
     dvec2 pixels_at(std::size_t segment, double t) const {
         if (t == 0.0 && !(p_.outside[segment] & 1)) return p_.px[segment];
         if (t == 1.0 && !(p_.outside[segment + 1] & 1)) return p_.px[segment + 1];
@@ -195,17 +200,22 @@ class Projector {
         return std::min(p_.arc_px[segment] + pixel_length(segment, range.begin, t), p_.arc_px[segment + 1]);
     }
 
+    /// Half the size of what is surely around the widened frame [px].
+    dvec2 around_frame() const { return (1.0 + options_.margin) * dvec2(view_.width, view_.height); }
+
     /// False where numbers have too few digits to clip a segment at the frame: it ends endlessly far away.
     bool is_near_frame(std::size_t segment, double t) const {
-        const dvec2 size = (1.0 + options_.margin) * dvec2(view_.width, view_.height);
-        const dvec2 off = glm::abs(pixels_at(segment, t) - 0.5 * dvec2(view_.width, view_.height));
-        return off.x <= size.x && off.y <= size.y;
+        const dvec2 most = around_frame(),
+                    off = glm::abs(pixels_at(segment, t) - 0.5 * dvec2(view_.width, view_.height));
+        const bool in_front = view_.orthographic || -position_at(segment, t).z > 0.5 * view_.near_clip;
+        return in_front && off.x <= most.x && off.y <= most.y;
     }
 
     void clip(Index path, Index begin, Index end) {
         const Index segments = end - begin - 1;
         bool whole = true;
         const std::size_t first_piece = out.path.size();
+        const double longest = 2.0 * glm::length(around_frame());
         stops_.clear();
         for (Index i = 0; i < segments; ++i) {
             ClipRange range;
@@ -217,7 +227,9 @@ class Projector {
             if (!visible || range.begin > 0.0) finish_piece(path, begin);
             if (!visible) continue;
             if (stops_.empty()) stops_.push_back({i, range.begin, arc_at(i, range.begin)});
-            stops_.push_back({i, range.end, arc_at(i, range.end)});
+            // Arc lengths far outside of the frame may lack the digits to tell how long the part inside is.
+            const double arc = stops_.back().arc;
+            stops_.push_back({i, range.end, std::clamp(arc_at(i, range.end), arc, arc + longest)});
             if (range.end < 1.0) finish_piece(path, begin);
         }
         finish_piece(path, begin);
@@ -256,9 +268,7 @@ class Projector {
 
     void write_point(std::size_t at, Index begin, const Stop& stop) {
         const auto [segment, t, arc] = stop;
-        const dvec3 position = t == 0.0   ? p_.view[segment]
-                               : t == 1.0 ? p_.view[segment + 1]
-                                          : glm::mix(p_.view[segment], p_.view[segment + 1], t);
+        const dvec3 position = position_at(segment, t);
         out.px[at] = vec2(pixels_at(segment, t));
         out.depth[at] = placement_ == none ? before_all : static_cast<float>(screen_depth(view_, position.z));
         out.position_view[at] = vec3(position);
