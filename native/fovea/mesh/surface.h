@@ -100,9 +100,9 @@ struct SurfaceArrays {
     float radius = 0.0f;            ///< of a sphere at `center` that contains all vertices
 };
 
-/// A facet is the largest piece that is planar: a whole polygon if it is (to 0.1 degrees), else each of its triangles.
-/// Facing, contours and creases are evaluated on facets, so the diagonal of a planar polygon is never a candidate,
-/// while a diagonal of a non-planar one can be a contour.
+/// A facet is the largest piece that is planar: a whole polygon if it is (to 0.1 degrees), else each of its triangles
+/// with the slivers beside it (mesh/slivers.h). Facing, contours and creases are evaluated on facets, so the diagonal
+/// of a planar polygon is never a candidate, while a diagonal of a non-planar one can be a contour.
 class Surface : public SurfaceArrays {
    public:
     /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
@@ -178,15 +178,24 @@ class Surface : public SurfaceArrays {
     void take_topology(const MeshArrays& mesh);
     void build_edge_corners();
     void build_geometry();
-    void find_degenerate(Array<std::uint8_t>& skip);
+    /// Newell's normal (twice the area vector) and the perimeter of a polygon; exact for planar polygons, a mean
+    /// otherwise.
+    struct Outline {
+        dvec3 area{0.0};
+        double perimeter = 0.0;
+    };
+    Outline outline_of(In<Index> corners) const;
+    bool is_flat(In<Index> corners, const Outline& outline) const;
+    /// Also returns the outlines of all others.
+    Array<Outline> find_degenerate(Array<std::uint8_t>& skip);
     void find_duplicates(Array<std::uint8_t>& skip);
     void triangulate(const Array<std::uint8_t>& skip);
-    void build_facets(const Array<std::uint8_t>& skip);
+    void build_facets(const Array<std::uint8_t>& skip, const Array<Outline>& outlines);
     void build_edge_sides(const Array<std::uint8_t>& skip);
     void sort_occluding();
     void bound();
 
-    /// A diagonal of a non-planar polygon, with the triangles on its two sides.
+    /// A diagonal of a non-planar polygon, with the facets on its two sides.
     struct Diagonal {
         Edge edge;
         EdgeSide first, second;

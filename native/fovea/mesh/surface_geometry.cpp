@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include <fovea/base/parallel.h>
-#include <fovea/mesh/surface.h>
+#include <fovea/mesh/slivers.h>
 
 namespace fovea::mesh {
 namespace {
@@ -19,25 +19,6 @@ constexpr double least_area = 1e-11;
 
 bool finite(const vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// Newell's normal (twice the area vector) and the perimeter of a polygon; exact for planar polygons, a mean otherwise.
-struct Outline {
-    dvec3 area{0.0};
-    double perimeter = 0.0;
-};
-
-Outline outline_of(const Array<vec3>& positions, In<Index> corners) {
-    Outline outline;
-    const dvec3 origin(positions[corners[0]]);
-    dvec3 a = dvec3(positions[corners.back()]) - origin;
-    for (const Index corner : corners) {
-        const dvec3 b = dvec3(positions[corner]) - origin;
-        outline.area += glm::cross(a, b);
-        outline.perimeter += glm::length(b - a);
-        a = b;
-    }
-    return outline;
-}
-
 vec4 plane_through(const dvec3& area, const dvec3& point) {
     const dvec3 n = area / glm::length(area);
     return vec4(vec3(n), static_cast<float>(glm::dot(n, point)));
@@ -47,10 +28,10 @@ vec4 plane_through(const dvec3& area, const dvec3& point) {
 
 void Surface::build_geometry() {
     Array<std::uint8_t> skip(polygon_count(), 0);
-    find_degenerate(skip);
+    const Array<Outline> outlines = find_degenerate(skip);
     find_duplicates(skip);
     triangulate(skip);
-    build_facets(skip);
+    build_facets(skip, outlines);
     build_edge_sides(skip);
     sort_occluding();
     bound();
@@ -73,20 +54,47 @@ Surface::Surface(const Surface& source, const dmat3& stretch)
     bound();
 }
 
-void Surface::find_degenerate(Array<std::uint8_t>& skip) {
+Surface::Outline Surface::outline_of(In<Index> corners) const {
+    Outline outline;
+    const dvec3 origin(positions[corners[0]]);
+    dvec3 a = dvec3(positions[corners.back()]) - origin;
+    for (const Index corner : corners) {
+        const dvec3 b = dvec3(positions[corner]) - origin;
+        outline.area += glm::cross(a, b);
+        outline.perimeter += glm::length(b - a);
+        a = b;
+    }
+    return outline;
+}
+
+bool Surface::is_flat(In<Index> corners, const Outline& outline) const {
+    const dvec3 n = outline.area / glm::length(outline.area);
+    const dvec3 first_corner(positions[corners[0]]);
+    double deviation = 0.0;
+    for (const Index v : corners)
+        deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v]) - first_corner)));
+    // Side of a square of the same area or the same perimeter, whichever is less: twisted strips and jagged polygons
+    // have long perimeters.
+    const double size = std::min(0.25 * outline.perimeter, std::sqrt(0.5 * glm::length(outline.area)));
+    return deviation <= flat_tolerance * size;
+}
+
+Array<Surface::Outline> Surface::find_degenerate(Array<std::uint8_t>& skip) {
+    Array<Outline> outlines(polygon_count());
     parallel_for(polygon_count(), [&](std::size_t f) {
         const In<Index> corners = polygon_vertices(Index(f));
         skip[f] = corners.size() < 3;
         for (std::size_t i = 0; i < corners.size() && !skip[f]; ++i)
             skip[f] = !finite(positions[corners[i]]) || corners[i] == corners[(i + 1) % corners.size()];
         if (skip[f]) return;
-        const Outline outline = outline_of(positions, corners);
-        const double size = outline.perimeter * outline.perimeter;
-        skip[f] = !(glm::length(outline.area) > least_area * size);
+        outlines[f] = outline_of(corners);
+        const double size = outlines[f].perimeter * outlines[f].perimeter;
+        skip[f] = !(glm::length(outlines[f].area) > least_area * size);
     });
     report_.degenerate_polygons = static_cast<Index>(std::count(skip.begin(), skip.end(), 1));
     report_.non_finite_vertices =
         static_cast<Index>(std::count_if(positions.begin(), positions.end(), [](const vec3& p) { return !finite(p); }));
+    return outlines;
 }
 
 void Surface::find_duplicates(Array<std::uint8_t>& skip) {
@@ -145,25 +153,16 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
     });
 }
 
-void Surface::build_facets(const Array<std::uint8_t>& skip) {
-    // Facets per polygon: one if it is planar, else one per triangle.
-    Array<Outline> outlines(polygon_count());
-    Array<Index> first(polygon_count());
+void Surface::build_facets(const Array<std::uint8_t>& skip, const Array<Outline>& outlines) {
+    // Facets per polygon: one if it is planar, else one per triangle that leads itself and others.
+    Array<Index> first(polygon_count()), leader(triangles.size());
+    Array<std::uint8_t> bent(polygon_count());
     parallel_for(polygon_count(), [&](std::size_t f) {
-        first[f] = 0;
-        if (skip[f]) return;
         const In<Index> corners = polygon_vertices(Index(f));
-        outlines[f] = outline_of(positions, corners);
-        const dvec3 n = outlines[f].area / glm::length(outlines[f].area);
-        double deviation = 0.0;
-        const dvec3 first_corner(positions[corners[0]]);
-        for (const Index v : corners)
-            deviation = std::max(deviation, std::abs(glm::dot(n, dvec3(positions[v]) - first_corner)));
-        // Side of a square of the same area or the same perimeter, whichever is less: twisted strips and jagged
-        // polygons have long perimeters.
-        const double size = std::min(0.25 * outlines[f].perimeter, std::sqrt(0.5 * glm::length(outlines[f].area)));
-        const bool is_flat = corners.size() == 3 || deviation <= flat_tolerance * size;
-        first[f] = is_flat ? 1 : polygon_triangles_.size(f);
+        bent[f] = !skip[f] && corners.size() > 3 && !is_flat(corners, outlines[f]);
+        first[f] =
+            bent[f] ? find_leaders(positions, triangles, polygon_triangles_.begin(f), polygon_triangles_.end(f), leader)
+                    : !skip[f];
     });
     counts_to_offsets(first);
 
@@ -171,19 +170,27 @@ void Surface::build_facets(const Array<std::uint8_t>& skip) {
     facet_polygon.resize(first.back());
     triangle_facet.resize(triangles.size());
     parallel_for(polygon_count(), [&](std::size_t f) {
+        if (skip[f]) return;
         const Index begin = polygon_triangles_.begin(f), end = polygon_triangles_.end(f);
-        const bool is_flat = first[f + 1] - first[f] == 1;
-        for (Index t = begin; t < end; ++t) {
-            const Index facet = first[f] + (is_flat ? 0 : t - begin);
-            triangle_facet[t] = facet;
-            if (is_flat && t > begin) continue;
-            const Triangle& tri = triangles[t];
-            const Outline own = outline_of(positions, {&tri.x, 3});
-            const bool usable = glm::length(own.area) > least_area * own.perimeter * own.perimeter;
-            facet_plane[facet] =
-                plane_through(is_flat || !usable ? outlines[f].area : own.area, dvec3(positions[tri.x]));
+        Index facet = first[f];
+        const auto add_facet = [&](const dvec3& area, Index t) {
+            facet_plane[facet] = plane_through(area, dvec3(positions[triangles[t].x]));
             facet_polygon[facet] = static_cast<Index>(f);
+            triangle_facet[t] = facet++;
+        };
+        if (!bent[f]) {
+            add_facet(outlines[f].area, begin);
+            std::fill(triangle_facet.begin() + begin, triangle_facet.begin() + end, first[f]);
+            return;
         }
+        for (Index t = begin; t < end; ++t) {
+            if (leader[t] != t) continue;
+            const TriangleSize own = size_of(positions, triangles[t]);
+            // The perimeter of a triangle of hardly any area is twice its longest side.
+            const bool usable = glm::length(own.area) > 4.0 * least_area * own.longest_squared;
+            add_facet(usable ? own.area : outlines[f].area, t);
+        }
+        for (Index t = begin; t < end; ++t) triangle_facet[t] = triangle_facet[leader[t]];
     });
 }
 
@@ -205,7 +212,7 @@ void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std:
         const TriangleSide &a = sides[i], &b = sides[i + 1];
         if (a.low != b.low || a.high != b.high) continue;
         if (a.corner != none && b.facet != none) corner_facet_[a.corner] = b.facet;
-        if (a.facet != none && b.facet != none)
+        if (a.facet != none && b.facet != none && a.facet != b.facet)
             diagonals.push_back({Edge(a.low, a.high), EdgeSide(a.facet, a.ascending), EdgeSide(b.facet, b.ascending)});
         ++i;
     }
@@ -218,10 +225,10 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
         std::vector<TriangleSide> scratch;
         for (std::size_t f = begin; f < end; ++f) {
             if (skip[f]) continue;
-            const Index t0 = polygon_triangles_.begin(f), t1 = polygon_triangles_.end(f);
-            if (triangle_facet[t0] == triangle_facet[t1 - 1]) {
-                std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f),
-                          triangle_facet[t0]);
+            const In<Index> own =
+                In<Index>(triangle_facet).subspan(polygon_triangles_.begin(f), polygon_triangles_.size(f));
+            if (std::ranges::find_if(own, [&](Index of) { return of != own[0]; }) == own.end()) {
+                std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f), own[0]);
             } else {
                 split_bent_polygon(static_cast<Index>(f), scratch, found);
             }

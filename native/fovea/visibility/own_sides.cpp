@@ -11,7 +11,7 @@
 namespace fovea::visibility {
 namespace {
 
-/// One triangle of each facet of a surface.
+/// The largest triangle of each facet of a surface: slivers say little about where a facet lies.
 struct FacetTriangles {
     Array<Index> triangle;
 };
@@ -25,10 +25,18 @@ struct PlacedSurface {
     dmat4 plane_to_depth;  // object-space planes to planes over (pixels, depth)
 };
 
+double area(const Surface& surface, Index triangle) {
+    const auto corner = [&](int i) { return dvec3(surface.positions[surface.triangles[triangle][i]]); };
+    return glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+}
+
 FacetTriangles facet_triangles(const Surface& surface) {
     FacetTriangles result;
     result.triangle.assign(surface.facet_count(), none);
-    for (Index t = 0; t < surface.triangles.size(); ++t) result.triangle[surface.triangle_facet[t]] = t;
+    for (Index t = 0; t < surface.triangles.size(); ++t) {
+        Index& largest = result.triangle[surface.triangle_facet[t]];
+        if (largest == none || area(surface, t) >= area(surface, largest)) largest = t;
+    }
     return result;
 }
 
