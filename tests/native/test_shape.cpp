@@ -2,6 +2,7 @@
 // What the polygons of a surface stand for, and the lines that suit it.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <set>
 
 #include <fovea/field/shape.h>
@@ -55,6 +56,22 @@ Mesh relief(int n, const Height& z) {
 
 double waves(double x, double y) { return 0.15 * std::sin(3.0 * x + 0.5) * std::cos(2.5 * y); }
 
+/// A round bump of radius 1.5 in 12 rings, and a floor around it, hardly sloped, up to `radius` without further rings.
+Mesh bump_on_floor(double radius) {
+    constexpr int rings = 12, sides = 24;
+    Mesh mesh("bump", {{0, 0, 0.15f}});
+    const auto at = [](int ring, int side) { return ring == 0 ? 0 : 1 + (ring - 1) * sides + side % sides; };
+    for (int ring = 1; ring <= rings + 1; ++ring)
+        for (int side = 0; side < sides; ++side) {
+            const double r = ring <= rings ? 1.5 * ring / rings : radius, a = 2.0 * std::numbers::pi * side / sides;
+            const double z = 0.15 * std::exp(-r * r);
+            mesh.positions.push_back({float(r * std::cos(a)), float(r * std::sin(a)), float(z)});
+            mesh.add_polygon({at(ring - 1, side), at(ring, side), at(ring, side + 1)});
+            if (ring > 1) mesh.add_polygon({at(ring - 1, side), at(ring, side + 1), at(ring - 1, side + 1)});
+        }
+    return mesh;
+}
+
 /// Kinds of the edges that a placement's lines of these sets have.
 std::set<Kinds> kinds_of(const Mesh& mesh, const std::vector<LineSet>& sets) {
     const Drawing drawn({place(mesh)}, corner_view, sets);
@@ -90,6 +107,12 @@ TEST(Shape, CoarseFacesAreMeantUnlessTheirShadingIsSmooth) {
     const Mesh coarse = relief(6, [](double x, double y) { return 0.35 * std::sin(4 * x) * std::cos(3 * y); });
     EXPECT_EQ(decided(coarse), Shape::hard);
     EXPECT_EQ(decided(shaded_smooth(coarse)), Shape::rounded);
+}
+
+TEST(Shape, IsNotSmoothForTheRimsOfSmallBumpsOnALargeFloor) {
+    // The triangles of the floor have a corner or two at the bump, where it bends both ways.
+    EXPECT_EQ(decided(bump_on_floor(2.0)), Shape::smooth);
+    EXPECT_EQ(decided(bump_on_floor(4.0)), Shape::rounded);
 }
 
 TEST(Shape, IsThatOfTheSurfaceWhateverItsSizeAndPlace) {

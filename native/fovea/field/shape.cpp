@@ -15,7 +15,8 @@ constexpr double most_fine_turn = glm::radians(8.5);  // contours of coarser mes
 constexpr double least_ratio = 0.1;                   // of the lesser to the greater principal curvature
 constexpr double least_share = 0.42;                  // of the area
 const double fitting = std::cos(glm::radians(25.0));
-constexpr double most_unfit = 0.13;  // of the area
+constexpr double most_unfit = 0.13;   // of the area
+constexpr double least_inside = 0.3;  // of the area
 
 /// What the edges and triangles at a vertex sum up to.
 struct Around {
@@ -46,6 +47,12 @@ struct Around {
     }
 };
 
+/// Twice the area, along the normal.
+dvec3 area_vector(const Surface& surface, const Triangle& t) {
+    const dvec3 p(surface.positions[t.x]);
+    return glm::cross(dvec3(surface.positions[t.y]) - p, dvec3(surface.positions[t.z]) - p);
+}
+
 Array<Around> sum_up(const Surface& surface) {
     Array<Around> around(surface.vertex_count());
     for (Index e = 0; e < surface.edges.size(); ++e) {
@@ -66,8 +73,7 @@ Array<Around> sum_up(const Surface& surface) {
         }
     }
     for (const Triangle& t : surface.triangles) {
-        const dvec3 p(surface.positions[t.x]), q(surface.positions[t.y]), r(surface.positions[t.z]);
-        const dvec3 normal = glm::cross(q - p, r - p) / 6.0;
+        const dvec3 normal = area_vector(surface, t) / 6.0;
         for (int k = 0; k < 3; ++k) {
             around[t[k]].normal += normal;
             around[t[k]].area += glm::length(normal);
@@ -77,19 +83,26 @@ Array<Around> sum_up(const Surface& surface) {
 }
 
 struct Rounded {
-    double share = 0.0;  // of the area
-    double turn = 0.0;   // mean at its edges, radians
+    double share = 0.0;   // of the area, that of vertices
+    double inside = 0.0;  // of the area, that of triangles with three such vertices
+    double turn = 0.0;    // mean at its edges, radians
 };
 
 Rounded rounded_part(const Surface& surface) {
-    double area = 0.0, rounded = 0.0, turn = 0.0;
-    for (const Around& at : sum_up(surface)) {
+    const Array<Around> around = sum_up(surface);
+    Array<std::uint8_t> is_rounded(around.size());
+    double area = 0.0, rounded = 0.0, inside = 0.0, turn = 0.0;
+    for (Index v = 0; v < around.size(); ++v) {
+        const Around& at = around[v];
         area += at.area;
-        if (!at.is_rounded()) continue;
+        is_rounded[v] = at.is_rounded();
+        if (!is_rounded[v]) continue;
         rounded += at.area;
         turn += at.area * at.mean_turn();
     }
-    return rounded > 0.0 ? Rounded{rounded / area, turn / rounded} : Rounded{};
+    for (const Triangle& t : surface.triangles)
+        if (is_rounded[t.x] && is_rounded[t.y] && is_rounded[t.z]) inside += 0.5 * glm::length(area_vector(surface, t));
+    return rounded > 0.0 ? Rounded{rounded / area, inside / area, turn / rounded} : Rounded{};
 }
 
 /// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
@@ -98,8 +111,7 @@ double unfit_share(const Surface& surface) {
     double area = 0.0, unfit = 0.0;
     for (Index t = 0; t < surface.triangles.size(); ++t) {
         const Triangle& c = surface.triangles[t];
-        const dvec3 p(surface.positions[c.x]), q(surface.positions[c.y]), r(surface.positions[c.z]);
-        const dvec3 normal = glm::cross(q - p, r - p);
+        const dvec3 normal = area_vector(surface, c);
         const double size = glm::length(normal);
         double least = size;
         for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[c[k]].normal)));
@@ -116,6 +128,9 @@ DecidedShape decide(const Surface& surface) {
     if (!(rounded.share >= least_share)) return {Shape::hard, told};
     told += std::format(", turning by {:.1f} degrees at an edge", glm::degrees(rounded.turn));
     if (rounded.turn > most_fine_turn) return {Shape::rounded, told};
+    if (!(rounded.inside >= least_inside))
+        return {Shape::rounded,
+                std::format("{}, {:.0f} % is in triangles with rounded corners only", told, 100.0 * rounded.inside)};
     const double unfit = unfit_share(surface);
     return {unfit <= most_unfit ? Shape::smooth : Shape::rounded,
             std::format("{}, {:.0f} % is coarser than a smooth shape", told, 100.0 * unfit)};

@@ -20,8 +20,9 @@ struct DecidedShape {
 };
 
 /// The surface's own shape, where one is set. Else smooth if it is a subdivision's limit; hard if less than 42 % of its
-/// area is rounded; of others smooth if that part turns by at most 8.5 degrees at an edge on average, and the normals
-/// of the fitted surface (field/fields.h) are within 25 degrees of the triangles' on all but 13 % of the area, else
+/// area is rounded; of others smooth if that part turns by at most 8.5 degrees at an edge on average, triangles with
+/// rounded corners only, inside of which lines of curvature can run, are at least 30 % of the area, and the normals of
+/// the fitted surface (field/fields.h) are within 25 degrees of the triangles' on all but 13 % of the area, else
 /// rounded. Depends on positions up to rotation and scale, and on marks; cached with the surface. A stretched surface
 /// has the shape of its source.
 std::shared_ptr<const DecidedShape> decided_shape(const Surface& surface);
