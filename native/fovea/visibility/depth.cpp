@@ -61,7 +61,9 @@ struct TileSpan {
 std::vector<TileSpan> spans(int size, int most, int overlap) {
     if (size <= most) return {{0, size, 0, size}};
     const int inner = most - 2 * overlap;
-    check(inner > 0, "depth tiles: too few texels for a tile with its overlap");
+    check(inner > 0,
+          "options.visibility: too few texels in a tile of the depth buffer for strokes as wide; take narrower "
+          "pens, or exact visibility");
     const int count = (size + inner - 1) / inner;
     std::vector<TileSpan> result;
     for (int i = 0; i < count; ++i) {
