@@ -74,6 +74,20 @@ Mesh tetrahedron();
 /// n x n squares in the plane z = 0 over [-1,1]^2, facing up; vertex i + (n + 1) j.
 Mesh grid(int n, float half = 1.0f);
 
+/// The grid with heights z(x, y), its squares split from their lower left to their upper right corners.
+template <typename Height>
+Mesh relief(int n, const Height& z) {
+    Mesh mesh("relief", grid(n).positions);
+    for (vec3& p : mesh.positions) p.z = float(z(p.x, p.y));
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const int a = i + (n + 1) * j, b = a + 1, c = b + n + 1, d = a + n + 1;
+            mesh.add_polygon({a, b, c});
+            mesh.add_polygon({a, c, d});
+        }
+    return mesh;
+}
+
 /// Unit sphere: 2n segments around z, n rings, triangles at the poles.
 Mesh sphere(int n);
 

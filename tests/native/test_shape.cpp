@@ -6,7 +6,6 @@
 #include <set>
 
 #include <fovea/field/shape.h>
-#include <fovea/line/folds.h>
 
 #include "drawing.h"
 
@@ -37,21 +36,6 @@ double noise(std::uint32_t n) {
     n *= 9;
     n = (n ^ (n >> 4)) * 0x27d4eb2d;
     return double(n ^ (n >> 15)) / 0x7fffffff - 1.0;
-}
-
-/// A grid of n x n squares with heights z(x, y), split into triangles.
-template <typename Height>
-Mesh relief(int n, const Height& z) {
-    const Mesh flat = grid(n);
-    Mesh mesh("relief", flat.positions);
-    for (vec3& p : mesh.positions) p.z = float(z(p.x, p.y));
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const int a = i + (n + 1) * j, b = a + 1, c = b + n + 1, d = a + n + 1;
-            mesh.add_polygon({a, b, c});
-            mesh.add_polygon({a, c, d});
-        }
-    return mesh;
 }
 
 double waves(double x, double y) { return 0.15 * std::sin(3.0 * x + 0.5) * std::cos(2.5 * y); }

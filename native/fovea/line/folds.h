@@ -10,8 +10,10 @@ namespace fovea::line {
 /// Per mesh edge: 1 if it is on a fold. A fold starts at edges that turn by at least `angle` degrees and stand out
 /// clearly from what lies beside them, and continues along edges that do so less (hysteresis, as Canny has it).
 /// `shape`: of the surface, never automatic: on hard ones, all edges that turn by more than 75 degrees are on folds; on
-/// others, folds start at half as much again as `angle`. `least`: folds that are shorter, in object units, and touch
-/// no edge that is marked sharp are left out as noise, and so are folds of one edge; 0: none is.
+/// others, folds start at half as much again as `angle`; grooves of rounded ones at a third more, if they turn more
+/// than twice as much as the surface does on average beside them: noses, lips and lids are formed by such. `least`:
+/// folds that are shorter, in object units, and touch no edge that is marked sharp are left out as noise, and so are
+/// folds of one edge, but no grooves of three edges of a rounded surface; 0: none is.
 Array<std::uint8_t> find_folds(const Surface& surface, Shape shape, double angle, double least);
 
 }  // namespace fovea::line
