@@ -14,7 +14,7 @@ from the_addon import part
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
-from bench import focus, peers, visibility
+from bench import focus, peers, scale, visibility
 
 SMALL = ("--size", "160x90", "--scenes", "boxes:3", "--json")
 
@@ -80,3 +80,17 @@ def test_bench_focus_tells_figures_of_every_part(rows_of):
     assert all(value[figure] > 0 for figure in counts)
     assert any("gpu" in figure for figure in value)
     assert sum("in focus / out of it" in figure for figure in value) == 14  # of two styles, two kinds of focus
+
+
+def test_bench_scale_tells_times_memory_and_stages_of_every_count(capfd):
+    words = "--quick", "--size", "160x90"
+    assert scale.main([*words, "--json"], bpy.app.binary_path, dict(os.environ), None) == 0
+    rows = json.loads(capfd.readouterr().out)
+    counts = [(name, count // scale.QUICK) for name, counts in scale.COUNTS.items() for count in counts]
+    assert [(row["scene"], row["count"]) for row in rows] == counts
+    for row in rows:
+        assert row["first_s"] > 0 and row["moved_s"] > 0 and row["blank_s"] >= 0, row
+        assert row["peak_mb"] >= row["scene_mb"] > 0 and row["strokes"] > 0
+        assert are_times(row["first_stages"]) and are_times(row["moved_stages"])
+        assert sum(row["first_stages"].values()) <= row["first_s"]  # seconds, both
+    assert "first" in scale.table(rows).splitlines()[2]
