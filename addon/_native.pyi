@@ -1426,6 +1426,7 @@ class Overrides:
         importance: Annotated[ArrayLike, numpy.float32] | None=None,
         painted: Mapping[str, Sequence[Annotated[ArrayLike, numpy.float32] | None]]={},
         objects: Sequence[Sequence[str]]=[],
+        objects_of_placement: Annotated[ArrayLike, numpy.uint32] | None=None,
         density_map: ColorTexture | None=None,
         placements: Sequence[Annotated[ArrayLike, numpy.uint8] | None]=[],
         materials: Sequence[MaterialFilter | None]=[],
@@ -1434,9 +1435,10 @@ class Overrides:
         lined: MaterialFilter | None=None,
     ) -> None:
         """importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
-        None}; objects: n lists of names; density_map: over the camera's frame. By line set: placements (n,) uint8 whose
-        lines are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits
-        of what each placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead,
-        NaN: none}}, and lined: the materials that have lines at all."""
+        None}; objects: lists of names, and objects_of_placement (n,) uint32: the list of each; density_map: over the
+        camera's frame. By line set: placements (n,) uint8 whose lines are for it, and materials whose faces' lines are,
+        None: all. Of all sets: shown (n,) uint32 registry bits of what each placement shows, parameters {definition:
+        {parameter: (n,) float64 that placements have instead, NaN: none}}, and lined: the materials that have lines at
+        all."""
 
 notes: dict

@@ -5,7 +5,7 @@ import time
 from dataclasses import dataclass
 
 from .. import catalogue, native, pipeline, style
-from ..scene import color_sources, notes, scene, surfaces
+from ..scene import color_sources, notes, scene, snapshot, surfaces
 from . import properties
 
 
@@ -13,7 +13,7 @@ from . import properties
 class Read:
     """Everything that a Style draws of a scene, independent of the view; references no Blender data."""
 
-    snapshot: scene.Snapshot
+    snapshot: snapshot.Snapshot
     placed: object  # native Scene
     colors: object  # native ColorSources, or None without a color layer
     notes: object  # native Overrides

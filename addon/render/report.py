@@ -2,7 +2,6 @@
 """Report: objects that a final render leaves out and why, times of the last picture, and memory."""
 
 import sys
-from collections import Counter
 from pathlib import Path
 
 import bpy
@@ -75,7 +74,7 @@ def _why_not(obj, read, depsgraph):
         return "is invisible to cameras, as its visibility settings say"
     if obj.name in read.snapshot.left_out:
         return read.snapshot.left_out[obj.name]
-    if obj.name in read.snapshot.objects:
+    if obj.name in read.snapshot.drawn:
         return None
     return _hidden(obj, depsgraph) or _why_empty(obj, read)
 
@@ -83,7 +82,7 @@ def _why_not(obj, read, depsgraph):
 def _why_empty(obj, read):
     """Why an object that is shown has no lines."""
     family = obj.name.partition(".")[0]
-    if obj.type == "META" and family in read.snapshot.objects:
+    if obj.type == "META" and family in read.snapshot.drawn:
         return f"is drawn as one with the metaball '{family}'"
     if obj.type == "CURVES" and obj.fovea.hair == "OFF":
         return "has hair that is off, as its line drawing setting says"
@@ -108,12 +107,12 @@ def _hidden(obj, depsgraph):
 
 def drawn(read):
     """Text lines on what is drawn: counts of placements, meshes and triangles."""
-    surfaces, placed = read.snapshot.surfaces, Counter(read.snapshot.surface_of_placement.tolist())
-    triangles = sum(len(surfaces[i].triangles) * count for i, count in placed.items())
-    if not surfaces:
+    found = read.snapshot
+    if not found.surfaces:
         yield "Nothing: there is nothing in the scene that has lines"
         return
-    yield f"objects and instances: {len(read.snapshot.objects)}, meshes: {len(surfaces)}, triangles: {triangles}"
+    counts = len(found.usage), len(found.surfaces), found.triangle_count
+    yield "objects and instances: {}, meshes: {}, triangles: {}".format(*counts)
 
 
 def transparency(read):

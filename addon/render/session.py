@@ -213,7 +213,7 @@ def note_statistics(found, image, near_s=0.0):
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]
     shapes = [surface.known_shape for surface in snapshot.surfaces]
-    placed = list(zip(snapshot.objects, snapshot.surface_of_placement))
+    placed = [(origin.object, origin.surface) for origin in snapshot.origins]
     _statistics.clear()
     _statistics.update(
         curvature={name: reasons[i] for name, i in placed if reasons[i]},
@@ -222,7 +222,7 @@ def note_statistics(found, image, near_s=0.0):
         strokes=image.statistics["strokes"],
         backend=image.statistics["backend"],
         visibility=image.statistics["visibility"],
-        triangles=sum(len(snapshot.surfaces[i].triangles) for i in snapshot.surface_of_placement),
+        triangles=snapshot.triangle_count,
         lines_s=sum(stages[name] for name in until_runs) / 1000,
     )
 

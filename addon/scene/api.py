@@ -37,8 +37,8 @@ def surfaces(depsgraph=None):
     """
     snapshot = _snapshot(depsgraph or bpy.context.evaluated_depsgraph_get())
     found = {}  # of an object that has hair, too, its mesh: the first
-    for name, i in zip(snapshot.objects, snapshot.surface_of_placement):
-        found.setdefault(name, snapshot.surfaces[i])
+    for origin in snapshot.origins:
+        found.setdefault(origin.object, snapshot.surfaces[origin.surface])
     return found
 
 
@@ -88,8 +88,8 @@ def lines(
     snapshot, view = _snapshot(depsgraph), cameras.of_scene(depsgraph, camera)
     if objects is not None:
         wanted = {obj.name for obj in objects}
-        others = np.array([name not in wanted for name in snapshot.objects], bool)
-        snapshot.usage[others] &= ~np.uint8(scenes.DRAW)
+        others = np.array([origin.object not in wanted for origin in snapshot.origins], bool)
+        snapshot.usage[others[snapshot.origin_of_placement]] &= ~np.uint8(scenes.DRAW)
     chosen, placed = pipeline.style_of_lines(kinds, corner_angle, hidden), scenes.placed(core, snapshot)
     frame = pipeline.frame(placed, scenes.seen(core, view), chosen, core.CpuBackend(), pipeline.options())
     frame.find()

@@ -4,8 +4,6 @@
 import math
 import weakref
 
-import numpy as np
-
 from . import color_nodes, kept, materials, shader_links
 from .color_corners import Corners
 from .color_images import ImageCache
@@ -56,9 +54,8 @@ class Gathering:
         normals = corners.normals()
         self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))
 
-    def add_light(self, instance):
-        """Adds an instance of a light."""
-        data, matrix = instance.object.data, np.array(instance.matrix_world)
+    def add_light(self, data, matrix):
+        """Adds a light (bpy.types.Light) with its object-to-world matrix."""
         strength = data.energy * 2.0 ** getattr(data, "exposure", 0.0)
         # Blender's watts to intensity: point and spot lights radiate into 4 pi, area lights into a hemisphere (pi).
         spread = {"SUN": 1.0, "POINT": 4 * math.pi, "SPOT": 4 * math.pi, "AREA": math.pi}[data.type]
@@ -71,7 +68,7 @@ class Gathering:
 
     def sources(self, scene, surface_of_placement):
         """The native ColorSources; `surface_of_placement`: (n,) index of each placement's surface."""
-        surfaces = [self.surfaces[i] for i in surface_of_placement]
+        surfaces = [self.surfaces[i] for i in surface_of_placement.tolist()]
         made = self._core.ColorSources(surfaces, self.lights, _world(scene))
         self._cache.shown[id(made)] = made
         return made

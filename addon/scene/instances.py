@@ -1,33 +1,67 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The instances of a depsgraph as arrays."""
 
+from array import array
+
+import bpy
 import numpy as np
+
+# Blender 4.3 never frees the instances of an object, 250 bytes each, where a traversal ends among them, as that of
+# foreach_get does. 5.2 does; between them, nobody has looked.
+AT_ONCE = bpy.app.version >= (5, 2)
+
+
+def owner(instance):
+    """Whose visibility an instance has: its instancer's or, of what no object instances, its own."""
+    return (instance.parent if instance.is_instance else None) or instance.object
 
 
 def placements(depsgraph, viewport):
     """Objects, materials, visibility and matrices of all instances in a viewport (its SpaceView3D), without cameras; to
     be compared."""
-    shown = []
-    for instance in depsgraph.object_instances:
-        obj = instance.object
+    told, index = [], []  # index: by kind, that of what is told of it; -1: a camera
+
+    def meet(instance):
+        obj, instancer = instance.object, owner(instance)
+        index.append(-1 if obj.type == "CAMERA" else len(told))
         if obj.type == "CAMERA":
-            shown.append(None)
-            continue
-        owner = (instance.parent if instance.is_instance else None) or obj
+            return
         names = [slot.material and slot.material.name_full for slot in obj.material_slots]
-        seen = instance.show_self and owner.visible_in_viewport_get(viewport)
-        shown.append((owner.name_full, obj.name_full, seen, names))
-    kept = np.array([told is not None for told in shown], np.bool_)
-    return shown, *(array[kept].tobytes() for array in arrays(depsgraph.object_instances))
+        seen = instance.show_self and instancer.visible_in_viewport_get(viewport)
+        told.append((instancer.name_full, obj.name_full, seen, names))
+
+    matrices, persistent, kinds = read(depsgraph.object_instances, meet)
+    of_instance = np.array(index, np.int32)[kinds]
+    return told, *(array[of_instance >= 0].tobytes() for array in (of_instance, matrices, persistent))
 
 
-def arrays(instances):
-    """(k, 4, 4) float64 object-to-world matrices and (k, 8) int32 persistent ids of all instances, in order."""
+def read(instances, meet):
+    """Of all k instances, in order: (k, 4, 4) float64 object-to-world matrices, (k, 8) int32 persistent ids, and (k,)
+    int32 kinds. Instances of a kind differ in their places alone: `meet(instance)` is called with the first of each."""
     count = len(instances)
-    matrices, persistent = np.empty((count, 4, 4), np.float32), np.empty((count, 8), np.int32)
-    instances.foreach_get("matrix_world", matrices.ravel())
-    instances.foreach_get("persistent_id", persistent.ravel())
-    return matrices.transpose(0, 2, 1).astype(np.float64), persistent
+    matrices, persistent = np.empty((count, 16), np.float32), np.empty((count, 8), np.int32)
+    known, kinds = {}, array("i")
+    for instance in instances if AT_ONCE else _filling(instances, matrices, persistent):
+        # The object of an instance is a temporary copy, all of them at one address, and the Python object that is made
+        # for each is never freed where nodes gave it other data: so none is made where there is a source.
+        data, source = instance.path_resolve("object.data"), instance.instance_object or instance.object
+        key = data, source, instance.parent, instance.show_self, instance.show_particles
+        if key not in known:
+            known[key] = len(known)
+            meet(instance)
+        kinds.append(known[key])
+    if AT_ONCE:
+        instances.foreach_get("matrix_world", matrices.ravel())
+        instances.foreach_get("persistent_id", persistent.ravel())
+    return matrices.reshape(-1, 4, 4).transpose(0, 2, 1).astype(np.float64), persistent, np.array(kinds, np.int32)
+
+
+def _filling(instances, matrices, persistent):
+    """Each of the instances; on the way, their matrices and ids fill the arrays."""
+    for instance, matrix, numbers in zip(instances, matrices, persistent):  # first the instances: to their end
+        instance.path_resolve("matrix_world", False).foreach_get(matrix)  # False: its numbers, without a Matrix
+        instance.persistent_id.foreach_get(numbers)
+        yield instance
 
 
 def ids(names, persistent):

@@ -11,7 +11,7 @@ from . import own_lines
 def of(core, line_sets, snapshot):
     """The keyword arguments of native Overrides that filter the lines of a style's line sets on a Snapshot's
     placements."""
-    shown = snapshot.shown
+    shown = snapshot.of_origins("shown", np.uint32)
     by_material = [_slots_of(line_set, snapshot.slots) for line_set in line_sets]
 
     def materials(masks):
@@ -21,17 +21,19 @@ def of(core, line_sets, snapshot):
         "placements": [_placements(*words, snapshot) for words in zip(line_sets, by_material)],
         "materials": [materials(masks) for masks in by_material],
         "shown": None if (shown == own_lines.ALL_KINDS).all() else shown,
-        "parameters": _own_parameters(snapshot.own_values),
+        "parameters": _own_parameters(snapshot),
         "lined": materials(_lined(snapshot)),
     }
 
 
-def _own_parameters(own_values):
+def _own_parameters(snapshot):
     """{definition: {parameter: (n,) values, NaN: not overridden}} of the parameters that any placement overrides."""
-    found = {}
-    for (definition, parameter), values in zip(own_lines.parameters(), own_values):
+    found, known = {}, own_lines.parameters()
+    own = np.array([origin.own for origin in snapshot.origins], np.float64).reshape(-1, len(known))
+    for (definition, parameter), values in zip(known, own.T):
         if not np.isnan(values).all():
-            found.setdefault(definition["name"], {})[parameter["name"]] = values
+            of_placement = values[snapshot.origin_of_placement]
+            found.setdefault(definition["name"], {})[parameter["name"]] = of_placement
     return found
 
 
@@ -44,23 +46,24 @@ def _placements(line_set, by_material, snapshot):
     """(n,) uint8 mask of the placements that a LineSet applies to; None: all. The placement's object or its instancer
     must pass the collection and object filters, and any of its materials the material filter. A filter by a name that
     does not exist matches nothing."""
-    chosen = np.ones(len(snapshot.owners), np.uint8)
+    chosen = np.ones(len(snapshot.origin_of_placement), np.uint8)
     if line_set.collection:
         collection = bpy.data.collections.get(line_set.collection)
         inside = {obj.name_full for obj in collection.all_objects} if collection else set()
-        chosen &= _owned(inside, snapshot.owners) != line_set.outside
+        chosen &= _owned(inside, snapshot) != line_set.outside
     if line_set.object:
         obj = bpy.data.objects.get(line_set.object)
-        chosen &= _owned({obj.name_full} if obj else set(), snapshot.owners) != line_set.other_objects
+        chosen &= _owned({obj.name_full} if obj else set(), snapshot) != line_set.other_objects
     if by_material:
         some = np.array([mask.any() for mask in by_material], np.uint8)
         chosen &= some[snapshot.surface_of_placement]
     return None if chosen.all() else chosen
 
 
-def _owned(names, owners):
+def _owned(names, snapshot):
     """(n,) bool: whether any owner of each placement has one of these full names."""
-    return np.array([not names.isdisjoint(of_placement) for of_placement in owners], bool)
+    owned = [not names.isdisjoint(origin.owners) for origin in snapshot.origins]
+    return np.array(owned, bool)[snapshot.origin_of_placement]
 
 
 def _slots_of(line_set, slots):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Per-placement overrides: priorities, painted attributes, the density map, and filters of lines."""
 
+import numpy as np
+
 from . import line_filters
 from .color_corners import Corners
 
@@ -24,12 +26,13 @@ class Gathering:
 
     def notes(self, image, snapshot):
         """The native Overrides of a Snapshot's placements. `image`: the density map (bpy.types.Image), or None."""
-        surfaces = snapshot.surface_of_placement
+        surfaces = snapshot.surface_of_placement.tolist()
         painted = {name: [values[i] for i in surfaces] for name, values in self._painted.items()}
         return self._core.Overrides(
-            importance=snapshot.importance,
+            importance=snapshot.of_origins("importance", np.float32),
             painted=painted,
-            objects=snapshot.owners,
+            objects=[origin.owners for origin in snapshot.origins],
+            objects_of_placement=snapshot.origin_of_placement,
             density_map=image and self._cache.images.texture(image),
             **line_filters.of(self._core, self._line_sets, snapshot),
         )

@@ -2,7 +2,6 @@
 """Reads an evaluated depsgraph into a Snapshot: one native surface per mesh, and its placements."""
 
 import hashlib
-from dataclasses import dataclass
 from functools import partial
 
 import bpy
@@ -10,29 +9,11 @@ import numpy as np
 
 from . import bare_shapes, cut_outs, detail, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
+from .snapshot import Origin, Snapshot
 
 DRAW, OCCLUDE, HOLDOUT = 1, 2, 4  # native/fovea/scene/scene.h
 VIEWPORTS = 4  # factor on the number of passes after which unused surfaces are dropped, as viewports take turns
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
-
-
-@dataclass(frozen=True, eq=False)
-class Snapshot:
-    """A scene as the native module takes it: n placements of m surfaces."""
-
-    surfaces: list  # m native surfaces
-    slots: list  # m tuples of materials.Slot
-    surface_of_placement: np.ndarray  # (n,) int32
-    object_to_world: np.ndarray  # (n, 4, 4) float64
-    persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
-    usage: np.ndarray  # (n,) uint8, bits DRAW, OCCLUDE, HOLDOUT
-    groups: np.ndarray  # (n,) uint64, the same where objects have one outline together; 0: of none
-    objects: list  # n object names
-    owners: list  # n tuples of full names: the object's and, for an instance, its instancer's
-    importance: np.ndarray  # (n,) float32 in [0, 1], the objects' priority
-    shown: np.ndarray  # (n,) uint32, kinds of lines that the objects show, bit i: the registry's definition i
-    own_values: list  # per parameter of own_lines.parameters(): (n,) float64 per-object value, NaN: not overridden
-    left_out: dict  # object name -> why some of it has no lines
 
 
 class _Gathering:
@@ -45,23 +26,46 @@ class _Gathering:
         self.cache, self.with_marks = cache, with_marks
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
         self.surfaces, self.slots = [], []
-        self.known_materials, self.known_usage, self.known_names, self.index_of = {}, {}, {}, {}
+        self.known_materials, self.known_names, self.index_of = {}, {}, {}
         self.known_own, self.known_guides, self.left_out = {}, None, {}
         self.outlines = bare_shapes.outlines()
         self.together = None  # {object: collection with one outline}, by full names
-        self.rows = []  # per placement: (instance, surface, hash of names, usage, group, object, owners, *own)
+        self.lights = {}  # kind of instances: its light
+        self.origins, self.origins_of_kind = [], []  # Origins; by kind of instances, its first and how many
 
-    def usage(self, instance, shown):
-        """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
-        and; 0 if it is not `shown`."""
+    def meet(self, instance):
+        """Adds the Origins of a kind of instances, by the first of them."""
+        first = len(self.origins)
+        if instance.object.type == "LIGHT" and instance.show_self:
+            self.lights[len(self.origins_of_kind)] = instance.object.data
+        usage = self.usage(instance)
+        if usage and instance.show_self:
+            self.add_data(instance, usage)
+        if usage and instance.show_particles:
+            for shape in bare_shapes.of_particles(instance.object, self.depsgraph):
+                self.add_shape(shape, instance, usage)
+        self.origins_of_kind.append((first, len(self.origins) - first))
+
+    def add_data(self, instance, usage):
+        """Adds what is drawn of an instance's own data."""
         obj = instance.object
-        owner = (instance.parent if instance.is_instance else None) or obj
-        identity = (obj.name_full, owner.name_full, shown)
-        if identity not in self.known_usage:
-            self.known_usage[identity] = self._usage(obj, owner) if shown else 0
-        return self.known_usage[identity]
+        if isinstance(obj.data, bpy.types.Mesh):
+            if is_edited(obj):
+                # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
+                self.add_mesh(obj, obj.to_mesh(), instance, usage)
+                obj.to_mesh_clear()
+            else:
+                self.add_mesh(obj, obj.data, instance, usage)
+        # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
+        elif obj.type in bare_shapes.CURVES:
+            self.add_wire(instance, usage)
+        elif shape := bare_shapes.of_data(obj, self.depsgraph.scene):
+            self.add_shape(shape, instance, usage)
 
-    def _usage(self, obj, owner):
+    def usage(self, instance):
+        """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
+        and."""
+        obj, owner = instance.object, instances.owner(instance)
         # Instances are temporary copies, and so are objects that Blender converted to meshes. Settings are read from
         # the evaluated originals (reading them from a copy leaks memory).
         same = obj == owner
@@ -140,13 +144,13 @@ class _Gathering:
             found = self.cache.surface(key, obj.name, mesh, slots, mend, cuts, rest=rest, **words)
         return found
 
-    def add(self, step, obj, mesh, instance, usage):
-        """Adds a placement of an evaluated mesh; `step`: index of the instance in the depsgraph. Skips empty meshes."""
+    def add_mesh(self, obj, mesh, instance, usage):
+        """Adds the Origin of an evaluated mesh. Skips empty meshes."""
         if len(mesh.edges):
-            self.place(step, self.surface_index(obj, mesh), instance, usage)
+            self.add_origin(self.surface_index(obj, mesh), instance, usage)
 
-    def add_shape(self, step, shape, instance, usage):
-        """Adds a placement of a bare_shapes.Shape, unless it is empty."""
+    def add_shape(self, shape, instance, usage):
+        """Adds the Origin of a bare_shapes.Shape, unless it is empty."""
         obj, place = instance.object, (*shape.place, instance.object.name_full)
         if place not in self.index_of:
             slots = materials.slots(shape, shape, self.known_materials)
@@ -158,10 +162,10 @@ class _Gathering:
                 self.surfaces.append(surface)
                 self.slots.append(slots)
         if self.index_of[place] is not None:
-            self.place(step, self.index_of[place], instance, usage, shape)
+            self.add_origin(self.index_of[place], instance, usage, shape)
 
-    def add_wire(self, step, instance, usage):
-        """Adds a placement of a curve that has no faces, as the edges that Blender makes of it."""
+    def add_wire(self, instance, usage):
+        """Adds the Origin of a curve that has no faces, as the edges that Blender makes of it."""
         obj = instance.object
         mesh = obj.to_mesh()
         if self.known_guides is None:
@@ -173,11 +177,11 @@ class _Gathering:
         elif obj.original in self.known_guides:
             self.left_out[obj.name] = bare_shapes.GUIDE
         else:
-            self.add(step, obj, mesh, instance, usage)
+            self.add_mesh(obj, mesh, instance, usage)
         obj.to_mesh_clear()
 
-    def place(self, step, surface, instance, usage, shape=None):
-        """Adds a placement of a surface (its index). `shape`: the Shape that it is made of, or None."""
+    def add_origin(self, surface, instance, usage, shape=None):
+        """Adds the Origin of placements of a surface (its index). `shape`: the Shape that it is made of, or None."""
         obj = instance.object
         if usage & OCCLUDE and all(slot.holdout for slot in self.slots[surface]):
             usage = OCCLUDE | HOLDOUT
@@ -187,9 +191,8 @@ class _Gathering:
         if shape:
             names = (*names, shape.name) if shape.name else names
             shown &= self.outlines if shape.outlined else shown
-        own = priority, shown, *own
-        group = self.outline_group(obj, parent)
-        self.rows.append((step, surface, self.name_hash(*names), usage, group, obj.name, owners, *own))
+        names, group = self.name_hash(*names), self.outline_group(obj, parent)
+        self.origins.append(Origin(surface, names, usage, group, obj.name, owners, priority, shown, own))
 
     def own(self, obj):
         """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""
@@ -219,26 +222,16 @@ class _Gathering:
             self.known_names[names] = int.from_bytes(digest, "little")
         return self.known_names[names]
 
-    def snapshot(self, matrices, persistent):
-        """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8): of all k instances of the depsgraph."""
-        columns = zip(*self.rows) if self.rows else ((),) * 9
-        steps, surface, names, usage, groups, objects, owners, importance, shown, *own_values = columns
-        chosen = np.array(steps, np.intp)
-        return Snapshot(
-            self.surfaces,
-            self.slots,
-            np.array(surface, np.int32),
-            matrices[chosen],
-            instances.ids(np.array(names, np.uint64), persistent[chosen]),
-            np.array(usage, np.uint8),
-            np.array(groups, np.uint64),
-            list(objects),
-            list(owners),
-            np.array(importance, np.float32),
-            np.array(shown, np.uint32),
-            [np.array(values, np.float64) for values in own_values],
-            self.left_out,
-        )
+    def snapshot(self, matrices, persistent, kinds):
+        """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8), `kinds` (k,): of all k instances of the depsgraph."""
+        first, count = np.array(self.origins_of_kind, np.int64).reshape(-1, 2)[kinds].T
+        before = np.cumsum(count) - count  # placements, of the instances before each
+        steps = np.repeat(np.arange(len(kinds)), count)
+        origin_of = (np.arange(len(steps)) + (first - before)[steps]).astype(np.uint32)
+        names = np.array([origin.names for origin in self.origins], np.uint64)[origin_of]
+        usage = np.array([origin.usage for origin in self.origins], np.uint8)[origin_of]
+        ids = instances.ids(names, persistent[steps])
+        return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, self.left_out)
 
 
 def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None):
@@ -253,18 +246,12 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, col
     sizes = _sizes(depsgraph) if images else {}
     gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes)
     cache.begin()
-    for step, instance in enumerate(depsgraph.object_instances):
-        obj = instance.object
-        if colors and obj.type == "LIGHT" and instance.show_self:
-            colors.add_light(instance)
-        if usage := gathering.usage(instance, instance.show_self):
-            _gather_data(gathering, step, instance, usage)
-        if instance.show_particles and (usage := gathering.usage(instance, True)):
-            for shape in bare_shapes.of_particles(obj, depsgraph):
-                gathering.add_shape(step, shape, instance, usage)
+    matrices, persistent, kinds = instances.read(depsgraph.object_instances, gathering.meet)
+    for step in np.flatnonzero(np.isin(kinds, list(gathering.lights))) if colors else ():
+        colors.add_light(gathering.lights[kinds[step]], matrices[step])
     # View layers and viewports may show different parts of a scene in alternating passes.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
-    found = gathering.snapshot(*instances.arrays(depsgraph.object_instances))
+    found = gathering.snapshot(matrices, persistent, kinds)
     kept.add_snapshot(found)
     return found
 
@@ -273,25 +260,7 @@ def _sizes(depsgraph):
     """How large objects are seen (detail.px_per_unit), in files in which some material is cut out."""
     if not bpy.data.images or not any(slot.cut for slot in materials.slots_of(bpy.data.materials, {})):
         return {}
-    matrices, _ = instances.arrays(depsgraph.object_instances)
-    return detail.px_per_unit(depsgraph, depsgraph.object_instances, matrices)
-
-
-def _gather_data(gathering, step, instance, usage):
-    """Adds what is drawn of an instance's own data."""
-    obj = instance.object
-    if isinstance(obj.data, bpy.types.Mesh):
-        if is_edited(obj):
-            # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
-            gathering.add(step, obj, obj.to_mesh(), instance, usage)
-            obj.to_mesh_clear()
-        else:
-            gathering.add(step, obj, obj.data, instance, usage)
-    # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
-    elif obj.type in bare_shapes.CURVES:
-        gathering.add_wire(step, instance, usage)
-    elif shape := bare_shapes.of_data(obj, gathering.depsgraph.scene):
-        gathering.add_shape(step, shape, instance, usage)
+    return detail.px_per_unit(depsgraph)
 
 
 def placed(core, snapshot):
@@ -303,7 +272,7 @@ def placed(core, snapshot):
         found.object_to_world,
         found.persistent_id,
         found.usage,
-        found.groups,
+        found.of_origins("group", np.uint64),
     )
 
 

@@ -67,7 +67,10 @@ def read(cache=None):
 def shown(snapshot):
     """Per placement, the names of the definitions that it has."""
     names = [definition["name"] for definition in line_kinds.definitions()]
-    return [{name for bit, name in enumerate(names) if bits >> bit & 1} for bits in snapshot.shown.tolist()]
+    return [
+        {name for bit, name in enumerate(names) if bits >> bit & 1}
+        for bits in snapshot.of_origins("shown", np.uint32).tolist()
+    ]
 
 
 def told():

@@ -26,7 +26,7 @@ def groups():
     """{object: number of its group}; instances by the name of what they are of."""
     snapshot = gather(bpy.context.evaluated_depsgraph_get(), SurfaceCache(part("native").load()))
     found = {}
-    for name, group in zip(snapshot.objects, snapshot.groups.tolist()):
+    for name, group in zip(snapshot.objects, snapshot.of_origins("group", np.uint64).tolist()):
         found.setdefault(name, []).append(group)
     return found
 

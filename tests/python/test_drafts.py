@@ -107,7 +107,14 @@ def dimmed(model, quality=None, effects=style.Effects(**DIMMED)):
     ball, cube = (sum(map(len, mesh.polygons)) for mesh in (sphere(24), box()))
     painted = {"seen": [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]}
     sources = core.ColorSources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3, [], (0, 0, 0))
-    beside = {"colors": sources, "notes": core.Overrides(painted=painted, objects=(("Ball",), ("Cube",), ("Pair",)))}
+    beside = {
+        "colors": sources,
+        "notes": core.Overrides(
+            painted=painted,
+            objects=(("Ball",), ("Cube",), ("Pair",)),
+            objects_of_placement=np.arange(3, dtype=np.uint32),
+        ),
+    }
     return pipeline.draw(placed, seen, chosen, core.CpuBackend(), options.replace(with_focus=True), **beside)
 
 

@@ -19,7 +19,7 @@ def frame(model, **options):
     focus = {"model": model, "points": [{"object": "A", "at": [-2, 0, 0], "near": 0.5, "far": 3}]}
     sets = [{"kinds": {"contour": {}, "crease": {}}, **AWAY}]
     chosen = style.parse(json.dumps({"schema": style.SCHEMA, "line_sets": sets, "focus": focus}))
-    notes = core.Overrides(objects=(("A",), ("B",)))
+    notes = core.Overrides(objects=(("A",), ("B",)), objects_of_placement=np.arange(2, dtype=np.uint32))
     return pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(**options), notes=notes)
 
 

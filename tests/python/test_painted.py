@@ -68,7 +68,7 @@ def drawn(look, **notes):
     matrices[0][0, 3], matrices[1][0, 3] = -2, 2
     placed, seen = scene([box().surface()] * 2, matrices), view((0, -12, 3), (0, 0, 0))
     chosen = parsed(line_sets=[{"kinds": {"crease": {}}, **PEN}], focus=look)
-    said = core.Overrides(objects=(("A",), ("B",)), **notes)
+    said = core.Overrides(objects=(("A",), ("B",)), objects_of_placement=np.arange(2, dtype=np.uint32), **notes)
     made = pipeline.frame(placed, seen, chosen, core.CpuBackend(), pipeline.options(), notes=said)
     made.filter()
     return made

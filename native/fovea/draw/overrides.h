@@ -19,8 +19,10 @@ struct Overrides {
     In<float> importance;
     /// Painted mesh attributes by name. Borrowed.
     std::map<std::string, Painted> painted;
-    /// Names of the object, and of what instanced it.
+    /// Not per placement: lists of names, of an object and of what instanced it.
     std::vector<std::vector<std::string>> objects;
+    /// The list of each placement. Borrowed.
+    In<Index> objects_of_placement;
     /// Density map over the camera's frame; null: the pens' spacing.
     std::shared_ptr<const ColorTexture> density_map;
     /// Per-placement overrides of line definitions, and their material filters.

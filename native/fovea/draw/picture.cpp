@@ -17,10 +17,13 @@ namespace {
 /// Distance from the placements of an object, including instances that it makes; null if there are none, then the
 /// object's own position is used.
 std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const Job& job) {
+    const Overrides& overrides = job.overrides;
+    Array<std::uint8_t> named(overrides.objects.size());
+    for (std::size_t i = 0; i < named.size(); ++i)
+        named[i] = std::ranges::find(overrides.objects[i], name) != overrides.objects[i].end();
     Array<Index> placements;
-    const std::vector<std::vector<std::string>>& objects = job.overrides.objects;
-    for (Index i = 0; i < objects.size(); ++i)
-        if (std::ranges::find(objects[i], name) != objects[i].end()) placements.push_back(i);
+    for (Index i = 0; i < overrides.objects_of_placement.size(); ++i)
+        if (named[overrides.objects_of_placement[i]]) placements.push_back(i);
     if (!job.scene || placements.empty()) return nullptr;
     return std::make_shared<SurfaceDistance>(*job.scene, job.view, placements);
 }
