@@ -223,7 +223,7 @@ class _Gathering:
         return self.known_names[names]
 
     def snapshot(self, matrices, persistent, kinds):
-        """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8), `kinds` (k,): of all k instances of the depsgraph."""
+        """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8), `kinds` (k,): of all k instances of a depsgraph."""
         first, count = np.array(self.origins_of_kind, np.int64).reshape(-1, 2)[kinds].T
         before = np.cumsum(count) - count  # placements, of the instances before each
         steps = np.repeat(np.arange(len(kinds)), count)
