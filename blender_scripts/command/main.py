@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from command import temporary
-from command.target import StepFailed, Target, say
+from command.target import INTERRUPTS, StepFailed, Target, say
 
 # Sub-commands with a module of their own; the others are functions of `actions`.
 MODULES = ("check", "figures", "fuzz", "lines", "stub", "test")
@@ -17,7 +17,7 @@ MODULES = ("check", "figures", "fuzz", "lines", "stub", "test")
 
 def main(words):
     """words: NAME WORK CACHE BLENDER PYTHON_INCLUDE SUB-COMMAND ARGUMENTS..."""
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in INTERRUPTS:
         signal.signal(number, interrupt)
     work = Path(words[1])
     try:
@@ -40,7 +40,7 @@ def main(words):
 
 def interrupt(_number, _frame):
     """Ends what is done, once: what is interrupted again would not put its things in order."""
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in INTERRUPTS:
         signal.signal(number, signal.SIG_IGN)
     raise KeyboardInterrupt
 

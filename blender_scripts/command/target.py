@@ -7,11 +7,13 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
+INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 PATIENCE = 3  # seconds in which a process that is interrupted ends by itself
 SHARED = PROJECT.parent / "shared"  # models that are not part of the project; may be absent
 
@@ -69,17 +71,21 @@ class Target:
         log.parent.mkdir(parents=True, exist_ok=True)
         start = time.monotonic()
         with log.open("wb") as output:
-            process = subprocess.Popen(
-                [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
-                env=self.environment() | environment, pass_fds=() if self.held is None else (self.held,),
-            )  # fmt: skip
+            process = None
             try:
+                with _interrupts_wait():
+                    process = subprocess.Popen(
+                        [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=output,
+                        stderr=subprocess.STDOUT, env=self.environment() | environment,
+                        pass_fds=() if self.held is None else (self.held,),
+                    )  # fmt: skip
                 while True:
                     with contextlib.suppress(subprocess.TimeoutExpired):
                         return log, process.wait(timeout=15)
                     say(f"  {self.name}: {sentence} {time.monotonic() - start:.0f} s: {tail(log, 1).strip()[:80]}")
             finally:
-                _end(process)
+                if process:
+                    _end(process)
 
     @contextlib.contextmanager
     def lock(self):
@@ -88,6 +94,22 @@ class Target:
         with (self.work / "lock").open("w") as file:
             fcntl.flock(file, fcntl.LOCK_EX)
             yield
+
+
+@contextlib.contextmanager
+def _interrupts_wait():
+    """Context that an interrupt ends at its end: a process that is being started is known by then."""
+    told = []
+    handlers = {}
+    if threading.current_thread() is threading.main_thread():
+        handlers = {number: signal.signal(number, lambda number, _frame: told.append(number)) for number in INTERRUPTS}
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+    for number in told:
+        signal.raise_signal(number)
 
 
 def _end(process):

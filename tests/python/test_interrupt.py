@@ -32,8 +32,19 @@ sys.exit(main.main(["test", sys.argv[2], sys.argv[2], "blender", "", "work"]))
 """
 
 
-def begun(tmp_path):
-    words = ["/bin/sh", "-eu", "-c", SCRIPT, "sh", HERE, sys.executable, "-c", WORK, HERE.parent, tmp_path]
+STARTING = """
+import signal
+class Popen(subprocess.Popen):
+    def __init__(self, *words, **options):
+        super().__init__(*words, **options)
+        os.kill(os.getpid(), signal.SIGTERM)
+subprocess.Popen = Popen
+"""
+
+
+def begun(tmp_path, before=""):
+    script = WORK.replace("actions.work", before + "actions.work", 1)
+    words = ["/bin/sh", "-eu", "-c", SCRIPT, "sh", HERE, sys.executable, "-c", script, HERE.parent, tmp_path]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     run = subprocess.Popen(words, text=True, start_new_session=True, **pipes)
     assert run.stdout.readline() == "begun\n"
@@ -51,3 +62,11 @@ def test_it_is_said_once_and_nothing_is_left(tmp_path, tell, number):
     assert [path.name for path in (tmp_path / "tmp").iterdir()] == [".lock"]
     with pytest.raises(ProcessLookupError):
         os.killpg(run.pid, 0)  # no process of it is left
+
+
+def test_what_is_being_started_as_the_interrupt_comes_is_ended_too(tmp_path):
+    run = begun(tmp_path, STARTING)
+    _out, said = run.communicate()
+    assert (run.returncode, said) == (130, "fovea: interrupted\n")
+    with pytest.raises(ProcessLookupError):
+        os.killpg(run.pid, 0)
