@@ -26,6 +26,7 @@ class Window {
           band_(own.band[s]),
           ends_(own.ends[s]),
           figure_(own.figure[s]),
+          shortness_(f_.elision_shortness(band_, figure_)),
           rank_(std::uint32_t(band_.y)) {}
 
     vec2 sum() {
@@ -54,7 +55,8 @@ class Window {
         const vec2 from = vec2(float(int(at.x)) + 0.5f, float(int(at.y)) + 0.5f) - vec2(place_);
         const vec2 left(-place_.w, place_.z);
         const float u = glm::dot(from, vec2(place_.z, place_.w)), v = glm::dot(from, left);
-        const float own = f_.elision_own(band_, v);
+        const float own = f_.elision_own(band_, v), inside = f_.elision_inside(band_, u);
+        if (own == 0.0f || inside == 0.0f) return vec2(0.0f);  // as beyond the ends of short runs
         float taken = 0.0f;
         const PriorityTexel& first = buffer_.first[here];
         if (first.rank > rank_) {
@@ -63,16 +65,17 @@ class Window {
             if (first.crossed && buffer_.second[here].rank > rank_)
                 taken = std::max(taken, lost(buffer_.second[here], own, u, away));
         }
-        return f_.elision_inside(band_, u) * vec2(taken, own);
+        return inside * vec2(taken, own);
     }
 
     /// The part of a pixel that is lost to another line.
     float lost(const PriorityTexel& other, float own, float u, vec2 away) {
         const vec2 across = vec2(other.away_x, other.away_y) / PriorityTexel::away_unit;
         const float others = other.rank < own_.figure_of_rank.size() ? own_.figure_of_rank[other.rank] : -1.0f;
-        return f_.elision_foreign(figure_, others) *
-               f_.elision_lost(place_, band_, own, u, away, across, other.right != 0, float(other.coverage) / 255.0f,
-                               meets(other.rank), f_.elision_shortness(band_, figure_), own_.reach_px);
+        const float foreign = f_.elision_foreign(figure_, others);
+        if (foreign == 0.0f) return 0.0f;
+        return foreign * f_.elision_lost(place_, band_, own, u, away, across, other.right != 0,
+                                         float(other.coverage) / 255.0f, meets(other.rank), shortness_, own_.reach_px);
     }
 
     /// How far one of the run's ends, if near, lies in the band of the line of this rank, in [0, 1]. Evaluated lazily,
@@ -120,6 +123,7 @@ class Window {
     formulas::Elision f_;
     vec4 place_, band_, ends_;
     vec3 figure_;
+    float shortness_;
     std::uint32_t rank_;
     bool knows_ends_ = false;
     End at_ends_[2][8];

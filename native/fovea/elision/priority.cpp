@@ -158,7 +158,7 @@ Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<float> 
     const auto value = [&](Index p) {
         return std::isnan(priority[p]) ? -std::numeric_limits<float>::infinity() : priority[p];
     };
-    std::ranges::sort(order, [&](Index a, Index b) {
+    parallel_sort(order.begin(), order.end(), [&](Index a, Index b) {
         const Index p = a / 2, q = b / 2;
         if ((a & 1) != (b & 1)) return (a & 1) < (b & 1);
         if (value(p) != value(q)) return value(p) < value(q);
