@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <fovea/base/cancel.h>
+#include <fovea/base/fork_join.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/morton.h>
 #include <fovea/scene/bvh.h>
@@ -76,12 +77,20 @@ void check_bvh_device(const std::string& what) {
 }
 
 void build_bvh(RTCScene scene, const std::string& what) {
-    const Cancel* const cancel = Cancelling::current();
-    if (cancel)
-        rtcSetSceneProgressMonitorFunction(
-            scene, [](void* of, double) { return !static_cast<const Cancel*>(of)->asked(); },
-            const_cast<Cancel*>(cancel));
-    rtcCommitScene(scene);
+    struct Building {
+        const Cancel* cancel;
+        base::ForkJoin call;
+    };
+    {
+        Building building{Cancelling::current(), {}};
+        const auto goes_on = [](void* of, double) {
+            const Building& asked = *static_cast<const Building*>(of);
+            const base::ForkJoin::Body body(asked.call);
+            return !asked.cancel->asked();
+        };
+        if (building.cancel) rtcSetSceneProgressMonitorFunction(scene, goes_on, &building);
+        rtcCommitScene(scene);
+    }
     rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
     check_bvh_device(what);
 }
