@@ -83,6 +83,7 @@ def compile_flags():
     """Compiler flags of the CMake build, without precompiled headers and unity builds, which clang-tidy cannot use."""
     includes = (PROJECT / "native", PROJECT / "shaders", PROJECT / "tests" / "native", sysconfig.get_path("include"))
     words = ["-xc++", "-std=c++20", "-Wall", "-Wextra", "-Wno-pragma-once-outside-header"]
+    words += [f'-D{place}=""' for place in ("FOVEA_ADDON", "FOVEA_CORPUS")]  # of the sources, for tests
     return words + [f"-I{folder}" for folder in includes]
 
 

@@ -5,6 +5,7 @@
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
 #include "bindings/mesh.h"
+#include "bindings/records.h"
 #include "bindings/words.h"
 
 namespace fovea::bindings {

@@ -28,7 +28,7 @@ int main(int count, char** words) {
         }
         const nlohmann::ordered_json found = tool::statistics(model, frame);
         // Names of files need not be UTF-8.
-        std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+        std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
         check(std::cout.good(), "the statistics could not be printed");
     } catch (const std::exception& problem) {
         const std::string memory =

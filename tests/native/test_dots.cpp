@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dots: figures that their pens fill (elision/figures.h).
+#include <gtest/gtest.h>
 #include <numeric>
 
 #include <fovea/elision/figures.h>

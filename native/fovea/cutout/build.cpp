@@ -170,7 +170,9 @@ class Builder {
     }
 
     void add_piece(std::size_t f, const Corners& corners, const std::vector<PieceCorner>& piece) {
-        const Outlines& outlines = *clipped_.outlines[options_.cut_of_polygon[f]];
+        const std::optional<Outlines>& clipping = clipped_.outlines[options_.cut_of_polygon[f]];
+        if (!clipping) return;
+        const Outlines& outlines = *clipping;
         const Cut& cut = cuts_[options_.cut_of_polygon[f]];
         const std::array<dvec2, 3> place = {dvec2(outlines.point(cut.uvs[corners[0]])),
                                             dvec2(outlines.point(cut.uvs[corners[1]])),

@@ -2,6 +2,8 @@
 // Outlines of the opaque region of an image, as closed polygons in its texture space.
 #pragma once
 
+#include <algorithm>
+
 #include <fovea/cutout/opacity.h>
 
 namespace fovea::cutout {

@@ -136,7 +136,7 @@ class Vertices {
    public:
     /// `asks`: how often vertices will be asked for.
     Vertices(In<vec3> positions, const dmat4& to_texels, std::size_t asks)
-        : positions_(positions), to_texels_(to_texels), last_(std::bit_floor(std::min(kept_.size(), asks)) - 1) {
+        : positions_(positions), to_texels_(to_texels), last_(std::bit_floor(std::min(most, asks)) - 1) {
         for (std::size_t i = 0; i <= last_; ++i) kept_[i].vertex = none;
     }
 
@@ -147,6 +147,7 @@ class Vertices {
     }
 
    private:
+    static constexpr std::size_t most = 512;
     struct Kept {
         Index vertex;
         dvec4 place;
@@ -154,7 +155,7 @@ class Vertices {
     In<vec3> positions_;
     dmat4 to_texels_;
     std::size_t last_;
-    std::array<Kept, 512> kept_;  // by the last digits of their indices
+    std::array<Kept, most> kept_;  // by the last digits of their indices
 };
 
 void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTarget& target,

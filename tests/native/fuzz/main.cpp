@@ -54,11 +54,12 @@ bool holds(const Input& input, std::string& message) {
     try {
         message = run(input);
         const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
-        if (seconds > slow_seconds) std::cout << "SLOW: " << input.text() << ": " << seconds << " s" << std::endl;
+        if (seconds > slow_seconds)
+            std::cout << "SLOW: " << input.text() << ": " << seconds << " s" << '\n' << std::flush;
         return true;
     } catch (const std::exception& problem) {
-        std::cout << "BROKEN: " << input.text() << ": " << typeid(problem).name() << ": " << problem.what()
-                  << std::endl;
+        std::cout << "BROKEN: " << input.text() << ": " << typeid(problem).name() << ": " << problem.what() << '\n'
+                  << std::flush;
         return false;
     }
 }
@@ -71,13 +72,13 @@ int run_many(const Input& first, std::uint64_t step, double seconds, const char*
     std::uint64_t count = 0;
     for (Input input = first; Clock::now() < end; input.seed += step, ++count) {
         now.seekp(0);
-        now << input.text() << " " << count << "          " << std::endl;
+        now << input.text() << " " << count << "          " << '\n' << std::flush;
         std::string message;
         if (!holds(input, message)) return 1;
         if (!message.empty() && told.insert(kind_of_sentence(message)).second)
-            std::cout << "REFUSED: " << input.text() << ": " << message << std::endl;
+            std::cout << "REFUSED: " << input.text() << ": " << message << '\n' << std::flush;
     }
-    std::cout << "DRAWN: " << count << std::endl;
+    std::cout << "DRAWN: " << count << '\n' << std::flush;
     return 0;
 }
 
@@ -94,10 +95,10 @@ std::vector<Input> inputs_of(const char* file) {
 int repeat(const char* file) {
     bool all = true;
     for (const Input& input : inputs_of(file)) {
-        std::cout << input.text() << std::endl;
+        std::cout << input.text() << '\n' << std::flush;
         std::string message;
         if (holds(input, message))
-            std::cout << (message.empty() ? "drawn" : "refused: " + message) << std::endl;
+            std::cout << (message.empty() ? "drawn" : "refused: " + message) << '\n' << std::flush;
         else
             all = false;
     }
@@ -105,7 +106,8 @@ int repeat(const char* file) {
 }
 
 int tell(const char* file) {
-    for (const Input& input : inputs_of(file)) std::cout << input.text() << ": " << description(input) << std::endl;
+    for (const Input& input : inputs_of(file))
+        std::cout << input.text() << ": " << description(input) << '\n' << std::flush;
     return 0;
 }
 

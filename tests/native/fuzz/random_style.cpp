@@ -145,7 +145,7 @@ void at_some_place(Choices& choices, ordered_json& json, const Change& change) {
 }
 
 void change_value(Choices& choices, ordered_json& json) {
-    at_some_place(choices, json, [&](ordered_json& parent, auto chosen) {
+    at_some_place(choices, json, [&](ordered_json& parent, const auto& chosen) {
         switch (choices.below(5)) {
             case 0:
                 parent.erase(chosen);
