@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Command-line program over the core: reads a model, draws it, and prints its statistics.
 #include <iostream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <tool/options.h>
 #include <tool/read_model.h>
 #include <tool/statistics.h>
 
 #include <fovea/base/check.h>
-#include <fovea/base/memory_error.h>
 #include <fovea/base/threads.h>
 
 int main(int count, char** words) {
@@ -30,10 +30,12 @@ int main(int count, char** words) {
         // Names of files need not be UTF-8.
         std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
         check(std::cout.good(), "the statistics could not be printed");
+        return 0;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "fovea_tool: memory is too small for " << options.model.string()
+                  << ": simplify it, or lower --size\n";
     } catch (const std::exception& problem) {
-        const std::string memory =
-            "memory is too small for " + options.model.string() + ": simplify it, or lower --size";
-        std::cerr << "fovea_tool: " << (is_of_memory(problem) ? memory : problem.what()) << "\n";
-        return 1;
+        std::cerr << "fovea_tool: " << problem.what() << "\n";
     }
+    return 1;
 }

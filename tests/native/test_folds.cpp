@@ -135,7 +135,7 @@ TEST(Folds, AreCornersButNotRoundedOnes) {
     for (int k = 2; k <= 8; ++k) EXPECT_TRUE(folds(extruded(std::vector<double>(k, 90.0 / k))).empty()) << k;
 }
 
-TEST(Folds, StartInGroovesAFourthPartSharperThanTheyGoOn) {
+TEST(Folds, StartInGroovesAThirdSharperThanTheyGoOn) {
     EXPECT_TRUE(folds(extruded({39})).empty());
     EXPECT_EQ(folds(extruded({41})).size(), 4u);
     EXPECT_TRUE(folds(extruded({41}), 0.0, Shape::rounded, 32.0).empty());

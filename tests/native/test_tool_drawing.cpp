@@ -8,7 +8,6 @@
 #include <tool/drawing.h>
 #include <tool/read_obj.h>
 
-#include <fovea/base/memory_error.h>
 #include <fovea/color/png.h>
 
 #include "model_files.h"
@@ -93,11 +92,4 @@ TEST(ToolDrawing, FramesWhatIsDrawnAndNothingElseOfTheFile) {
     EXPECT_EQ(seen("v 50 -50 50\n"), cube);
     EXPECT_EQ(seen("v nan 0 0\nv 90 90 90\nf 1 9 10\n"), cube) << "a polygon with a broken vertex";
     EXPECT_NE(seen("v 50 -50 50\nf 1 2 9\n"), cube);
-}
-
-TEST(ToolDrawing, ErrorsOfMemoryAreToldFromOthers) {
-    EXPECT_TRUE(is_of_memory(std::bad_alloc()));
-    EXPECT_TRUE(is_of_memory(std::runtime_error("Suzanne: Embree error 4")));
-    EXPECT_FALSE(is_of_memory(std::runtime_error("Suzanne: Embree error 2")));
-    EXPECT_FALSE(is_of_memory(std::invalid_argument("Embree error 4 is no file")));
 }

@@ -9,8 +9,8 @@ namespace fovea::elision {
 
 /// V vertices and T triangles, run by run, the highest rank first. Each side is drawn half a pixel wider than the band,
 /// and a pixel's coverage by the band is clamp(h + .5 - |v|, 0, 1) at its center, with v and h affine over the
-/// triangle. Bands end square, an eighth of their width before their run does; those of
-/// dots half their width beyond it.
+/// triangle. Bands end square, an eighth of their width before their run does; those of dots half their width beyond
+/// it.
 struct Bands {
     Array<vec2> px;
     Array<vec3> across, owner;

@@ -36,7 +36,7 @@ void mark_dots(const Groups& figures, In<float> pen_px, OwnBands& own) {
         if (figure == none || !(pen_px[r] > 0.0f)) return 0.0f;
         const float dot = 1.0f - glm::smoothstep(pen_px[r], largest * pen_px[r], figures.size_px[figure]);
         for (Index s = own.runs.begin(Index(r)); dot > 0.0f && s < own.runs.end(Index(r)); ++s) {
-            own.band[s].x = std::max(own.band[s].x, 0.5f * dot_room * dot * pen_px[r]);
+            own.band[s].x = std::max(own.band[s].x, dot * pen_px[r]);
             vec3& own_figure = own.figure[s];
             own_figure = vec3(float(figure), std::max(own_figure.y, dot), own_figure.z * (1.0f - dot));
         }

@@ -11,8 +11,6 @@ namespace fovea::elision {
 
 /// Size from which a figure is no letter [px of the reference picture].
 inline constexpr double largest_figure = 48.0;
-/// What a dot reserves, in widths of its pen.
-inline constexpr float dot_room = 2.0f;
 
 /// Fills OwnBands::figure and figure_of_rank. A figure counts as small, with a weight of 1, up to twice the
 /// distance that its lines keep from others, and not at all from four times on; nor from `largest_px` on, whatever they
@@ -21,8 +19,7 @@ void mark_figures(const Groups& figures, const Runs& runs, In<Index> ranks, floa
 
 /// Makes dots of figures that are not larger than the pens of their lines are wide; from three times that size on they
 /// are none, and in between in part. A dot is thinned as a whole, loses at any angle, and reserves what is nearer to
-/// its lines than half the width of `dot_room` pens, beyond their ends, too. `pen_px`: per run, the width of its pen
-/// [px].
+/// its lines than the width of its pen, beyond their ends, too. `pen_px`: per run, the width of its pen [px].
 void mark_dots(const Groups& figures, In<float> pen_px, OwnBands& own);
 
 }  // namespace fovea::elision

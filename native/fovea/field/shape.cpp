@@ -47,12 +47,6 @@ struct Around {
     }
 };
 
-/// Twice the area, along the normal.
-dvec3 area_vector(const Surface& surface, const Triangle& t) {
-    const dvec3 p(surface.positions[t.x]);
-    return glm::cross(dvec3(surface.positions[t.y]) - p, dvec3(surface.positions[t.z]) - p);
-}
-
 Array<Around> sum_up(const Surface& surface) {
     Array<Around> around(surface.vertex_count());
     for (Index e = 0; e < surface.edges.size(); ++e) {
@@ -73,7 +67,7 @@ Array<Around> sum_up(const Surface& surface) {
         }
     }
     for (const Triangle& t : surface.triangles) {
-        const dvec3 normal = area_vector(surface, t) / 6.0;
+        const dvec3 normal = area_vector(surface.positions, t) / 6.0;
         for (int k = 0; k < 3; ++k) {
             around[t[k]].normal += normal;
             around[t[k]].area += glm::length(normal);
@@ -101,7 +95,8 @@ Rounded rounded_part(const Surface& surface) {
         turn += at.area * at.mean_turn();
     }
     for (const Triangle& t : surface.triangles)
-        if (is_rounded[t.x] && is_rounded[t.y] && is_rounded[t.z]) inside += 0.5 * glm::length(area_vector(surface, t));
+        if (is_rounded[t.x] && is_rounded[t.y] && is_rounded[t.z])
+            inside += 0.5 * glm::length(area_vector(surface.positions, t));
     return rounded > 0.0 ? Rounded{rounded / area, inside / area, turn / rounded} : Rounded{};
 }
 
@@ -111,7 +106,7 @@ double unfit_share(const Surface& surface) {
     double area = 0.0, unfit = 0.0;
     for (Index t = 0; t < surface.triangles.size(); ++t) {
         const Triangle& c = surface.triangles[t];
-        const dvec3 normal = area_vector(surface, c);
+        const dvec3 normal = area_vector(surface.positions, c);
         const double size = glm::length(normal);
         double least = size;
         for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[c[k]].normal)));

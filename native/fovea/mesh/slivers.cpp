@@ -68,7 +68,7 @@ std::vector<Link> links_between(const Array<vec3>& positions, const Array<Triang
 
 TriangleSize size_of(const Array<vec3>& positions, const Triangle& triangle) {
     const dvec3 p(positions[triangle.x]), q(positions[triangle.y]), r(positions[triangle.z]);
-    return {glm::cross(q - p, r - p), std::max({squared(q - p), squared(r - q), squared(p - r)})};
+    return {area_vector(positions, triangle), std::max({squared(q - p), squared(r - q), squared(p - r)})};
 }
 
 Index find_leaders(const Array<vec3>& positions, const Array<Triangle>& triangles, Index begin, Index end,

@@ -117,7 +117,8 @@ class Projector {
         if (set >= options_.least_length_px.size()) return false;
         const double least = options_.least_length_px[set];
         const bool around_tip = paths_.closed[path] && paths_.other_facet_at(paths_.rows.begin(path)) != none;
-        return (paths_.free_ends[path] != 0 && drawn_px(path) < least) || (around_tip && drawn_px(path) < least / 3.0);
+        return (paths_.free_ends[path] || around_tip) &&
+               drawn_px(path) < (paths_.free_ends[path] ? least : least / 3.0);
     }
 
     /// Length in pixels of the segments of a path whose strength is visible.
@@ -205,8 +206,8 @@ class Projector {
 
     /// False where numbers have too few digits to clip a segment at the frame: it ends endlessly far away.
     bool is_near_frame(std::size_t segment, double t) const {
-        const dvec2 most = around_frame(),
-                    off = glm::abs(pixels_at(segment, t) - 0.5 * dvec2(view_.width, view_.height));
+        const dvec2 most = around_frame();
+        const dvec2 off = glm::abs(pixels_at(segment, t) - 0.5 * dvec2(view_.width, view_.height));
         const bool in_front = view_.orthographic || -position_at(segment, t).z > 0.5 * view_.near_clip;
         return in_front && off.x <= most.x && off.y <= most.y;
     }

@@ -17,10 +17,10 @@ struct ReleaseScene {
 };
 using OwnedScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
-/// The process-wide Embree device.
+/// The process-wide Embree device. Throws std::bad_alloc if it cannot be made.
 RTCDevice bvh_device();
-/// Throws std::runtime_error, naming `what`, if Embree has reported an error since the last call; Cancelled if it was
-/// cancelled.
+/// If Embree has reported an error since the last call: throws std::bad_alloc if memory is too small, Cancelled if it
+/// was cancelled, else std::runtime_error, naming `what`.
 void check_bvh_device(const std::string& what);
 /// Builds a scene's BVH, polling the Cancel of the calling thread's scope, and checks the device. A scene whose build
 /// was cancelled is not usable.

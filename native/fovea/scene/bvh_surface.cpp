@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One BVH per surface, refitted or rebuilt when its vertices move.
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <tbb/task_arena.h>
@@ -64,7 +65,7 @@ RTCDevice bvh_device() {
         // Limited to AVX2 so that results do not depend on wider instruction sets: frames of one film are rendered on
         // many machines.
         const RTCDevice made = rtcNewDevice("max_isa=avx2");
-        if (!made) throw std::runtime_error("Embree could not be started on this machine");
+        if (!made) throw std::bad_alloc();  // it needs nothing but memory to start
         return made;
     }();
     return shared;
@@ -73,6 +74,7 @@ RTCDevice bvh_device() {
 void check_bvh_device(const std::string& what) {
     const RTCError error = rtcGetDeviceError(bvh_device());
     if (error == RTC_ERROR_CANCELLED) throw Cancelled();
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
     if (error != RTC_ERROR_NONE) throw std::runtime_error(what + ": Embree error " + std::to_string(error));
 }
 

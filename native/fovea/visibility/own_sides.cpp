@@ -26,8 +26,7 @@ struct PlacedSurface {
 };
 
 double area(const Surface& surface, Index triangle) {
-    const auto corner = [&](int i) { return dvec3(surface.positions[surface.triangles[triangle][i]]); };
-    return glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    return glm::length(mesh::area_vector(surface.positions, surface.triangles[triangle]));
 }
 
 FacetTriangles facet_triangles(const Surface& surface) {
