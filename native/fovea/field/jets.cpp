@@ -108,8 +108,9 @@ bool fit(const Surroundings& points, double* a) {
     if (points.count < std::size_t(size)) return false;
     double moments[moment_count], heights[size];
     add_up<degree>(points, moments, heights);
-    // L D L^T factorization by rows; L below the diagonal, D on it.
-    double l[size][size], inverse[size];
+    // L D L^T factorization, a column at a time; L below the diagonal. Entries beside it fill registers.
+    constexpr int wide = size + size % int(lanes);
+    double l[size][wide] = {}, scaled[wide] = {}, diagonal[size], inverse[size];
     int row = 0;
     for (int d = 0; d <= degree; ++d)
         for (int j = 0; j <= d; ++j, ++row) {
@@ -117,28 +118,24 @@ bool fit(const Surroundings& points, double* a) {
             for (int e = 0; e <= d && column <= row; ++e)
                 for (int k = 0; k <= e && column <= row; ++k, ++column)
                     l[row][column] = moments[terms(d + e - 1) + j + k];
+            diagonal[row] = l[row][row];
         }
-    for (int r = 0; r < size; ++r) {
-        const double diagonal = l[r][r];
-        double pivot = diagonal;
-        for (int c = 0; c < r; ++c) {
-            double sum = l[r][c];
-            for (int k = 0; k < c; ++k) sum -= l[r][k] * l[c][k];
-            l[r][c] = sum;  // still multiplied by D
+    for (int c = 0; c < size; ++c) {
+        if (!(l[c][c] > least_pivot * diagonal[c])) return false;
+        inverse[c] = 1.0 / l[c][c];
+        for (int r = c + 1; r < size; ++r) scaled[r] = l[r][c] * inverse[c];
+        for (int r = c + 1; r < size; ++r) {
+            const double unscaled = l[r][c];
+            for (int k = (c + 1) / 2 * 2; k <= r; k += 2) {
+                l[r][k] -= unscaled * scaled[k];
+                l[r][k + 1] -= unscaled * scaled[k + 1];
+            }
+            l[r][c] = scaled[r];
         }
-        for (int c = 0; c < r; ++c) {
-            const double scaled = l[r][c] * inverse[c];
-            pivot -= scaled * l[r][c];
-            l[r][c] = scaled;
-        }
-        if (!(pivot > least_pivot * diagonal)) return false;
-        l[r][r] = pivot;
-        inverse[r] = 1.0 / pivot;
     }
-    for (int r = 0; r < size; ++r) {
-        a[r] = heights[r];
-        for (int c = 0; c < r; ++c) a[r] -= l[r][c] * a[c];
-    }
+    std::copy_n(heights, size, a);
+    for (int c = 0; c < size; ++c)
+        for (int r = c + 1; r < size; ++r) a[r] -= l[r][c] * a[c];
     for (int r = size - 1; r >= 0; --r) {
         a[r] *= inverse[r];
         for (int k = r + 1; k < size; ++k) a[r] -= l[k][r] * a[k];

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/field/shape.h>
 
+#include <algorithm>
+#include <cmath>
 #include <format>
 
+#include <fovea/base/parallel.h>
 #include <fovea/field/fields.h>
 #include <fovea/field/turn.h>
 
@@ -47,32 +50,54 @@ struct Around {
     }
 };
 
+/// An edge between two facets; length 0: another edge.
+struct Bend {
+    double length = 0.0, turn = 0.0;
+};
+
+Bend bend_at(const Surface& surface, Index edge) {
+    if (surface.edge_rows.size(edge) != 2) return {};
+    const Edge& ends = surface.edges[edge];
+    const double length = glm::distance(dvec3(surface.positions[ends.x]), dvec3(surface.positions[ends.y]));
+    return length > 0.0 ? Bend{length, signed_turn(surface, edge)} : Bend{};
+}
+
 Array<Around> sum_up(const Surface& surface) {
+    const auto bends =
+        parallel_map<Bend>(surface.edges.size(), [&](std::size_t e) { return bend_at(surface, Index(e)); });
+    const auto normals = parallel_map<dvec3>(surface.triangles.size(), [&](std::size_t t) {
+        return area_vector(surface.positions, surface.triangles[t]) / 6.0;
+    });
     Array<Around> around(surface.vertex_count());
-    for (Index e = 0; e < surface.edges.size(); ++e) {
-        if (surface.edge_rows.size(e) != 2) continue;
-        const Edge& ends = surface.edges[e];
-        const dvec3 along = dvec3(surface.positions[ends.y]) - dvec3(surface.positions[ends.x]);
-        const double length = glm::length(along), turn = signed_turn(surface, e);
-        if (!(length > 0.0)) continue;
-        const bool folds = std::abs(turn) > fold;
-        const dmat3 bend = folds ? dmat3(0.0) : turn / length * glm::outerProduct(along, along);
-        for (const Index v : {ends.x, ends.y}) {
-            Around& at = around[v];
-            at.length += length;
-            at.turn += std::abs(turn) * length;
-            at.bend += bend;
-            at.folded = at.folded || folds;
-            if (is_shaded_smooth(surface, e)) at.smooth_length += length;
+    // Blocks of vertices, each of which meets all edges: so every sum has one order.
+    const std::size_t block = std::max<std::size_t>(4096, around.size() / 16 + 1);
+    parallel_blocks(around.size(), block, [&](std::size_t, std::size_t begin, std::size_t end) {
+        const auto is_own = [&](Index v) { return v - begin < end - begin; };
+        for (Index e = 0; e < bends.size(); ++e) {
+            const Edge& ends = surface.edges[e];
+            if (!(is_own(ends.x) || is_own(ends.y)) || !(bends[e].length > 0.0)) continue;
+            const auto [length, turn] = bends[e];
+            const dvec3 along = dvec3(surface.positions[ends.y]) - dvec3(surface.positions[ends.x]);
+            const bool folds = std::abs(turn) > fold;
+            const dmat3 bend = folds ? dmat3(0.0) : turn / length * glm::outerProduct(along, along);
+            for (const Index v : {ends.x, ends.y}) {
+                if (!is_own(v)) continue;
+                Around& at = around[v];
+                at.length += length;
+                at.turn += std::abs(turn) * length;
+                at.bend += bend;
+                at.folded = at.folded || folds;
+                if (is_shaded_smooth(surface, e)) at.smooth_length += length;
+            }
         }
-    }
-    for (const Triangle& t : surface.triangles) {
-        const dvec3 normal = area_vector(surface.positions, t) / 6.0;
-        for (int k = 0; k < 3; ++k) {
-            around[t[k]].normal += normal;
-            around[t[k]].area += glm::length(normal);
-        }
-    }
+        for (std::size_t t = 0; t < normals.size(); ++t)
+            for (int k = 0; k < 3; ++k) {
+                if (!is_own(surface.triangles[t][k])) continue;
+                Around& at = around[surface.triangles[t][k]];
+                at.normal += normals[t];
+                at.area += glm::length(normals[t]);
+            }
+    });
     return around;
 }
 
@@ -84,35 +109,40 @@ struct Rounded {
 
 Rounded rounded_part(const Surface& surface) {
     const Array<Around> around = sum_up(surface);
-    Array<std::uint8_t> is_rounded(around.size());
+    const auto is_rounded =
+        parallel_map<std::uint8_t>(around.size(), [&](std::size_t v) { return around[v].is_rounded(); });
     double area = 0.0, rounded = 0.0, inside = 0.0, turn = 0.0;
     for (Index v = 0; v < around.size(); ++v) {
         const Around& at = around[v];
         area += at.area;
-        is_rounded[v] = at.is_rounded();
         if (!is_rounded[v]) continue;
         rounded += at.area;
         turn += at.area * at.mean_turn();
     }
-    for (const Triangle& t : surface.triangles)
-        if (is_rounded[t.x] && is_rounded[t.y] && is_rounded[t.z])
-            inside += 0.5 * glm::length(area_vector(surface.positions, t));
+    const auto areas = parallel_map<double>(surface.triangles.size(), [&](std::size_t t) {
+        const Triangle& c = surface.triangles[t];
+        const bool counts = is_rounded[c.x] && is_rounded[c.y] && is_rounded[c.z];
+        return counts ? 0.5 * glm::length(area_vector(surface.positions, c)) : 0.0;
+    });
+    for (const double part : areas) inside += part;
     return rounded > 0.0 ? Rounded{rounded / area, inside / area, turn / rounded} : Rounded{};
 }
 
 /// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
 double unfit_share(const Surface& surface) {
     const auto fields = fields_of(surface);
-    double area = 0.0, unfit = 0.0;
-    for (Index t = 0; t < surface.triangles.size(); ++t) {
+    // Areas, times 2, of triangles that fit (x) and of others (y).
+    const auto areas = parallel_map<dvec2>(surface.triangles.size(), [&](std::size_t t) {
         const Triangle& c = surface.triangles[t];
         const dvec3 normal = area_vector(surface.positions, c);
         const double size = glm::length(normal);
         double least = size;
         for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[c[k]].normal)));
-        area += size;
-        if (least < fitting * size) unfit += size;
-    }
+        return least < fitting * size ? dvec2(0.0, size) : dvec2(size, 0.0);
+    });
+    dvec2 sum(0.0);
+    for (const dvec2& part : areas) sum += part;
+    const double area = sum.x + sum.y, unfit = sum.y;
     return area > 0.0 ? unfit / area : 1.0;
 }
 
