@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <variant>
 
 #include <fovea/base/hash.h>
@@ -200,13 +201,48 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     resize_columns(paths, Paths::point_columns, point_count);
 }
 
+/// Appends what was found on a placement (`none`: in the image).
+template <typename Found>
+void append(const Scene& scene, Index placement, const Found& found, bool of_view, Paths& paths) {
+    const Slot slot{placement, paths.count(), paths.rows.offsets.back(), of_view};
+    resize(paths, slot.path + found.chains->rows.count(), slot.point + found.chains->rows.offsets.back());
+    write_found(scene, found, slot, paths);
+}
+
+/// In at most 256 blocks, the Paths that write(paths, i) appends for each i; independent of the number of threads.
+template <typename Write>
+std::vector<Paths> paths_of(std::size_t count, const Write& write) {
+    return parallel_parts<Paths>(count, count / 256 + 1, [&](Paths& part, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) write(part, i);
+    });
+}
+
+/// Concatenates parts; each is freed once it is copied.
+Paths join(std::vector<Paths>& parts) {
+    std::vector<Index> paths, points;
+    for (const Paths& part : parts) {
+        paths.push_back(part.count());
+        points.push_back(part.rows.offsets.back());
+    }
+    counts_to_offsets(paths);
+    counts_to_offsets(points);
+    Paths all;
+    resize(all, paths.back(), points.back());
+    parallel_for(parts.size(), 1, [&](std::size_t i) {
+        const Paths part = std::move(parts[i]);
+        for (Index p = 0; p < part.count(); ++p) all.rows.offsets[paths[i] + p] = points[i] + part.rows.begin(p);
+        copy_columns(part, Paths::path_columns, all, paths[i]);
+        copy_columns(part, Paths::point_columns, all, points[i]);
+    });
+    return all;
+}
+
 }  // namespace
 
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
                     const Cancel& cancel, const OwnLines& own) {
     check(sets.size() < 255, "a style holds at most 254 line sets");
-    Paths paths;
-    if (sets.empty()) return paths;
+    if (sets.empty()) return {};
     tracer.check_current();
     check_filters(scene.placements.size(), sets, own);
     const bool view_dependent =
@@ -216,48 +252,31 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin))
             drawn.push_back(i);
 
-    std::vector<PlacementPaths> found(drawn.size());
-    std::vector<std::vector<PlacedSet>> placed_sets(scene.placements.size());
-    parallel_for(drawn.size(), 1, [&](std::size_t i) {
+    std::vector<Paths> parts = paths_of(drawn.size(), [&](Paths& part, std::size_t i) {
         cancel.poll();
-        const Placement& placed = scene.placements[drawn[i]];
+        const Index placement = drawn[i];
+        const Placement& placed = scene.placements[placement];
         const auto surface = as_placed(placed.surface, placed.object_to_world);
-        const std::vector<PlacedSet>& mine = placed_sets[drawn[i]] = sets_of(drawn[i], *surface, sets, own);
+        const std::vector<PlacedSet> mine = sets_of(placement, *surface, sets, own);
         const std::uint64_t asked = hash_numbers(hash_sets(mine), hash_of(surface->field_options()),
                                                  static_cast<std::uint64_t>(surface->shape()));
-        found[i] = extract_placement(look_at(*surface, scene, drawn[i], view, tracer), mine, asked, view_dependent);
-    });
-
-    const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
-    const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, placed_sets, cancel);
-
-    struct Part {
-        Slot slot;
-        std::variant<const EdgeChains*, const FoundCurves*> found;
-    };
-    std::vector<Part> parts;
-    Index path = 0, point = 0;
-    const auto add = [&](Index placement, const auto& part, bool of_view) {
-        parts.push_back({{placement, path, point, of_view}, &part});
-        path += part.chains->rows.count();
-        point += part.chains->rows.offsets.back();
-    };
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        if (const EdgePaths* edges = found[i].edges.get()) {
-            add(drawn[i], edges->kept, false);
-            add(drawn[i], edges->seen, true);
+        const PlacementPaths found =
+            extract_placement(look_at(*surface, scene, placement, view, tracer), mine, asked, view_dependent);
+        if (found.edges) {
+            append(scene, placement, found.edges->kept, false, part);
+            append(scene, placement, found.edges->seen, true, part);
         }
-        for (const FoundCurves& c : *found[i].kept_curves) add(drawn[i], c, false);
-        for (const FoundCurves& c : found[i].seen_curves) add(drawn[i], c, true);
-    }
-    for (const FoundCurves& c : in_image) add(none, c, true);
-    for (const auto& [placement, curves] : of_scene) add(placement, curves, false);
-    resize(paths, path, point);
-    const auto write = [&](std::size_t i) {
-        std::visit([&](const auto* part) { write_found(scene, *part, parts[i].slot, paths); }, parts[i].found);
-    };
-    parallel_for(parts.size(), 1, write);
-    return paths;
+        for (const FoundCurves& c : *found.kept_curves) append(scene, placement, c, false, part);
+        for (const FoundCurves& c : found.seen_curves) append(scene, placement, c, true, part);
+    });
+    const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
+    const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, cancel);
+    const auto take = [&](std::vector<Paths> more) { std::ranges::move(more, std::back_inserter(parts)); };
+    take(paths_of(in_image.size(), [&](Paths& part, std::size_t i) { append(scene, none, in_image[i], true, part); }));
+    take(paths_of(of_scene.size(), [&](Paths& part, std::size_t i) {
+        append(scene, of_scene[i].first, of_scene[i].second, false, part);
+    }));
+    return join(parts);
 }
 
 }  // namespace fovea::path

@@ -26,11 +26,9 @@ std::vector<FoundCurves> find_curves(const SurfaceView& seen, const std::vector<
                                      In<std::uint8_t> near = {}, In<std::uint8_t> hard = {});
 
 /// Curves of scene-wide definitions, each with the placement that it belongs to. Such a curve lies on faces of two
-/// placements: a set has it if one of them is in the set, and the overrides of both must show its definition. `placed`:
-/// line sets per placement; empty for those not drawn.
+/// placements: a set has it if one of them is in the set, and the overrides of both must show its definition.
 std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& scene, In<Index> drawn,
                                                                 const std::vector<LineSet>& sets, const OwnLines& own,
-                                                                const std::vector<std::vector<PlacedSet>>& placed,
                                                                 const Cancel& cancel);
 
 /// Calls visit(index of set, kind, rule) for all requested definitions whose rule is a Rule, except those already

@@ -12,7 +12,7 @@ namespace {
 struct Shared {
     const SceneCurves& part;
     const Surface &first, &second;
-    const std::vector<PlacedSet>&first_sets, &second_sets;
+    const std::vector<PlacedSet> first_sets, second_sets;
 
     /// Whether set `s` has the definition's lines on all materials.
     bool all(std::size_t s, Index definition) const {
@@ -58,7 +58,6 @@ std::shared_ptr<const CurveChains> of_set(const Shared& shared, std::size_t s, I
 
 std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& scene, In<Index> drawn,
                                                                 const std::vector<LineSet>& sets, const OwnLines& own,
-                                                                const std::vector<std::vector<PlacedSet>>& placed,
                                                                 const Cancel& cancel) {
     std::vector<std::pair<Index, FoundCurves>> found;
     each_with_rule<SceneRule>(sets, [&](Index s, const LineKind& kind, const SceneRule& rule) {
@@ -69,7 +68,8 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
             if (part.curves->pieces.empty()) continue;
             const Surface& first = *scene.placements[part.placement].surface;
             const Surface& second = *scene.placements[part.other].surface;
-            const Shared shared{part, first, second, placed[part.placement], placed[part.other]};
+            const Shared shared{part, first, second, sets_of(part.placement, first, sets, own),
+                                sets_of(part.other, second, sets, own)};
             if (const auto chains = of_set(shared, s, kind.definition))
                 found.push_back({part.placement, {s, kind.definition, chains, part.other}});
         }

@@ -324,8 +324,8 @@ class Projector {
     std::vector<Stop> stops_;  // of the piece that is being clipped
 };
 
-/// Concatenates parts.
-ClippedPaths join(const std::vector<ClippedPaths>& parts) {
+/// Concatenates parts; each is freed once it is copied.
+ClippedPaths join(std::vector<ClippedPaths>& parts) {
     std::vector<std::uint64_t> pieces, points, samples;
     for (const ClippedPaths& part : parts) {
         pieces.push_back(part.path.size());
@@ -340,7 +340,7 @@ ClippedPaths join(const std::vector<ClippedPaths>& parts) {
     resize_columns(all, ClippedPaths::piece_columns, pieces.back());
     resize_columns(all, ClippedPaths::point_columns, points.back());
     const auto copy = [&](std::size_t b) {
-        const ClippedPaths& part = parts[b];
+        const ClippedPaths part = std::move(parts[b]);
         const Index point = Index(points[b]);
         for (Index q = 0; q < part.path.size(); ++q) all.pieces.offsets[pieces[b] + q] = point + part.pieces.begin(q);
         copy_columns(part, ClippedPaths::piece_columns, all, pieces[b]);
@@ -357,7 +357,7 @@ ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, c
                      const Cancel& cancel) {
     check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
     const Backs backs(scene, view);
-    const auto parts = parallel_parts<ClippedPaths>(
+    auto parts = parallel_parts<ClippedPaths>(
         paths.count(), paths_per_block, [&](ClippedPaths& part, std::size_t begin, std::size_t end) {
             cancel.poll();
             Projector projector(paths, scene, view, backs, options);
