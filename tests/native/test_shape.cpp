@@ -108,6 +108,13 @@ TEST(Shape, IsThatOfTheSurfaceWhateverItsSizeAndPlace) {
         }
 }
 
+TEST(Shape, OfALargeSurfaceIsDecidedByPartOfItsTriangles) {
+    const auto both_ways = [](double x, double y) { return 0.4 * std::sin(6.0 * x) * std::cos(5.0 * y); };
+    const auto one_way = [](double x, double) { return 0.4 * std::sin(6.0 * x); };
+    EXPECT_EQ(decided(relief(460, both_ways)), Shape::smooth);
+    EXPECT_EQ(decided(relief(460, one_way)), Shape::hard);
+}
+
 TEST(Shape, ThatIsSetStands) {
     Mesh mesh = sphere(24);
     for (const Shape shape : {Shape::hard, Shape::rounded, Shape::smooth}) {

@@ -20,6 +20,8 @@ constexpr double least_share = 0.42;                  // of the area
 const double fitting = std::cos(glm::radians(25.0));
 constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
+/// Of larger surfaces, every second triangle is looked at, or every third and so on.
+constexpr std::size_t most_triangles = 400'000;
 
 /// What the edges and triangles at a vertex sum up to.
 struct Around {
@@ -62,40 +64,68 @@ Bend bend_at(const Surface& surface, Index edge) {
     return length > 0.0 ? Bend{length, signed_turn(surface, edge)} : Bend{};
 }
 
-Array<Around> sum_up(const Surface& surface) {
-    const auto bends =
-        parallel_map<Bend>(surface.edges.size(), [&](std::size_t e) { return bend_at(surface, Index(e)); });
-    const auto normals = parallel_map<dvec3>(surface.triangles.size(), [&](std::size_t t) {
-        return area_vector(surface.positions, surface.triangles[t]) / 6.0;
+/// Every which triangle of a surface is looked at.
+std::size_t step_of(const Surface& surface) { return surface.triangles.size() / most_triangles + 1; }
+
+/// Vertices of the triangles that are looked at.
+struct Sample {
+    explicit Sample(const Surface& surface) : slot(surface.vertex_count(), none) {
+        for (std::size_t t = 0; t < surface.triangles.size(); t += step_of(surface))
+            for (int k = 0; k < 3; ++k) slot[surface.triangles[t][k]] = 0;
+        for (Index& own : slot)
+            if (own != none) own = count++;
+    }
+    bool has(const Edge& edge) const { return slot[edge.x] != none || slot[edge.y] != none; }
+    bool has(const Triangle& t) const { return slot[t.x] != none || slot[t.y] != none || slot[t.z] != none; }
+
+    Array<Index> slot;  // per vertex; `none`: not in the sample
+    Index count = 0;
+};
+
+/// Indices of those of `all` that have a vertex of the sample.
+template <typename Corners>
+Array<Index> at_sample(const Sample& sample, const Array<Corners>& all) {
+    return parallel_collect<Index>(all.size(), 16384, [&](std::size_t begin, std::size_t end, std::vector<Index>& out) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (sample.has(all[i])) out.push_back(Index(i));
     });
-    Array<Around> around(surface.vertex_count());
-    // Blocks of vertices, each of which meets all edges: so every sum has one order.
+}
+
+Array<Around> sum_up(const Surface& surface, const Sample& sample) {
+    const Array<Index> edges = at_sample(sample, surface.edges), triangles = at_sample(sample, surface.triangles);
+    const auto bends = parallel_map<Bend>(edges.size(), [&](std::size_t i) { return bend_at(surface, edges[i]); });
+    const auto normals = parallel_map<dvec3>(triangles.size(), [&](std::size_t i) {
+        return area_vector(surface.positions, surface.triangles[triangles[i]]) / 6.0;
+    });
+    Array<Around> around(sample.count);
+    // Blocks of slots, each of which meets all edges: so every sum has one order.
     const std::size_t block = std::max<std::size_t>(4096, around.size() / 16 + 1);
     parallel_blocks(around.size(), block, [&](std::size_t, std::size_t begin, std::size_t end) {
-        const auto is_own = [&](Index v) { return v - begin < end - begin; };
-        for (Index e = 0; e < bends.size(); ++e) {
-            const Edge& ends = surface.edges[e];
-            if (!(is_own(ends.x) || is_own(ends.y)) || !(bends[e].length > 0.0)) continue;
-            const auto [length, turn] = bends[e];
+        const auto is_own = [&](Index slot) { return slot - begin < end - begin; };
+        for (Index i = 0; i < edges.size(); ++i) {
+            const Edge& ends = surface.edges[edges[i]];
+            const Index slots[] = {sample.slot[ends.x], sample.slot[ends.y]};
+            if (!(is_own(slots[0]) || is_own(slots[1])) || !(bends[i].length > 0.0)) continue;
+            const auto [length, turn] = bends[i];
             const dvec3 along = dvec3(surface.positions[ends.y]) - dvec3(surface.positions[ends.x]);
             const bool folds = std::abs(turn) > fold;
             const dmat3 bend = folds ? dmat3(0.0) : turn / length * glm::outerProduct(along, along);
-            for (const Index v : {ends.x, ends.y}) {
-                if (!is_own(v)) continue;
-                Around& at = around[v];
+            for (const Index slot : slots) {
+                if (!is_own(slot)) continue;
+                Around& at = around[slot];
                 at.length += length;
                 at.turn += std::abs(turn) * length;
                 at.bend += bend;
                 at.folded = at.folded || folds;
-                if (is_shaded_smooth(surface, e)) at.smooth_length += length;
+                if (is_shaded_smooth(surface, edges[i])) at.smooth_length += length;
             }
         }
-        for (std::size_t t = 0; t < normals.size(); ++t)
+        for (std::size_t i = 0; i < triangles.size(); ++i)
             for (int k = 0; k < 3; ++k) {
-                if (!is_own(surface.triangles[t][k])) continue;
-                Around& at = around[surface.triangles[t][k]];
-                at.normal += normals[t];
-                at.area += glm::length(normals[t]);
+                const Index slot = sample.slot[surface.triangles[triangles[i]][k]];
+                if (!is_own(slot)) continue;
+                around[slot].normal += normals[i];
+                around[slot].area += glm::length(normals[i]);
             }
     });
     return around;
@@ -107,11 +137,23 @@ struct Rounded {
     double turn = 0.0;    // mean at its edges, radians
 };
 
+/// values(t) of each triangle that is looked at, summed up.
+template <typename Values>
+dvec2 sum_of_triangles(const Surface& surface, const Values& values) {
+    const std::size_t step = step_of(surface), count = (surface.triangles.size() + step - 1) / step;
+    dvec2 sum(0.0);
+    for (const dvec2& part :
+         parallel_map<dvec2>(count, [&](std::size_t i) -> dvec2 { return values(surface.triangles[i * step]); }))
+        sum += part;
+    return sum;
+}
+
 Rounded rounded_part(const Surface& surface) {
-    const Array<Around> around = sum_up(surface);
+    const Sample sample(surface);
+    const Array<Around> around = sum_up(surface, sample);
     const auto is_rounded =
         parallel_map<std::uint8_t>(around.size(), [&](std::size_t v) { return around[v].is_rounded(); });
-    double area = 0.0, rounded = 0.0, inside = 0.0, turn = 0.0;
+    double area = 0.0, rounded = 0.0, turn = 0.0;
     for (Index v = 0; v < around.size(); ++v) {
         const Around& at = around[v];
         area += at.area;
@@ -119,31 +161,28 @@ Rounded rounded_part(const Surface& surface) {
         rounded += at.area;
         turn += at.area * at.mean_turn();
     }
-    const auto areas = parallel_map<double>(surface.triangles.size(), [&](std::size_t t) {
-        const Triangle& c = surface.triangles[t];
-        const bool counts = is_rounded[c.x] && is_rounded[c.y] && is_rounded[c.z];
-        return counts ? 0.5 * glm::length(area_vector(surface.positions, c)) : 0.0;
+    // Areas of triangles, and of those with rounded corners only.
+    const dvec2 areas = sum_of_triangles(surface, [&](const Triangle& t) {
+        const double size = glm::length(area_vector(surface.positions, t));
+        const auto has_rounded = [&](int k) { return is_rounded[sample.slot[t[k]]]; };
+        return dvec2(size, has_rounded(0) && has_rounded(1) && has_rounded(2) ? size : 0.0);
     });
-    for (const double part : areas) inside += part;
-    return rounded > 0.0 ? Rounded{rounded / area, inside / area, turn / rounded} : Rounded{};
+    const double inside = areas.y / areas.x;
+    return rounded > 0.0 ? Rounded{rounded / area, inside, turn / rounded} : Rounded{};
 }
 
 /// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
 double unfit_share(const Surface& surface) {
     const auto fields = fields_of(surface);
-    // Areas, times 2, of triangles that fit (x) and of others (y).
-    const auto areas = parallel_map<dvec2>(surface.triangles.size(), [&](std::size_t t) {
-        const Triangle& c = surface.triangles[t];
-        const dvec3 normal = area_vector(surface.positions, c);
+    // Areas of triangles, and of those that do not fit.
+    const dvec2 areas = sum_of_triangles(surface, [&](const Triangle& t) {
+        const dvec3 normal = area_vector(surface.positions, t);
         const double size = glm::length(normal);
         double least = size;
-        for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[c[k]].normal)));
-        return least < fitting * size ? dvec2(0.0, size) : dvec2(size, 0.0);
+        for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[t[k]].normal)));
+        return dvec2(size, least < fitting * size ? size : 0.0);
     });
-    dvec2 sum(0.0);
-    for (const dvec2& part : areas) sum += part;
-    const double area = sum.x + sum.y, unfit = sum.y;
-    return area > 0.0 ? unfit / area : 1.0;
+    return areas.x > 0.0 ? areas.y / areas.x : 1.0;
 }
 
 DecidedShape decide(const Surface& surface) {

@@ -52,9 +52,10 @@ std::shared_ptr<const Bodies> bodies_of(const Surface& surface) {
 
 SceneBodies bodies_of(const Scene& scene) {
     SceneBodies bodies(scene.placements.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
+    parallel_for(bodies.size(), 1, [&](std::size_t i) {
         if (scene.placements[i].usage & (usage_occlude | usage_holdout))
             bodies[i] = bodies_of(*scene.placements[i].surface);
+    });
     return bodies;
 }
 

@@ -38,15 +38,18 @@ void leave_out_repeated(const Surface& surface, Array<Index>& order) {
     constexpr int crowd = 16;
     struct Place {
         Index triangle = none;
+        vec3 least{0.0f};  // corner of its box, which tells most that differ
         int met = 0;
     };
     std::array<Place, 8> last;
     std::size_t kept = 0, next = 0;
     for (const Index triangle : order) {
+        const Triangle& t = surface.triangles[triangle];
+        const vec3 least = glm::min(surface.positions[t.x], glm::min(surface.positions[t.y], surface.positions[t.z]));
         const auto place = std::ranges::find_if(last, [&](const Place& place) {
-            return place.triangle != none && coincide(surface, place.triangle, triangle);
+            return place.least == least && place.triangle != none && coincide(surface, place.triangle, triangle);
         });
-        if (place == last.end()) last[next++ % last.size()] = {triangle, 0};
+        if (place == last.end()) last[next++ % last.size()] = {triangle, least, 0};
         if (place == last.end() || ++place->met < crowd) order[kept++] = triangle;
     }
     order.resize(kept);
