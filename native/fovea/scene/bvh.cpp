@@ -12,14 +12,18 @@ void skip_ignored(const RTCFilterFunctionNArguments* at) {
 
 }  // namespace
 
+std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface) {
+    const auto kept = surface.lasting_cache().get<std::unique_ptr<const SurfaceBvh>>(
+        0, [&] { return std::make_unique<const SurfaceBvh>(surface); });
+    (*kept)->follow(surface);
+    return {kept, kept->get()};
+}
+
 Tracer::Bvh::Bvh() : top(rtcNewScene(bvh_device())) { rtcSetSceneFlags(top.get(), bvh_flags); }
 
 void Tracer::Bvh::add(const Scene& scene, Index placement) {
     const Surface& surface = *scene.placements[placement].surface;
-    const auto kept = surface.lasting_cache().get<std::unique_ptr<const SurfaceBvh>>(
-        0, [&] { return std::make_unique<const SurfaceBvh>(surface); });
-    surfaces.emplace_back(kept, kept->get());
-    surfaces.back()->follow(surface);
+    surfaces.push_back(bvh_of(surface));
     const RTCGeometry instance = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, surfaces.back()->scene());
     rtcSetGeometryTimeStepCount(instance, 1);

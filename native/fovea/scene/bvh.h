@@ -54,6 +54,9 @@ class SurfaceBvh {
     mutable double spread_ = 0.0;     // spread() of these when built
 };
 
+/// A surface's BVH, at its current positions; cached with the surface.
+std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface);
+
 struct Tracer::Bvh {
     OwnedScene top;
     Array<Index> placement_of_instance;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <fovea/base/check.h>
+#include <fovea/base/parallel.h>
 #include <fovea/scene/bvh.h>
 
 namespace fovea::scene {
@@ -29,12 +30,20 @@ bool is_flat_and_convex(const Outline& quad) {
 Tracer::Tracer(const Scene& scene, const View& view)
     : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>()) {
     bvh_->object_to_view.resize(scene.placements.size());
+    Array<Index> hiding;
+    std::vector<const Surface*> surfaces;
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
         bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
         const bool hides = placement.usage & (usage_occlude | usage_holdout);
-        if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1)) bvh_->add(scene, i);
+        if (!hides || placement.surface->occluding_triangles == 0 || !in_frame(placement, view, 0.1)) continue;
+        hiding.push_back(i);
+        surfaces.push_back(placement.surface.get());
     }
+    std::ranges::sort(surfaces);
+    surfaces.erase(std::ranges::unique(surfaces).begin(), surfaces.end());
+    parallel_for(surfaces.size(), 1, [&](std::size_t i) { bvh_of(*surfaces[i]); });
+    for (const Index i : hiding) bvh_->add(scene, i);
     bvh_->commit();
 }
 
