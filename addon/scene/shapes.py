@@ -6,7 +6,7 @@ import bpy
 
 from .mesh_arrays import is_edited
 
-AUTOMATIC = "automatic"
+AUTOMATIC, HARD = "automatic", "hard"
 SHAPES = [
     ("AUTOMATIC", "Automatic", "Decided by shading and by how the faces bend, at rest"),
     ("HARD", "Hard", "Its faces are meant as they are: contours of the mesh, and creases at all sharp angles"),

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import kept, mesh_arrays
 from . import repair as repairs
-from .shapes import AUTOMATIC
+from .shapes import AUTOMATIC, HARD
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 BYTES_RESAMPLED = 600  # per expected triangle, while a mesh is resampled
@@ -120,6 +120,7 @@ class SurfaceCache:
                 self._move(entry, made, positions)
             else:
                 entry = self.entries[key] = _Entry(self._core.Surface(name, made.mesh), topology, positions, ())
+                entry.surface.set_shape(HARD)  # its outlines are those of its faces
                 self.rebuilt.append(entry.surface)
         entry.age, entry.used = 0, kept.now()
         return entry.surface

@@ -27,6 +27,16 @@ def test_a_point_cloud_has_spheres_of_its_radius():
     assert len(first) == len(snapshot.surfaces[0].positions) / 2
 
 
+@pytest.mark.parametrize("name", part("style").names())
+def test_a_point_cloud_has_outlines_in_every_style(name):
+    scene_ = box_scene()
+    bpy.data.objects.remove(bpy.data.objects["Box"])
+    point_cloud([(0, 0, 0)], 1)
+    use_style(scene_, name)
+    bpy.ops.render.render()
+    assert part("render.session").last_statistics()["strokes"]
+
+
 def test_point_clouds_are_instanced():
     obj = new_object(new_mesh([(0, 0, 0), (4, 0, 0)], [], [], "Points"), "Points")
     points, _ = node_modifier(obj, "GeometryNodeMeshToPoints", "GeometryNodeInstanceOnPoints")
