@@ -146,6 +146,29 @@ TEST(BrokenMesh, TriangulationsThatBelongToOtherVerticesDoNotCrash) {
     EXPECT_EQ(mesh.surface()->triangles.size(), 4u);
 }
 
+TEST(BrokenMesh, AnEdgeOfOtherVerticesThanItsPolygonNamesHasNoSideThere) {
+    Mesh mesh = box();
+    mesh.positions.push_back(vec3(not_a_number));
+    mesh.edge_verts[3].y = 8;  // two polygons name it
+    const auto surface = mesh.surface();
+    EXPECT_EQ(surface->facet_count(), 6u);
+    EXPECT_EQ(surface->report().loose_edges, 1u);
+    EXPECT_TRUE(surface->is_loose(11)) << "it is the last one";
+    EXPECT_EQ(surface->edges[11].y, 8u);
+    for (Index e = 0; e < 12; ++e) EXPECT_EQ(surface->edge_rows.size(e), e < 11 ? 2u : 0u);
+}
+
+TEST(BrokenMesh, ATriangulationOfOtherVerticesThanItsPolygonsIsNotUsed) {
+    Mesh mesh = l_shape();
+    mesh.positions[3].z = 0.5f;
+    mesh.positions.push_back(vec3(not_a_number));
+    mesh.ngon_triangles[1] = {1, 2, 6};
+    const auto surface = mesh.surface();
+    ASSERT_EQ(surface->triangles.size(), 4u);
+    for (const Triangle& t : surface->triangles)
+        for (int i = 0; i < 3; ++i) EXPECT_LT(t[i], 6u);
+}
+
 TEST(BrokenMesh, PlainPolygonsThatNameAVertexThatIsNotThereAreRefusedBeforeTheyAreCut) {
     const std::vector<vec3> positions(5, vec3(0.0f));
     const std::vector<int> offsets{0, 6};

@@ -42,14 +42,30 @@ In<int> flat(In<glm::vec<N, int>> values) {
     return {reinterpret_cast<const int*>(values.data()), values.size() * N};
 }
 
+/// Per corner of a mesh, the edge to the polygon's next corner; none where the edge that is named joins other vertices.
+Array<Index> corner_edges_of(const MeshArrays& mesh) {
+    Array<Index> edges(mesh.corner_verts.size(), none);
+    parallel_for(mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1, [&](std::size_t f) {
+        const int begin = mesh.polygon_offsets[f], end = mesh.polygon_offsets[f + 1];
+        for (int c = begin; c < end; ++c) {
+            const int edge = mesh.corner_edges[c], a = mesh.corner_verts[c];
+            const int b = mesh.corner_verts[c + 1 < end ? c + 1 : begin];
+            const glm::ivec2 ends = mesh.edge_verts[edge];
+            if ((ends.x == a && ends.y == b) || (ends.x == b && ends.y == a)) edges[c] = Index(edge);
+        }
+    });
+    return edges;
+}
+
 /// Per edge of a mesh, its number in the order in which the polygons have them, of each polygon first the one that ends
 /// at its first corner; edges without a polygon come last. Blender numbers the edges that it makes in this order on one
 /// core, and in others on more: lines would begin elsewhere on another machine.
-Array<Index> edge_numbers(const MeshArrays& mesh) {
+Array<Index> edge_numbers(const MeshArrays& mesh, In<Index> corner_edges) {
     Array<Index> number(mesh.edge_verts.size(), none);
     Index next = 0;
     const auto give = [&](int corner) {
-        if (Index& of = number[mesh.corner_edges[corner]]; of == none) of = next++;
+        if (corner_edges[corner] == none) return;
+        if (Index& of = number[corner_edges[corner]]; of == none) of = next++;
     };
     for (std::size_t f = 1; f < mesh.polygon_offsets.size(); ++f) {
         const int begin = mesh.polygon_offsets[f - 1], end = mesh.polygon_offsets[f];
@@ -59,6 +75,25 @@ Array<Index> edge_numbers(const MeshArrays& mesh) {
     for (Index& of : number)
         if (of == none) of = next++;
     return number;
+}
+
+/// The triangulations of polygons; none of a polygon where they name a vertex that is none of its corners.
+Lists<Triangle> own_triangulations(const MeshArrays& mesh, std::size_t polygons) {
+    Array<std::uint8_t> foreign(polygons, 0);
+    std::vector<int> corners;
+    for (std::size_t t = 0; t < mesh.ngon_polygon.size(); ++t) {
+        const int f = mesh.ngon_polygon[t];
+        if (t == 0 || f != mesh.ngon_polygon[t - 1]) {
+            const auto all = mesh.corner_verts.begin();
+            corners.assign(all + mesh.polygon_offsets[f], all + mesh.polygon_offsets[f + 1]);
+            std::ranges::sort(corners);
+        }
+        for (int i = 0; i < 3; ++i) foreign[f] |= !std::ranges::binary_search(corners, mesh.ngon_triangles[t][i]);
+    }
+    return lists_of<Triangle>(polygons, [&](const auto& give) {
+        for (std::size_t t = 0; t < mesh.ngon_polygon.size(); ++t)
+            if (!foreign[mesh.ngon_polygon[t]]) give(mesh.ngon_polygon[t], Triangle(mesh.ngon_triangles[t]));
+    });
 }
 
 }  // namespace
@@ -122,9 +157,11 @@ void Surface::take_topology(const MeshArrays& mesh) {
     polygons_.offsets.assign(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end());
     if (polygons_.offsets.empty()) polygons_.offsets.push_back(0);
     corner_verts_.assign(mesh.corner_verts.begin(), mesh.corner_verts.end());
-    const Array<Index> number = edge_numbers(mesh);
-    corner_edges_ =
-        parallel_map<Index>(mesh.corner_edges.size(), [&](std::size_t c) { return number[mesh.corner_edges[c]]; });
+    corner_edges_ = corner_edges_of(mesh);
+    const Array<Index> number = edge_numbers(mesh, corner_edges_);
+    parallel_for(corner_edges_.size(), [&](std::size_t c) {
+        if (corner_edges_[c] != none) corner_edges_[c] = number[corner_edges_[c]];
+    });
     edges.resize(edge_count);
     parallel_for(edge_count, [&](std::size_t e) { edges[number[e]] = Edge(mesh.edge_verts[e]); });
     mesh_edges = static_cast<Index>(edge_count);
@@ -143,16 +180,13 @@ void Surface::take_topology(const MeshArrays& mesh) {
     mark(mesh.edge_mark, mark_edge);
     mark(mesh.smooth, mark_smooth);
 
-    if (!mesh.ngon_polygon.empty())
-        ngon_triangles_ = lists_of<Triangle>(polygon_total, [&](const auto& give) {
-            for (std::size_t t = 0; t < mesh.ngon_polygon.size(); ++t)
-                give(mesh.ngon_polygon[t], Triangle(mesh.ngon_triangles[t]));
-        });
+    if (!mesh.ngon_polygon.empty()) ngon_triangles_ = own_triangulations(mesh, polygon_total);
 }
 
 void Surface::build_edge_corners() {
     edge_corners_ = lists_of<Index>(mesh_edges, [&](const auto& give) {
-        for (Index c = 0; c < corner_edges_.size(); ++c) give(corner_edges_[c], c);
+        for (Index c = 0; c < corner_edges_.size(); ++c)
+            if (corner_edges_[c] != none) give(corner_edges_[c], c);
     });
     report_.loose_edges = 0;
     for (Index e = 0; e < mesh_edges; ++e) report_.loose_edges += edge_corners_.size(e) == 0;

@@ -216,7 +216,8 @@ class Surface : public SurfaceArrays {
 
     std::string name_;
     Rows polygons_;  // corners of polygons
-    Array<Index> corner_verts_, corner_edges_;
+    Array<Index> corner_verts_;
+    Array<Index> corner_edges_;       // per corner; none where the mesh names an edge between other vertices
     Lists<Index> edge_corners_;       // corners whose side runs along each mesh edge
     Lists<Triangle> ngon_triangles_;  // per polygon; no lists where no polygon has any
     Array<std::uint8_t> polygon_occludes_;

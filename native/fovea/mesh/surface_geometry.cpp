@@ -117,7 +117,8 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
             const Index other = corner_polygon[corner];
             return other < f && !skip[other] && same_vertices(other, Index(f));
         };
-        return !skip[f] && std::ranges::any_of(edge_corners_[corner_edges_[polygons_.begin(f)]], is_earlier);
+        if (skip[f] || corner_edges_[polygons_.begin(f)] == none) return false;
+        return std::ranges::any_of(edge_corners_[corner_edges_[polygons_.begin(f)]], is_earlier);
     });
     report_.duplicate_polygons = static_cast<Index>(std::count(duplicate.begin(), duplicate.end(), 1));
     for (Index f = 0; f < polygon_count(); ++f) skip[f] |= duplicate[f];
