@@ -148,6 +148,22 @@ TEST(Distance, FadesAStrokeThatRecedes) {
     }
 }
 
+TEST(Distance, OfALineThatEndsFarBeyondItsStartIsANumberUpToItsEnds) {
+    Pen pen = wide();
+    pen.look.distance_far = 1e18;
+    pen.look.distance_width = pen.look.distance_opacity = 0.5;
+    ClippedPaths clipped;
+    add_piece(clipped, line_at(0));
+    for (const bool recedes : {false, true}) {
+        clipped.position_view = {vec3(0, 0, recedes ? -0.1f : -5e17f), vec3(0, 0, recedes ? -5e17f : -0.1f)};
+        const Along found(strokes_of(clipped, whole_runs(clipped), pen));
+        for (const auto& [place, width, opacity, tint] : found.points) {
+            EXPECT_TRUE(std::isfinite(place + width)) << place;
+            EXPECT_LE(opacity, 1.0f) << place;
+        }
+    }
+}
+
 /// Widths at places of the path where the whole and a part of it both have points.
 std::vector<std::pair<float, float>> both(const Strokes& a, const Strokes& b) {
     std::vector<std::pair<float, float>> found;

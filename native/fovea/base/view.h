@@ -71,4 +71,10 @@ inline double screen_depth(const View& view, double z_view) {
     return view.orthographic ? (view.far_clip + z_view) / (view.far_clip - view.near_clip) : view.near_clip / -z_view;
 }
 
+/// Share of the way in space between two points at these distances along -z, at this share of the way on the screen;
+/// with the distances exchanged the other way around. Without differences: exact at both ends, however far they are.
+inline double share_in_space(double on_screen, double from, double to) {
+    return on_screen * from / glm::mix(to, from, on_screen);
+}
+
 }  // namespace fovea::base

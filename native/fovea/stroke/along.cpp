@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/view.h>
 #include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
@@ -31,7 +32,7 @@ dvec2 place(const CenterLine& line, bool closed, double arc) {
 double distance_at(const ClippedPaths& clipped, Index piece, double arc) {
     const Index i = clipped.segment_at(piece, arc);
     const double s = clipped.share_at(i, arc), a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
-    return glm::mix(a, b, clipped.orthographic ? s : s * a / (b + s * (a - b)));
+    return glm::mix(a, b, clipped.orthographic ? s : share_in_space(s, a, b));
 }
 
 /// Knots of a transfer function, as fractions of a stroke; a step has one.

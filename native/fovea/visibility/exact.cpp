@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <fovea/visibility/crowds.h>
 #include <fovea/visibility/shadow.h>
 
 namespace fovea::visibility {
@@ -92,6 +93,22 @@ void add_visible(Index piece, double start, double end, Runs& runs) {
         runs.push(piece, start, end);
 }
 
+/// Adds to runs of the first pieces of crowds (first_of_crowds) those of all others.
+Runs with_crowds(const ClippedPaths& clipped, const Runs& asked, In<Index> first) {
+    const Rows rows = runs_of_pieces(clipped, asked);
+    return runs_by_blocks(first.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
+        for (Index q = Index(begin); q < end; ++q) {
+            const double own_first = clipped.first_arc(q), own_last = clipped.last_arc(q);
+            const double its_first = clipped.first_arc(first[q]), its_last = clipped.last_arc(first[q]);
+            const auto own = [&](double arc) {
+                return arc < its_last ? std::clamp(arc + (own_first - its_first), own_first, own_last) : own_last;
+            };
+            for (Index r = rows.begin(first[q]); r < rows.end(first[q]); ++r)
+                runs.push(q, own(asked.start_px[r]), own(asked.end_px[r]));
+        }
+    });
+}
+
 /// View-space point `offset_px` pixels to the left of screen fraction s of segment i.
 vec3 point_beside(const ClippedPaths& clipped, const View& view, const dmat4& clip_to_view, Index i, double s,
                   double offset_px) {
@@ -108,27 +125,31 @@ vec3 point_beside(const ClippedPaths& clipped, const View& view, const dmat4& cl
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel) {
     check_same_paths(clipped, paths, "exact_visibility");
     tracer.check_current();
-    return runs_by_blocks(clipped.path.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
-        cancel.poll();
-        Marcher marcher(tracer);
-        std::vector<Interval> hidden;
-        for (Index q = Index(begin); q < end; ++q) {
-            const bool in_image = paths.placement[clipped.path[q]] == none;
-            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-                const Index samples = clipped.sample_count[i];
-                if (samples == 0) continue;
-                const double arc = clipped.arc_px[i], last = clipped.arc_px[i + 1], length = last - arc;
-                hidden.clear();
-                if (!in_image) marcher.march(segment_at(clipped, paths, tracer, q, i), samples, length, hidden);
-                double from = arc;
-                for (const Interval& gap : hidden) {
-                    add_visible(q, from, arc + gap.begin * length, runs);
-                    from = gap.end < 1.0 ? arc + gap.end * length : last;
+    const Array<Index> first = first_of_crowds(clipped, paths, tracer);
+    const Runs asked =
+        runs_by_blocks(clipped.path.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
+            cancel.poll();
+            Marcher marcher(tracer);
+            std::vector<Interval> hidden;
+            for (Index q = Index(begin); q < end; ++q) {
+                if (!first.empty() && first[q] != q) continue;
+                const bool in_image = paths.placement[clipped.path[q]] == none;
+                for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
+                    const Index samples = clipped.sample_count[i];
+                    if (samples == 0) continue;
+                    const double arc = clipped.arc_px[i], last = clipped.arc_px[i + 1], length = last - arc;
+                    hidden.clear();
+                    if (!in_image) marcher.march(segment_at(clipped, paths, tracer, q, i), samples, length, hidden);
+                    double from = arc;
+                    for (const Interval& gap : hidden) {
+                        add_visible(q, from, arc + gap.begin * length, runs);
+                        from = gap.end < 1.0 ? arc + gap.end * length : last;
+                    }
+                    add_visible(q, from, last, runs);
                 }
-                add_visible(q, from, last, runs);
             }
-        }
-    });
+        });
+    return first.empty() ? asked : with_crowds(clipped, asked, first);
 }
 
 Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, double offset_px,

@@ -2,6 +2,7 @@
 // One segment of a projected path, as rays test it.
 #pragma once
 
+#include <fovea/base/view.h>
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
 #include <fovea/scene/tracer.h>
@@ -15,8 +16,8 @@ struct Segment {
     double wa, wb;  ///< distances along -z; equal (1) for an orthographic camera
     Ignore ignore;
 
-    double to_space(double s) const { return s * wa / (wb + s * (wa - wb)); }
-    double to_screen(double t) const { return t * wb / (wa + t * (wb - wa)); }
+    double to_space(double s) const { return share_in_space(s, wa, wb); }
+    double to_screen(double t) const { return share_in_space(t, wb, wa); }
     dvec3 at(double s) const { return glm::mix(a, b, to_space(s)); }
 };
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/visibility/crowds.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <tuple>
+
+#include <fovea/base/hash.h>
+#include <fovea/base/parallel.h>
+#include <fovea/visibility/segment.h>
+
+namespace fovea::visibility {
+namespace {
+
+constexpr double steps_per_px = 64.0, steps_of_normals = 64.0;
+/// Low bits of a float that are rounded away: it is known to 4e-6 of its size.
+constexpr int float_bits = 6;
+
+struct Member {
+    std::uint64_t alike;
+    Index piece;
+    auto order() const { return std::tuple(alike, piece); }
+};
+
+/// Sorts members so that those alike are next to each other; those of crowds are left.
+void keep_crowds(Array<Member>& members) {
+    parallel_sort(members.begin(), members.end(),
+                  [](const Member& a, const Member& b) { return a.order() < b.order(); });
+    auto kept = members.begin();
+    for (auto begin = members.begin(); begin != members.end();) {
+        const auto end = std::find_if(begin, members.end(), [&](const Member& m) { return m.alike != begin->alike; });
+        kept = std::size_t(end - begin) > crowd ? std::move(begin, end, kept) : kept;
+        begin = end;
+    }
+    members.resize(kept - members.begin());
+}
+
+/// Hash of the points of a piece, rounded.
+std::uint64_t hash_of_points(const ClippedPaths& clipped, Index piece) {
+    std::uint64_t hash = clipped.pieces.size(piece);
+    for (Index i = clipped.pieces.begin(piece); i < clipped.pieces.end(piece); ++i) {
+        const dvec2 px = glm::round(dvec2(clipped.px[i]) * steps_per_px) + 0.0;  // no negative zero
+        const std::uint32_t away = std::bit_cast<std::uint32_t>(clipped.position_view[i].z);
+        const double numbers[] = {px.x, px.y, double((away + (1u << (float_bits - 1))) >> float_bits)};
+        hash = hash_bytes(numbers, sizeof(numbers), hash);
+    }
+    return hash;
+}
+
+/// Hash of the direction in space of a facet, rounded. `facet`: numbered over the scene.
+std::uint64_t hash_of_normal(const Scene& scene, Index facet) {
+    if (facet == none) return 0;
+    const auto base = std::ranges::upper_bound(scene.facet_base, facet) - 1;
+    const Placement& placement = scene.placements[base - scene.facet_base.begin()];
+    const dvec3 own(placement.surface->facet_plane[facet - *base]);
+    const dvec3 normal = glm::normalize(glm::transpose(glm::inverse(dmat3(placement.object_to_world))) * own);
+    const dvec3 rounded = glm::round(normal * steps_of_normals) + 0.0;  // no negative zero
+    return hash_bytes(&rounded, sizeof(rounded));
+}
+
+/// Hash of the directions of the surfaces that the segments of a piece lie on, and of how rays ignore these.
+std::uint64_t hash_of_supports(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Index piece) {
+    std::uint64_t hash = 0;
+    for (Index i = clipped.pieces.begin(piece); i + 1 < clipped.pieces.end(piece); ++i) {
+        const Ignore ignore = segment_at(clipped, paths, tracer, piece, i).ignore;
+        hash = hash_numbers(hash, ignore.across_triangles(), ignore.reach > 0.0f,
+                            hash_of_normal(tracer.scene(), clipped.facet0[i]),
+                            hash_of_normal(tracer.scene(), clipped.facet1[i]));
+    }
+    return hash;
+}
+
+}  // namespace
+
+Array<Index> first_of_crowds(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer) {
+    auto members = parallel_map<Member>(clipped.path.size(), [&](std::size_t q) -> Member {
+        return {hash_of_points(clipped, Index(q)), Index(q)};
+    });
+    std::erase_if(members, [&](const Member& m) { return paths.placement[clipped.path[m.piece]] == none; });
+    keep_crowds(members);
+    if (members.empty()) return {};
+    parallel_for(members.size(), 64, [&](std::size_t k) {
+        Member& member = members[k];
+        member.alike = hash_numbers(member.alike, hash_of_supports(clipped, paths, tracer, member.piece));
+    });
+    keep_crowds(members);
+    if (members.empty()) return {};
+    Array<Index> first(clipped.path.size());
+    for (Index q = 0; q < first.size(); ++q) first[q] = q;
+    for (std::size_t k = 1; k < members.size(); ++k)
+        if (members[k].alike == members[k - 1].alike) first[members[k].piece] = first[members[k - 1].piece];
+    return first;
+}
+
+}  // namespace fovea::visibility
