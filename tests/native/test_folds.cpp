@@ -109,6 +109,30 @@ TEST(Turns, AlongsideAreTheMeanOfBothSidesAndOfOneWay) {
     EXPECT_NEAR(turns.alongside(across(3)), 0.0, 1e-5) << "the other way, and none";
 }
 
+/// A floor of two polygons side by side, whose seam has `count` edges, with a wall along its left side.
+Mesh floor_with_seam(int count) {
+    Mesh mesh("floor", {{-1, 0, 0}, {-1, 1, 0}, {-1, 1, 1}, {-1, 0, 1}, {1, 0, 0}, {1, 1, 0}});
+    std::vector<int> left{1, 0}, right{4, 5};
+    for (int i = 0; i <= count; ++i) {
+        left.push_back(int(mesh.positions.size()));
+        mesh.positions.push_back({i % 2 ? 0.1f : -0.1f, float(i) / float(count), 0});
+    }
+    right.insert(right.end(), left.rbegin(), left.rend() - 2);
+    mesh.add_polygon(left);
+    mesh.add_polygon(right);
+    mesh.add_polygon({0, 1, 2, 3});
+    return mesh;
+}
+
+TEST(Turns, BesidePolygonsWithALongCommonSeamAreFoundInAFewSteps) {
+    const auto surface = floor_with_seam(20000).surface();  // to look out of both again and again takes its cube
+    const Turns turns(*surface);
+    const auto wall = Index(std::ranges::find(surface->edges, Edge(1, 0)) - surface->edges.begin());
+    EXPECT_NEAR(std::abs(turns[wall]), std::numbers::pi / 2.0, 1e-6);
+    EXPECT_EQ(turns.parallel(wall), 0.0);
+    EXPECT_EQ(turns.alongside(wall), 0.0);
+}
+
 TEST(Folds, OfARoundedSurfaceAreItsGrooves) {
     for (const int n : {8, 12, 16}) EXPECT_EQ(folds(grooved(n)), middle(n)) << n;
     EXPECT_EQ(folds(extruded({42})).size(), 4u);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double flat = glm::radians(1.0);  // edges that turn less are looked across, as between triangles of a face
 constexpr int most_flats = 2;               // in a row
+constexpr std::size_t most_edges = 64;      // of a facet that is looked out of: edges of larger ones can be very many
 constexpr double parallel_cosine = 0.7071;  // of directions that count as parallel
 
 dvec3 vector_of(const Surface& surface, Index edge) {
@@ -49,6 +50,7 @@ void Turns::meet(Index edge, Index facet, const dvec3& along, double sum, int fl
     const auto length = [&](Index e) { return e == edge ? 0.0 : std::abs(glm::dot(vector_of(surface_, e), along)); };
     double whole = 0.0;
     for (const Index e : of_facet_[facet]) whole += length(e);
+    if (of_facet_[facet].size() > most_edges) flats = 0;
     for (const Index e : of_facet_[facet]) {
         if (e == edge) continue;
         const double weight = whole > 0.0 ? sum * length(e) / whole : 0.0;

@@ -7,7 +7,8 @@
 namespace fovea::line {
 
 /// Turns in radians. What lies beside an edge is met on leaving either of its facets over another edge; edges that turn
-/// by less than a degree, as the diagonals of a face, are looked across. Turns the other way count as none there.
+/// by less than a degree, as the diagonals of a face, are looked across, but not out of facets of more than 64 edges.
+/// Turns the other way count as none there.
 class Turns {
    public:
     explicit Turns(const Surface& surface);
