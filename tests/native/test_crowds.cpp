@@ -6,6 +6,7 @@
 #include <fovea/runs/ends_by_cell.h>
 #include <fovea/runs/stretch_grid.h>
 #include <fovea/scene/triangle_tree.h>
+#include <fovea/visibility/crowds.h>
 
 #include "elision_fixture.h"
 #include "intersections.h"
@@ -153,4 +154,43 @@ TEST(Crowds, OfTrianglesInOnePlaceMeetOthersOnce) {
     EXPECT_EQ(one.count, 1u);
     EXPECT_EQ(many.count, 1u);
     EXPECT_NEAR(many.length, one.length, 1e-6);
+}
+
+TEST(Crowds, OfSolidsInOnePlaceAreSeenAsOneIs) {
+    // Boxes in one place, or a millionth apart, half behind a wall.
+    const auto drawn = [](int count, double apart) {
+        std::vector<Placement> all{drawing::place(meshes::box({0, -3, -3}, {3, -2, 3}), dmat4(1.0), 9)};
+        for (int i = 0; i < count; ++i) {
+            const double off = apart * i / count;
+            all.push_back(drawing::place(meshes::box(), drawing::moved({off, -off, off}), std::uint64_t(10 + i)));
+        }
+        return drawing::Drawing(std::move(all), drawing::perspective({-1, -9, 4}, {0, 0, 0}),
+                                {drawing::line_set({"crease"})});
+    };
+    const auto one = drawn(1, 0.0);
+    EXPECT_TRUE(first_of_crowds(one.clipped, one.paths, one.tracer).empty());
+    for (const double apart : {0.0, 1e-6}) {
+        const auto many = drawn(40, apart);
+        const Array<Index> first = first_of_crowds(many.clipped, many.paths, many.tracer);
+        ASSERT_EQ(first.size(), many.clipped.path.size());
+        const std::set<Index> asked(first.begin(), first.end());
+        EXPECT_LT(asked.size(), apart == 0.0 ? 25u : 60u) << "of 12 edges each";
+        for (Index placement = 1; placement <= 40; ++placement) {
+            EXPECT_NEAR(many.total_px(placement), one.total_px(1), 1e-3);
+            EXPECT_NEAR(many.visible_px(placement), one.visible_px(1), 12 * 2 * exact_tolerance_px) << placement;
+        }
+    }
+}
+
+TEST(Crowds, OfLinesOnSurfacesOfOtherDirectionsAreSeenEachByItself) {
+    // Flaps around one axis, like the pages of a book that stands open: their common edge is one line of each.
+    std::vector<Placement> flaps;
+    for (int i = 0; i < 40; ++i) {
+        const dmat4 turned = glm::rotate(dmat4(1.0), 0.1 * i, dvec3(0, 0, 1));
+        flaps.push_back(drawing::place(meshes::of_polygons("flap", {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 3}}),
+                              turned, std::uint64_t(i)));
+    }
+    const drawing::Drawing book(std::move(flaps), drawing::perspective({0.5, -4, 3}, {0, 0, 0}),
+                                {drawing::line_set({"border"})});
+    EXPECT_TRUE(first_of_crowds(book.clipped, book.paths, book.tracer).empty());
 }
