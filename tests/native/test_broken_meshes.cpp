@@ -179,7 +179,8 @@ TEST(BrokenMesh, PlainPolygonsThatNameAVertexThatIsNotThereAreRefusedBeforeTheyA
     }
     const std::vector<int> corners{0, 1, 2, 3, 4, 0};
     EXPECT_EQ(refused([&] { polygon_surface("Kite", positions, corners, std::vector<int>{0, 7}); }),
-              "Kite: polygon_offsets must ascend and stay within corner_verts");
+              "Kite: polygon_offsets must ascend and stay within corner_verts; the mesh is broken (Mesh > Validate "
+              "mends it)");
 }
 
 TEST(BrokenMesh, TenThousandCornersWithAndWithoutTriangulation) {

@@ -187,8 +187,9 @@ TEST(Crowds, OfLinesOnSurfacesOfOtherDirectionsAreSeenEachByItself) {
     std::vector<Placement> flaps;
     for (int i = 0; i < 40; ++i) {
         const dmat4 turned = glm::rotate(dmat4(1.0), 0.1 * i, dvec3(0, 0, 1));
-        flaps.push_back(drawing::place(meshes::of_polygons("flap", {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 3}}),
-                              turned, std::uint64_t(i)));
+        flaps.push_back(
+            drawing::place(meshes::of_polygons("flap", {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 3}}),
+                           turned, std::uint64_t(i)));
     }
     const drawing::Drawing book(std::move(flaps), drawing::perspective({0.5, -4, 3}, {0, 0, 0}),
                                 {drawing::line_set({"border"})});

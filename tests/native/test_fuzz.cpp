@@ -82,15 +82,17 @@ TEST(Fuzz, ANumberThatIsNoneIsFoundInEveryArray) {
 }
 
 TEST(Fuzz, ASentenceNamesSomethingAndNothingOfTheImplementation) {
-    EXPECT_TRUE(holds("Surface 1: it has no faces to refine"));
+    EXPECT_TRUE(holds("Surface 1: it has no faces to refine; give it some"));
+    EXPECT_FALSE(holds("Surface 1: it has no faces to refine")) << "what shall one do?";
+    EXPECT_FALSE(holds("Surface 1: corner_edges and corner_verts differ in length"));
     EXPECT_TRUE(holds("camera: its picture has no pixels; make it wider or higher"));
     EXPECT_TRUE(holds("line_sets[0].pen.width is 0, outside 0.01 to 1000"));
     EXPECT_TRUE(holds("options.probes is 17, outside 1 to 16"));
     EXPECT_FALSE(holds(""));
     EXPECT_FALSE(holds("something went wrong"));
-    EXPECT_FALSE(holds("Surface 1: two\nlines"));
-    EXPECT_FALSE(holds("Surface 1: it ends with."));
-    EXPECT_FALSE(holds("Surface 1: Embree error 4"));
+    EXPECT_FALSE(holds("Surface 1: two must not be\nlines"));
+    EXPECT_FALSE(holds("Surface 1: it must not end with."));
+    EXPECT_FALSE(holds("Surface 1: there must be no Embree error 4"));
     EXPECT_FALSE(holds("vector::_M_range_check: __n (which is 8) >= this->size() (which is 8)"));
 }
 

@@ -209,7 +209,7 @@ def test_what_does_not_fit_is_refused():
         layer([surface], [])
     with pytest.raises(ValueError, match="box: one uv per corner"):
         layer([surface], [core.SurfaceColor([core.ColorSlot((1, 1, 1))], uvs=[np.zeros((3, 2), np.float32)])])
-    with pytest.raises(ValueError, match="box: a slot's attribute does not exist"):
+    with pytest.raises(ValueError, match="box: a slot must name an attribute that is given"):
         layer([surface], [plain((1, 1, 1), attribute=2)])
     with pytest.raises(ValueError, match="light: kind is 'laser'; it can be: sun, point, spot, area"):
         core.Light("laser", (0, 0, 0), (0, 0, 1), (1, 1, 1))

@@ -138,7 +138,7 @@ def test_what_says_nothing_of_hidden_lines_draws_none_of_them():
         (minimal() | {"focus": {"model": "nowhere"}}, "focus.model is 'nowhere'"),
         (minimal() | {"focus": {"points": [{"at": [1]}]}}, "focus.points[0].at must be a list of 2 or 3 numbers"),
         (minimal() | {"focus": {"points": [{"at": [1, float("inf")]}]}}, "not JSON"),
-        (minimal() | {"focus": {"points": [{"near": 3, "far": 2}]}}, "focus.points[0].far is less than near"),
+        (minimal() | {"focus": {"points": [{"near": 3, "far": 2}]}}, "focus.points[0].far must not be less than near"),
         (minimal() | {"focus": {"points": [{}] * 17}}, "focus.points must be a list of at most 16 points"),
         (minimal() | {"effects": {"fade": {"strength": 2}}}, "effects.fade.strength is 2"),
         (minimal() | {"effects": {"fade": 3}}, "effects.fade must be a JSON object"),

@@ -34,7 +34,8 @@ void check_view(const View& view) {
     check(
         view.reference_scale >= least_scale && view.reference_scale <= most_scale,
         "camera: its whole frame is less than a tenth of a pixel or more than ten million pixels high; zoom in or out");
-    check(glm::dot(glm::abs(view.frame), dvec4(1.0)) < 1e12, "camera: its frame is not finite");
+    check(glm::dot(glm::abs(view.frame), dvec4(1.0)) < 1e12,
+          "camera: its frame is not finite; reset its sensor and shift");
 }
 
 }  // namespace fovea::base

@@ -13,9 +13,9 @@ void check_color(const SurfaceColor& color, const Surface& surface) {
     for (const auto& uv : color.uvs) fits(uv, "uv");
     for (const auto& attribute : color.attributes) fits(attribute, "color");
     for (const ColorSlot& slot : color.slots) {
-        check(slot.uv == none || slot.uv < color.uvs.size(), surface.name() + ": a slot's uvs do not exist");
+        check(slot.uv == none || slot.uv < color.uvs.size(), surface.name() + ": a slot must name uvs that are given");
         check(slot.attribute == none || slot.attribute < color.attributes.size(),
-              surface.name() + ": a slot's attribute does not exist");
+              surface.name() + ": a slot must name an attribute that is given");
     }
 }
 

@@ -21,13 +21,13 @@ CutMesh::CutMesh(const std::string& name, const MeshArrays& mesh, const std::vec
               name + ": cut-out: width x height texels expected");
     }
     for (const int cut : options.cut_of_polygon)
-        check(cut < int(cuts.size()), name + ": cut-out: a polygon refers to a missing cut");
+        check(cut < int(cuts.size()), name + ": cut-out: each polygon must name a cut that is given, or none");
     build(mesh, cuts, options);
 }
 
 Array<vec3> CutMesh::moved(In<vec3> positions) const {
     check(positions.size() == vertices_, name_ + ": cut-out: " + std::to_string(positions.size()) + " positions for " +
-                                             std::to_string(vertices_) + " vertices");
+                                             std::to_string(vertices_) + " vertices; give one for each");
     Array<vec3> all(vertices_ + new_vertices_.size());
     std::copy(positions.begin(), positions.end(), all.begin());
     parallel_for(new_vertices_.size(), [&](std::size_t i) {

@@ -41,7 +41,7 @@ void check_offsets(const std::string& before, In<int> polygon_offsets, In<int> c
     check(polygon_offsets.empty() ||
               (polygon_offsets.front() >= 0 && std::is_sorted(polygon_offsets.begin(), polygon_offsets.end()) &&
                std::size_t(polygon_offsets.back()) <= corner_verts.size()),
-          before + "polygon_offsets must ascend and stay within corner_verts");
+          before + "polygon_offsets must ascend and stay within corner_verts" + mesh_is_broken);
 }
 
 }  // namespace

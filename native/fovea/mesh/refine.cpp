@@ -78,7 +78,7 @@ Array<float> RefinedSurface::mix_corners(In<float> values, int columns, In<int> 
     for (const Cell& cell : cells)
         check(std::size_t(cell.polygon) < cage_polygons &&
                   polygon_offsets[cell.polygon + 1] - polygon_offsets[cell.polygon] >= 3,
-              name() + ": these are not the polygons of its cage");
+              name() + ": these are not the polygons of its cage; give those that it was made of");
     Array<float> mixed(4 * cells.size() * columns);
     parallel_for(cells.size(), [&](std::size_t q) {
         const Cell& cell = cells[q];

@@ -104,12 +104,12 @@ Cage cage_of(const std::string& name, const MeshArrays& mesh, const Refinement& 
     check_levels(name, mesh, refinement.level);
     const auto fits = [](In<float> creases, std::size_t count) { return creases.empty() || creases.size() == count; };
     check(fits(refinement.edge_crease, mesh.edge_verts.size()) && fits(refinement.vertex_crease, mesh.positions.size()),
-          name + ": creases and edges or vertices differ in number");
+          name + ": creases and edges or vertices differ in number; give one for each, or none");
     Cage cage;
     Description description;
     const Index vertices = take_polygons(name, mesh, cage.number, description);
     take_creases(mesh, refinement, cage.number, description);
-    check(vertices > 0, name + ": it has no faces to refine");
+    check(vertices > 0, name + ": it has no faces to refine; give it some, or remove its Subdivision Surface");
 
     Sdc::Options options;
     options.SetVtxBoundaryInterpolation(refinement.round_corners ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY

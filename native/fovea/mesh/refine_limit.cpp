@@ -117,7 +117,7 @@ bool LimitPatches::is_bicubic(Index patch) const {
 void LimitPatches::evaluate(const std::string& name, In<vec3> cage_positions) {
     check(cage_positions.size() == cage_.number.size(), name + ": " + std::to_string(cage_positions.size()) +
                                                             " positions for " + std::to_string(cage_.number.size()) +
-                                                            " vertices");
+                                                            " vertices; give one for each");
     const int vertices = cage_.refiner->GetNumVerticesTotal();
     points_.resize(std::size_t(vertices) + table_->GetNumLocalPoints());
     for (std::size_t v = 0; v < cage_positions.size(); ++v)

@@ -21,11 +21,12 @@ const double wide = glm::pi<double>() / (sides * std::sin(glm::pi<double>() / si
 void check_strands(const std::string& name, const Strands& strands) {
     const In<int> offsets = strands.offsets;
     check(strands.radii.size() == strands.points.size(), name + ": one radius per point of a strand expected");
-    check(strands.points.size() < none / 16, name + ": more than a hundred million points of strands");
+    check(strands.points.size() < none / 16,
+          name + ": more than a hundred million points of strands; lower their number");
     check(!offsets.empty() && offsets.front() == 0 && std::size_t(offsets.back()) == strands.points.size(),
           name + ": offsets of strands must go from 0 to the number of points");
     for (std::size_t s = 1; s < offsets.size(); ++s)
-        check(offsets[s] - offsets[s - 1] >= 2, name + ": a strand has at least two points");
+        check(offsets[s] - offsets[s - 1] >= 2, name + ": each strand must have at least two points");
 }
 
 template <typename T>

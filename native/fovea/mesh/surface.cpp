@@ -18,8 +18,8 @@ std::uint64_t next_version() {
 
 template <typename T>
 void check_size(In<T> values, std::size_t size, const std::string& name, const char* what) {
-    check(values.empty() || values.size() == size,
-          name + ": " + what + " has " + std::to_string(values.size()) + " entries, expected " + std::to_string(size));
+    check(values.empty() || values.size() == size, name + ": " + what + " has " + std::to_string(values.size()) +
+                                                       " entries, expected " + std::to_string(size) + mesh_is_broken);
 }
 
 /// Checks that every value is in [0, limit).
@@ -33,8 +33,7 @@ void check_range(In<int> values, std::size_t limit, const std::string& name, con
         }
         if (low < 0 || high >= static_cast<std::int64_t>(limit)) fits = false;
     });
-    check(fits,
-          name + ": " + what + " names an element that does not exist; the mesh is broken (Mesh > Validate mends it)");
+    check(fits, name + ": " + what + " names an element that does not exist" + mesh_is_broken);
 }
 
 template <int N>
@@ -101,20 +100,23 @@ Lists<Triangle> own_triangulations(const MeshArrays& mesh, std::size_t polygons)
 void check_mesh(const std::string& name, const MeshArrays& mesh) {
     const std::size_t corners = mesh.corner_verts.size(), edge_count = mesh.edge_verts.size();
     const std::size_t polygon_total = mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1;
-    check(mesh.positions.size() < none / 4 && corners < none / 4, name + ": more than a billion elements");
-    check(mesh.corner_edges.size() == corners, name + ": corner_edges and corner_verts differ in length");
+    check(mesh.positions.size() < none / 4 && corners < none / 4,
+          name + ": more than a billion elements; split it into several objects");
+    check(mesh.corner_edges.size() == corners,
+          name + ": corner_edges and corner_verts differ in length" + mesh_is_broken);
     check_range(mesh.corner_verts, mesh.positions.size(), name, "corner_verts");
     check_range(mesh.corner_edges, edge_count, name, "corner_edges");
     check_range(flat(mesh.edge_verts), mesh.positions.size(), name, "edge_verts");
     check_range(flat(mesh.ngon_triangles), mesh.positions.size(), name, "ngon_triangles");
     check_range(mesh.ngon_polygon, polygon_total, name, "ngon_polygon");
     check(mesh.ngon_triangles.size() == mesh.ngon_polygon.size(),
-          name + ": ngon_triangles and ngon_polygon differ in length");
-    check(std::is_sorted(mesh.ngon_polygon.begin(), mesh.ngon_polygon.end()), name + ": ngon_polygon must ascend");
+          name + ": ngon_triangles and ngon_polygon differ in length" + mesh_is_broken);
+    check(std::is_sorted(mesh.ngon_polygon.begin(), mesh.ngon_polygon.end()),
+          name + ": ngon_polygon must ascend" + mesh_is_broken);
     check(std::is_sorted(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end()) &&
               (polygon_total == 0 ||
                (mesh.polygon_offsets.front() == 0 && std::size_t(mesh.polygon_offsets.back()) == corners)),
-          name + ": polygon_offsets must ascend from 0 to the number of corners");
+          name + ": polygon_offsets must ascend from 0 to the number of corners" + mesh_is_broken);
     check_size(mesh.material, polygon_total, name, "material");
     check_size(mesh.occluding, polygon_total, name, "occluding");
     check_size(mesh.one_sided, polygon_total, name, "one_sided");
@@ -131,9 +133,9 @@ Surface::Surface(std::string name, const MeshArrays& mesh) : name_(std::move(nam
 }
 
 void Surface::set_positions(In<vec3> moved, bool refit) {
-    check(
-        positions.empty() || moved.size() == vertex_count(),
-        name_ + ": " + std::to_string(moved.size()) + " positions for " + std::to_string(vertex_count()) + " vertices");
+    check(positions.empty() || moved.size() == vertex_count(), name_ + ": " + std::to_string(moved.size()) +
+                                                                   " positions for " + std::to_string(vertex_count()) +
+                                                                   " vertices; give one for each");
     positions.resize(moved.size() + 1);
     std::copy(moved.begin(), moved.end(), positions.begin());
     positions.back() = vec3(0.0f);

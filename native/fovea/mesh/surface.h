@@ -57,6 +57,9 @@ struct OwnedMesh : MeshOf<Owned> {
     }
 };
 
+/// Ends a message about arrays of a mesh that contradict each other.
+inline constexpr const char* mesh_is_broken = "; the mesh is broken (Mesh > Validate mends it)";
+
 /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
 void check_mesh(const std::string& name, const MeshArrays& mesh);
 

@@ -12,7 +12,7 @@ namespace {
 void check_materials(const MaterialFilter& filter, std::size_t placements) {
     if (filter.row.empty()) return;
     check(filter.row.size() == placements, "materials: a mask for each placement expected");
-    for (Index row : filter.row) check(row < filter.masks.size(), "materials: a mask is named that is not there");
+    for (Index row : filter.row) check(row < filter.masks.size(), "materials: each row must be that of a mask");
 }
 
 /// Materials that pass both filters for a placement, as a mask; empty if all do.

@@ -39,7 +39,7 @@ void settle(const Distance& distance, const Path& where) {
 }
 
 void settle(const FocusPlace& place, const Path& where) {
-    check(place.far >= place.near, of(where, "far") + " is less than near");
+    check(place.far >= place.near, of(where, "far") + " must not be less than near");
 }
 
 void settle(const Focus& focus, const Path& where) {

@@ -74,9 +74,8 @@ std::uint64_t hash_of_supports(const ClippedPaths& clipped, const Paths& paths, 
 }  // namespace
 
 Array<Index> first_of_crowds(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer) {
-    auto members = parallel_map<Member>(clipped.path.size(), [&](std::size_t q) -> Member {
-        return {hash_of_points(clipped, Index(q)), Index(q)};
-    });
+    auto members = parallel_map<Member>(
+        clipped.path.size(), [&](std::size_t q) -> Member { return {hash_of_points(clipped, Index(q)), Index(q)}; });
     std::erase_if(members, [&](const Member& m) { return paths.placement[clipped.path[m.piece]] == none; });
     keep_crowds(members);
     if (members.empty()) return {};

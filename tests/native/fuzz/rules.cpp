@@ -98,6 +98,12 @@ void check_sentence(const std::string& message) {
                                   R"(|.+ gives '.*' twice|.+ is nested more than)"
                                   R"(|[a-z_]+(\[\d+\])?([.:]| (is|must|has) )))");
     if (!std::regex_search(message, named)) refuse("names nothing");
+    // What to do: a clause of its own, or what is needed or possible instead.
+    static const std::regex remedy(
+        R"(; |\(| must |\bexpected\b|, outside |\bpossible\b|can be: |there are: |\bonly\b|twice$)"
+        R"(|not a finite number|not JSON|nested more|not the number of|: a newer version)"
+        R"(|, less than |two ranges hold)");
+    if (!std::regex_search(message, remedy)) refuse("does not say what to do");
 }
 
 std::string kind_of_sentence(const std::string& message) {
