@@ -150,3 +150,25 @@ TEST(ContourVisibility, TheMeshHidesNothingOfWhatTheSmoothSurfaceShows) {
         EXPECT_LT(orbit.flicker, 0.001) << body.name;
     }
 }
+
+TEST(ContourVisibility, AnotherSolidOfTheSameMeshHidesAContourAsAnotherObjectDoes) {
+    // Two balls that stick into each other, 16 segments around: their sides are half as long as the way that a
+    // contour's own solid is ignored for.
+    const meshes::Mesh ball = meshes::sphere(8);
+    meshes::Mesh both = ball;
+    const vec3 by(0.9f, -0.5f, 0.4f);
+    for (const vec3& p : ball.positions) both.positions.push_back(0.7f * p + by);
+    for (std::size_t f = 0; f + 1 < ball.polygon_offsets.size(); ++f) {
+        std::vector<int> verts(ball.corner_verts.begin() + ball.polygon_offsets[f],
+                               ball.corner_verts.begin() + ball.polygon_offsets[f + 1]);
+        for (int& v : verts) v += int(ball.positions.size());
+        both.add_polygon(verts);
+    }
+    const View view = perspective({0, -6, 0}, dvec3(0));
+    const std::vector<LineSet> sets{line_set({"smooth_contour"})};
+    const Drawing one({place(both)}, view, sets);
+    const Drawing two({place(ball), place(ball, moved(dvec3(by)) * scaled(dvec3(0.7)), 2)}, view, sets);
+    const double apart = two.visible_px(0) + two.visible_px(1);
+    EXPECT_LT(apart, 0.9 * (two.total_px(0) + two.total_px(1))) << "they hide nothing of each other";
+    EXPECT_NEAR(one.visible_px(0), apart, 0.01 * apart);
+}

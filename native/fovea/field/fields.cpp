@@ -174,6 +174,23 @@ std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptio
     });
 }
 
+Array<vec3> fitted_normals(const Surface& surface, In<Index> vertices) {
+    const FieldOptions options = surface.field_options();
+    check_options(options, surface.name());
+    if (!surface.source() && options.estimator != Estimator::one_ring && surface.jets.empty()) {
+        const auto neighbors = neighbors_of(surface, options.hard_angle);
+        const Array<vec3> normals = vertex_normals(surface, *neighbors);
+        const Choice choice = choose_jets(surface, *neighbors, normals, options);
+        if (choice.smoothing == 0.0) {
+            const auto fitted = jet_curvature(surface, *neighbors, normals, choice.jets, vertices);
+            return parallel_map<vec3>(vertices.size(), [&](std::size_t i) { return vec3(fitted[i].normal); });
+        }
+    }
+    const auto fields = fields_of(surface);
+    return parallel_map<vec3>(vertices.size(),
+                              [&](std::size_t i) { return vec3(fields->curvature[vertices[i]].normal); });
+}
+
 std::string fields_reason(const Surface& surface) {
     const auto kept = surface.cache().find<Fields>(hash_of(surface.field_options()));
     return kept ? kept->reason : "";

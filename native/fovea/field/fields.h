@@ -27,6 +27,10 @@ struct Fields {
 std::shared_ptr<const Fields> fields_of(const Surface& surface);
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options);
 
+/// Normals, per one of `vertices`, of the surface that the fields with the surface's own options are fitted to. Of
+/// clean positions these vertices alone are fitted; of noisy ones, whose fields are smoothed, all are.
+Array<vec3> fitted_normals(const Surface& surface, In<Index> vertices);
+
 /// The `reason` of the fields with the surface's own options; empty if they are not cached yet or the cache is locked
 /// by another computation.
 std::string fields_reason(const Surface& surface);

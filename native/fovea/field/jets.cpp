@@ -184,23 +184,38 @@ bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOp
     return look.around.scale > 0.0;
 }
 
+/// Curvature of `count` vertices, the i-th of which is vertex(i).
+template <typename Vertex>
+Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
+                              const JetOptions& options, std::size_t count, const Vertex& vertex) {
+    Array<Curvature> result(count);
+    tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
+    parallel_blocks(count, 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+        Look& look = looks.local();
+        double a[terms(max_degree)];
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index v = vertex(i);
+            result[i] = {};
+            if (!look_around(surface, neighbors, options, normals[v], v, look)) continue;
+            fit_up_to(options, look.around, a);
+            result[i] = to_object(curvature_of(jet_of(a)), look.around);
+        }
+    });
+    return result;
+}
+
 }  // namespace
 
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
                                const JetOptions& options) {
-    Array<Curvature> result(surface.vertex_count());
-    tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
-    parallel_blocks(result.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
-        Look& look = looks.local();
-        double a[terms(max_degree)];
-        for (std::size_t v = begin; v < end; ++v) {
-            result[v] = {};
-            if (!look_around(surface, neighbors, options, normals[v], Index(v), look)) continue;
-            fit_up_to(options, look.around, a);
-            result[v] = to_object(curvature_of(jet_of(a)), look.around);
-        }
-    });
-    return result;
+    return fit_vertices(surface, neighbors, normals, options, surface.vertex_count(),
+                        [](std::size_t i) { return static_cast<Index>(i); });
+}
+
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
+                               const JetOptions& options, In<Index> vertices) {
+    return fit_vertices(surface, neighbors, normals, options, vertices.size(),
+                        [&](std::size_t i) { return vertices[i]; });
 }
 
 double jet_noise(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,

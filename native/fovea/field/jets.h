@@ -22,6 +22,10 @@ struct JetOptions {
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
                                const JetOptions& options);
 
+/// The same of these vertices alone.
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
+                               const JetOptions& options, In<Index> vertices);
+
 /// Estimated noise of positions: RMS residual of these fits in units of the mean edge length, as the median over about
 /// `samples` vertices at equal index steps. Zero if nothing can be fitted.
 double jet_noise(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,

@@ -21,7 +21,7 @@ const double fitting = std::cos(glm::radians(25.0));
 constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
 /// Of larger surfaces, every second triangle is looked at, or every third and so on.
-constexpr std::size_t most_triangles = 400'000;
+constexpr std::size_t most_triangles = 400'000, most_fitted = 20'000;
 
 /// What the edges and triangles at a vertex sum up to.
 struct Around {
@@ -64,16 +64,25 @@ Bend bend_at(const Surface& surface, Index edge) {
     return length > 0.0 ? Bend{length, signed_turn(surface, edge)} : Bend{};
 }
 
-/// Every which triangle of a surface is looked at.
-std::size_t step_of(const Surface& surface) { return surface.triangles.size() / most_triangles + 1; }
+/// Every which triangle of a surface is looked at, if at most so many are.
+std::size_t step_of(const Surface& surface, std::size_t most = most_triangles) {
+    return surface.triangles.size() / most + 1;
+}
 
 /// Vertices of the triangles that are looked at.
 struct Sample {
-    explicit Sample(const Surface& surface) : slot(surface.vertex_count(), none) {
-        for (std::size_t t = 0; t < surface.triangles.size(); t += step_of(surface))
+    explicit Sample(const Surface& surface, std::size_t most = most_triangles) : slot(surface.vertex_count(), none) {
+        for (std::size_t t = 0; t < surface.triangles.size(); t += step_of(surface, most))
             for (int k = 0; k < 3; ++k) slot[surface.triangles[t][k]] = 0;
         for (Index& own : slot)
             if (own != none) own = count++;
+    }
+    /// The vertices, in order.
+    Array<Index> vertices() const {
+        Array<Index> result(count);
+        for (Index v = 0; v < slot.size(); ++v)
+            if (slot[v] != none) result[slot[v]] = v;
+        return result;
     }
     bool has(const Edge& edge) const { return slot[edge.x] != none || slot[edge.y] != none; }
     bool has(const Triangle& t) const { return slot[t.x] != none || slot[t.y] != none || slot[t.z] != none; }
@@ -139,8 +148,8 @@ struct Rounded {
 
 /// values(t) of each triangle that is looked at, summed up.
 template <typename Values>
-dvec2 sum_of_triangles(const Surface& surface, const Values& values) {
-    const std::size_t step = step_of(surface), count = (surface.triangles.size() + step - 1) / step;
+dvec2 sum_of_triangles(const Surface& surface, std::size_t most, const Values& values) {
+    const std::size_t step = step_of(surface, most), count = (surface.triangles.size() + step - 1) / step;
     dvec2 sum(0.0);
     for (const dvec2& part :
          parallel_map<dvec2>(count, [&](std::size_t i) -> dvec2 { return values(surface.triangles[i * step]); }))
@@ -162,7 +171,7 @@ Rounded rounded_part(const Surface& surface) {
         turn += at.area * at.mean_turn();
     }
     // Areas of triangles, and of those with rounded corners only.
-    const dvec2 areas = sum_of_triangles(surface, [&](const Triangle& t) {
+    const dvec2 areas = sum_of_triangles(surface, most_triangles, [&](const Triangle& t) {
         const double size = glm::length(area_vector(surface.positions, t));
         const auto has_rounded = [&](int k) { return is_rounded[sample.slot[t[k]]]; };
         return dvec2(size, has_rounded(0) && has_rounded(1) && has_rounded(2) ? size : 0.0);
@@ -173,13 +182,14 @@ Rounded rounded_part(const Surface& surface) {
 
 /// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
 double unfit_share(const Surface& surface) {
-    const auto fields = fields_of(surface);
+    const Sample sample(surface, most_fitted);
+    const Array<vec3> normals = fitted_normals(surface, sample.vertices());
     // Areas of triangles, and of those that do not fit.
-    const dvec2 areas = sum_of_triangles(surface, [&](const Triangle& t) {
+    const dvec2 areas = sum_of_triangles(surface, most_fitted, [&](const Triangle& t) {
         const dvec3 normal = area_vector(surface.positions, t);
         const double size = glm::length(normal);
         double least = size;
-        for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(fields->curvature[t[k]].normal)));
+        for (int k = 0; k < 3; ++k) least = std::min(least, glm::dot(normal, dvec3(normals[sample.slot[t[k]]])));
         return dvec2(size, least < fitting * size ? size : 0.0);
     });
     return areas.x > 0.0 ? areas.y / areas.x : 1.0;

@@ -2,8 +2,9 @@
 // Crease: where two faces meet at an angle, and edges marked sharp.
 // In   facet normals, sharp marks, shading, the surface's shape (field/shape.h)
 // Out  mesh edges whose two facet normals differ by at least `angle`, on hard surfaces where shading is not smooth
-//      across them, else where they are folds (line/folds.h); all edges with more than two facets; with `sharp_marks`,
-//      also those marked sharp. Never diagonals of polygons.
+//      across them, else where they are folds (line/folds.h); the middle edge of bevels (line/bevels.h) of surfaces
+//      that are not smooth; all edges with more than two facets; with `sharp_marks`, also those marked sharp. Never
+//      diagonals of polygons.
 #include <fovea/line/crease.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <fovea/field/fields.h>
 #include <fovea/field/shape.h>
 #include <fovea/field/turn.h>
+#include <fovea/line/bevels.h>
 #include <fovea/line/edges.h>
 #include <fovea/line/folds.h>
 #include <fovea/line/registry.h>
@@ -45,6 +47,10 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
         asked[e] = !hard || field::is_shaded_smooth(surface, e);
         return !asked[e];
     });
+    if (shape != Shape::smooth) {
+        const Array<std::uint8_t> bevels = find_bevels(surface, values.angle);
+        mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return bevels[e] != 0; });
+    }
     if (std::ranges::find(asked, 1) == asked.end()) return;
     const double least = hard ? 0.0 : values.length * field::fields_of(surface)->feature_size;
     const Array<std::uint8_t> folds = find_folds(surface, shape, values.angle, least);

@@ -27,8 +27,9 @@ bool is_rough(const ClippedPaths& clipped, const Paths& paths, const Tracer& tra
         const auto hit = tracer.occluder(vec3(point), ignore);
         if (!hit) continue;
         const double way = tracer.view().orthographic ? -point.z : glm::length(point);
-        if (hit->placement != paths.placement[clipped.path[piece]] || (1.0 - hit->t) * way > most_depth * length)
-            return false;
+        if (hit->placement != ignore.placement || (1.0 - hit->t) * way > most_depth * length) return false;
+        const Surface& own = *tracer.scene().placements[hit->placement].surface;
+        if (!ignore.is_own(own.triangle_facet[hit->triangle])) return false;
     }
     return true;
 }

@@ -67,9 +67,10 @@ RayContext::RayContext(const Scene& of, const Array<Index>& placements, const Ra
 bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
     const Index hit = placement(at);
     const float before = 1.0f - RTCRayN_tfar(at.ray, 1, 0);
-    if (hit == ignore.placement && std::abs(before) < reach_t) return true;
     const Surface& surface = *scene.placements[hit].surface;
     const Index triangle = RTCHitN_primID(at.hit, 1, 0);
+    if (hit == ignore.placement && std::abs(before) < reach_t && ignore.is_own(surface.triangle_facet[triangle]))
+        return true;
     if (triangle >= surface.two_sided_triangles && along_normal(at) > 0.0f) return true;
     return ignore.holds(hit, surface, triangle);
 }

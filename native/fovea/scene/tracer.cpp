@@ -137,7 +137,11 @@ Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool c
     const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
     const double height = size > 0.0 ? size / longest : 0.0;
     if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
-    if (contour) ignore.reach = static_cast<float>(2.0 * longest);
+    if (contour) {
+        ignore.reach = static_cast<float>(2.0 * longest);
+        ignore.bodies = bodies_of(surface).get();  // kept by the surface, which stays as it is as long as the tracer
+        ignore.body = ignore.bodies->of_facet[surface.triangle_facet[triangle]];
+    }
     return ignore;
 }
 

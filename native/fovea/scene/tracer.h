@@ -15,15 +15,17 @@ namespace fovea::scene {
 /// (b) for a line on two surfaces: those of both facets;
 /// (c) for a line across a triangle: those that share a vertex with it;
 /// (d) for a contour of the smooth surface, which runs next to that of the mesh and often inside the mesh: also all of
-///     its surface along the ray within `reach`, twice the longest side of its triangle. So folds closer than that do
-///     not hide their own contours, and large triangles next to a sliver still break one for a few pixels;
-///     test_contour_visibility.cpp measures the error.
+///     its solid along the ray within `reach`, twice the longest side of its triangle. So folds closer
+///     than that do not hide their own contours, and large triangles next to a sliver still break one for a few pixels;
+///     test_contour_visibility.cpp measures the error. Other solids of its surface hide it, however close.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
     const EdgeSide* end = nullptr;
     Triangle around{none, none, none};  ///< its vertices; `none`: the line lies on an edge
     float reach = 0.0f;                 ///< view-space length
+    const Bodies* bodies = nullptr;     ///< of its surface, and the component that it is on; with `reach`
+    Index body = none;
     /// Offset of the ray's target from the surface, in view space, so that the roughness of the mesh does not hide
     /// lines across triangles. At a contour it lies in the image plane.
     vec3 above{0.0f};
@@ -31,6 +33,12 @@ struct Ignore {
     Index other_placement = none, other_facet = none;
 
     bool across_triangles() const { return around.x != none; }
+    /// Whether a facet of the placement's surface is not of another solid than the line. Shells may be the patches of
+    /// one shape.
+    bool is_own(Index of_facet) const {
+        if (!bodies || body == none || bodies->of_facet[of_facet] == body) return true;
+        return !bodies->solid[body] || !bodies->solid[bodies->of_facet[of_facet]];
+    }
     /// Whether triangle `triangle` of placement `of` is in (a), (b) or (c). `surface`: that of the placement.
     bool holds(Index of, const Surface& surface, Index triangle) const {
         if (of == other_placement && surface.triangle_facet[triangle] == other_facet) return true;

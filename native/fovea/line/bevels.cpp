@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/line/bevels.h>
+
+#include <tuple>
+
+#include <fovea/base/disjoint_sets.h>
+#include <fovea/field/alongside.h>
+
+namespace fovea::line {
+namespace {
+
+constexpr double least_turn = glm::radians(1.0);       // of an edge of a bevel
+constexpr double least_together = glm::radians(75.0);  // by less, it may be a corner of a tube of few faces
+constexpr double most_together = glm::radians(165.0);  // by more, it is the rim of a board
+constexpr double beside = 2.0;                         // widths of the bevel on either side of it that are looked at
+constexpr double most_beside = 0.25;                   // turn there, as a share of that of the bevel
+constexpr double most_like = 0.5;                      // turn of edges next to it, as a share of the mean of its own
+constexpr double least_length = 5.0;                   // of a bevel, in widths
+constexpr int most_steps = 15;                         // to one side
+
+/// Edges alongside each other, across the faces between them, from one end to the other.
+struct Row {
+    struct Step {
+        double at;    // distance from the first edge that was met, across the faces
+        double turn;  // 0 where it turns the other way
+        Index edge;
+    };
+    std::vector<Step> steps;
+    double known_from = 0.0, known_to = 0.0;  // as far as its faces go
+};
+
+class Bevels {
+   public:
+    Bevels(const Surface& surface, double angle)
+        : surface_(surface), edges_(surface), least_together_(std::max(least_together, glm::radians(angle))) {}
+
+    Array<std::uint8_t> find() const {
+        const auto width = parallel_map<float>(surface_.mesh_edges, [&](std::size_t e) { return width_at(Index(e)); });
+        // Rows of middle edges, by the name of their vertices: length, and width weighted by length.
+        DisjointSets rows(surface_.vertex_count());
+        for (Index e = 0; e < width.size(); ++e)
+            if (width[e] > 0.0f) rows.join(surface_.edges[e].x, surface_.edges[e].y);
+        Array<dvec2> extent(surface_.vertex_count(), dvec2(0.0));
+        for (Index e = 0; e < width.size(); ++e)
+            if (width[e] > 0.0f) extent[rows.name(surface_.edges[e].x)] += length(e) * dvec2(1.0, width[e]);
+        return parallel_map<std::uint8_t>(width.size(), [&](std::size_t e) {
+            if (!(width[e] > 0.0f)) return false;
+            const dvec2 of = extent[rows.name(surface_.edges[e].x)];
+            return of.x * of.x >= least_length * of.y;
+        });
+    }
+
+   private:
+    double length(Index edge) const {
+        const Edge& e = surface_.edges[edge];
+        return glm::distance(dvec3(surface_.positions[e.x]), dvec3(surface_.positions[e.y]));
+    }
+
+    /// Width of the bevel whose middle edge it is; 0: of none.
+    float width_at(Index edge) const {
+        if (std::abs(edges_.turn(edge)) < least_turn || surface_.sides(edge).size() != 2) return 0.0f;
+        thread_local Row row;
+        look_across(edge, row);
+        const int count = static_cast<int>(row.steps.size());
+        int at = 0;
+        while (row.steps[at].edge != edge) ++at;
+        // The narrowest bevel that the edge is in.
+        int first = -1, last = -1;
+        for (int i = 0; i <= at; ++i)
+            for (int j = std::max(at, i + 1); j < count; ++j)
+                if (is_bevel(row, i, j) &&
+                    (first < 0 || row.steps[j].at - row.steps[i].at < row.steps[last].at - row.steps[first].at))
+                    first = i, last = j;
+        if (first < 0 || row.steps[middle(row, first, last)].edge != edge) return 0.0f;
+        return static_cast<float>(row.steps[last].at - row.steps[first].at);
+    }
+
+    /// Walks from an edge to both sides.
+    void look_across(Index edge, Row& row) const {
+        const double sign = edges_.turn(edge) < 0.0 ? -1.0 : 1.0;
+        row.steps.assign(1, {0.0, sign * edges_.turn(edge), edge});
+        for (const int way : {-1, 1}) {
+            double at = 0.0;
+            Index from = edge, facet = surface_.sides(edge)[way > 0].facet();
+            for (int k = 0; k < most_steps; ++k) {
+                const auto next = edges_.across(from, facet, [&](Index e) { return e != edge; });
+                if (next.edge == none || next.beyond == none) {
+                    at += edges_.extent(from, facet);
+                    break;
+                }
+                at += next.width;
+                row.steps.push_back({way * at, std::max(0.0, sign * edges_.turn(next.edge)), next.edge});
+                from = next.edge;
+                facet = next.beyond;
+            }
+            (way > 0 ? row.known_to : row.known_from) = way * at;
+        }
+        std::ranges::sort(row.steps, {}, &Row::Step::at);
+    }
+
+    bool is_bevel(const Row& row, int first, int last) const {
+        const double from = row.steps[first].at, to = row.steps[last].at, width = to - from;
+        if (row.steps[first].turn < least_turn || row.steps[last].turn < least_turn) return false;
+        if (!(width > 0.0) || from - beside * width < row.known_from || to + beside * width > row.known_to)
+            return false;
+        double together = 0.0, before = 0.0, after = 0.0, nearest = 0.0;  // nearest: greatest turn within a width
+        for (int k = 0; k < static_cast<int>(row.steps.size()); ++k) {
+            const auto& step = row.steps[k];
+            if (k >= first && k <= last) {
+                together += step.turn;
+            } else if (step.at < from && step.at >= from - beside * width) {
+                before += step.turn;
+            } else if (step.at > to && step.at <= to + beside * width) {
+                after += step.turn;
+            }
+        }
+        for (int k = 0; k < static_cast<int>(row.steps.size()); ++k)
+            if (k < first ? row.steps[k].at >= from - width : k > last && row.steps[k].at <= to + width)
+                nearest = std::max(nearest, row.steps[k].turn);
+        return together >= least_together_ - 1e-6 && together <= most_together && before <= most_beside * together &&
+               after <= most_beside * together && nearest < most_like * together / (last - first + 1);
+    }
+
+    /// The step at which half of the turn is reached, from the side that faces z more than the other one, else y or x.
+    int middle(const Row& row, int first, int last) const {
+        const auto facing = [&](int outer, int inner) {
+            // The facet of the outer edge that is not towards the inner one.
+            const In<EdgeSide> sides = surface_.sides(row.steps[outer].edge);
+            const dvec3 to = centre(row.steps[inner].edge) - centre(row.steps[outer].edge);
+            const dvec3 a(surface_.facet_plane[sides[0].facet()]), b(surface_.facet_plane[sides[1].facet()]);
+            const double sign = edges_.turn(row.steps[outer].edge) < 0.0 ? -1.0 : 1.0;
+            const dvec3 n = sign * glm::dot(a, to) < sign * glm::dot(b, to) ? a : b;
+            return glm::round(64.0 * dvec3(n.z, n.y, n.x));
+        };
+        const dvec3 begin = facing(first, last), end = facing(last, first);
+        const bool forward = std::tie(begin.x, begin.y, begin.z) >= std::tie(end.x, end.y, end.z);
+        double together = 0.0, sum = 0.0;
+        for (int k = first; k <= last; ++k) together += row.steps[k].turn;
+        for (int k = 0; k < last - first; ++k) {
+            const int step = forward ? first + k : last - k;
+            sum += row.steps[step].turn;
+            if (sum >= 0.5 * together - 1e-3) return step;
+        }
+        return forward ? last : first;
+    }
+
+    dvec3 centre(Index edge) const {
+        const Edge& e = surface_.edges[edge];
+        return 0.5 * (dvec3(surface_.positions[e.x]) + dvec3(surface_.positions[e.y]));
+    }
+
+    const Surface& surface_;
+    field::Alongside edges_;
+    double least_together_;
+};
+
+}  // namespace
+
+Array<std::uint8_t> find_bevels(const Surface& surface, double angle) { return Bevels(surface, angle).find(); }
+
+}  // namespace fovea::line
