@@ -20,8 +20,9 @@ constexpr double least_share = 0.42;                  // of the area
 const double fitting = std::cos(glm::radians(25.0));
 constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
-/// Of larger surfaces, every second triangle is looked at, or every third and so on.
-constexpr std::size_t most_triangles = 400'000, most_fitted = 20'000;
+/// Of larger surfaces a part of the triangles is looked at: runs of so many, as those of a run have vertices in common.
+constexpr std::size_t run_of_triangles = 64;
+constexpr std::size_t most_triangles = 100'000, most_fitted = 10'000;
 
 /// What the edges and triangles at a vertex sum up to.
 struct Around {
@@ -64,16 +65,26 @@ Bend bend_at(const Surface& surface, Index edge) {
     return length > 0.0 ? Bend{length, signed_turn(surface, edge)} : Bend{};
 }
 
-/// Every which triangle of a surface is looked at, if at most so many are.
-std::size_t step_of(const Surface& surface, std::size_t most = most_triangles) {
-    return surface.triangles.size() / most + 1;
-}
+/// The triangles that are looked at, if at most so many are: every first, second, third ... run of them.
+struct Looked {
+    Looked(const Surface& surface, std::size_t most)
+        : step(surface.triangles.size() / most + 1), end(surface.triangles.size()) {}
+    /// Number of the i-th of them; `end` or more: there are no more.
+    std::size_t operator[](std::size_t i) const {
+        return i / run_of_triangles * step * run_of_triangles + i % run_of_triangles;
+    }
+    /// Bound of i.
+    std::size_t count() const { return (end / (step * run_of_triangles) + 1) * run_of_triangles; }
+
+    std::size_t step, end;
+};
 
 /// Vertices of the triangles that are looked at.
 struct Sample {
     explicit Sample(const Surface& surface, std::size_t most = most_triangles) : slot(surface.vertex_count(), none) {
-        for (std::size_t t = 0; t < surface.triangles.size(); t += step_of(surface, most))
-            for (int k = 0; k < 3; ++k) slot[surface.triangles[t][k]] = 0;
+        const Looked looked(surface, most);
+        for (std::size_t i = 0; looked[i] < looked.end; ++i)
+            for (int k = 0; k < 3; ++k) slot[surface.triangles[looked[i]][k]] = 0;
         for (Index& own : slot)
             if (own != none) own = count++;
     }
@@ -149,10 +160,11 @@ struct Rounded {
 /// values(t) of each triangle that is looked at, summed up.
 template <typename Values>
 dvec2 sum_of_triangles(const Surface& surface, std::size_t most, const Values& values) {
-    const std::size_t step = step_of(surface, most), count = (surface.triangles.size() + step - 1) / step;
+    const Looked looked(surface, most);
     dvec2 sum(0.0);
-    for (const dvec2& part :
-         parallel_map<dvec2>(count, [&](std::size_t i) -> dvec2 { return values(surface.triangles[i * step]); }))
+    for (const dvec2& part : parallel_map<dvec2>(looked.count(), [&](std::size_t i) {
+             return looked[i] < looked.end ? dvec2(values(surface.triangles[looked[i]])) : dvec2(0.0);
+         }))
         sum += part;
     return sum;
 }
