@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_turn = glm::radians(1.0);       // of an edge of a bevel
 constexpr double least_together = glm::radians(75.0);  // by less, it may be a corner of a tube of few faces
-constexpr double most_together = glm::radians(165.0);  // by more, it is the rim of a board
+constexpr double most_together = glm::radians(120.0);  // by more, it is a bead or the rim of a board
 constexpr double beside = 2.0;                         // widths of the bevel on either side of it that are looked at
 constexpr double most_beside = 0.25;                   // turn there, as a share of that of the bevel
 constexpr double most_like = 0.5;                      // turn of edges next to it, as a share of the mean of its own

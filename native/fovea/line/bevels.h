@@ -7,7 +7,7 @@
 namespace fovea::line {
 
 /// Per mesh edge: 1 if it is the middle one of a bevel. A bevel is two to 16 edges alongside each other that turn the
-/// same way, by at least 75 degrees, or `angle`, and at most 165 together; as far again as twice its width, on both
+/// same way, by at least 75 degrees, or `angle`, and at most 120 together; as far again as twice its width, on both
 /// sides, the surface turns by less than a quarter of that, and at no edge within its width by half as much as at its
 /// own; and it is at least five times as long as wide. Of two edges that are equally near to the middle it is the one
 /// towards the side that faces z, else y, else x, so that the edges of one bevel are in a row.

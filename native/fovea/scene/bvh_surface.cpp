@@ -22,6 +22,16 @@ constexpr double worst_spread = 1.7;
 /// Compact whether it is refitted or not: Embree intersects triangles that it stores otherwise by other arithmetic.
 const RTCSceneFlags surface_flags = bvh_flags | RTC_SCENE_FLAG_COMPACT;
 
+/// Commits a scene as if no parallel loop called it. An Embree scene keeps the task group of its first commit, and that
+/// the context which it began in: the context of a loop ends with the loop, and cancelling anything later would walk
+/// over what is left of it. This arena's own lasts; it has a slot for whoever calls, so that none of them hands its
+/// call to another thread, in a context that ends with the call.
+void commit(RTCScene scene) {
+    constexpr int callers = 256;
+    static tbb::task_arena arena(tbb::this_task_arena::max_concurrency() + callers, callers);
+    arena.execute([&] { rtcCommitScene(scene); });
+}
+
 vec3 middle(const Surface& surface, Index triangle) {
     const Triangle& t = surface.triangles[triangle];
     return (surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3.0f;
@@ -91,7 +101,7 @@ void build_bvh(RTCScene scene, const std::string& what) {
             return !asked.cancel->asked();
         };
         if (building.cancel) rtcSetSceneProgressMonitorFunction(scene, goes_on, &building);
-        rtcCommitScene(scene);
+        commit(scene);
     }
     rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
     check_bvh_device(what);
@@ -131,8 +141,7 @@ void SurfaceBvh::follow(const Surface& surface) const {
         moves_ = true;
     }
     rtcCommitGeometry(geometry_);
-    // Isolated: while it waits inside, the thread must not steal a task that waits for this lock.
-    tbb::this_task_arena::isolate([&] { rtcCommitScene(scene_.get()); });
+    commit(scene_.get());  // while it waits there, the thread takes no task that waits for this lock
     version_ = surface.version();
     check_bvh_device(surface.name());
 }

@@ -20,13 +20,17 @@ struct RowEdge {
     int along;            ///< its code without the distance
     double inside, step;  ///< distance inside at texel 0, and its change from texel to texel
 
-    /// `of_mesh`: false for an edge that is not of the mesh, which excludes nothing.
+    /// `of_mesh`: false for an edge that is not of the mesh, which excludes nothing, as one with an end so far away
+    /// that the distance to it is no number.
     RowEdge(dvec2 a, dvec2 b, int y, bool of_mesh) {
         const dvec2 way = b - a, inwards(-way.y, way.x);
-        const double length = std::abs(way.x) + std::abs(way.y), unit = length > 0.0 && of_mesh ? 1.0 / length : 0.0;
-        along = formulas::Edges().edge_code_of(0.0f, inwards * unit);
-        inside = glm::dot(inwards, dvec2(0.5, y + 0.5) - a) * unit;
-        step = inwards.x * unit;
+        const double length = std::abs(way.x) + std::abs(way.y);
+        const double distance = glm::dot(inwards, dvec2(0.5, y + 0.5) - a) / length;
+        const bool excludes = of_mesh && length > 0.0 && length < HUGE_VAL && std::abs(distance) < HUGE_VAL;
+        const dvec2 normal = excludes ? inwards / length : dvec2(0.0);
+        along = formulas::Edges().edge_code_of(0.0f, normal);
+        inside = excludes ? distance : 0.0;
+        step = normal.x;
     }
     int code(int x) const { return formulas::Edges().edge_code(along, float(inside + step * x)); }
 };
