@@ -110,8 +110,9 @@ TEST(Bevels, AreLongerThanWide) {
     EXPECT_TRUE(middles(profile).empty());
 }
 
-TEST(Bevels, AreNoRimsOfBoardsAndNoTubes) {
+TEST(Bevels, AreNoRimsOfBoardsNoBeadsAndNoTubes) {
     EXPECT_TRUE(middles({{4.0, 0.1, 0.1, 0.1, 4.0}, {45.0, 45.0, 45.0, 45.0}}).empty()) << "a rounded rim";
+    EXPECT_TRUE(middles({{4.0, 0.1, 0.1, 0.1, 4.0}, {-45.0, 45.0, 45.0, -45.0}}).empty()) << "a bead on a post";
     Profile tube;
     for (int i = 0; i < 24; ++i) {
         tube.lengths.push_back(1.0);

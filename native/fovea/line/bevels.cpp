@@ -22,7 +22,7 @@ constexpr int most_steps = 15;                         // to one side
 struct Row {
     struct Step {
         double at;    // distance from the first edge that was met, across the faces
-        double turn;  // 0 where it turns the other way
+        double turn;  // negative where it turns the other way
         Index edge;
     };
     std::vector<Step> steps;
@@ -89,7 +89,7 @@ class Bevels {
                     break;
                 }
                 at += next.width;
-                row.steps.push_back({way * at, std::max(0.0, sign * edges_.turn(next.edge)), next.edge});
+                row.steps.push_back({way * at, sign * edges_.turn(next.edge), next.edge});
                 from = next.edge;
                 facet = next.beyond;
             }
@@ -109,14 +109,14 @@ class Bevels {
             if (k >= first && k <= last) {
                 together += step.turn;
             } else if (step.at < from && step.at >= from - beside * width) {
-                before += step.turn;
+                before += std::abs(step.turn);
             } else if (step.at > to && step.at <= to + beside * width) {
-                after += step.turn;
+                after += std::abs(step.turn);
             }
         }
         for (int k = 0; k < static_cast<int>(row.steps.size()); ++k)
             if (k < first ? row.steps[k].at >= from - width : k > last && row.steps[k].at <= to + width)
-                nearest = std::max(nearest, row.steps[k].turn);
+                nearest = std::max(nearest, std::abs(row.steps[k].turn));
         return together >= least_together_ - 1e-6 && together <= most_together && before <= most_beside * together &&
                after <= most_beside * together && nearest < most_like * together / (last - first + 1);
     }
