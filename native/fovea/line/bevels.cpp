@@ -34,8 +34,10 @@ class Bevels {
     Bevels(const Surface& surface, double angle)
         : surface_(surface), edges_(surface), least_together_(std::max(least_together, glm::radians(angle))) {}
 
-    Array<std::uint8_t> find() const {
-        const auto width = parallel_map<float>(surface_.mesh_edges, [&](std::size_t e) { return width_at(Index(e)); });
+    Array<std::uint8_t> find(In<std::uint8_t> known) const {
+        const auto width = parallel_map<float>(surface_.mesh_edges, [&](std::size_t e) {
+            return !known.empty() && known[e] ? 0.0f : width_at(Index(e));
+        });
         // Rows of middle edges, by the name of their vertices: length, and width weighted by length.
         DisjointSets rows(surface_.vertex_count());
         for (Index e = 0; e < width.size(); ++e)
@@ -156,6 +158,8 @@ class Bevels {
 
 }  // namespace
 
-Array<std::uint8_t> find_bevels(const Surface& surface, double angle) { return Bevels(surface, angle).find(); }
+Array<std::uint8_t> find_bevels(const Surface& surface, double angle, In<std::uint8_t> known) {
+    return Bevels(surface, angle).find(known);
+}
 
 }  // namespace fovea::line

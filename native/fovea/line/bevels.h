@@ -11,6 +11,7 @@ namespace fovea::line {
 /// sides, the surface turns by less than a quarter of that, and at no edge within its width by half as much as at its
 /// own; and it is at least five times as long as wide. Of two edges that are equally near to the middle it is the one
 /// towards the side that faces z, else y, else x, so that the edges of one bevel are in a row.
-Array<std::uint8_t> find_bevels(const Surface& surface, double angle);
+/// `known`: per mesh edge, whether it is a line anyway, which is not looked for again; empty: none is.
+Array<std::uint8_t> find_bevels(const Surface& surface, double angle, In<std::uint8_t> known = {});
 
 }  // namespace fovea::line

@@ -48,7 +48,9 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
         return !asked[e];
     });
     if (shape != Shape::smooth) {
-        const Array<std::uint8_t> bevels = find_bevels(surface, values.angle);
+        const auto known =
+            parallel_map<std::uint8_t>(surface.mesh_edges, [&](std::size_t e) { return (kinds[e] & bit) != 0; });
+        const Array<std::uint8_t> bevels = find_bevels(surface, values.angle, known);
         mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return bevels[e] != 0; });
     }
     if (std::ranges::find(asked, 1) == asked.end()) return;
