@@ -11,7 +11,7 @@ from ..scene import surfaces
 from ..scene.operator import Operator
 from ..scene.shapes import LABELS
 from ..style import freestyle
-from . import as_rendered, properties, reading, session
+from . import as_rendered, properties, reading, session, stage_labels
 
 TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
@@ -33,22 +33,6 @@ NEVER = {  # types of objects that never have lines, explained
     "VOLUME": "is a volume, which has no surface: the modifier Volume to Mesh of a mesh object makes one of it",
     "LATTICE": "is a lattice, which deforms other objects and is not rendered",
     IMAGE: "shows its image in viewports alone: imported as a mesh plane, it is rendered",
-}
-STAGES = {  # stages of a picture, with labels
-    "near_frames": "frames around it",
-    "ingest": "reading the scene",
-    "bvh": "preparing rays",
-    "lines": "finding lines",
-    "project": "projecting lines",
-    "visibility": "what is hidden",
-    "runs": "joining, tidying",
-    "elision": "line thinning",
-    "shape": "shaping strokes",
-    "strokes": "drawing strokes",
-    "color": "colors under lines",
-    "focus": "focus and its effects",
-    "paper": "paper",
-    "depth": "depth pass",
 }
 _IN_POPUP = 24  # most lines in the popup
 _NAMED = 3  # most objects listed by name for the same reason
@@ -130,7 +114,7 @@ def times(statistics):
     how = f"{statistics['visibility']} visibility, by the {statistics['backend']}"
     yield f"{sum(stages.values()):.0f} ms, {statistics['strokes']} strokes, {how}"
     for name, duration in stages.items():
-        yield f"    {STAGES.get(name, name):24} {duration:8.1f} ms"
+        yield f"    {stage_labels.label(name):24} {duration:8.1f} ms"
 
 
 def memory():

@@ -17,7 +17,7 @@ from .. import native, pipeline, style
 from ..scene import camera, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
-from . import methods, near_frames, properties, reading
+from . import methods, near_frames, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
@@ -158,7 +158,7 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):
-        engine.update_stats("Fovea", f"frame {depsgraph.scene.frame_current}: {stage}")
+        engine.update_stats("Fovea", f"Frame {depsgraph.scene.frame_current}: {stage_labels.label(stage)}")
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
@@ -187,7 +187,7 @@ def watched(engine, cancel):
 
 def _progress(engine, share, text):
     engine.update_progress(share)
-    engine.update_stats("Fovea", text)
+    engine.update_stats("Fovea", stage_labels.label(text))
 
 
 def report_skipped(engine, built, remarks=()):

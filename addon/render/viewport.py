@@ -17,7 +17,7 @@ from .. import budget, moved_picture, native, pipeline
 from ..gpu import program as gpu_program
 from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
-from . import caretaker, changes, methods, session, worker
+from . import caretaker, changes, methods, session, stage_labels, worker
 
 PATIENCE = 0.25  # seconds that a draw of the region waits for its picture
 WORD = 0.3  # seconds between progress messages in the header
@@ -217,7 +217,7 @@ class Viewport:
         now = time.monotonic()
         if now > max(job.started, self._said_at) + WORD:
             share, text = job.told
-            engine.update_stats("Fovea", f"{text} {100 * share:.0f}%")
+            engine.update_stats("Fovea", f"{stage_labels.label(text)} {100 * share:.0f}%")
             engine.tag_redraw()
             self._said_at = now
 

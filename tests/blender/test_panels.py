@@ -168,10 +168,12 @@ def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):
 
 
 def test_what_was_drawn_is_told(scene, monkeypatch):
-    known = {"stages": {"bvh": 20.0, "lines": 1500.0}, "backend": "cpu", "strokes": 3, "visibility": "exact"}
+    stages = {"bvh": 20.0, "lines": 1500.0, "elision": 1.0, "near_frames": 2.0}
+    known = {"stages": stages, "backend": "cpu", "strokes": 3, "visibility": "exact"}
     monkeypatch.setattr(part("render.session"), "last_statistics", lambda: known)
     titles = shown_by().titles
-    assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "BVH", "20 ms", "Lines", "1500 ms"} <= set(titles)
+    assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "20 ms", "1500 ms"} <= set(titles)
+    assert {"Preparing Rays", "Finding Lines", "Line Thinning", "Frames Around It"} <= set(titles)
 
 
 def test_every_setting_is_in_a_panel(scene):
