@@ -15,7 +15,6 @@ from . import as_rendered, properties, reading, session, stage_labels
 
 TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
-OVER = "Freestyle is on: it draws its own lines over the picture, and takes longer than all that is told below"
 USAGES = {  # usages of objects that have no lines, explained
     "IGNORE": "is excluded, as its line drawing setting says",
     "OCCLUDE": "only hides what lies behind it, as its line drawing setting says",
@@ -194,7 +193,7 @@ class FOVEA_OT_report(Operator, bpy.types.Operator):
         else:
             lines = _lines(None, context.evaluated_depsgraph_get(), NO_CAMERA)
         if freestyle.is_on(context.scene):
-            lines = [OVER, *lines]
+            lines = [freestyle.OVER, *lines]
         text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
         text.from_string("\n".join(lines) + "\n")
 
