@@ -212,7 +212,7 @@ def note_statistics(found, image, near_s=0.0):
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]
-    shapes = [surface.known_shape for surface in snapshot.surfaces]
+    shapes = [rest or surface.known_shape for surface, rest in zip(snapshot.surfaces, snapshot.at_rest)]
     placed = [(origin.object, origin.surface) for origin in snapshot.origins]
     _statistics.clear()
     _statistics.update(
