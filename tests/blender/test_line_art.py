@@ -208,6 +208,18 @@ def test_usages_that_are_not_taken_over_are_told_with_the_objects_that_have_them
     assert told[0].endswith(f" and 2 more: {what}") and told[0].count("'") == 6
 
 
+def test_the_usage_of_a_linked_object_which_would_be_lost_is_told(scene, tmp_path):
+    obj, path = new_object(box_mesh(), "Rock"), str(tmp_path / "rock.blend")
+    obj.lineart.usage = "EXCLUDE"
+    bpy.data.libraries.write(path, {obj})
+    bpy.data.objects.remove(obj)
+    with bpy.data.libraries.load(path, link=True) as (_, wanted):
+        wanted.objects = ["Rock"]
+    scene.collection.objects.link(wanted.objects[0])
+    found, told = of_objects(scene)
+    assert found == {} and told == ["'Rock': its usage: it is linked from another file, where it can be set"]
+
+
 def test_a_crease_angle_of_an_object_is_told(scene):
     bpy.data.objects["Box"].lineart.use_crease_override = True
     assert of_objects(scene) == ({}, ["'Box': a crease angle of its own"])
