@@ -7,6 +7,7 @@ A definition is a dict of
 - in_image: whether it is detected in the shaded image; such lines belong to no object
 - importance, in (0, 1]: a term of the priority in elision
 - smooth_twin: name of the counterpart on the smooth surface, which takes precedence over this mesh definition; or None
+- of_smooth: whether line sets that suit lines to surfaces draw it on smooth ones alone
 - slow: extraction is slow for each view, so drafts omit it
 - stand_ins: {definition: {parameter: value}} that drafts draw instead, only along an object's outer silhouette
 - reads_edge_marks: whether it needs Freestyle's edge marks, which are read only on demand

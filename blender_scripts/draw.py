@@ -9,7 +9,7 @@ from bl_ext.user_default.fovea import catalogue, style
 from bl_ext.user_default.fovea.focus import focus_settings
 from bl_ext.user_default.fovea.render import cameras
 from bl_ext.user_default.fovea.scene import line_kinds
-from bl_ext.user_default.fovea.style import style_data, style_groups, style_read, style_write
+from bl_ext.user_default.fovea.style import freestyle, style_data, style_groups, style_read, style_write
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -32,6 +32,8 @@ def main(words):
     set_camera(scene, options)
     set_drawing(scene, options)
     set_output(scene, options)
+    if freestyle.is_on(scene):
+        ending.note(freestyle.OVER)
     if options.sheet:
         sheet.render(scene, catalogue.definitions(), options.output)
     else:

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the scripts that `fovea` runs inside Blender tell it: each file that they have written, and, with exit status 1,
-errors that the user can fix as one line; others with a traceback."""
+"""What the scripts that `fovea` runs inside Blender tell it: each file that they have written, what else users should
+know, each as one line, and, with exit status 1, errors that users can fix as one line; others with a traceback."""
 
 import json
 import sys
 
 MARK = "fovea: "  # prefix of that line, which distinguishes it from Blender's own output
 WROTE = "fovea wrote: "  # prefix of the line of a file, whose path follows as JSON
+NOTE = "fovea notes: "  # prefix of a line that is for the user
+
+
+def note(sentence):
+    """Tells the user something, whether or not there is an error."""
+    print(f"{NOTE}{sentence}", flush=True)
 
 
 def announce(path):

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adds a camera that frames all visible meshes of a scene."""
+"""Adds a camera that frames all that is drawn of a scene."""
 
 import math
 
 import bpy
 import numpy as np
+from bl_ext.user_default.fovea.scene import bare_shapes
 from command import obj
 
 AZIMUTH, ELEVATION, LENS = 35.0, 25.0, 50.0  # degrees left of the front and above it, millimetres
 
 
 def frame(scene, azimuth, elevation, lens, margin):
-    """Aims a new camera at the visible meshes, from `azimuth` and `elevation` (degrees), as near as `margin` (a share
+    """Aims a new camera at what is drawn, from `azimuth` and `elevation` (degrees), as near as `margin` (a share
     of the picture on each side) allows. `lens`: mm. ValueError if there is nothing to frame."""
     points = visible_points(bpy.context.evaluated_depsgraph_get())
     if not len(points):
-        raise ValueError("the scene shows no mesh to frame")
+        raise ValueError("the scene shows nothing to frame: no faces, edges, curves, hair or points")
     camera = bpy.data.objects.new("Fovea Camera", bpy.data.cameras.new("Fovea Camera"))
     scene.collection.objects.link(camera)
     scene.camera = camera
@@ -48,17 +49,42 @@ def nearest_place(points, half_width, half_height):
 
 
 def visible_points(depsgraph):
-    """World positions (n, 3) of the vertices that are drawn of every mesh that is rendered, including instances."""
-    found = [np.empty((0, 3))]
+    """World positions (n, 3) of what is drawn of everything that is rendered, including instances: of the vertices of
+    meshes and curves, and of both ends of a diagonal of the box around each point of hair and of point clouds."""
+    found, guides = [np.empty((0, 3))], bare_shapes.guides(depsgraph.scene.objects)
     for instance in depsgraph.object_instances:
-        mesh = instance.object.data
-        hidden = not instance.show_self or (instance.parent or instance.object).original.hide_render
-        if hidden or not isinstance(mesh, bpy.types.Mesh) or not len(mesh.vertices):
+        owner = instance.parent or instance.object
+        if owner.original.hide_render or "IGNORE" in (instance.object.original.fovea.usage, owner.original.fovea.usage):
             continue
         matrix = np.array(instance.matrix_world)
-        found.append(_drawn_positions(mesh) @ matrix[:3, :3].T + matrix[:3, 3])
+        own = _of_data(instance.object, depsgraph.scene, guides) if instance.show_self else []
+        hair = bare_shapes.of_particles(instance.object, depsgraph) if instance.show_particles else []
+        for points in (*own, *map(_of_shape, hair)):
+            found.append(points @ matrix[:3, :3].T + matrix[:3, 3])
     points = np.concatenate(found)
     return points[np.isfinite(points).all(axis=1)]
+
+
+def _of_data(source, scene, guides):
+    """A list of the positions (n, 3) that are drawn of an instance's own data. `guides`: curves that are not drawn."""
+    if isinstance(source.data, bpy.types.Mesh):
+        return [_drawn_positions(source.data)]
+    if source.type in bare_shapes.CURVES:  # its faces, if it has some, are an instance of their own
+        mesh = None if source.original in guides else source.to_mesh()
+        wire = [_drawn_positions(mesh)] if mesh and not len(mesh.polygons) else []
+        source.to_mesh_clear()
+        return wire
+    shape = bare_shapes.of_data(source, scene)
+    return [_of_shape(shape)] if shape else []
+
+
+def _of_shape(shape):
+    """(2 n, 3) of a Shape of n points, none of them if there is nothing of it."""
+    read = shape.read()
+    if read is None:
+        return np.empty((0, 3))
+    radii = read.radii[:, None]
+    return np.concatenate([read.points - radii, read.points + radii])
 
 
 def _drawn_positions(mesh):

@@ -4,11 +4,13 @@
 import blf
 import gpu
 import numpy as np
+from gpu_extras.batch import batch_for_shader
 from gpu_extras.presets import draw_texture_2d
 
 from .program import triangles
 from .texture import upload
 
+VEIL = (0.5, 0.5, 0.5, 0.7)  # RGBA in display space, over a picture that is out of date
 _PLACES = np.array([(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)], np.float32)
 _WHOLE = np.column_stack([2 * _PLACES - 1, np.zeros(len(_PLACES)), np.ones(len(_PLACES))]), _PLACES
 
@@ -33,6 +35,16 @@ class Picture:
             batch = triangles({"corner": corners, "place": places})
             batch.draw(programs.bind("magnify", {"picture": self._texture}))
         gpu.state.blend_set("NONE")
+
+
+def veil(width, height):
+    """Fades what a region of width x height pixels shows to gray."""
+    shader = gpu.shader.from_builtin("UNIFORM_COLOR")
+    shader.uniform_float("color", VEIL)
+    corners = [(0, 0, 0), (width, 0, 0), (0, height, 0), (width, height, 0)]
+    gpu.state.blend_set("ALPHA")
+    batch_for_shader(shader, "TRI_STRIP", {"pos": corners}).draw(shader)
+    gpu.state.blend_set("NONE")
 
 
 def say(text, width, height, size):

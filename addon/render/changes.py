@@ -19,9 +19,11 @@ HARMLESS = (bpy.types.Scene, bpy.types.Camera, bpy.types.NodeTree, bpy.types.Win
 
 @dataclass(frozen=True)
 class Scene:
-    """The scene as read; `version` increases whenever the picture may look different."""
+    """The scene as read; `version` increases whenever the picture may look different, `moves` whenever what Blender
+    draws over it may look different."""
 
     version: int
+    moves: int
     style: object
     gathered: reading.Read
 
@@ -33,6 +35,7 @@ class Changes:
         self._scene = None
         self._told = self._must_read = True  # since the last read: any updates; any that are not harmless
         self._placements = self._needs = self._space = None
+        self.moves = 0  # how often objects may have moved, changed their shape or been hidden
 
     def note(self, updates):
         """Records the depsgraph's updates, except those caused by reading a cage (subdivision.py)."""
@@ -40,6 +43,7 @@ class Changes:
             return
         self._told = True
         self._must_read = self._must_read or not are_harmless(list(updates))
+        self.moves += any(map(_moves, updates))
 
     def read(self, engine, depsgraph, space):
         """The current Scene for a SpaceView3D, read again only if something has changed."""
@@ -56,10 +60,17 @@ class Changes:
             version += 1
         elif style != self._scene.style:
             version += 1
-        self._scene = Scene(version, style, found)
+        self.moves += placements != self._placements  # of what is hidden, no update tells
+        self._scene = Scene(version, self.moves, style, found)
         self._told = self._must_read = False
         self._placements, self._needs, self._space = placements, needs, shows
         return self._scene
+
+
+def _moves(update):
+    """Whether an update is of the place or the shape of an object; cameras change the view alone."""
+    is_object = isinstance(update.id, bpy.types.Object) and update.id.type != "CAMERA"
+    return is_object and (update.is_updated_geometry or update.is_updated_transform)
 
 
 def are_harmless(updates):

@@ -11,11 +11,10 @@ from ..scene import surfaces
 from ..scene.operator import Operator
 from ..scene.shapes import LABELS
 from ..style import freestyle
-from . import as_rendered, properties, reading, session
+from . import as_rendered, properties, reading, session, stage_labels
 
 TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
-OVER = "Freestyle is on: it draws its own lines over the picture, and takes longer than all that is told below"
 USAGES = {  # usages of objects that have no lines, explained
     "IGNORE": "is excluded, as its line drawing setting says",
     "OCCLUDE": "only hides what lies behind it, as its line drawing setting says",
@@ -33,22 +32,6 @@ NEVER = {  # types of objects that never have lines, explained
     "VOLUME": "is a volume, which has no surface: the modifier Volume to Mesh of a mesh object makes one of it",
     "LATTICE": "is a lattice, which deforms other objects and is not rendered",
     IMAGE: "shows its image in viewports alone: imported as a mesh plane, it is rendered",
-}
-STAGES = {  # stages of a picture, with labels
-    "near_frames": "frames around it",
-    "ingest": "reading the scene",
-    "bvh": "preparing rays",
-    "lines": "finding lines",
-    "project": "projecting lines",
-    "visibility": "what is hidden",
-    "runs": "joining, tidying",
-    "elision": "line thinning",
-    "shape": "shaping strokes",
-    "strokes": "drawing strokes",
-    "color": "colors under lines",
-    "focus": "focus and its effects",
-    "paper": "paper",
-    "depth": "depth pass",
 }
 _IN_POPUP = 24  # most lines in the popup
 _NAMED = 3  # most objects listed by name for the same reason
@@ -130,7 +113,7 @@ def times(statistics):
     how = f"{statistics['visibility']} visibility, by the {statistics['backend']}"
     yield f"{sum(stages.values()):.0f} ms, {statistics['strokes']} strokes, {how}"
     for name, duration in stages.items():
-        yield f"    {STAGES.get(name, name):24} {duration:8.1f} ms"
+        yield f"    {stage_labels.label(name):24} {duration:8.1f} ms"
 
 
 def memory():
@@ -210,7 +193,7 @@ class FOVEA_OT_report(Operator, bpy.types.Operator):
         else:
             lines = _lines(None, context.evaluated_depsgraph_get(), NO_CAMERA)
         if freestyle.is_on(context.scene):
-            lines = [OVER, *lines]
+            lines = [freestyle.OVER, *lines]
         text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
         text.from_string("\n".join(lines) + "\n")
 

@@ -17,12 +17,13 @@ from .. import native, pipeline, style
 from ..scene import camera, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
-from . import methods, near_frames, properties, reading
+from ..style import freestyle
+from . import methods, near_frames, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
 _statistics = {}
-_remarked = set()  # remarks on styles that were reported already
+_remarked = set()  # remarks that were reported already
 
 PASSES = {  # besides Combined: number of channels, their names, type
     "Lines": (4, "RGBA", "COLOR"),
@@ -68,6 +69,7 @@ def _style_of(scene_):
 
 def render(engine, depsgraph):
     """Draws one view layer of a final render. On an error no result is passed on, so Blender writes no file."""
+    report_once(engine, freestyle.OVER if freestyle.is_on(depsgraph.scene) else None)
     what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
     with reported(lambda message: engine.report({"ERROR"}, message), what):
         image = final_image(engine, depsgraph)
@@ -102,7 +104,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
     if not found.snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     report_skipped(engine, found.built, found.remarks)
-    report_unknown(engine, chosen)
+    report_once(engine, style.remark(chosen))
     kept.trim()
     return found
 
@@ -116,8 +118,7 @@ def draw(found, seen, chosen, backend, options, progress, cancel, near=None):
 
 def final_image(engine, depsgraph, **how):
     """The Image of a final render of the depsgraph's scene, or None if the user canceled it; `how` as for `final`."""
-    made = final(engine, depsgraph, **how)
-    if made:
+    if made := final(engine, depsgraph, **how):
         note_statistics(*made)
     return made and made[1]
 
@@ -158,7 +159,7 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):
-        engine.update_stats("Fovea", f"frame {depsgraph.scene.frame_current}: {stage}")
+        engine.update_stats("Fovea", f"Frame {depsgraph.scene.frame_current}: {stage_labels.label(stage)}")
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
@@ -187,7 +188,7 @@ def watched(engine, cancel):
 
 def _progress(engine, share, text):
     engine.update_progress(share)
-    engine.update_stats("Fovea", text)
+    engine.update_stats("Fovea", stage_labels.label(text))
 
 
 def report_skipped(engine, built, remarks=()):
@@ -196,9 +197,8 @@ def report_skipped(engine, built, remarks=()):
         engine.report({"INFO"}, sentence)
 
 
-def report_unknown(engine, chosen):
-    """Reports unknown fields of a style, once."""
-    remark = style.remark(chosen)
+def report_once(engine, remark):
+    """Reports a remark, unless it is None or was reported before."""
     if remark and remark not in _remarked:
         _remarked.add(remark)
         engine.report({"INFO"}, remark)
@@ -212,7 +212,7 @@ def note_statistics(found, image, near_s=0.0):
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]
-    shapes = [surface.known_shape for surface in snapshot.surfaces]
+    shapes = [rest or surface.known_shape for surface, rest in zip(snapshot.surfaces, snapshot.at_rest)]
     placed = [(origin.object, origin.surface) for origin in snapshot.origins]
     _statistics.clear()
     _statistics.update(

@@ -8,16 +8,15 @@ caretaker.py redraws the region later. The gpu backend needs Blender's GPU conte
 
 import time
 import weakref
-from dataclasses import dataclass
 
 import bpy
-import numpy as np
 
 from .. import budget, moved_picture, native, pipeline
 from ..gpu import program as gpu_program
 from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
-from . import caretaker, changes, methods, session, worker
+from . import caretaker, changes, methods, session, stage_labels, worker
+from .wanted import Picture, Wanted, seen
 
 PATIENCE = 0.25  # seconds that a draw of the region waits for its picture
 WORD = 0.3  # seconds between progress messages in the header
@@ -25,26 +24,6 @@ DRAWING = "Fovea: drawing…"  # in the middle of a viewport until its first pic
 LETTERS = 16  # height of its letters in pixels of Blender's interface
 
 _of_region = weakref.WeakValueDictionary()  # address of a region -> its Viewport
-
-
-@dataclass(frozen=True)
-class _Wanted:
-    """What a viewport should show; equal keys give equal pictures."""
-
-    key: tuple
-    view: object  # stages.View
-    scene: changes.Scene
-    options: object  # native Options
-    backend: object
-
-
-@dataclass(frozen=True)
-class _Picture:
-    """A picture that is shown or about to be."""
-
-    wanted: _Wanted
-    quality: int  # index of budget.QUALITIES
-    image: object  # stages.Image, later a gpu_viewport.Picture
 
 
 def update(engine, depsgraph):
@@ -112,16 +91,23 @@ class Viewport:
         size = context.region.width, context.region.height
         if self.shown:
             self.shown.image.show(self._programs, engine, depsgraph.scene, *size, self._moved(context, view))
+            if self._is_left_behind(context.space_data):
+                gpu_viewport.veil(*size)
         else:
             gpu_viewport.say(DRAWING, *size, LETTERS * context.preferences.system.ui_scale)
 
     def _moved(self, context, view):
         """Where the picture shown is seen now, for Picture.show, if it was drawn from another view; else None."""
         before = self.shown.wanted.view
-        if _seen(before) == _seen(view):
+        if seen(before) == seen(view):
             return None
         depth = moved_picture.depth_of(before, context.region_data.view_location)
         return moved_picture.on_plane(before, view, depth), moved_picture.PLACES
+
+    def _is_left_behind(self, space):
+        """Whether what Blender draws over the picture shown has objects in other places."""
+        moved = self.shown.wanted.scene.moves != self.changes.moves
+        return moved and (space.overlay.show_overlays or space.show_gizmo)
 
     def is_final(self):
         """Whether the picture shown is current and needs no refinement now."""
@@ -140,9 +126,9 @@ class Viewport:
         scene = self.changes.read(engine, depsgraph, context.space_data)
         backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
         options = pipeline.options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
-        key = (scene.version, _seen(view), options, backend.name)
+        key = (scene.version, seen(view), options, backend.name)
         if self.wanted is None or self.wanted.key != key:
-            self.wanted = _Wanted(key, view, scene, options, backend)
+            self.wanted = Wanted(key, view, scene, options, backend)
 
     def _draw(self, engine, budget_ms, deadline):
         """Starts the next draft or refinement, if any, and shows it if it is done before the deadline (monotonic s)."""
@@ -181,7 +167,7 @@ class Viewport:
             raise job.error
         if job.result is not None:
             start, made = time.perf_counter(), job.result
-            self.shown = _Picture(made.wanted, made.quality, gpu_viewport.Picture(made.image.combined))
+            self.shown = Picture(made.wanted, made.quality, gpu_viewport.Picture(made.image.combined))
             show = 1000 * (time.perf_counter() - start)
             stages = {**made.image.statistics["stages"], "show": show}
             self.budget.note(made.quality, stages, cold=self._is_cold(made.wanted))
@@ -217,7 +203,7 @@ class Viewport:
         now = time.monotonic()
         if now > max(job.started, self._said_at) + WORD:
             share, text = job.told
-            engine.update_stats("Fovea", f"{text} {100 * share:.0f}%")
+            engine.update_stats("Fovea", f"{stage_labels.label(text)} {100 * share:.0f}%")
             engine.tag_redraw()
             self._said_at = now
 
@@ -228,14 +214,14 @@ class Viewport:
 
 
 def _made(wanted, quality, tell, cancel):
-    """Draws the _Picture for a _Wanted in a quality (index)."""
+    """Draws the Picture for a Wanted in a quality (index)."""
     chosen = budget.QUALITIES[quality]
     style = budget.simplified(wanted.scene.style, chosen)
     outlines = budget.outlines(wanted.scene.style, chosen)
     options = budget.coarser(wanted.options, chosen).replace(outlines=outlines)
-    seen = scene.seen(native.load(), wanted.view).smaller(chosen.scale)
-    image = session.draw(wanted.scene.gathered, seen, style, wanted.backend, options, tell, cancel)
-    return _Picture(wanted, quality, image)
+    view = scene.seen(native.load(), wanted.view).smaller(chosen.scale)
+    image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
+    return Picture(wanted, quality, image)
 
 
 def _render_runs_alone():
@@ -243,11 +229,6 @@ def _render_runs_alone():
     forbids Python to write data while a region is drawn. A render that begins while such a draw waits for another
     thread restores that flag when all else is done: nothing can be edited or saved from then on."""
     return bpy.app.version < (5, 2, 0) and bpy.app.is_job_running("RENDER")
-
-
-def _seen(view):
-    """A View as a tuple that can be compared."""
-    return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in vars(view).values())
 
 
 def stop():

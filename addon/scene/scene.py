@@ -231,7 +231,8 @@ class _Gathering:
         names = np.array([origin.names for origin in self.origins], np.uint64)[origin_of]
         usage = np.array([origin.usage for origin in self.origins], np.uint8)[origin_of]
         ids = instances.ids(names, persistent[steps])
-        return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, self.left_out)
+        told = self.left_out, [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces]
+        return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
 
 
 def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None):

@@ -4,6 +4,7 @@ the core (native/fovea/field/shape.h) from its rest shape, so that it stays the 
 
 import bpy
 
+from . import mesh_arrays
 from .mesh_arrays import is_edited
 
 AUTOMATIC, HARD = "automatic", "hard"
@@ -34,3 +35,47 @@ def rest(obj, mesh, depsgraph):
         return None
     same = len(base.vertices) == len(mesh.vertices)
     return base if same or kinds.isdisjoint(GENERATING) else None
+
+
+class AtRest:
+    """Shapes of surfaces that are deformed, which the core decides of their meshes at rest, once for each mesh. Content
+    hashes say whether that still holds."""
+
+    def __init__(self, core, buffers):
+        self._core, self._buffers = core, buffers
+        self._known = {}  # full name of a mesh -> (content hashes, (shape, reason))
+        self._read = set()  # full names of the meshes that have been read in this pass
+        self.decided = {}  # id of a surface used in this pass -> (shape, reason)
+
+    def begin(self):
+        """Starts a pass over a depsgraph, in which meshes at rest stay as they are."""
+        self._read.clear()
+        self.decided.clear()
+
+    def set_shape(self, entry, shape, mesh, changed):
+        """Sets what the polygons of the surface of a SurfaceCache's entry stand for: as asked for by `shape` or, if it
+        is automatic, as decided of the mesh at rest; without one (None), the core decides by the surface itself.
+        `changed`: whether the entry is new or its surface has moved. Takes the arrays of `buffers`."""
+        if shape != AUTOMATIC or mesh is None:
+            entry.rest = None
+        elif changed or entry.rest is None:
+            entry.rest = self._of(mesh)
+        if entry.rest:
+            shape, _ = self.decided[id(entry.surface)] = entry.rest
+        entry.surface.set_shape(shape)
+
+    def _of(self, mesh):
+        """(shape, reason in one sentence) of a mesh at rest."""
+        name = mesh.name_full
+        if name not in self._read:
+            arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=False)
+            content = [None if array is None else self._core.content_hash(array) for array in vars(arrays).values()]
+            if name not in self._known or self._known[name][0] != content:
+                self._known[name] = content, self._decide(mesh, arrays)
+            self._read.add(name)
+        return self._known[name][1]
+
+    def _decide(self, mesh, arrays):
+        triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
+        surface = self._core.Surface(mesh.name, self._core.Mesh(**vars(arrays), **triangles))
+        return surface.shape, f"at rest, {surface.known_shape[1]}"

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import kept, mesh_arrays
 from . import repair as repairs
-from .shapes import AUTOMATIC, HARD
+from .shapes import AUTOMATIC, HARD, AtRest
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 BYTES_RESAMPLED = 600  # per expected triangle, while a mesh is resampled
@@ -28,7 +28,7 @@ class _Entry:
     topology: tuple  # number of vertices, and content hashes of all arrays but the positions
     positions: object  # content hash or hashes
     ngons: tuple  # content hashes of the n-gons' triangulation
-    rest: str = AUTOMATIC  # shape of the mesh at rest, for surfaces that are deformed
+    rest: tuple | None = None  # (shape, reason) as decided of the mesh at rest
     seen: tuple = ()  # for a refined surface: content hashes of Blender's subdivided mesh
     age: int = 0  # passes since its last use
     used: int = 0  # logical time of its last use (kept.now)
@@ -45,6 +45,7 @@ class SurfaceCache:
         self.entries = {}
         self._asked = {}  # key -> number of its uses in this pass
         self._buffers = mesh_arrays.Buffers()
+        self.at_rest = AtRest(core, self._buffers)
         self.rebuilt = []  # surfaces built in this pass
         self.moved = []  # surfaces whose positions changed in this pass
         self.remarks = []  # sentences for the user about surfaces built in this pass
@@ -53,6 +54,7 @@ class SurfaceCache:
     def begin(self):
         """Starts a pass over a depsgraph."""
         self._asked, self.rebuilt, self.moved, self.remarks = {}, [], [], []
+        self.at_rest.begin()
         for entry in self.entries.values():
             entry.age += 1
 
@@ -81,7 +83,8 @@ class SurfaceCache:
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
         topology += cuts.key if cuts else ()
         entry = self.entries.get(key)
-        if entry is None or (entry.topology, entry.positions) != (topology, positions):
+        changed = entry is None or (entry.topology, entry.positions) != (topology, positions)
+        if changed:
             triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
             ngons = self._hashes(triangles.values())
             if entry is not None and repair is None and (entry.topology, entry.ngons) == (topology, ngons):
@@ -92,19 +95,11 @@ class SurfaceCache:
                     surface = cuts.surface(self._core, name, whole, arrays)
                 else:
                     surface = self._core.Surface(name, self._repaired(name, whole, repair))
-                entry = self.entries[key] = _Entry(surface, topology, positions, ngons, self._shape_of(name, rest))
+                entry = self.entries[key] = _Entry(surface, topology, positions, ngons)
                 self.rebuilt.append(entry.surface)
-        entry.surface.set_shape(entry.rest if shape == AUTOMATIC else shape)
+        self.at_rest.set_shape(entry, shape, rest, changed)
         entry.age, entry.used = 0, kept.now()
         return entry.surface
-
-    def _shape_of(self, name, mesh):
-        """The shape that the core decides for a mesh; automatic for None."""
-        if mesh is None:
-            return AUTOMATIC
-        arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=False)
-        triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
-        return self._core.Surface(name, self._core.Mesh(**vars(arrays), **triangles)).shape
 
     def bare(self, key, name, shape, slots):
         """The native surface of a bare_shapes.Shape, or None if there is nothing of it: as `surface`."""

@@ -31,6 +31,11 @@ PARAMETERS = {
     "crease": lambda settings: {"angle": 180 - math.degrees(settings.crease_angle)},
     "border": lambda _settings: {"loose": 0.0},
 }
+# Told while it is on.
+OVER = (
+    "Freestyle is on: it draws its own lines over the picture, and may take many times as long as Fovea; "
+    "Turn Freestyle Off, in the render tab, ends that"
+)
 _RELATIVE_HEIGHT = 480  # image height in pixels that Freestyle's relative thickness refers to
 
 

@@ -10,7 +10,7 @@ from .. import style
 from ..scene import camera
 from ..scene.line_kinds import definitions
 from ..scene.operator import Operator
-from . import line_style_modifiers, style_data
+from . import line_art_usage, line_style_modifiers, style_data
 
 # Line Art's edge type -> line definitions; loose edges are drawn as borders.
 KINDS = {
@@ -172,8 +172,8 @@ def _is_set(value):
 
 
 class FOVEA_OT_match_line_art(Operator, bpy.types.Operator):
-    """Take over the scene's Line Art modifiers: edge types, crease angle, source, levels, and the width, color and
-    opacity of their strokes"""
+    """Take over the scene's Line Art modifiers: edge types, crease angle, source, levels, the width, color and opacity
+    of their strokes, and which objects Line Art excludes or has only hide others"""
 
     bl_idname = "fovea.match_line_art"
     bl_label = "Match Line Art"
@@ -189,5 +189,8 @@ class FOVEA_OT_match_line_art(Operator, bpy.types.Operator):
         if not chosen.line_sets:
             raise style.StyleError("; ".join(["The Line Art modifiers draw nothing that Fovea could", *told]))
         style_data.use(context.scene, chosen, "Line Art")
-        if told:
+        usages, left = line_art_usage.usages(context.scene)
+        for obj, usage in usages.items():
+            obj.fovea.usage = usage
+        if told := told + left:
             self.report({"WARNING"}, f"Not taken over: {'; '.join(told)}")

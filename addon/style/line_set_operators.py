@@ -10,6 +10,7 @@ from . import FILTERS, style_curves, style_data, style_read, style_write
 from .style_operators import OnStyle
 
 MOST = 64  # most line sets of a style
+NEW = "Line Set"  # name of a new one: shipped styles have a set "lines"
 _FOR_ALL = dict.fromkeys(FILTERS, "") | dict.fromkeys(FILTERS.values(), False)  # members of a LineSet without filters
 DIRECTIONS = (("UP", "Up", "Draws its lines before"), ("DOWN", "Down", "Draws what is left after"))
 
@@ -61,7 +62,7 @@ class FOVEA_OT_line_set_add(_Edit, bpy.types.Operator):
     def edit(self, held):
         source, place = edited(held), min(held.line_set_index, len(held.line_sets))
         like = style_read.line_set(source) if source else style.load("plain").line_sets[-1]
-        _insert(held, like.replace(name=_free_name(held, "Lines"), hidden=(), **_FOR_ALL), place)
+        _insert(held, like.replace(name=_free_name(held, NEW), hidden=(), **_FOR_ALL), place)
 
 
 class FOVEA_OT_line_set_duplicate(_Edit, bpy.types.Operator):
@@ -172,6 +173,7 @@ def _insert(held, wanted, place):
 
 
 def _free_name(held, wanted):
-    taken, stem = {line_set.name for line_set in held.line_sets}, wanted.rpartition(".")[0] or wanted
+    """The name, or one with a number, that no line set has, whether in capitals or not."""
+    taken, stem = {line_set.name.lower() for line_set in held.line_sets}, wanted.rpartition(".")[0] or wanted
     names = (wanted, *(f"{stem}.{number:03}" for number in range(1, MOST + 2)))
-    return next(name for name in names if name not in taken)
+    return next(name for name in names if name.lower() not in taken)

@@ -78,39 +78,60 @@ def is_for_all(line_set):
     return not any(getattr(line_set, name) for name in FILTERS)
 
 
+def shapes_with(line_set, definition, asked):
+    """The shapes of surfaces on which a line set draws a definition; `asked`: names of those of all line sets."""
+    if line_set.surfaces not in {"ALL", "SUITED"}:
+        return {line_set.surfaces}
+    if line_set.surfaces == "SUITED" and definition["of_smooth"]:
+        return {"SMOOTH"}
+    replaced = line_set.surfaces == "SUITED" and definition["smooth_twin"] in asked
+    return {"HARD", "ROUNDED"} if replaced else {"HARD", "ROUNDED", "SMOOTH"}
+
+
+def taker(line_set, definition, before, asked):
+    """The first of the line sets `before` that leaves a line set none of the lines of a definition; None without one.
+    `asked` as for shapes_with."""
+    wanted = set() if definition["in_image"] else shapes_with(line_set, definition, asked)
+    has = (above for above in before if getattr(above.kinds, definition["name"]) and is_for_all(above))
+    return next((above for above in has if wanted <= shapes_with(above, definition, asked)), None)
+
+
 def draw_kinds(layout, held, line_set):
     """Draws the switches of all definitions, usual ones first and the others folded, and the parameters of those that
     are on."""
-    before = list(held.line_sets)[: held.line_set_index]
+    before, asked = list(held.line_sets)[: held.line_set_index], style_data.drawn_kinds(held)
     usual = [definition for definition in definitions() if definition["usual"]]
     more = [definition for definition in definitions() if not definition["usual"]]
     if body := fold(layout, "line_types", "Line Types", closed=False):
-        _draw_scopes(body, line_set, usual, before)
+        _draw_scopes(body, line_set, usual, before, asked)
     on = sum(getattr(line_set.kinds, definition["name"]) for definition in more)
     if body := fold(layout, "more_line_types", f"More Line Types ({on} on)" if on else "More Line Types"):
-        _draw_scopes(body, line_set, more, before)
+        _draw_scopes(body, line_set, more, before, asked)
 
 
-def _draw_scopes(body, line_set, wanted, before):
+def _draw_scopes(body, line_set, wanted, before, asked):
     for scope, title in SCOPES.items():
         group = [definition for definition in wanted if definition["scope"] == scope]
         if group:
             body.label(text=title)
         for definition in group:
-            _draw_kind(body, line_set, definition, before)
+            _draw_kind(body, line_set, definition, taker(line_set, definition, before, asked))
 
 
-def _draw_kind(body, line_set, definition, before):
+def _draw_kind(body, line_set, definition, taken):
+    """Draws the switch of a definition and, if it is on, its parameters. `taken`: the line set that takes all its
+    lines, or None."""
     name, kinds = definition["name"], line_set.kinds
     # Full width: most names are too long for half of it.
     switch = body.row()
     switch.use_property_split = False
     switch.prop(kinds, name)
-    # Inactive if an unfiltered set above has the kind already, or if it is in image space and the set has filters.
-    taker = next((above for above in before if getattr(above.kinds, name) and is_for_all(above)), None)
-    switch.active = taker is None and (is_for_all(line_set) or not definition["in_image"])
-    if taker and getattr(kinds, name):
-        body.label(text=f"Taken by '{taker.name}' above", icon="INFO")
+    barred = definition["in_image"] and not is_for_all(line_set)
+    switch.active = not (taken or barred)
+    if taken:
+        body.label(text=f"Taken by '{taken.name}' above", icon="INFO")
+    elif barred:
+        body.label(text="Needs a line set without filters", icon="INFO")
     if getattr(kinds, name):
         for parameter in definition["parameters"]:
             body.prop(kinds, f"{name}_{parameter['name']}")

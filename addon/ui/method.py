@@ -3,10 +3,8 @@
 
 import bpy
 
-from ..render import methods, session
+from ..render import methods, session, stage_labels
 from .common import FoveaPanel, draw_properties, fold
-
-STAGES = {"bvh": "BVH"}  # labels of stages whose names are not words
 
 
 class RENDER_PT_fovea_visibility(FoveaPanel, bpy.types.Panel):
@@ -41,7 +39,7 @@ def _seconds(known):
 def _draw_statistics(layout, known):
     """Draws the device, the number of strokes, and the time of each stage."""
     rows = [("Device", known["backend"].upper()), ("Strokes", str(known["strokes"]))]
-    rows += [(STAGES.get(stage, stage.title()), f"{spent:.0f} ms") for stage, spent in known["stages"].items()]
+    rows += [(stage_labels.label(stage), f"{spent:.0f} ms") for stage, spent in known["stages"].items()]
     column = layout.column(align=True)
     for name, value in rows:
         row = column.split(factor=0.5)

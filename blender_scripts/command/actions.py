@@ -131,13 +131,15 @@ def agreement(target, words):
 
 def in_blender(target, sentence, script, words):
     """Runs a script in Blender in background mode, and prints the paths of the files it wrote, of all of them or of
-    those before an error. StepFailed on an error, with the script's message if it has one (ending.py), else with the
-    end of the log."""
+    those before an error, and says its notes, each once. StepFailed on an error, with the script's message if it has
+    one (ending.py), else with the end of the log."""
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
     log, status = target.attempt(sentence, command)
     lines = log.read_text(errors="replace").splitlines()
     for path in filter(None, map(ending.announced, lines)):
         print(path)
+    for line in dict.fromkeys(line for line in lines if line.startswith(ending.NOTE)):
+        say(line.removeprefix(ending.NOTE))
     if status == 0:
         return
     for line in lines:

@@ -26,7 +26,7 @@ class RecordedSurface(SimpleNamespace):
     """Keeps what a native surface was made of."""
 
     triangles, fields_reason = (), ""  # by which memory is reckoned
-    shape = "automatic"
+    shape, known_shape = "automatic", ("automatic", "as recorded")
 
     def __init__(self, name, mesh):
         super().__init__(name=name, **mesh.arrays)

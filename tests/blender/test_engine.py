@@ -156,7 +156,7 @@ def test_what_the_depth_pass_takes_is_told_by_its_name_where_the_pass_is_on(scen
         drawn(scene, tmp_path / "box.png")
         names[wanted] = set(session.last_statistics()["stages"])
     assert names[True] - names[False] == {"depth"} and names[False] <= names[True]
-    assert names[True] <= part("render.report").STAGES.keys()
+    assert names[True] <= part("render.stage_labels").STAGES.keys()
 
 
 def test_both_views_of_a_stereo_pair_are_drawn(scene, tmp_path):

@@ -8,6 +8,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
+from bare import STRANDS, bare_curve, emitter, hair_curves, point_cloud
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 from the_addon import box_mesh, empty_scene, new_mesh, new_object
@@ -86,5 +87,52 @@ def test_a_face_with_a_broken_vertex_is_not_framed():
 def test_nothing_to_frame_is_said():
     scene = empty_scene()
     new_object(new_mesh([], [], []))
-    with pytest.raises(ValueError, match="no mesh"):
+    with pytest.raises(ValueError, match="nothing to frame"):
         framing.frame(scene, 35, 25, 50, 0.05)
+
+
+def bounds():
+    bpy.context.view_layer.update()
+    points = framing.visible_points(bpy.context.evaluated_depsgraph_get())
+    return points.min(axis=0), points.max(axis=0)
+
+
+BARE = {  # what has no faces -> how it is made, and the corners of its box
+    "a curve": (lambda: bare_curve([(0, 0, 0), (1, 2, 3)]), (0, 0, 0), (1, 2, 3)),
+    "hair": (lambda: new_object(hair_curves(STRANDS, radius=0.25)), (-0.25, -0.25, -0.25), (1.25, 0.75, 2.25)),
+    "points": (lambda: point_cloud([(0, 0, 0), (0, 3, 0)], 0.5), (-0.5, -0.5, -0.5), (0.5, 3.5, 0.5)),
+}
+
+
+@pytest.mark.parametrize("make, low, high", BARE.values(), ids=BARE.keys())
+def test_what_has_no_faces_is_framed(make, low, high):
+    scene = empty_scene()
+    obj = make()
+    np.testing.assert_allclose(bounds(), (low, high), atol=1e-6)
+    obj.location = (10, 0, 0)
+    np.testing.assert_allclose(bounds(), np.add((low, high), (10, 0, 0)), atol=1e-6)
+    seen = framed(scene)
+    assert (seen[:, :2] >= 0.05 - 1e-4).all() and (seen[:, :2] <= 0.95 + 1e-4).all()
+
+
+def test_hair_of_particles_is_framed_though_its_emitter_is_not_seen():
+    empty_scene()
+    obj = emitter(hair_length=4.0)
+    obj.show_instancer_for_render = obj.show_instancer_for_viewport = False
+    assert bounds()[1][2] > 1.0
+
+
+def test_a_curve_that_others_use_is_not_framed():
+    empty_scene()
+    new_object(box_mesh())
+    path = bare_curve([(0, 0, 0), (50, 0, 0)], "Path")
+    np.testing.assert_allclose(bounds()[1], (50, 1, 1))
+    new_object(None, "Follower").constraints.new("FOLLOW_PATH").target = path
+    np.testing.assert_allclose(bounds()[1], (1, 1, 1))
+
+
+def test_an_excluded_object_is_not_framed():
+    empty_scene()
+    new_object(box_mesh())
+    new_object(box_mesh(), location=(50, 0, 0)).fovea.usage = "IGNORE"
+    np.testing.assert_allclose(bounds()[1], (1, 1, 1))

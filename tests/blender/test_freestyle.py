@@ -2,12 +2,20 @@
 """Match Freestyle: settings of Freestyle's line sets and line styles are converted to Fovea's."""
 
 import math
+import sys
+from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
 import pytest
 from pictures import box_scene, drawn, ink
 from the_addon import part
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+import draw
+import ending
 
 freestyle, properties, style = part("style.freestyle"), part("render.properties"), part("style")
 
@@ -192,10 +200,33 @@ def test_while_it_is_on_the_panel_and_the_report_say_so_and_a_button_turns_it_of
 
     scene.view_settings.view_transform = "Standard"
     scene.view_layers[0].use_freestyle = True
-    assert hints.RENDER_PT_fovea_hints.poll(bpy.context) and report.OVER in told()
+    assert hints.RENDER_PT_fovea_hints.poll(bpy.context) and freestyle.OVER in told()
     assert bpy.ops.fovea.freestyle_off() == {"FINISHED"}
-    assert not hints.RENDER_PT_fovea_hints.poll(bpy.context) and report.OVER not in told()
+    assert not hints.RENDER_PT_fovea_hints.poll(bpy.context) and freestyle.OVER not in told()
     assert not scene.render.use_freestyle and not bpy.ops.fovea.freestyle_off.poll()
+
+
+@pytest.mark.parametrize("on", [True, False])
+def test_while_it_is_on_fovea_draw_notes_how_to_turn_it_off(scene, tmp_path, capfd, on):
+    scene.view_layers[0].use_freestyle, file = on, tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(file))
+    draw.main([str(file), "--size", "96x54", "-o", str(tmp_path / "picture.png")])
+    lines = capfd.readouterr().out.splitlines()
+    assert [line for line in lines if line.startswith(ending.NOTE)] == [ending.NOTE + freestyle.OVER] * on
+    assert bpy.ops.fovea.freestyle_off.get_rna_type().name in freestyle.OVER
+
+
+def test_while_it_is_on_renders_report_so_once(scene, monkeypatch):
+    session, said = part("render.session"), []
+    monkeypatch.setattr(session, "final_image", lambda *_words: None)
+    engine = SimpleNamespace(
+        report=lambda kinds, sentence: said.append((kinds, sentence)), resolution_x=4, resolution_y=4
+    )
+    session.forget()
+    for on in (False, True, True):
+        scene.view_layers[0].use_freestyle = on
+        session.render(engine, bpy.context.evaluated_depsgraph_get())
+    assert said == [({"INFO"}, freestyle.OVER)]
 
 
 def test_the_scene_draws_with_it(scene, tmp_path):

@@ -6,9 +6,10 @@ import math
 import bpy
 import pytest
 from pictures import box_scene, drawn, ink
-from the_addon import part
+from the_addon import box_mesh, new_object, part
 
 line_art, properties = part("style.line_art"), part("render.properties")
+of_objects = part("style.line_art_usage").usages
 
 
 @pytest.fixture
@@ -147,3 +148,85 @@ def test_width_and_opacity_along_strokes_are_taken_over(scene):
     obj.modifiers.new("Again", "GREASE_PENCIL_THICKNESS")
     thick.use_uniform_thickness = True  # a width in space
     assert matched(scene)[1] == ["'Lines: Line Art': the modifiers Thick"]
+
+
+@pytest.fixture
+def excluded(scene):
+    """A collection of the scene that Line Art excludes."""
+    made = bpy.data.collections.new("Excluded")
+    scene.collection.children.link(made)
+    made.lineart_usage = "EXCLUDE"
+    return made
+
+
+@pytest.mark.parametrize("usage, fovea", [("EXCLUDE", "IGNORE"), ("OCCLUSION_ONLY", "OCCLUDE"), ("INCLUDE", "BOTH")])
+def test_usages_of_objects_and_of_their_collections_are_taken_over(scene, excluded, usage, fovea):
+    own, inherits = new_object(box_mesh(), "Own"), new_object(box_mesh(), "Inherits", collection=excluded)
+    own.lineart.usage = excluded.lineart_usage = usage
+    inherits.fovea.usage = "BOTH"
+    add_modifier(scene)
+    assert bpy.ops.fovea.match_line_art() == {"FINISHED"}
+    assert (own.fovea.usage, inherits.fovea.usage) == (fovea, fovea)
+
+
+def test_the_usage_of_an_object_goes_before_that_of_its_collection(scene, excluded):
+    obj = new_object(box_mesh(), "Own", collection=excluded)
+    obj.lineart.usage = "INCLUDE"
+    assert of_objects(scene) == ({obj: "BOTH"}, [])
+
+
+def test_collections_in_a_collection_have_usages_of_their_own(scene, excluded):
+    inner = bpy.data.collections.new("Inner")
+    excluded.children.link(inner)
+    obj = new_object(box_mesh(), "Deep", collection=inner)
+    assert of_objects(scene) == ({}, [])
+    inner.lineart_usage = "OCCLUSION_ONLY"
+    assert of_objects(scene) == ({obj: "OCCLUDE"}, [])
+
+
+def test_an_object_that_line_art_says_nothing_of_keeps_its_usage(scene):
+    bpy.data.objects["Box"].fovea.usage = "DRAW"
+    add_modifier(scene)
+    assert bpy.ops.fovea.match_line_art() == {"FINISHED"}
+    assert bpy.data.objects["Box"].fovea.usage == "DRAW"
+
+
+@pytest.mark.parametrize(
+    "usage, what",
+    [
+        ("INTERSECTION_ONLY", "intersection lines alone"),
+        ("NO_INTERSECTION", "no intersection lines"),
+        ("FORCE_INTERSECTION", "intersection lines with objects that have none"),
+    ],
+)
+def test_usages_that_are_not_taken_over_are_told_with_the_objects_that_have_them(scene, excluded, usage, what):
+    excluded.lineart_usage = usage
+    for name in "ABCDE":
+        new_object(box_mesh(), name, collection=excluded)
+    found, told = of_objects(scene)
+    assert found == {} and len(told) == 1
+    assert told[0].endswith(f" and 2 more: {what}") and told[0].count("'") == 6
+
+
+def test_the_usage_of_a_linked_object_which_would_be_lost_is_told(scene, tmp_path):
+    obj, path = new_object(box_mesh(), "Rock"), str(tmp_path / "rock.blend")
+    obj.lineart.usage = "EXCLUDE"
+    bpy.data.libraries.write(path, {obj})
+    bpy.data.objects.remove(obj)
+    with bpy.data.libraries.load(path, link=True) as (_, wanted):
+        wanted.objects = ["Rock"]
+    scene.collection.objects.link(wanted.objects[0])
+    found, told = of_objects(scene)
+    assert found == {} and told == ["'Rock': its usage: it is linked from another file, where it can be set"]
+
+
+def test_a_crease_angle_of_an_object_is_told(scene):
+    bpy.data.objects["Box"].lineart.use_crease_override = True
+    assert of_objects(scene) == ({}, ["'Box': a crease angle of its own"])
+
+
+def test_what_usages_leave_is_in_the_report_of_the_operator(scene, capfd):
+    bpy.data.objects["Box"].lineart.usage = "NO_INTERSECTION"
+    add_modifier(scene)
+    assert bpy.ops.fovea.match_line_art() == {"FINISHED"}
+    assert "Not taken over: 'Box': no intersection lines" in "".join(capfd.readouterr())

@@ -97,3 +97,12 @@ def test_a_broken_model_is_one_sentence_that_names_it(tmp_path, suffix):
         draw.main([str(path), "-o", str(tmp_path / "none.png")])
     assert "Traceback" not in str(error.value) and "\n" not in str(error.value)
     assert not (tmp_path / "none.png").exists()
+
+
+def test_an_svg_of_strokes_alone_is_drawn(tmp_path):
+    if not draw.operator("import_curve.svg"):
+        pytest.skip("this Blender imports no .svg files")
+    path, picture = tmp_path / "strokes.svg", tmp_path / "strokes.png"
+    path.write_text(SVG.replace('fill="#000000"', 'fill="none" stroke="#000000"'))
+    draw.main([str(path), "--size", f"{SIZE[0]}x{SIZE[1]}", "-o", str(picture)])
+    assert pixels_of(picture)[..., :3].min() < 0.9

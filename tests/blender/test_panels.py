@@ -78,21 +78,59 @@ def test_usual_definitions_come_first_each_group_by_what_its_lines_depend_on(sce
     assert found == sorted(found) and 8 < sum(not research for research, _ in found) < 16
 
 
+def taken(held, index):
+    """What the panel of a line set says of types that sets above it take."""
+    held.line_set_index = index
+    layout = shown_by(part("ui.lines").RENDER_PT_fovea_lines)
+    return {title for title in layout.titles if title.startswith("Taken by")}
+
+
 def test_a_kind_that_a_set_above_takes_says_which(scene):
     held = use_style(scene, "plain")
     index = held.line_set_index
     assert held.line_sets[index].kinds.contour
     assert bpy.ops.fovea.line_set_duplicate() == {"FINISHED"}
     held.line_sets[index].name = "Outlines"
+    by_both = {"Taken by 'forms' above", "Taken by 'Outlines' above"}
+    assert taken(held, index) == {"Taken by 'forms' above"} and taken(held, index + 1) == by_both
+    for definition in catalogue.definitions():
+        setattr(held.line_sets[index + 1].kinds, definition["name"], False)
+    assert taken(held, index + 1) == by_both
 
-    def taken():
+
+@pytest.mark.parametrize(
+    "above, below, kind, none_left",
+    [
+        ("ALL", "HARD", "contour", True),
+        ("HARD", "HARD", "contour", True),
+        ("HARD", "ALL", "contour", False),
+        ("SMOOTH", "HARD", "contour", False),
+        ("SUITED", "SUITED", "contour", True),
+        ("SUITED", "ALL", "ridge", False),
+        ("SMOOTH", "SUITED", "ridge", True),
+        ("SUITED", "ALL", "crease", True),
+        ("SUITED", "ALL", "contour", False),
+        ("HARD", "ALL", "image_edge", True),
+    ],
+)
+def test_a_set_above_takes_a_kind_only_if_no_shape_of_surfaces_is_left(scene, above, below, kind, none_left):
+    """The last set asks for smooth contours, which sets that suit surfaces have on smooth ones in place of contours."""
+    held = use_style(scene, "plain")
+    only_lines(scene, kind, "smooth_contour")
+    held.line_set_index = len(held.line_sets) - 1
+    assert bpy.ops.fovea.line_set_duplicate() == {"FINISHED"}
+    first, second = held.line_sets[-2:]
+    first.kinds.smooth_contour = False
+    first.surfaces, second.surfaces = above, below
+    assert bool(taken(held, len(held.line_sets) - 1)) == none_left
+
+
+def test_a_kind_of_the_whole_picture_says_that_a_set_with_filters_has_none(scene):
+    held = use_style(scene, "plain")
+    for wanted in ("", "Scenery"):
+        held.line_sets[held.line_set_index].collection = wanted
         titles = shown_by(part("ui.lines").RENDER_PT_fovea_lines).titles
-        return [title for title in titles if title.startswith("Taken by")]
-
-    held.line_set_index = index
-    assert not taken()
-    held.line_set_index = index + 1
-    assert set(taken()) == {"Taken by 'Outlines' above"}
+        assert ("Needs a line set without filters" in titles) == bool(wanted)
 
 
 def test_every_effect_is_in_the_list_and_shows_its_curve_and_numbers_when_it_is_chosen(scene):
@@ -130,10 +168,12 @@ def test_a_view_transform_that_makes_paper_gray_is_told_and_put_right(scene):
 
 
 def test_what_was_drawn_is_told(scene, monkeypatch):
-    known = {"stages": {"bvh": 20.0, "lines": 1500.0}, "backend": "cpu", "strokes": 3, "visibility": "exact"}
+    stages = {"bvh": 20.0, "lines": 1500.0, "elision": 1.0, "near_frames": 2.0}
+    known = {"stages": stages, "backend": "cpu", "strokes": 3, "visibility": "exact"}
     monkeypatch.setattr(part("render.session"), "last_statistics", lambda: known)
     titles = shown_by().titles
-    assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "BVH", "20 ms", "Lines", "1500 ms"} <= set(titles)
+    assert {"Last Drawn in 1.52 s", "Device", "CPU", "Strokes", "3", "20 ms", "1500 ms"} <= set(titles)
+    assert {"Preparing Rays", "Finding Lines", "Line Thinning", "Frames Around It"} <= set(titles)
 
 
 def test_every_setting_is_in_a_panel(scene):

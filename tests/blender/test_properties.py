@@ -71,8 +71,8 @@ def test_fields_that_nothing_reads_are_told_once(scene):
     chosen = style.parse(words)
     session.forget()
     for _ in range(3):
-        session.report_unknown(engine, chosen)
-    session.report_unknown(engine, style.load(style.DEFAULT))
+        session.report_once(engine, style.remark(chosen))
+    session.report_once(engine, style.remark(style.load(style.DEFAULT)))
     ((kinds, sentence),) = said
     assert kinds == {"INFO"}
     for name, near in (("kinds.contuor", "contour"), ("kinds.crease.angel", "angle"), ("pen.widht", "width")):

@@ -130,10 +130,20 @@ def test_line_sets_are_added_copied_moved_and_removed(scene):
     assert names(scene) == ["outline", "marks", "lines", "outline.001"] and held.line_set_index == 3
     bpy.ops.fovea.line_set_remove()
     bpy.ops.fovea.line_set_add()
-    assert names(scene) == ["outline", "marks", "Lines", "lines"] and held.line_set_index == 2
+    assert names(scene) == ["outline", "marks", "Line Set", "lines"] and held.line_set_index == 2
     for _ in range(3):
         bpy.ops.fovea.line_set_remove()
     assert names(scene) == ["outline"] and not bpy.ops.fovea.line_set_remove.poll()
+
+
+@pytest.mark.parametrize("style", style.names())
+def test_the_name_of_a_new_line_set_differs_from_all_others_in_more_than_capitals(scene, style):
+    use_style(scene, style)
+    for _ in range(2):
+        bpy.ops.fovea.line_set_add()
+        bpy.ops.fovea.line_set_duplicate()
+    found = [name.lower() for name in names(scene)]
+    assert len(set(found)) == len(found)
 
 
 def test_a_new_line_set_is_as_the_edited_one_but_for_filters_and_hidden_pens(scene):
@@ -144,9 +154,9 @@ def test_a_new_line_set_is_as_the_edited_one_but_for_filters_and_hidden_pens(sce
     bpy.ops.fovea.line_set_add()
     made, below = drawn(scene).line_sets[held.line_set_index :][:2]
     assert below.hidden and below.collection == "Scenery" and below.pen_away is not None
-    assert made == below.replace(name="Lines", collection="", outside=False, hidden=())
+    assert made == below.replace(name="Line Set", collection="", outside=False, hidden=())
     bpy.ops.fovea.line_set_add()
-    assert names(scene) == ["outline", "forms", "Lines.001", "Lines", "lines"]
+    assert names(scene) == ["outline", "forms", "Line Set.001", "Line Set", "lines"]
 
 
 def test_a_style_without_line_sets_gets_one_that_draws(scene):
@@ -154,7 +164,7 @@ def test_a_style_without_line_sets_gets_one_that_draws(scene):
     held.line_sets.clear()
     bpy.ops.fovea.line_set_add()
     (made,) = drawn(scene).line_sets
-    assert made.name == "Lines" and {"contour", "crease"} < set(made.kinds) and made.pen.opacity == 1
+    assert made.name == "Line Set" and {"contour", "crease"} < set(made.kinds) and made.pen.opacity == 1
 
 
 def test_hidden_pens_are_added_behind_those_there_are(scene):
@@ -219,8 +229,8 @@ def test_what_is_keyed_and_driven_follows_its_line_set(scene):
     assert numbers(scene) == {"marks": (2, 6), "marks.001": (99, 99), "lines": (3, 9)}
     held.line_set_index = 0
     bpy.ops.fovea.line_set_add()
-    assert names(scene) == ["Lines", "marks", "marks.001", "lines"]
-    assert numbers(scene) == {"Lines": (99, 99), "marks": (2, 6), "marks.001": (99, 99), "lines": (3, 9)}
+    assert names(scene) == ["Line Set", "marks", "marks.001", "lines"]
+    assert numbers(scene) == {"Line Set": (99, 99), "marks": (2, 6), "marks.001": (99, 99), "lines": (3, 9)}
 
 
 def test_a_copy_of_a_style_is_animated_by_itself(scene):

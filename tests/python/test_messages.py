@@ -37,6 +37,20 @@ def test_files_that_were_written_are_told_and_no_others(tmp_path, capsys):
     assert capsys.readouterr().out == "/tmp/a_0001.png\n"
 
 
+@pytest.mark.parametrize("status", [0, 1])
+def test_what_a_script_notes_is_said_once_beside_the_files(tmp_path, capsys, status):
+    for _ in range(2):
+        ending.note("Freestyle is on")
+    ending.announce("/tmp/a.png")
+    blender = Blender(tmp_path, capsys.readouterr().out, status)
+    try:
+        actions.in_blender(blender, "drawing A", "draw.py", [])
+    except StepFailed as failure:
+        assert status
+        assert str(failure).startswith("drawing A FAILED")
+    assert capsys.readouterr() == ("/tmp/a.png\n", "fovea: Freestyle is on\n")
+
+
 def said(tmp_path, log, status=1):
     with pytest.raises(StepFailed) as failure:
         actions.in_blender(Blender(tmp_path, log, status), "drawing A", "draw.py", [])

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 from bpy_extras.view3d_utils import location_3d_to_region_2d
-from mathutils import Vector
+from mathutils import Matrix, Vector
 from showing import SHARED, Steps, calm, caretaker, is_calm, opened, side_by_side, threads, turn
 from slow import held
 from the_addon import box_mesh, new_object, part
@@ -89,6 +89,49 @@ def held_up(folder):
     }
     told["ink"] = {name: dark(*words) for name, words in found.items()}
     return told
+
+
+def left_behind(folder):
+    """How bright the paper is while the next picture is not there yet, by what was done; then when it is there."""
+    yield from opened("boxes:1")
+    space = screen.space()
+    box = next(obj for obj in bpy.context.scene.objects if obj.type == "MESH")
+    light = new_object(bpy.data.lights.new("Light", "SUN"), "Light", (50, 50, 50))
+    pen = part("style.style_data").own(bpy.context.scene).line_sets[-1].pen
+    done = {
+        "nothing": lambda: None,
+        "view": lambda: turn(5),
+        "pen": lambda: setattr(pen, "width", pen.width + 1),
+        "light": lambda: setattr(light.location, "x", light.location.x + 1),
+        "object": lambda: setattr(box.location, "z", box.location.z + 1),
+        "mesh": lambda: reshape(box.data),
+        "hidden": lambda: box.hide_set(True),
+    }
+    told = {}
+    for overlays in (True, False):
+        space.overlay.show_overlays = overlays
+        for name, act in done.items():
+            box.hide_set(False)
+            yield from at_rest()
+            with held():
+                act()
+                yield from screen.rest(0.8)
+                screen.swap()
+                told[f"{name} {overlays}"] = float(np.median(screen.picture()))
+            yield from at_rest()
+            told[f"{name} {overlays} after"] = float(np.median(screen.picture()))
+    return told
+
+
+def reshape(mesh):
+    mesh.transform(Matrix.Scale(1.1, 4))
+    mesh.update()
+
+
+def at_rest():
+    yield from screen.rest(0.5)
+    yield from screen.until(lambda: is_calm())
+    screen.swap()
 
 
 def corner():

@@ -32,3 +32,13 @@ def test_before_the_first_picture_there_are_words_and_an_old_one_moves_with_the_
     assert found["moved"] > 20
     ink = found["ink"]
     assert min(ink["before"], ink["there"], ink["after"]) > 0.4 and ink["not there"] < 0.1
+
+
+def test_no_old_picture_stands_as_it_was_under_overlays_of_objects_that_have_moved(play):
+    paper = play("left_behind")
+    bright = paper.pop("nothing True after")
+    assert bright > 0.9
+    moved = {f"{what} True" for what in ("light", "object", "mesh", "hidden")}
+    faded = {name for name, value in paper.items() if value < bright - 0.1}
+    assert faded == moved, paper
+    assert all(abs(value - bright) < 0.02 for name, value in paper.items() if name not in moved), paper
