@@ -161,6 +161,17 @@ TEST(Filters, IntersectionsAreForSetsOfEitherPlacement) {
     EXPECT_TRUE(segments(extract(scene, {all}, hidden)).empty()) << "both must show it";
 }
 
+TEST(Filters, IntersectionsOfOtherShapesAreLeftToTheNextSet) {
+    const Scene scene({place(box()), place(box(), moved({0.7, 0.6, 0.5}), 2)});
+    const LineSet all = line_set({"intersection"});
+    LineSet smooth = all, hard = all;
+    smooth.surfaces = Surfaces::smooth;
+    hard.surfaces = Surfaces::hard;
+    const auto whole = segments(extract(scene, {all})).at(0);
+    EXPECT_EQ(segments(extract(scene, {smooth, all})), (Segments{{1, whole}}));
+    EXPECT_EQ(segments(extract(scene, {hard, all})), (Segments{{0, whole}}));
+}
+
 TEST(Filters, IntersectionsAreOfTheMaterialsOfBothFaces) {
     const Scene scene({place(capped_box(), dmat4(1.0), 1), place(box(), moved({0.7, 0.6, 1.0}), 2)});
     const LineSet all = line_set({"intersection"});

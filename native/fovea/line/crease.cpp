@@ -30,7 +30,7 @@ const Parameters<Crease> parameters{
      "Least angle between the normals of the two faces", Per::object},
     {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"},
     {&Crease::length, "length", "Length", 6.0, 0.0, 1000.0, Unit::none,
-     "Least length of a crease that touches no edge marked sharp, in units of the feature size, on surfaces that are "
+     "Least length of a crease that touches no edge marked sharp, in sizes of the features, on surfaces that are "
      "not hard"}};
 
 void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {

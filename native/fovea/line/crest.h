@@ -13,9 +13,9 @@ struct CrestValues : ThresholdValues {
 
 inline Parameters<CrestValues> crest_parameters() {
     return threshold_parameters<CrestValues>(0.1, 0.5, 6.0,
-                                             "Curvature that a line reaches somewhere, in units of 1 / feature size")
+                                             "Curvature that a line reaches somewhere, relative to the size of the features")
         .with({{&CrestValues::sharpness, "sharpness", "Sharpness", 0.002, 0.0, 100.0, Unit::none,
-                "Least second derivative of the curvature across the line, in units of 1 / feature size cubed"},
+                "How steeply curvature falls to both sides of the line at least, relative to the size of the features"},
                {&CrestValues::prominence, "prominence", "Prominence", 0.0, 0.0, 1.0, Unit::none,
                 "Least share by which curvature falls to both sides, half a radian of turning away: ripples of tubes "
                 "and limbs do not"}});

@@ -31,7 +31,7 @@ Parameters<P> image_parameters(double threshold, const char* meaning, double sig
     return {{&P::threshold, "threshold", "Threshold", threshold, 0.0, 1.0, Unit::none, meaning},
             {&P::low, "low", "Low", 0.4, 0.0, 1.0, Unit::none,
              "Share of the threshold down to which a line goes on, fading"},
-            {&P::sigma, "sigma", "Sigma", sigma, 1.0, 50.0, Unit::pixels,
+            {&P::sigma, "sigma", "Smoothing", sigma, 1.0, 50.0, Unit::pixels,
              "Width of the smoothing, in pixels of a picture 1080 high"},
             {&P::outline, "outline", "Outline", true, "Also lines of the outline, against a light background"},
             {&P::light_right, "light_right", "Light Right", 0.0, -180.0, 180.0, Unit::degrees,

@@ -10,7 +10,7 @@ namespace fovea::line {
 namespace {
 
 const auto parameters = threshold_parameters<ThresholdValues>(
-    0.05, 0.5, 2.0, "Gradient of n . v that a line reaches somewhere, in units of 1 / feature size");
+    0.05, 0.5, 2.0, "How quickly shading changes, that a line reaches somewhere, relative to the size of the features");
 
 Curves find(const SurfaceView& seen, const ThresholdValues& values) {
     const Thresholds thresholds(seen.surface, values, 1);

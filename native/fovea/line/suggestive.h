@@ -9,8 +9,8 @@ namespace fovea::line {
 
 inline Parameters<ThresholdValues> suggestive_parameters(double threshold) {
     return threshold_parameters<ThresholdValues>(threshold, 0.5, 2.0,
-                                                 "Strength that a line reaches somewhere: tan(theta) D_W k_r, "
-                                                 "in units of 1 / feature size squared");
+                                                 "How clearly the surface begins to turn away, that a line reaches "
+                                                 "somewhere, relative to the size of the features");
 }
 
 /// Zeros of the radial curvature on front-facing parts where sign * tan(theta) D_w k_r exceeds the threshold: the

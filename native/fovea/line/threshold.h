@@ -21,7 +21,7 @@ Parameters<P> threshold_parameters(double threshold, double low, double length, 
             {&P::low, "low", "Low Threshold", low, 0.0, 1.0, Unit::none,
              "Share of the threshold above which a line goes on that reaches the threshold somewhere"},
             {&P::length, "length", "Length", length, 0.0, 1000.0, Unit::none,
-             "Least length of a line as strong as the threshold, in units of the feature size; "
+             "Least length of a line as strong as the threshold, in sizes of the features; "
              "a stronger one may be shorter"}};
 }
 

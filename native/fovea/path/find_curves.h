@@ -32,7 +32,7 @@ std::vector<std::pair<Index, FoundCurves>> find_curves_in_scene(const Scene& sce
                                                                 const Cancel& cancel);
 
 /// Calls visit(index of set, kind, rule) for all requested definitions whose rule is a Rule, except those already
-/// requested by an earlier set without filters.
+/// requested by an earlier set that is for all surfaces.
 template <typename Rule, typename Visit>
 void each_with_rule(const std::vector<LineSet>& sets, const Visit& visit) {
     Kinds done = 0;
@@ -40,7 +40,7 @@ void each_with_rule(const std::vector<LineSet>& sets, const Visit& visit) {
         for (const LineKind& kind : sets[s].kinds) {
             const auto* rule = std::get_if<Rule>(&line_definitions()[kind.definition]->rule);
             if (!rule || (done >> kind.definition & 1)) continue;
-            if (sets[s].is_for_all()) done |= Kinds(1) << kind.definition;
+            if (sets[s].is_for_all_shapes()) done |= Kinds(1) << kind.definition;
             visit(s, kind, *rule);
         }
 }

@@ -33,6 +33,10 @@ struct LineSet {
     Surfaces surfaces = Surfaces::all;
 
     bool is_for_all() const { return placements.empty() && materials.row.empty(); }
+    /// Whether it is for all, whatever the shape of their surfaces.
+    bool is_for_all_shapes() const {
+        return is_for_all() && (surfaces == Surfaces::all || surfaces == Surfaces::suited);
+    }
 };
 
 /// Per-placement overrides, which apply to all line sets.

@@ -32,7 +32,7 @@ struct Elision {
         Field{"enabled", &Elision::enabled, "Line Thinning",
               "Thin lines that go alongside each other nearer than the minimum distance of their pens"},
         Field{"fade_from", &Elision::fade_from, "Fade Threshold",
-              "Share of its room that a line must have to show at all", room},
+              "Share of the distance around it that a line must have for itself to show at all", room},
         Field{"cut", &Elision::cut, "Min Opacity", "Lines that are fainter are left out altogether", room},
         Field{"frames", &Elision::frames, "Temporal Smoothing",
               "Renders smooth how lines come and go over so many frames before and after each, and take as many times "
