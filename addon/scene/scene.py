@@ -7,6 +7,7 @@ from functools import partial
 import bpy
 import numpy as np
 
+from .. import native
 from . import bare_shapes, cut_outs, detail, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 from .snapshot import Origin, Snapshot
@@ -266,19 +267,21 @@ def _sizes(depsgraph):
 def placed(core, snapshot):
     """The native Scene of a Snapshot."""
     found = snapshot
-    return core.Scene(
-        found.surfaces,
-        found.surface_of_placement,
-        found.object_to_world,
-        found.persistent_id,
-        found.usage,
-        found.of_origins("group", np.uint64),
-    )
+    with native.refusals():
+        return core.Scene(
+            found.surfaces,
+            found.surface_of_placement,
+            found.object_to_world,
+            found.persistent_id,
+            found.usage,
+            found.of_origins("group", np.uint64),
+        )
 
 
 def seen(core, view):
     """The native View of a stages.View."""
-    return core.View(**vars(view))
+    with native.refusals():
+        return core.View(**vars(view))
 
 
 def has_anything(scene):

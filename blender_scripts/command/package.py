@@ -99,9 +99,9 @@ def _installed_folders(target):
 
 
 def _remove_damaged(target, content):
-    """Removes what is installed of other content: a Blender that starts loads what is enabled, and ends where its module
-    is damaged. Of the same content, what Python has compiled: it is loaded instead, and nothing tells whether it is
-    damaged."""
+    """Removes what is installed of other content: a Blender that starts loads what is enabled, and ends where its
+    module is damaged. Of the same content, what Python has compiled: it is loaded instead, and nothing tells whether it
+    is damaged."""
     for folder in _installed_folders(target):
         if _content(folder) != content:
             shutil.rmtree(folder)

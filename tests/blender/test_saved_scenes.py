@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A .blend that `fovea scene` reports is complete: truncation by a full disk is detected, and the previous file stays."""
+"""A .blend that `fovea scene` reports is complete: truncation by a full disk is detected; the previous file stays."""
 
 import sys
 from pathlib import Path
