@@ -44,6 +44,11 @@ def load():
     return module
 
 
+def cancelled():
+    """The exception that ends what polls a Cancel."""
+    return load().Cancelled("cancelled")
+
+
 def _file_of(module):
     """(inode, modification time in ns, size) of the module's file, to detect its replacement; None if missing."""
     try:

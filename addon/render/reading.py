@@ -31,8 +31,8 @@ class Reader:
         self.surfaces, self.colors = surfaces.SurfaceCache(core, refit=refit), color_sources.ColorCache(core)
 
     def read(self, depsgraph, chosen, viewport=None, with_colors=False, cancel=None):
-        """The Read of a depsgraph for a Style. `viewport`: the SpaceView3D whose local view applies, or None. `cancel`: a
-        native Cancel that is polled, or None."""
+        """The Read of a depsgraph for a Style. `viewport`: the SpaceView3D whose local view applies, or None. `cancel`:
+        a native Cancel that is polled, or None."""
         start, core, cache = time.perf_counter(), native.load(), self.surfaces
         with_marks = catalogue.read_edge_marks(chosen.line_sets)
         colors = color_sources.Gathering(core, self.colors) if with_colors and chosen.has_color() else None

@@ -9,7 +9,8 @@ from .problem import CannotDraw
 
 def px_per_unit(depsgraph, cancel=None):
     """{full name of an object: pixels of the final render per unit of its space, where an instance of it comes nearest
-    to the scene's camera, rounded up to a power of two}; {} without a camera that can be drawn with. `cancel` as for instances.read."""
+    to the scene's camera, rounded up to a power of two}; {} without a camera that can be drawn with. `cancel`
+    as for instances.read."""
     try:
         view = camera.of_scene(depsgraph)
     except CannotDraw:

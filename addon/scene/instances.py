@@ -41,7 +41,8 @@ def placements(depsgraph, viewport):
 
 def read(instances, meet, cancel=None):
     """Of all k instances, in order: (k, 4, 4) float64 object-to-world matrices, (k, 8) int32 persistent ids, and (k,)
-    int32 kinds. Instances of a kind differ in their places alone: `meet(instance)` is called with the first of each. `cancel`: a native Cancel, which is polled, or None."""
+    int32 kinds. Instances of a kind differ in their places alone: `meet(instance)` is called with the first of each.
+    `cancel`: a native Cancel, which is polled, or None."""
     count = len(instances)
     matrices, persistent = np.empty((count, 16), np.float32), np.empty((count, 8), np.int32)
     known, kinds = {}, array("i")
@@ -49,8 +50,8 @@ def read(instances, meet, cancel=None):
     for instance in each if AT_ONCE else _filling(each, matrices, persistent):
         if cancel and not len(kinds) % POLLED and cancel.requested:
             if not AT_ONCE:
-                deque(each, maxlen=0)
-            raise native.load().Cancelled("cancelled")
+                deque(each, maxlen=0)  # to their end
+            raise native.cancelled()
         # The object of an instance is a temporary copy, all of them at one address, and the Python object that is made
         # for each is never freed where nodes gave it other data: so none is made where there is a source.
         data, source = instance.path_resolve("object.data"), instance.instance_object or instance.object

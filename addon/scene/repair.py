@@ -24,7 +24,8 @@ MOST_TRIANGLES = 10_000_000
 REMARKS = {  # counts of a native RepairReport -> text
     "turned_polygons": "faces were turned around",
     "refused_polygons": "faces are not manifold and were left as they are",
-    "too_many_triangles": f"triangles are more than {MOST_TRIANGLES:,}, so it was not resampled: set a longer Edge Length",
+    "too_many_triangles": f"triangles are more than {MOST_TRIANGLES:,}, so it was not resampled: "
+    "set a longer Edge Length",
 }
 REMOVED = {"repair_weld": "Weld", "repair_smooth": "Smooth"}  # settings of old files -> the modifier to use instead
 
