@@ -4,6 +4,7 @@
 import importlib
 import os
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 UNSET = 0xFFFFFFFF  # index value for "none"
@@ -11,6 +12,21 @@ UNSET = 0xFFFFFFFF  # index value for "none"
 
 class Unavailable(RuntimeError):
     """The native module cannot be used; the message is for the user."""
+
+
+class Refused(ValueError):
+    """The core refuses what it is to draw; the message is one sentence for the user."""
+
+
+@contextmanager
+def refusals():
+    """Context in which what the core refuses raises Refused; a ValueError of Python that is called stays one."""
+    try:
+        yield
+    except ValueError as error:
+        if error.__traceback__.tb_next.tb_next:  # neither here nor in the context, but further in
+            raise
+        raise Refused(str(error)) from error
 
 
 def load():
@@ -26,6 +42,11 @@ def load():
     if vars(module).get("notes", {"loaded_from": None}).setdefault("loaded_from", file) != file:
         raise Unavailable("Fovea has been updated while Blender was running; start Blender again")
     return module
+
+
+def cancelled():
+    """The exception that ends what polls a Cancel."""
+    return load().Cancelled("cancelled")
 
 
 def _file_of(module):

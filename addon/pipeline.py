@@ -22,19 +22,20 @@ def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=
     style has a color layer. `near`: {frame offset: ShownLines of that frame}, needed if `frames_near` is above 0.
     `progress(share, stage)` is called before each stage, with the share done in [0, 1]. `cancel`: native Cancel."""
     core = native.load()
-    return core.Frame(
-        scene,
-        view,
-        chosen,
-        options=asked,
-        assets=_assets(core),
-        backend=backend,
-        overrides=notes,
-        colors=colors,
-        near=near or {},
-        cancel=cancel,
-        progress=progress,
-    )
+    with native.refusals():
+        return core.Frame(
+            scene,
+            view,
+            chosen,
+            options=asked,
+            assets=_assets(core),
+            backend=backend,
+            overrides=notes,
+            colors=colors,
+            near=near or {},
+            cancel=cancel,
+            progress=progress,
+        )
 
 
 def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
@@ -49,7 +50,8 @@ def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
 def draw(scene, view, chosen, backend, asked, **beside):
     """Renders a scene to an Image; arguments as for `frame`."""
     made = frame(scene, view, chosen, backend, asked, **beside)
-    made.picture()
+    with native.refusals():
+        made.picture()
     statistics = {
         "stages": made.stages,
         "strokes": made.strokes.count,

@@ -108,7 +108,7 @@ class Backend(native.load().Backend):
         passes = ElisionPass(self._programs, elision, self.batch_samples)
         for box in boxes(frame.view.width, frame.view.height, self._elision_side(elision)):
             if frame.cancel.requested:
-                raise native.load().Cancelled("cancelled")
+                raise native.cancelled()
             passes.look(box, frame.view, self.clock)
         crowding = passes.read()
         self.clock.mark("read")

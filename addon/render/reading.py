@@ -30,13 +30,14 @@ class Reader:
         core = native.load()
         self.surfaces, self.colors = surfaces.SurfaceCache(core, refit=refit), color_sources.ColorCache(core)
 
-    def read(self, depsgraph, chosen, viewport=None, with_colors=False):
-        """The Read of a depsgraph for a Style. `viewport`: the SpaceView3D whose local view applies, or None."""
+    def read(self, depsgraph, chosen, viewport=None, with_colors=False, cancel=None):
+        """The Read of a depsgraph for a Style. `viewport`: the SpaceView3D whose local view applies, or None. `cancel`:
+        a native Cancel that is polled, or None."""
         start, core, cache = time.perf_counter(), native.load(), self.surfaces
         with_marks = catalogue.read_edge_marks(chosen.line_sets)
         colors = color_sources.Gathering(core, self.colors) if with_colors and chosen.has_color() else None
         noted = notes.Gathering(core, self.colors, chosen)
-        beside = {"colors": colors, "notes": noted}
+        beside = {"colors": colors, "notes": noted, "cancel": cancel}
         found = scene.gather(
             depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
         )

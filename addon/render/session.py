@@ -95,12 +95,12 @@ def reported(tell, what="this view"):
         tell(f"Fovea could not draw this: {type(error).__name__}: {error}")
 
 
-def gather(engine, depsgraph, chosen, viewport=None, with_colors=True):
+def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=None):
     """The Read of the depsgraph's scene for a Style, reported and cached. `viewport`: its SpaceView3D; None for a final
-    render. CannotDraw if the scene is empty."""
+    render. `cancel`: a native Cancel, or None. CannotDraw if the scene is empty."""
     if depsgraph.mode not in readers:
         readers[depsgraph.mode] = reading.Reader(refit=depsgraph.mode == "VIEWPORT")
-    found = readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors)
+    found = readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors, cancel)
     if not found.snapshot.surfaces and not scene.has_anything(depsgraph.scene):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     report_skipped(engine, found.built, found.remarks)
@@ -139,7 +139,7 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
             near = lines_near(engine, depsgraph, chosen, backend, options, cancel)
             near_s = time.perf_counter() - start if near else 0.0
             # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
-            found = gather(engine, depsgraph, chosen, with_colors=not lines_alone)
+            found = gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
             return found, make(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near), near_s
         except core.Cancelled:
             return None
@@ -155,7 +155,7 @@ def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
 def _shown_lines(engine, depsgraph, backend, options, cancel):
     """ShownLines of the frame that a final render's depsgraph is evaluated at; None if nothing is elided there."""
     chosen = properties.style_of(depsgraph.scene_eval)  # the evaluated scene has the animated values of that frame
-    found = gather(engine, depsgraph, chosen, with_colors=False)
+    found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):

@@ -9,6 +9,7 @@ import numpy as np
 from ..stages import REFERENCE_HEIGHT, View
 from .problem import CannotDraw
 
+FARTHEST = 1e29  # largest coordinate of a camera
 LEAST_VOLUME = 1e-6  # smallest |determinant| accepted for a camera's normalized axes
 OBJECT_CLIP = 0.1, 100.0  # near and far of Blender's projection for objects that are not cameras
 
@@ -122,7 +123,13 @@ def _clip_distances(camera, otherwise):
 def _world_to_view(camera, camera_to_world):
     """(4, 4) inverse of a camera-to-world matrix. CannotDraw if it is singular."""
     matrix = np.array(camera_to_world, np.float64)
-    if not (np.isfinite(matrix).all() and abs(np.linalg.det(matrix[:3, :3])) > LEAST_VOLUME):
+    # Blender normalizes axes that are no numbers to 0.
+    if not (np.isfinite(camera.matrix_world).all() and np.abs(matrix).max() < FARTHEST):
+        raise CannotDraw(
+            f"Camera '{camera.name}' is nowhere: its location, rotation or scale, or that of its parents, is not a "
+            f"number or beyond {FARTHEST:g}; reset them"
+        )
+    if not abs(np.linalg.det(matrix[:3, :3])) > LEAST_VOLUME:
         raise CannotDraw(
             f"Camera '{camera.name}' looks in no direction, as it is scaled to 0: "
             "clear its scale, or that of its parents"

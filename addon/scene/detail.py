@@ -7,9 +7,10 @@ from . import camera, instances
 from .problem import CannotDraw
 
 
-def px_per_unit(depsgraph):
+def px_per_unit(depsgraph, cancel=None):
     """{full name of an object: pixels of the final render per unit of its space, where an instance of it comes nearest
-    to the scene's camera, rounded up to a power of two}; {} without a camera that can be drawn with."""
+    to the scene's camera, rounded up to a power of two}; {} without a camera that can be drawn with. `cancel`
+    as for instances.read."""
     try:
         view = camera.of_scene(depsgraph)
     except CannotDraw:
@@ -20,7 +21,7 @@ def px_per_unit(depsgraph):
         names.append(instance.object.name_full)
         boxes.append(np.array(instance.object.bound_box))
 
-    matrices, _, kinds = instances.read(depsgraph.object_instances, meet)
+    matrices, _, kinds = instances.read(depsgraph.object_instances, meet, cancel)
     boxes = np.reshape(boxes, (-1, 8, 3))
     lowest, highest = boxes.min(axis=1)[kinds], boxes.max(axis=1)[kinds]
     to_view = view.world_to_view @ matrices

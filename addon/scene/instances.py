@@ -2,10 +2,14 @@
 """The instances of a depsgraph as arrays."""
 
 from array import array
+from collections import deque
 
 import bpy
 import numpy as np
 
+from .. import native
+
+POLLED = 1 << 10  # instances from one look at a Cancel to the next
 # Blender 4.3 never frees the instances of an object, 250 bytes each, where a traversal ends among them, as that of
 # foreach_get does. 5.2 does; between them, nobody has looked.
 AT_ONCE = bpy.app.version >= (5, 2)
@@ -35,13 +39,19 @@ def placements(depsgraph, viewport):
     return told, *(array[of_instance >= 0].tobytes() for array in (of_instance, matrices, persistent))
 
 
-def read(instances, meet):
+def read(instances, meet, cancel=None):
     """Of all k instances, in order: (k, 4, 4) float64 object-to-world matrices, (k, 8) int32 persistent ids, and (k,)
-    int32 kinds. Instances of a kind differ in their places alone: `meet(instance)` is called with the first of each."""
+    int32 kinds. Instances of a kind differ in their places alone: `meet(instance)` is called with the first of each.
+    `cancel`: a native Cancel, which is polled, or None."""
     count = len(instances)
     matrices, persistent = np.empty((count, 16), np.float32), np.empty((count, 8), np.int32)
     known, kinds = {}, array("i")
-    for instance in instances if AT_ONCE else _filling(instances, matrices, persistent):
+    each = iter(instances)
+    for instance in each if AT_ONCE else _filling(each, matrices, persistent):
+        if cancel and not len(kinds) % POLLED and cancel.requested:
+            if not AT_ONCE:
+                deque(each, maxlen=0)  # to their end
+            raise native.cancelled()
         # The object of an instance is a temporary copy, all of them at one address, and the Python object that is made
         # for each is never freed where nodes gave it other data: so none is made where there is a source.
         data, source = instance.path_resolve("object.data"), instance.instance_object or instance.object

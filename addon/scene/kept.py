@@ -8,7 +8,6 @@ the limit. The process's memory may shrink by less, because the allocator keeps 
 """
 
 import itertools
-import os
 import weakref
 from dataclasses import dataclass
 
@@ -39,11 +38,6 @@ def set_limit(megabytes):
     global limit
     limit = megabytes * MEGABYTE
     trim()
-
-
-def room():
-    """Bytes that one mesh may take: the limit or, without one, half of the machine's memory."""
-    return limit or os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2
 
 
 def add_cache(cache):

@@ -4,7 +4,7 @@
 from .. import native, style
 from .problem import CannotDraw
 
-TOLD = (CannotDraw, native.Unavailable, style.StyleError)  # errors whose messages are for the user
+TOLD = (CannotDraw, native.Unavailable, native.Refused, style.StyleError)  # errors whose messages are for the user
 
 
 class Operator:

@@ -18,10 +18,14 @@ class Repair:
 
 
 NOTHING = Repair()
+# A mesh of which resampling makes more is not resampled: 6 GB are needed meanwhile. It is the same on every machine and
+# with every Memory Limit, because pictures may not depend on these.
+MOST_TRIANGLES = 10_000_000
 REMARKS = {  # counts of a native RepairReport -> text
     "turned_polygons": "faces were turned around",
     "refused_polygons": "faces are not manifold and were left as they are",
-    "too_many_triangles": "triangles are more than memory holds, so it was not resampled: set a longer Edge Length",
+    "too_many_triangles": f"triangles are more than {MOST_TRIANGLES:,}, so it was not resampled: "
+    "set a longer Edge Length",
 }
 REMOVED = {"repair_weld": "Weld", "repair_smooth": "Smooth"}  # settings of old files -> the modifier to use instead
 

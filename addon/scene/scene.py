@@ -7,6 +7,7 @@ from functools import partial
 import bpy
 import numpy as np
 
+from .. import native
 from . import bare_shapes, cut_outs, detail, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 from .snapshot import Origin, Snapshot
@@ -235,19 +236,19 @@ class _Gathering:
         return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
 
 
-def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None):
+def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None, cancel=None):
     """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `images`: an
     ImageCache for opacity, None: nothing is cut out. `colors`: a color_sources.Gathering to fill, or None; `notes`: a
-    notes.Gathering to fill, or None.
+    notes.Gathering to fill, or None. `cancel`: a native Cancel, or None.
 
     Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to; hair and point clouds by
     bare_shapes.py. Hidden objects and collections are not among the depsgraph's instances.
     """
     beside = [beside for beside in (colors, notes) if beside]
-    sizes = _sizes(depsgraph) if images else {}
+    sizes = _sizes(depsgraph, cancel) if images else {}
     gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes)
     cache.begin()
-    matrices, persistent, kinds = instances.read(depsgraph.object_instances, gathering.meet)
+    matrices, persistent, kinds = instances.read(depsgraph.object_instances, gathering.meet, cancel)
     for step in np.flatnonzero(np.isin(kinds, list(gathering.lights))) if colors else ():
         colors.add_light(gathering.lights[kinds[step]], matrices[step])
     # View layers and viewports may show different parts of a scene in alternating passes.
@@ -257,29 +258,31 @@ def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, col
     return found
 
 
-def _sizes(depsgraph):
+def _sizes(depsgraph, cancel):
     """How large objects are seen (detail.px_per_unit), in files in which some material is cut out."""
     if not bpy.data.images or not any(slot.cut for slot in materials.slots_of(bpy.data.materials, {})):
         return {}
-    return detail.px_per_unit(depsgraph)
+    return detail.px_per_unit(depsgraph, cancel)
 
 
 def placed(core, snapshot):
     """The native Scene of a Snapshot."""
     found = snapshot
-    return core.Scene(
-        found.surfaces,
-        found.surface_of_placement,
-        found.object_to_world,
-        found.persistent_id,
-        found.usage,
-        found.of_origins("group", np.uint64),
-    )
+    with native.refusals():
+        return core.Scene(
+            found.surfaces,
+            found.surface_of_placement,
+            found.object_to_world,
+            found.persistent_id,
+            found.usage,
+            found.of_origins("group", np.uint64),
+        )
 
 
 def seen(core, view):
     """The native View of a stages.View."""
-    return core.View(**vars(view))
+    with native.refusals():
+        return core.View(**vars(view))
 
 
 def has_anything(scene):

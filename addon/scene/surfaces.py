@@ -11,8 +11,6 @@ from . import repair as repairs
 from .shapes import AUTOMATIC, HARD, AtRest
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
-BYTES_RESAMPLED = 600  # per expected triangle, while a mesh is resampled
-
 
 REMARKS = {  # counts of a surface's report -> text
     "non_finite_vertices": "vertices have no position and were left out",
@@ -174,8 +172,7 @@ class SurfaceCache:
         """A native Mesh, repaired if `repair` is not None; adds a remark on what was repaired."""
         if not repair:
             return mesh
-        most = kept.room() // BYTES_RESAMPLED
-        repaired = self._core.RepairedMesh(name, mesh, **repair.words(), most_triangles=most)
+        repaired = self._core.RepairedMesh(name, mesh, **repair.words(), most_triangles=repairs.MOST_TRIANGLES)
         if told := remark(name, repaired.report, repairs.REMARKS):
             self.remarks.append(told)
         return repaired.mesh

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The part of `fovea` that runs inside a suite or with the user's own Blender; blender_scripts/fovea starts it."""
 
+import contextlib
 import importlib
 import signal
 import sys
@@ -8,7 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from command import temporary
+from command import printed, temporary
 from command.target import INTERRUPTS, StepFailed, Target, say
 
 # Sub-commands with a module of their own; the others are functions of `actions`.
@@ -19,6 +20,7 @@ def main(words):
     """words: NAME WORK CACHE BLENDER PYTHON_INCLUDE SUB-COMMAND ARGUMENTS..."""
     for number in INTERRUPTS:
         signal.signal(number, interrupt)
+    printed.watch()
     work = Path(words[1])
     try:
         with temporary.folder(work / "tmp") as held:
@@ -31,10 +33,14 @@ def main(words):
         say(str(failure))
     except MemoryError:
         say(f"{words[5]}: memory is too small for this: take a simpler model, or a smaller --size")
+    except printed.Unprinted as reason:
+        say(f"{words[5]}: what it prints could not be written ({reason}): make room, or send it elsewhere")
     except (ValueError, OSError) as error:
         say(f"{words[5]}: {error}")
     except KeyboardInterrupt:
         return 130  # blender_scripts/fovea says so
+    with contextlib.suppress(printed.Unprinted):  # the error is told already
+        sys.stdout.flush()
     return 1
 
 

@@ -43,19 +43,20 @@ def importable(target):
 
 
 def package(target, folder=None):
-    """The validated zip of the staged package; reused if it was built from identical files."""
+    """The validated zip of the staged package; reused if it was built from identical files and is as it was built."""
     folder = folder or stage(target)
     manifest = tomllib.loads((folder / "blender_manifest.toml").read_text(encoding="utf-8"))
     archive = target.work / "package" / f"{ID}-{manifest['version']}.zip"
     stamp, fresh = target.work / "packaged", archive.with_name("fresh.zip")
     with target.lock():
         content = _content(folder)
-        if not (archive.exists() and stamp.exists() and stamp.read_text() == content):
+        if not (archive.is_file() and stamp.exists() and stamp.read_text() == f"{content} {_digest(archive)}"):
             fresh.unlink(missing_ok=True)
+            _remove_damaged(target, content)
             extension(target, "packaging", "build", "--source-dir", folder, "--output-filepath", fresh)
             extension(target, "validating the package", "validate", fresh)
             fresh.replace(archive)
-            stamp.write_text(content)
+            stamp.write_text(f"{content} {_digest(archive)}")
     return archive
 
 
@@ -69,6 +70,8 @@ def install(target):
     def installed():
         return stamp.exists() and stamp.read_text() == _installation(target, content) and _is_installed(target, content)
 
+    with target.lock():  # not while another part installs it
+        _remove_damaged(target, content)
     if installed():
         return
     archive = package(target, folder)
@@ -87,8 +90,24 @@ def extension(target, sentence, *words):
 
 def _is_installed(target, content):
     """Whether a package of this content (digest) is installed in the target's home."""
-    folders = target.home.glob(f".config/blender/*/extensions/user_default/{ID}")
-    return any(_content(folder) == content for folder in folders)
+    return any(_content(folder) == content for folder in _installed_folders(target))
+
+
+def _installed_folders(target):
+    """Where the extension is installed in the target's home: a folder for each version of Blender."""
+    return [place for place in target.home.glob(f".config/blender/*/extensions/user_default/{ID}") if place.is_dir()]
+
+
+def _remove_damaged(target, content):
+    """Removes what is installed of other content: a Blender that starts loads what is enabled, and ends where its
+    module is damaged. Of the same content, what Python has compiled: it is loaded instead, and nothing tells whether it
+    is damaged."""
+    for folder in _installed_folders(target):
+        if _content(folder) != content:
+            shutil.rmtree(folder)
+        else:
+            for file in folder.rglob("*.pyc"):
+                file.unlink()
 
 
 def _installation(target, content):
@@ -96,7 +115,7 @@ def _installation(target, content):
     extensions in another folder, and the preferences, which enable it."""
     blender = os.stat(shutil.which(target.blender) or target.blender)
     preferences = sorted(target.home.glob(".config/blender/*/config/userpref.blend"))
-    digests = [hashlib.sha256(file.read_bytes()).hexdigest() for file in preferences]
+    digests = [_digest(file) for file in preferences]
     return " ".join([content, str(blender.st_size), str(blender.st_mtime_ns), *digests])
 
 
@@ -105,5 +124,9 @@ def _content(folder):
     digest = hashlib.sha256()
     for file in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"):
         digest.update(f"{file.relative_to(folder)}\0".encode())
-        digest.update(hashlib.sha256(file.read_bytes()).digest())
+        digest.update(f"{_digest(file)}\n".encode())
     return digest.hexdigest()
+
+
+def _digest(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest()

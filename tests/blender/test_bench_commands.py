@@ -90,7 +90,8 @@ def test_bench_scale_tells_times_memory_and_stages_of_every_count(capfd):
     assert [(row["scene"], row["count"]) for row in rows] == counts
     for row in rows:
         assert row["first_s"] > 0 and row["moved_s"] > 0 and row["blank_s"] >= 0, row
-        assert row["peak_mb"] >= row["scene_mb"] > 0 and row["strokes"] > 0
+        assert row["peak_mb"] >= row["scene_mb"] > 0 and row["strokes"] > 0 and row["exponents"].keys() <= row.keys()
+        assert row["blank_mb"] > 0 and row["own_mb"] == max(0, row["peak_mb"] - row["blank_mb"])
         assert are_times(row["first_stages"]) and are_times(row["moved_stages"])
         assert sum(row["first_stages"].values()) <= row["first_s"]  # seconds, both
     assert "first" in scale.table(rows).splitlines()[2]

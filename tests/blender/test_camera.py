@@ -172,6 +172,8 @@ UNUSABLE = {
         "set its Clip Start below its Clip End",
     ),
     "scaled to 0": (lambda obj: setattr(obj, "scale", (0, 1, 1)), "'Camera' looks in no direction"),
+    "far away": (lambda obj: setattr(obj, "location", (0, 1e30, 0)), "'Camera' is nowhere: .* beyond 1e"),
+    "no number": (lambda obj: setattr(obj, "rotation_euler", (0, np.nan, 0)), "'Camera' is nowhere: .* not a number"),
     "shifted away": (lambda obj: setattr(obj.data, "shift_x", 1e30), "'Camera' shows nothing"),
 }
 

@@ -27,6 +27,8 @@ ERRORS = {
     "panoramic": (lambda scene: setattr(scene.camera.data, "type", "PANO"), "panoramic"),
     "clips all": (lambda scene: setattr(scene.camera.data, "clip_end", 0.05), "set its Clip Start below its Clip End"),
     "scaled to 0": (lambda scene: setattr(scene.camera, "scale", (1, 0, 1)), "clear its scale"),
+    "far away": (lambda scene: setattr(scene.camera, "location", (1e30, 0, 0)), "'Camera' is nowhere: its location"),
+    "no number": (lambda scene: setattr(scene.camera, "location", (math.nan, 0, 0)), "is not a number"),
     "empty": (lambda scene: bpy.data.objects.remove(bpy.data.objects["Box"]), "empty"),
 }
 
@@ -48,6 +50,14 @@ def test_a_missing_native_module_is_said(scene, tmp_path, monkeypatch):
     monkeypatch.setattr(native, "load", missing)
     with pytest.raises(RuntimeError, match="native module is missing"):
         drawn(scene, tmp_path / "none.png")
+
+
+def test_what_the_core_refuses_is_said_in_its_sentence_alone(scene, tmp_path, monkeypatch, caplog):
+    unseeing = part("stages").View(np.zeros((4, 4)), np.eye(4), 160, 90, True, 0.1, 10.0)
+    monkeypatch.setattr(session.camera, "of_render", lambda *_arguments: unseeing)
+    with pytest.raises(RuntimeError, match="^Error: camera: it looks in no direction; reset its location"):
+        drawn(scene, tmp_path / "none.png")
+    assert not (tmp_path / "none.png").exists() and not caplog.records
 
 
 def test_any_other_failure_is_said_too(scene, tmp_path, monkeypatch, caplog):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Instances are read by what they have in common: once for each object and instancer, their places as arrays."""
 
+import math
 from pathlib import Path
 
 import bpy
@@ -106,12 +107,54 @@ def swap(one, other):
     one.location, other.location = other.location.copy(), one.location.copy()
 
 
-def test_reading_instances_again_takes_no_more_memory():
+class CancelAt:
+    """A Cancel that is requested the n-th time that it is looked at."""
+
+    def __init__(self, number):
+        self.left = number
+
+    @property
+    def requested(self):
+        self.left -= 1
+        assert self.left >= 0, "it was looked at again after it was requested"
+        return self.left == 0
+
+
+def read_until_cancelled(number):
+    """Reads all instances, which ends at the n-th look at a Cancel."""
+    found = bpy.context.evaluated_depsgraph_get().object_instances
+    with pytest.raises(part("native").load().Cancelled):
+        instances.read(found, lambda instance: None, CancelAt(number))
+
+
+@pytest.mark.parametrize("number", [1, 2, 4])
+def test_reading_ends_where_it_is_cancelled(number):
+    points_instancer(math.isqrt(3 * instances.POLLED) + 1)
+    read_until_cancelled(number)
+
+
+def test_a_render_reads_instances_with_its_cancel(monkeypatch):
+    points_instancer(2)
+    add_camera()
+    asked = []
+
+    def read(found, meet, cancel=None):
+        asked.append(cancel)
+        raise part("native").load().Cancelled("cancelled")
+
+    monkeypatch.setattr(instances, "read", read)
+    bpy.context.scene.render.engine = "FOVEA"
+    bpy.ops.render.render()
+    assert [type(cancel) for cancel in asked] == [part("native").load().Cancel]
+
+
+@pytest.mark.parametrize("read", [lambda cache: in_viewport(cache), lambda cache: read_until_cancelled(3)])
+def test_reading_instances_again_takes_no_more_memory(read):
     points_instancer(150)
     cache, sizes = new_cache(), [resident()]
     for _ in range(4):
         for _ in range(10):
-            in_viewport(cache)
+            read(cache)
         sizes.append(resident())
     # Each instance that a traversal leaves behind takes 250 bytes: 56 MB. Other memory grows now and then.
     assert np.diff(sizes).min() < 25 << 20

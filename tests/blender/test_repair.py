@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes that are repaired before drawing, according to their objects' settings."""
 
+import os
+
 import bpy
 import numpy as np
 import pytest
@@ -105,7 +107,7 @@ def test_a_script_that_uses_a_removed_setting_hears_which_modifier_to_add(settin
         getattr(settings, setting)
 
 
-def test_resampling_beyond_memory_leaves_the_mesh_as_it_is_and_says_what_to_do():
+def test_resampling_to_too_many_triangles_leaves_the_mesh_as_it_is_and_says_what_to_do():
     obj = new_object(box_mesh(), "Cube")
     obj.fovea.repair_resample, obj.fovea.repair_edge_length = 100, 1e-4
     cache = new_cache(NATIVE)
@@ -113,27 +115,15 @@ def test_resampling_beyond_memory_leaves_the_mesh_as_it_is_and_says_what_to_do()
     (told,) = cache.remarks
     count = int(told.removeprefix("'Cube': ").split()[0])
     assert 5e9 < count < 6e9  # triangles of sides of 1e-4 on a cube of 24 square units
-    assert told.endswith("more than memory holds, so it was not resampled: set a longer Edge Length")
+    assert told.endswith("more than 10,000,000, so it was not resampled: set a longer Edge Length")
 
 
-def test_the_memory_limit_bounds_resampling(monkeypatch):
+@pytest.mark.parametrize("length, steps, resampled", [(2.2e-3, 50, False), (0.2, 4, True)])
+def test_what_is_resampled_depends_neither_on_memory_nor_on_its_limit(monkeypatch, length, steps, resampled):
     obj = new_object(box_mesh(), "Cube")
-    obj.fovea.repair_resample, obj.fovea.repair_edge_length = 4, 0.2
-    assert only_surface().mesh_edges > 500
-    monkeypatch.setattr(part("scene.kept"), "limit", 100_000)
-    cache = new_cache(NATIVE)
-    assert only_surface(cache).mesh_edges == 12 and "set a longer Edge Length" in cache.remarks[0]
-
-
-def test_reading_is_cancelled_and_then_done_anew():
-    core, cache = part("native").load(), new_cache(NATIVE)
-    obj = new_object(box_mesh(), "Cube")
-    whole = only_surface(cache).positions.copy()
-    obj.data.vertices[0].co.x -= 1.0
-    obj.data.update()
-    cancel = core.Cancel()
-    cancel.cancel()
-    with cancel, pytest.raises(core.Cancelled):
-        only_surface(cache)
-    moved = only_surface(cache).positions
-    assert (moved != whole).any() and (moved == only_surface().positions).all()
+    obj.fovea.repair_resample, obj.fovea.repair_edge_length = steps, length  # 11 million triangles, or 1,400
+    for limit, memory in ((0, 1 << 20), (0, 1 << 50), (100_000, 1 << 40), (1 << 50, 1 << 30)):
+        monkeypatch.setattr(part("scene.kept"), "limit", limit)
+        monkeypatch.setattr(os, "sysconf", {"SC_PHYS_PAGES": memory, "SC_PAGE_SIZE": 1}.__getitem__)
+        cache = new_cache(NATIVE)
+        assert (only_surface(cache).mesh_edges > 500, cache.remarks == []) == (resampled, resampled)

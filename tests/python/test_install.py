@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The extension is installed again only if the installed files differ from the package."""
+"""The extension is packed and installed again only if the zip or the installed files are not those of the package."""
 
 import os
 import shutil
@@ -11,7 +11,8 @@ FILES = {"__init__.py": "", "blender_manifest.toml": "id = 'fovea'", "styles/pla
 
 
 class Installation:
-    """A package of a few files, and a Blender that only copies them. `count`: how often it was asked to."""
+    """A package of a few files, and a Blender that only copies them, and bears nothing else in their place, which it
+    would load. `count`: how often it was asked to."""
 
     def __init__(self, folder, monkeypatch):
         self.staged, self.count = folder / "staged", 0
@@ -27,6 +28,7 @@ class Installation:
         monkeypatch.setattr(package, "extension", self.copy)
 
     def copy(self, target, sentence, *words):
+        assert not self.place.exists() or package._content(self.place) == package._content(self.staged)
         shutil.rmtree(self.place, ignore_errors=True)
         shutil.copytree(words[-1], self.place)
         self.count += 1
@@ -44,9 +46,14 @@ def installation(tmp_path, monkeypatch):
 
 
 def test_what_is_installed_is_left_alone(installation):
-    (installation.place / "__pycache__").mkdir()
-    (installation.place / "__pycache__" / "__init__.cpython-313.pyc").touch()
     assert installation.install() == 1
+
+
+def test_what_python_compiled_may_be_damaged_and_is_not_loaded(installation):
+    compiled = installation.place / "styles" / "__pycache__" / "plain.cpython-313.pyc"
+    compiled.parent.mkdir()
+    compiled.write_bytes(b"junk")
+    assert installation.install() == 1 and not compiled.exists()
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -103,3 +110,34 @@ def test_what_another_part_installs_meanwhile_is_left_alone(installation, monkey
 
     monkeypatch.setattr(package, "package", packed_while_another_part_installs)
     assert installation.install() == 2
+
+
+@pytest.fixture
+def packed(tmp_path, monkeypatch):
+    """Packs a package of one file where a damaged one is installed; returns the zip and how often it was built."""
+    (tmp_path / "staged").mkdir()
+    (tmp_path / "staged/blender_manifest.toml").write_text("version = '1.0.0'")
+    made, built = target.Target("sid", tmp_path / "work", tmp_path / "cache", "blender", ""), []
+    (made.work / "package").mkdir(parents=True)
+    module = made.home / ".config/blender/5.2/extensions/user_default/fovea/_native.so"
+    module.parent.mkdir(parents=True)
+    module.write_bytes(b"damaged")
+
+    def extension(target, sentence, *words):
+        assert not module.exists()  # Blender would load it
+        if words[0] == "build":
+            built.append(words[-1].write_bytes(b"packed"))
+
+    monkeypatch.setattr(package, "extension", extension)
+    return lambda: (package.package(made, tmp_path / "staged"), len(built))
+
+
+def test_a_zip_is_built_once(packed):
+    assert packed() == packed() and packed()[1] == 1
+
+
+@pytest.mark.parametrize("damage", [lambda file: os.truncate(file, 3), lambda file: file.unlink()])
+def test_a_damaged_zip_is_built_again(packed, damage):
+    damage(packed()[0])
+    file, count = packed()
+    assert file.read_bytes() == b"packed" and count == 2

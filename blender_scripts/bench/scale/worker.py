@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench scale`: blender -b -P worker.py -- JSON (scene, count, size, out).
 
-Draws a first frame, one after the camera has moved, and then one with an engine that draws nothing: what a frame costs
-Blender itself. Memory is that of the whole process. OUT is written after every frame, so that a timeout does not lose
-earlier results."""
+Draws a frame with an engine that draws nothing, which is what a frame costs Blender itself; then Fovea's first frame,
+and one after the camera has moved. Memory is that of the whole process; own_mb is the part of Fovea's frames above that
+of Blender's. OUT is written after every frame, so that a timeout does not lose earlier results."""
 
 import json
 import math
@@ -34,21 +34,22 @@ def main(asked):
     builders.build(asked["scene"], asked["count"], asked["size"])
     bpy.context.view_layer.update()
     scene, out = bpy.context.scene, Path(asked["out"])
+    bpy.utils.register_class(Blank)
+    scene.render.engine = Blank.bl_idname
+    worker.reset_peak()
+    record = {"scene_mb": megabytes("VmRSS"), "blank_s": seconds(), "blank_mb": megabytes("VmHWM")}
+    out.write_text(json.dumps(record))
     scene.render.engine, scene.fovea.backend = "FOVEA", "CPU"
     worker.reset_peak()
-    record = {"scene_mb": megabytes("VmRSS")}
     for frame in ("first", "moved"):
         print(f"{frame} frame", flush=True)
         record[f"{frame}_s"] = seconds()
         told = session.last_statistics()
         record[f"{frame}_stages"] = {name: round(ms / 1000, 4) for name, ms in told["stages"].items()}
-        record |= {"strokes": told["strokes"], "peak_mb": megabytes("VmHWM")}
+        record |= {"strokes": told["strokes"], "peak_mb": (peak := megabytes("VmHWM"))}
+        record["own_mb"] = max(0, peak - record["blank_mb"])
         out.write_text(json.dumps(record))
         scene.camera.location.z *= 1.001
-    bpy.utils.register_class(Blank)
-    scene.render.engine = Blank.bl_idname
-    record["blank_s"] = seconds()
-    out.write_text(json.dumps(record))
 
 
 def seconds():
