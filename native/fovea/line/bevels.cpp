@@ -35,9 +35,8 @@ class Bevels {
         : surface_(surface), edges_(surface), least_together_(std::max(least_together, glm::radians(angle))) {}
 
     Array<std::uint8_t> find(In<std::uint8_t> known) const {
-        const auto width = parallel_map<float>(surface_.mesh_edges, [&](std::size_t e) {
-            return !known.empty() && known[e] ? 0.0f : width_at(Index(e));
-        });
+        const auto width = parallel_map<float>(
+            surface_.mesh_edges, [&](std::size_t e) { return !known.empty() && known[e] ? 0.0f : width_at(Index(e)); });
         // Rows of middle edges, by the name of their vertices: length, and width weighted by length.
         DisjointSets rows(surface_.vertex_count());
         for (Index e = 0; e < width.size(); ++e)

@@ -12,8 +12,8 @@ struct CrestValues : ThresholdValues {
 };
 
 inline Parameters<CrestValues> crest_parameters() {
-    return threshold_parameters<CrestValues>(0.1, 0.5, 6.0,
-                                             "Curvature that a line reaches somewhere, relative to the size of the features")
+    return threshold_parameters<CrestValues>(
+               0.1, 0.5, 6.0, "Curvature that a line reaches somewhere, relative to the size of the features")
         .with({{&CrestValues::sharpness, "sharpness", "Sharpness", 0.002, 0.0, 100.0, Unit::none,
                 "How steeply curvature falls to both sides of the line at least, relative to the size of the features"},
                {&CrestValues::prominence, "prominence", "Prominence", 0.0, 0.0, 1.0, Unit::none,
