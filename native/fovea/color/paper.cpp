@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::color {
@@ -72,7 +73,7 @@ vec3 granulated(const vec3& seen, const vec3& under, float share) {
     vec3 result;
     for (int c = 0; c < 3; ++c) {
         const float through = std::max(seen[c], 0.0f) / std::max(under[c], darkest);
-        result[c] = std::max(under[c], darkest) * std::pow(std::max(through, darkest), share);
+        result[c] = std::max(under[c], darkest) * float(power(std::max(through, darkest), share));
     }
     return result;
 }

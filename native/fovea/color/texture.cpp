@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::color {
 namespace {
 
-float decoded(float value) { return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
+float decoded(float value) { return value <= 0.04045f ? value / 12.92f : float(power((value + 0.055f) / 1.055f, 2.4)); }
 
 float encoded_of(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * float(power(linear, 1.0 / 2.4)) - 0.055f;
 }
 
 std::uint8_t byte_of(float value) {
@@ -76,7 +78,7 @@ vec3 ColorTexture::at(const vec2& uv, float footprint) const {
     if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return vec3(0.0f);
     const float size = static_cast<float>(std::max(levels_[0].width, levels_[0].height));
     const float last = static_cast<float>(levels_.size() - 1);
-    const float wanted = std::log2(std::max(footprint * size, 1.0f));
+    const float wanted = float(logarithm(std::max(footprint * size, 1.0f)) * std::numbers::log2e);
     const float level = wanted < last ? wanted : last;  // last level also for NaN
     const auto fine = static_cast<std::size_t>(level);
     const float share = level - static_cast<float>(fine);

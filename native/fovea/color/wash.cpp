@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/color/effects.h>
 
@@ -27,7 +28,7 @@ Array<float> densities(In<vec4> layer, const vec3& ground, float opacity) {
         const vec3 seen = vec3(over) + ground * (1.0f - over.a);
         float through = 1.0f;
         for (int c = 0; c < 3; ++c) through *= std::clamp(seen[c] / std::max(ground[c], darkest), darkest, 1.0f);
-        result[i] = -std::log(through);
+        result[i] = -logarithm(through);
     });
     return result;
 }

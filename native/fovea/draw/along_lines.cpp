@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
 #include <fovea/focus/transfer.h>
 
 namespace fovea::draw {
@@ -101,7 +102,7 @@ Array<float> half_width_px(const style::Style& style, const Paths& paths, const 
     }
     const auto by_focus = if_any(style.effects.density), by_distance = if_any(style.distance.density);
     const auto wanted = [](In<float> map, Index sample) {
-        return map.empty() ? 1.0f : std::pow(most_density, 2.0f * map[sample] - 1.0f);
+        return map.empty() ? 1.0f : float(power(most_density, 2.0 * map[sample] - 1.0));
     };
     Array<float> half_width(clipped.samples, 0.0f);
     each_sample_with_runs(clipped, runs, [&](Index s, Index path) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/fields.h>
 #include <fovea/mesh/corners.h>
@@ -13,7 +14,7 @@ namespace {
 /// Mean normal, weighted by angle, of the triangles around a vertex whose normals are within default_hard_angle of
 /// `own`.
 vec3 smooth_side(const Surface& surface, const Neighbors& all, Index vertex, const vec3& own) {
-    const double least_cosine = std::cos(glm::radians(default_hard_angle));
+    const double least_cosine = cosine(glm::radians(default_hard_angle));
     dvec3 sum(0.0);
     for (const Index t : all.triangles[vertex]) {
         const vec3 normal(surface.facet_plane[surface.triangle_facet[t]]);

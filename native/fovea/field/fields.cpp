@@ -33,6 +33,8 @@ struct Choice {
     std::string reason;
 };
 
+double square(double x) { return x * x; }
+
 /// Number of rings for which a cubic has the least error in C. Noise gives the same residuals for any number of rings
 /// and averages out over more points; the error of the cubic model, on coarse meshes, increases with the number of
 /// rings.
@@ -41,9 +43,9 @@ int rings_for(double noise, const std::function<double(int)>& residual) {
     int best = 0;
     double least = HUGE_VAL;
     for (const int rings : {2, 3, 4, 6}) {
-        const double of_shape = share * std::sqrt(std::max(0.0, std::pow(residual(rings), 2) - noise * noise));
+        const double of_shape = share * std::sqrt(std::max(0.0, square(residual(rings)) - square(noise)));
         const double of_noise = noise / std::sqrt(3.0 * rings * (rings + 1) + 1);
-        const double error = std::hypot(of_shape, of_noise) / std::pow(rings, 3);
+        const double error = std::sqrt(square(of_shape) + square(of_noise)) / (rings * rings * rings);
         if (error >= least) break;
         least = error;
         best = rings;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <fovea/base/elementary.h>
 #include <fovea/field/curvature.h>
 #include <fovea/mesh/height_jet.h>
 
@@ -12,11 +13,11 @@ namespace fovea::field {
 
 /// Sets k1, k2, e1, e2 of `c` from the shape operator [pp pq; pq qq] in the orthonormal frame (p, q), p x q = normal.
 inline void set_principal(CurvatureD& c, const dvec3& p, const dvec3& q, double pp, double pq, double qq) {
-    const double angle = 0.5 * std::atan2(2.0 * pq, pp - qq), cosine = std::cos(angle), sine = std::sin(angle);
-    c.k1 = cosine * cosine * pp + 2 * cosine * sine * pq + sine * sine * qq;
-    c.k2 = sine * sine * pp - 2 * cosine * sine * pq + cosine * cosine * qq;
-    c.e1 = cosine * p + sine * q;
-    c.e2 = cosine * q - sine * p;
+    const double angle = 0.5 * angle_of(2.0 * pq, pp - qq), along = cosine(angle), across = sine(angle);
+    c.k1 = along * along * pp + 2 * along * across * pq + across * across * qq;
+    c.k2 = across * across * pp - 2 * along * across * pq + along * along * qq;
+    c.e1 = along * p + across * q;
+    c.e2 = along * q - across * p;
     if (std::abs(c.k1) >= std::abs(c.k2)) return;
     std::swap(c.k1, c.k2);
     const dvec3 first = c.e1;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <fovea/base/disjoint_sets.h>
+#include <fovea/base/elementary.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/corners.h>
@@ -33,7 +34,7 @@ class HardEdges {
     HardEdges(const Surface& surface, const Lists<Index>& triangles, double hard_angle)
         : surface_(surface),
           triangles_(triangles),
-          least_cosine_(std::cos(glm::radians(std::min(hard_angle, 180.0)))) {}
+          least_cosine_(cosine(glm::radians(std::min(hard_angle, 180.0)))) {}
 
     /// Per edge of the surface.
     Array<std::uint8_t> find() const {
@@ -60,7 +61,7 @@ class HardEdges {
         const dvec3 first = normal(a.facet()), second = normal(b.facet());
         const double cosine = glm::dot(first, second) * (a.forward() == b.forward() ? -1.0 : 1.0);
         if (!(cosine < least_cosine_)) return false;
-        const double turn = std::acos(std::max(cosine, -1.0));
+        const double turn = arc_cosine(std::max(cosine, -1.0));
         return turn > always_hard || turn > outlier * mean_turn_beside(surface_.edges[edge], first, second);
     }
 
@@ -95,7 +96,7 @@ class HardEdges {
             for (const Index t : triangles_[v]) {
                 const dvec3 n = normal(surface_.triangle_facet[t]);
                 ++count;
-                sum += std::acos(std::clamp(std::max(glm::dot(n, first), glm::dot(n, second)), -1.0, 1.0));
+                sum += arc_cosine(std::clamp(std::max(glm::dot(n, first), glm::dot(n, second)), -1.0, 1.0));
             }
         return count ? sum / count : 0.0;
     }

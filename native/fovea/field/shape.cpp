@@ -5,6 +5,7 @@
 #include <cmath>
 #include <format>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/fields.h>
 #include <fovea/field/turn.h>
@@ -17,7 +18,7 @@ constexpr double least_turn = glm::radians(0.25), most_turn = glm::radians(15.0)
 constexpr double most_fine_turn = glm::radians(8.5);  // contours of coarser meshes leave their smooth shape's
 constexpr double least_ratio = 0.1;                   // of the lesser to the greater principal curvature
 constexpr double least_share = 0.42;                  // of the area
-const double fitting = std::cos(glm::radians(25.0));
+const double fitting = cosine(glm::radians(25.0));
 constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
 /// Of larger surfaces a part of the triangles is looked at: runs of so many, as those of a run have vertices in common.

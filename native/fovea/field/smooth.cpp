@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tbb/enumerable_thread_specific.h>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/frames.h>
 #include <fovea/field/normals.h>
@@ -83,7 +84,7 @@ Array<Curvature> smooth(const Surface& surface, const Neighbors& neighbors, cons
                 const dvec3 d = (dvec3(surface.positions[w]) - dvec3(surface.positions[v])) / scale;
                 const double distance2 = glm::dot(d, d), agreement = glm::dot(n, dvec3(c.normal));
                 if (!(distance2 <= reach * reach) || !(agreement > 0.0)) continue;
-                const double weight = std::exp(-0.5 * distance2) * areas[w] * agreement;
+                const double weight = exponential(-0.5 * distance2) * areas[w] * agreement;
                 sum.add(c, Turn(dvec3(c.e1), dvec3(c.e2), dvec3(c.normal), t, b), weight);
                 total += weight;
             }

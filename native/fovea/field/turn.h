@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/mesh/surface.h>
 
 namespace fovea::field {
@@ -18,7 +19,7 @@ inline double cosine_at(const Surface& surface, In<EdgeSide> sides) {
 /// Angle, in radians, between the normals of the two facets at an edge, 0 to pi; 0 where there are not two.
 inline double turn_at(const Surface& surface, Index edge) {
     const In<EdgeSide> sides = surface.sides(edge);
-    return sides.size() == 2 ? std::acos(std::clamp(cosine_at(surface, sides), -1.0, 1.0)) : 0.0;
+    return sides.size() == 2 ? arc_cosine(std::clamp(cosine_at(surface, sides), -1.0, 1.0)) : 0.0;
 }
 
 /// turn_at, negative where the surface is concave.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <fovea/base/elementary.h>
 #include <fovea/field/curvature.h>
 
 namespace fovea::field {
@@ -137,14 +138,14 @@ class ThirdFormByAngle {
           p(Real(0.25) * (c.C[0] - 3 * c.C[2])),
           q(Real(0.25) * (3 * c.C[1] - c.C[3])) {}
     Real operator()(Real t) const {
-        return a * std::cos(t) + b * std::sin(t) + p * std::cos(3 * t) + q * std::sin(3 * t);
+        return a * cosine(t) + b * sine(t) + p * cosine(3 * t) + q * sine(3 * t);
     }
     /// Angle of a local maximum, by Newton steps uphill from t, each limited to 0.2 radians.
     Real climb(Real t) const {
         Real before = t;
         for (int left = 19; left >= 0; --left) {
-            const Real slope = -a * std::sin(t) + b * std::cos(t) - 3 * p * std::sin(3 * t) + 3 * q * std::cos(3 * t);
-            const Real bend = -a * std::cos(t) - b * std::sin(t) - 9 * p * std::cos(3 * t) - 9 * q * std::sin(3 * t);
+            const Real slope = -a * sine(t) + b * cosine(t) - 3 * p * sine(3 * t) + 3 * q * cosine(3 * t);
+            const Real bend = -a * cosine(t) - b * sine(t) - 9 * p * cosine(3 * t) - 9 * q * sine(3 * t);
             const Real limit = Real(0.2);
             const Real move = bend < 0 ? std::clamp(-slope / bend, -limit, limit) : slope > 0 ? limit : -limit;
             const Real next = t + move;
@@ -159,7 +160,7 @@ class ThirdFormByAngle {
 
 template <typename Real>
 DemarcatingOf<Real> demarcating_at(const CurvatureOf<Real>& c, Real angle, Real strength) {
-    DemarcatingOf<Real> d{std::cos(angle), std::sin(angle), 0, strength};
+    DemarcatingOf<Real> d{Real(cosine(angle)), Real(sine(angle)), 0, strength};
     d.curvature = c.k1 * d.g1 * d.g1 + c.k2 * d.g2 * d.g2;
     return d;
 }
@@ -168,7 +169,7 @@ DemarcatingOf<Real> demarcating_at(const CurvatureOf<Real>& c, Real angle, Real 
 template <typename Real>
 DemarcatingOf<Real> demarcating_near(const CurvatureOf<Real>& c, Real x, Real y) {
     const ThirdFormByAngle<Real> third(c);
-    const Real t = third.climb(std::atan2(y, x));
+    const Real t = third.climb(angle_of(y, x));
     return demarcating_at(c, t, third(t));
 }
 
@@ -177,7 +178,7 @@ DemarcatingOf<Real> demarcating(const CurvatureOf<Real>& c) {
     // The global maximum is within 60 degrees of one of the three maxima of the second term.
     const ThirdFormByAngle<Real> value(c);
     constexpr Real third = Real(2.0943951023931953);
-    const Real first = std::atan2(value.q, value.p) / 3, mean = std::atan2(value.b, value.a);
+    const Real first = angle_of(value.q, value.p) / 3, mean = angle_of(value.b, value.a);
     const Real starts[4] = {first, first + third, first - third, mean};
     Real best = 0, most = value(0);
     for (const Real start : starts) {

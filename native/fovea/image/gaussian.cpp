@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::image {
@@ -14,7 +15,7 @@ std::vector<float> half_kernel(double sigma) {
     std::vector<double> weights;
     double sum = 0.0;
     for (int i = 0; i <= static_cast<int>(std::ceil(3.5 * sigma)); ++i) {
-        weights.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
+        weights.push_back(exponential(-0.5 * i * i / (sigma * sigma)));
         sum += (i ? 2.0 : 1.0) * weights.back();
     }
     std::vector<float> kernel;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fovea/base/elementary.h>
 #include <fovea/field/corner_normals.h>
 
 namespace fovea::image {
@@ -25,9 +26,9 @@ class Shader {
     Shader(const Tracer& tracer, const Lamp& lamp)
         : tracer_(tracer), clip_to_view_(glm::inverse(tracer.view().view_to_clip)) {
         const double right = glm::radians(lamp.right), up = glm::radians(lamp.up);
-        const dmat3 raise(dvec3(1, 0, 0), dvec3(0, std::cos(up), -std::sin(up)), dvec3(0, std::sin(up), std::cos(up)));
-        const dmat3 turn(dvec3(std::cos(right), 0, -std::sin(right)), dvec3(0, 1, 0),
-                         dvec3(std::sin(right), 0, std::cos(right)));
+        const dmat3 raise(dvec3(1, 0, 0), dvec3(0, cosine(up), -sine(up)), dvec3(0, sine(up), cosine(up)));
+        const dmat3 turn(dvec3(cosine(right), 0, -sine(right)), dvec3(0, 1, 0),
+                         dvec3(sine(right), 0, cosine(right)));
         to_lamp_ = glm::mat3(turn * raise);
         const auto& placements = tracer.scene().placements;
         placed_.resize(placements.size());

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/field/fields.h>
 #include <fovea/field/shape.h>
 #include <fovea/field/turn.h>
@@ -35,7 +36,7 @@ const Parameters<Crease> parameters{
 
 void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
-    const double limit = std::cos(glm::radians(values.angle));
+    const double limit = cosine(glm::radians(values.angle));
     const Shape shape = field::shape_of(surface);
     const bool hard = shape == Shape::hard;
     Array<std::uint8_t> asked(surface.mesh_edges, 0);  // creases if they are folds

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/turn.h>
 
@@ -97,7 +98,7 @@ double Turns::around(Index edge) const {
     for (const Index v : {surface_.edges[edge].x, surface_.edges[edge].y})
         for (const Index t : triangles_[v]) {
             const dvec3 n = normal(surface_.triangle_facet[t]);
-            sum += std::acos(std::clamp(std::max(glm::dot(n, first), glm::dot(n, second)), -1.0, 1.0));
+            sum += arc_cosine(std::clamp(std::max(glm::dot(n, first), glm::dot(n, second)), -1.0, 1.0));
             ++count;
         }
     return count ? sum / count : 0.0;

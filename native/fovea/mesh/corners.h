@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include <fovea/base/elementary.h>
 #include <fovea/mesh/surface.h>
 
 namespace fovea::mesh {
@@ -22,7 +23,7 @@ inline std::pair<dvec3, dvec3> sides_from(const Surface& surface, Index triangle
 /// Angle between those two vectors, in radians.
 inline double corner_angle(const Surface& surface, Index triangle, Index vertex) {
     const auto [a, b] = sides_from(surface, triangle, vertex);
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    return angle_of(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 /// Mesh corner index of a polygon's vertex; the first one if the vertex occurs more than once.

@@ -22,7 +22,7 @@ float sharpness_of(float weight, int level) {
 void check_levels(const std::string& name, const MeshArrays& mesh, int level) {
     check(level >= 1 && level <= Refinement::most_levels,
           name + ": refined by " + std::to_string(level) + " levels; 1 to 7 are possible");
-    check(double(mesh.corner_verts.size()) * std::pow(4.0, level - 1) < most_quads,
+    check(double(mesh.corner_verts.size()) * std::ldexp(1.0, 2 * (level - 1)) < most_quads,
           name + ": refined by " + std::to_string(level) + " levels it has too many faces; choose fewer levels");
 }
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::mesh {
@@ -16,7 +17,7 @@ constexpr float least_share = 0.02f;  // of a strand's greatest radius: a tip of
 constexpr std::size_t grain = 64;     // strands per block
 
 /// Circumradius of a regular prism per radius of a cylinder of the same mean width, which is the perimeter over pi.
-const double wide = glm::pi<double>() / (sides * std::sin(glm::pi<double>() / sides));
+const double wide = glm::pi<double>() / (sides * sine(glm::pi<double>() / sides));
 
 void check_strands(const std::string& name, const Strands& strands) {
     const In<int> offsets = strands.offsets;
@@ -74,7 +75,7 @@ void place_prism(In<vec3> points, In<float> radii, vec3* out) {
         for (int k = 0; k < sides; ++k) {
             const double angle = glm::two_pi<double>() * k / sides;
             out[sides * i + k] =
-                vec3(dvec3(points[i]) + radius * (std::cos(angle) * normal + std::sin(angle) * across));
+                vec3(dvec3(points[i]) + radius * (cosine(angle) * normal + sine(angle) * across));
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/path/ends.h>
 
@@ -24,7 +25,7 @@ class Links {
         : seen_(seen), in_image_(in_image), edges_(edges), labels_(labels), link_(edges.size() * 2, none) {
         // -2 for angles of pi or more: rounding may give cosines slightly below -1.
         for (double angle : corner_angle_rad)
-            least_cosine_.push_back(angle < std::numbers::pi ? static_cast<float>(std::cos(angle)) : -2.0f);
+            least_cosine_.push_back(angle < std::numbers::pi ? static_cast<float>(cosine(angle)) : -2.0f);
         at_vertex_ = lists_of<End>(seen_.surface.vertex_count(), [&](const auto& give) {
             for (End end = 0; end < link_.size(); ++end) give(vertex(end), end);
         });

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/fields.h>
 #include <fovea/line/smooth_contour.h>
@@ -20,7 +21,7 @@ std::shared_ptr<const Neighbors> neighbors_in(const Surface& surface) {
 
 /// Whether the fitted surface has an edge there, so that no smooth contour runs around it.
 bool is_hard(const Surface& surface, const Neighbors& neighbors, Index edge) {
-    static const double hard = std::cos(glm::radians(default_hard_angle));
+    static const double hard = cosine(glm::radians(default_hard_angle));
     const In<EdgeSide> sides = surface.sides(edge);
     if (sides.size() != 2) return true;
     if (!neighbors.hard[surface.edges[edge].x] || !neighbors.hard[surface.edges[edge].y]) return false;

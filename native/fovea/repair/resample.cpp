@@ -7,6 +7,7 @@
 #include <OpenMesh/Tools/Smoother/JacobiLaplaceSmootherT.hh>
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/repair/half_edges.h>
 #include <fovea/scene/nearest.h>
@@ -126,7 +127,7 @@ double expected_triangles(const HalfEdges& mesh, int steps, double length) {
     double area = 0.0;
     for (const auto f : mesh.faces()) area += mesh.calc_face_area(f);
     const double even = area / (std::sqrt(3.0) / 4.0 * length * length);
-    return std::min(even, double(mesh.n_faces()) * std::pow(4.0, steps));
+    return std::min(even, double(mesh.n_faces()) * power(4.0, steps));
 }
 
 NearestPoint surface_of(const HalfEdges& mesh) {

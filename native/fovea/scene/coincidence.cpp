@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <fovea/base/disjoint_sets.h>
+#include <fovea/base/elementary.h>
 #include <fovea/mesh/triangle_sides.h>
 #include <fovea/scene/nearest.h>
 
@@ -80,7 +81,7 @@ double turn_at(const Mapped& in, Index triangle) {
     for (int i = 0; i < 3; ++i)
         for (const Index other : (*at)[sides->of_triangle[triangle][i]]) {
             const dvec3 there = normal_of(in, other), turn = glm::cross(normal, there);
-            angle = std::max(angle, std::atan2(glm::length(turn), std::abs(glm::dot(normal, there))));
+            angle = std::max(angle, angle_of(glm::length(turn), std::abs(glm::dot(normal, there))));
         }
     return angle;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/view.h>
 #include <fovea/stroke/noise.h>
 
@@ -54,7 +55,7 @@ Modifiers::Modifiers(const Pen& pen)
     : nib_{vec3(pen.look.nib_width, pen.look.nib_opacity, pen.look.nib_color)},
       distance_{vec3(pen.look.distance_width, pen.look.distance_opacity, pen.look.distance_color)},
       noise_{vec3(pen.look.noise_width, pen.look.noise_opacity, pen.look.noise_color)},
-      nib_direction_(std::cos(glm::radians(pen.look.nib_angle)), std::sin(glm::radians(pen.look.nib_angle))),
+      nib_direction_(cosine(glm::radians(pen.look.nib_angle)), sine(glm::radians(pen.look.nib_angle))),
       reach_px_(std::max(0.5 * pen.width_px, 1.0)),
       near_(pen.look.distance_near),
       far_(pen.look.distance_far),

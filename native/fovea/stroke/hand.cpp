@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <fovea/base/elementary.h>
 #include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
@@ -41,7 +42,7 @@ void press(CenterLine& line, float amount) {
     for (int k = 1; k < pressure_steps; ++k) arcs.push_back(start + length * k / pressure_steps);
     insert_points(line, arcs);
     for (CenterPoint& p : line) {
-        const double swell = std::sqrt(std::max(std::sin(std::numbers::pi * (p.arc - start) / length), 0.0));
+        const double swell = std::sqrt(std::max(sine(std::numbers::pi * (p.arc - start) / length), 0.0));
         thin(p, float(1.0 - amount * (1.0 - swell)));
     }
 }

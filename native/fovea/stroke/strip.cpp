@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/stroke/strip.h>
+#include <fovea/base/elementary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -218,11 +219,11 @@ class Strip {
         const dvec2 a = into(i), b = out_of(i);
         const double turn = cross(a, b);
         if (!corners.square || (turn < 0.0 ? side < 0.0 : side > 0.0)) return;
-        const double half = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2.0;
-        const double step = 2.0 * std::acos(1.0 - std::min(round_error / reach(i), 0.5));
+        const double half = arc_cosine(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2.0;
+        const double step = 2.0 * arc_cosine(1.0 - std::min(round_error / reach(i), 0.5));
         const int steps = std::max(1, int(std::ceil(half / step)));
         const auto at = [&](double angle, double turned) {
-            const double t = -side * angle, c = std::cos(t), s = std::sin(t);
+            const double t = -side * angle, c = cosine(t), s = sine(t);
             const dvec2 direction(a.x * c - a.y * s, a.x * s + a.y * c);
             const double u = within(line_[i].arc + reach(i) * turned);
             return vertex(line_[i], square(i, direction, side), u, side);

@@ -77,7 +77,7 @@ struct Facet {
     float rise() const {
         if (!placed || !faces_viewer()) return 0.0f;
         const dvec4 p = placed->plane_to_depth * plane();
-        const double slope = std::hypot(p.x, p.y) / std::abs(p.z);
+        const double slope = glm::length(dvec2(p.x, p.y)) / std::abs(p.z);
         return static_cast<float>(slope < max_depth_slope ? slope : max_depth_slope);  // also for NaN (0 / 0, edge-on)
     }
 };
