@@ -41,17 +41,10 @@ void Tracer::Bvh::commit() { build_bvh(top.get(), "scene"); }
 
 std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const {
     RayContext context(scene, placement_of_instance, ray, ignore);
-    RTCIntersectArguments arguments;
-    rtcInitIntersectArguments(&arguments);
-    arguments.context = &context;
-    if (ignore.placement != none || any_one_sided) {
-        arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
-        arguments.filter = skip_ignored;
-    }
     RTCRayHit found{embree_ray(ray), {}};
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(top.get(), &found, &arguments);
+    find_nearest(top.get(), found, context, ignore.placement != none || any_one_sided ? skip_ignored : nullptr);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return Hit{placement_of_instance[found.hit.instID[0]], found.hit.primID, found.ray.tfar, found.hit.u, found.hit.v};
 }
@@ -61,7 +54,7 @@ RayContext::RayContext(const Scene& of, const Array<Index>& placements, const Ra
       placement_of_instance(placements),
       ignore(skipped),
       reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(ray.direction) : 0.0f) {
-    rtcInitRayQueryContext(this);
+    init_context(*this);
 }
 
 bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {

@@ -2,15 +2,15 @@
 // Two-level BVH of Embree: one per surface, instanced in one per view. Only for scene/bvh*.cpp and the tracer.
 #pragma once
 
-#include <embree4/rtcore.h>
 #include <mutex>
 
+#include <fovea/scene/embree.h>
 #include <fovea/scene/tracer.h>
 
 namespace fovea::scene {
 
 /// Robust mode: no ray passes between two triangles that share a side.
-inline const RTCSceneFlags bvh_flags = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS | RTC_SCENE_FLAG_ROBUST;
+inline const RTCSceneFlags bvh_flags = filtered_scene | RTC_SCENE_FLAG_ROBUST;
 
 struct ReleaseScene {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -72,7 +72,7 @@ struct Tracer::Bvh {
 };
 
 /// Context that Embree passes to filter functions.
-struct RayContext : RTCRayQueryContext {
+struct RayContext : QueryContext {
     const Scene& scene;
     const Array<Index>& placement_of_instance;
     const Ignore& ignore;

@@ -88,13 +88,8 @@ void Tracer::surfaces_before(const vec3& point, const Ignore& ignore, int most, 
     const Ray ray = ray_to(point);
     if (most <= 0 || ray.far_t <= ray.near_t) return;
     Count counted{{scene_, bvh_->placement_of_instance, ray, ignore}, *this, bodies, ray, most, 0, {}};
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.context = &counted;
-    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
-    arguments.filter = Count::filter;
     RTCRay made = embree_ray(ray);
-    rtcOccluded1(bvh_->top.get(), &made, &arguments);
+    find_any(bvh_->top.get(), made, counted, Count::filter);
     each_surface(counted.met, [&](const Hit& hit) { surfaces.push_back(hit); });
 }
 

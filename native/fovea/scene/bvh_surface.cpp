@@ -118,7 +118,7 @@ void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index v
 SurfaceBvh::SurfaceBvh(const Surface& surface)
     : scene_(rtcNewScene(bvh_device())), geometry_(rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_TRIANGLE)) {
     take_triangles(surface);
-    rtcSetGeometryEnableFilterFunctionFromArguments(geometry_, true);
+    enable_filters(geometry_);
     rtcCommitGeometry(geometry_);
     rtcAttachGeometry(scene_.get(), geometry_);
     rtcReleaseGeometry(geometry_);
