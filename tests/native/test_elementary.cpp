@@ -46,7 +46,8 @@ TEST(Elementary, AnglesOfDirectionsAreWithinTwoUnits) {
     for (const double x : places(10.0))
         for (const double y : {1e-8, 0.1, 0.7, 1.0, 3.0, -2.0})
             EXPECT_LT(units_off(angle_of(y, x), std::atan2((long double)y, (long double)x)), 2.0) << y << " " << x;
-    for (const double x : places(0.99999)) EXPECT_LT(units_off(arc_cosine(x), std::acos((long double)x), 0.1), 4.0) << x;
+    for (const double x : places(0.99999))
+        EXPECT_LT(units_off(arc_cosine(x), std::acos((long double)x), 0.1), 4.0) << x;
 }
 
 TEST(Elementary, ExponentialsAreWithinTwoUnitsAndLogarithmsWithinThree) {
@@ -85,8 +86,13 @@ TEST(Elementary, EndsAreAsInIeee754) {
 TEST(Elementary, HaveTheSameBitsEverywhere) {
     std::uint64_t hash = 0;
     for (const double x : places(20.0)) {
-        const double results[] = {sine(x),       cosine(x),     angle_of(x, 1.25), arc_cosine(x / 20.1),
-                                  exponential(x), logarithm(std::abs(x) + 1e-9), power(std::abs(x), 0.7)};
+        const double results[] = {sine(x),
+                                  cosine(x),
+                                  angle_of(x, 1.25),
+                                  arc_cosine(x / 20.1),
+                                  exponential(x),
+                                  logarithm(std::abs(x) + 1e-9),
+                                  power(std::abs(x), 0.7)};
         hash = hash_bytes(results, sizeof(results), hash);
     }
     EXPECT_EQ(hash, 10664310122733645629u);

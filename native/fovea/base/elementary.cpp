@@ -60,7 +60,7 @@ bool turns(double angle) { return std::abs(angle) <= 1e15; }
 
 /// Arc tangent for |x| up to 1/16.
 double small_arc(double x) {
-    static constexpr std::array<double, 8> of{1.0,       -1.0 / 3.0, 1.0 / 5.0,   -1.0 / 7.0,
+    static constexpr std::array<double, 8> of{1.0,       -1.0 / 3.0,  1.0 / 5.0,  -1.0 / 7.0,
                                               1.0 / 9.0, -1.0 / 11.0, 1.0 / 13.0, -1.0 / 15.0};
     return x * series(of, x * x);
 }

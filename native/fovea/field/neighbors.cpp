@@ -32,9 +32,7 @@ Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
 class HardEdges {
    public:
     HardEdges(const Surface& surface, const Lists<Index>& triangles, double hard_angle)
-        : surface_(surface),
-          triangles_(triangles),
-          least_cosine_(cosine(glm::radians(std::min(hard_angle, 180.0)))) {}
+        : surface_(surface), triangles_(triangles), least_cosine_(cosine(glm::radians(std::min(hard_angle, 180.0)))) {}
 
     /// Per edge of the surface.
     Array<std::uint8_t> find() const {

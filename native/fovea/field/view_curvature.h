@@ -137,9 +137,7 @@ class ThirdFormByAngle {
           b(Real(0.75) * (c.C[1] + c.C[3])),
           p(Real(0.25) * (c.C[0] - 3 * c.C[2])),
           q(Real(0.25) * (3 * c.C[1] - c.C[3])) {}
-    Real operator()(Real t) const {
-        return a * cosine(t) + b * sine(t) + p * cosine(3 * t) + q * sine(3 * t);
-    }
+    Real operator()(Real t) const { return a * cosine(t) + b * sine(t) + p * cosine(3 * t) + q * sine(3 * t); }
     /// Angle of a local maximum, by Newton steps uphill from t, each limited to 0.2 radians.
     Real climb(Real t) const {
         Real before = t;

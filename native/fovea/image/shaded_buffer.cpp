@@ -27,8 +27,7 @@ class Shader {
         : tracer_(tracer), clip_to_view_(glm::inverse(tracer.view().view_to_clip)) {
         const double right = glm::radians(lamp.right), up = glm::radians(lamp.up);
         const dmat3 raise(dvec3(1, 0, 0), dvec3(0, cosine(up), -sine(up)), dvec3(0, sine(up), cosine(up)));
-        const dmat3 turn(dvec3(cosine(right), 0, -sine(right)), dvec3(0, 1, 0),
-                         dvec3(sine(right), 0, cosine(right)));
+        const dmat3 turn(dvec3(cosine(right), 0, -sine(right)), dvec3(0, 1, 0), dvec3(sine(right), 0, cosine(right)));
         to_lamp_ = glm::mat3(turn * raise);
         const auto& placements = tracer.scene().placements;
         placed_.resize(placements.size());

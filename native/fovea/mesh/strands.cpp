@@ -74,8 +74,7 @@ void place_prism(In<vec3> points, In<float> radii, vec3* out) {
         const double radius = wide * std::max(radii[i], least);
         for (int k = 0; k < sides; ++k) {
             const double angle = glm::two_pi<double>() * k / sides;
-            out[sides * i + k] =
-                vec3(dvec3(points[i]) + radius * (cosine(angle) * normal + sine(angle) * across));
+            out[sides * i + k] = vec3(dvec3(points[i]) + radius * (cosine(angle) * normal + sine(angle) * across));
         }
     }
 }

@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-#include <fovea/scene/embree.h>
+#include <fovea/scene/bvh_embree.h>
 #include <fovea/scene/tracer.h>
 
 namespace fovea::scene {

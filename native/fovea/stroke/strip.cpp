@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/stroke/strip.h>
-#include <fovea/base/elementary.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include <fovea/base/elementary.h>
 
 namespace fovea::stroke {
 
