@@ -41,7 +41,7 @@ def draw_and_cancel(stage, wait):
 
 
 def test_cancelling_ends_no_process():
-    """Embree keeps what it needs of the parallel loops in which BVHs are built; who cancels must not meet their ends."""
+    """Embree keeps a context of the parallel loop that it builds a BVH in; who cancels must not meet the end of it."""
     path = [entry for entry in sys.path if entry]
     script = f"import sys; sys.path[:0] = {path!r}; import test_cancelled; test_cancelled.cancel_often()"
     ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
