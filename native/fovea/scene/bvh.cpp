@@ -62,7 +62,8 @@ bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
     const float before = 1.0f - RTCRayN_tfar(at.ray, 1, 0);
     const Surface& surface = *scene.placements[hit].surface;
     const Index triangle = RTCHitN_primID(at.hit, 1, 0);
-    if (hit == ignore.placement && std::abs(before) < reach_t && ignore.is_own(surface.triangle_facet[triangle]))
+    if (hit == ignore.placement && std::abs(before) < reach_t &&
+        (before < 0.0f || ignore.is_own(surface.triangle_facet[triangle])))
         return true;
     if (triangle >= surface.two_sided_triangles && along_normal(at) > 0.0f) return true;
     return ignore.holds(hit, surface, triangle);

@@ -15,9 +15,9 @@ namespace fovea::scene {
 /// (b) for a line on two surfaces: those of both facets;
 /// (c) for a line across a triangle: those that share a vertex with it;
 /// (d) for a contour of the smooth surface, which runs next to that of the mesh and often inside the mesh: also all of
-///     its solid along the ray within `reach`, twice the longest side of its triangle. So folds closer
-///     than that do not hide their own contours, and large triangles next to a sliver still break one for a few pixels;
-///     test_contour_visibility.cpp measures the error. Other solids of its surface hide it, however close.
+///     its surface along the ray within `reach`, twice the longest side of its triangle, but for other solids before
+///     it, which hide it however close. So folds closer than that do not hide their own contours, and large triangles
+///     next to a sliver still break one for a few pixels; test_contour_visibility.cpp measures the error.
 struct Ignore {
     Index placement = none;
     const EdgeSide* begin = nullptr;
