@@ -238,7 +238,7 @@ def test_the_report_has_the_last_pictures_times(scene):
     bpy.ops.fovea.report()
     assert [text.name for text in bpy.data.texts].count(report.TEXT) == 1
     lines = bpy.data.texts[report.TEXT].as_string().splitlines()
-    assert any("what is hidden" in line and line.endswith(" ms") for line in lines)
+    assert any("What Is Hidden" in line and line.endswith(" ms") for line in lines)
     assert "  Nothing was left out" in lines
 
 
