@@ -39,6 +39,10 @@ fovea_static(embree ${common} ${kernels})
 target_include_directories(embree SYSTEM PUBLIC ${headers}/include)
 target_include_directories(embree SYSTEM PRIVATE ${headers}/kernels/common ${headers}/include/embree3)
 target_compile_definitions(embree PUBLIC EMBREE_STATIC_LIB PRIVATE EMBREE_TARGET_SSE2 EMBREE_LOWEST_ISA TASKING_TBB)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "arm64|aarch64")
+    # Its own header carries out SSE2 by NEON.
+    target_compile_definitions(embree PRIVATE __SSE__ __SSE2__)
+endif()
 target_link_libraries(embree PRIVATE tbb)
 # Operators that print name members that are not there, of templates that nothing uses: Clang 19 and later look anyway.
 set_target_properties(embree PROPERTIES CXX_STANDARD 17)

@@ -45,7 +45,7 @@ class Shader {
     Sample at(const dvec2& px) const {
         const auto hit = tracer_.seen(px);
         if (!hit) return {};
-        Sample sample{0.0f, hit->t, hit->placement};
+        Sample sample{0.0f, static_cast<float>(hit->t), hit->placement};
         if (drawn(hit->placement)) sample.tone = tone(*hit, px);
         return sample;
     }

@@ -123,8 +123,7 @@ class Surface : public SurfaceArrays {
     Surface(const Surface& source, const dmat3& stretch);
 
     /// Moves the vertices; topology is unchanged. Clears everything derived from positions. With `refit`, lasting_cache
-    /// is kept and updated, not rebuilt: faster, and rays tell the same to the last bit, but which of the triangles at
-    /// a shared side or vertex a ray through it hits depends on earlier positions.
+    /// is kept and updated, not rebuilt: faster, and rays tell the same to the last bit.
     void set_positions(In<vec3> positions, bool refit = false);
 
     /// Sets how fields are estimated; fields are cached per options. Throws std::invalid_argument, naming the object,

@@ -1,16 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The BVH over placements, and the nearest hit.
 #include <fovea/scene/bvh.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
+
+#include <fovea/base/parallel.h>
 
 namespace fovea::scene {
 namespace {
 
-void skip_ignored(const RTCFilterFunctionNArguments* at) {
-    if (static_cast<const RayContext*>(at->context)->ignored(*at)) at->valid[0] = 0;
+/// See box_between. Rays begin within 2 sizes of the boxes' center and end within 2 more; Embree's distances to the
+/// sides of a box err by four units in the last place.
+constexpr double margin = 0x1p-18;
+
+struct Nearest final : RayContext {
+    using RayContext::RayContext;
+    std::optional<Hit> found;
+
+    void meet(Index triangle, const TriangleHit& hit) override {
+        const bool nearer =
+            hit.t < far_t || (found && std::tie(placement, triangle) < std::tie(found->placement, found->triangle));
+        if (!nearer || ignored(triangle, hit.t)) return;
+        found = Hit{placement, triangle, hit.t, float(hit.u), float(hit.v)};
+        far_t = hit.t;
+    }
+};
+
+void box_of_instance(const RTCBoundsFunctionArguments* at) {
+    const auto& bvh = *static_cast<const Tracer::Bvh*>(at->geometryUserPtr);
+    const Index placement = bvh.instances[at->primID].placement;
+    const Surface& surface = *bvh.scene.placements[placement].surface;
+    const dmat4& to_view = bvh.object_to_view[placement];
+    const dvec3 center(to_view * dvec4(dvec3(surface.center), 1.0));
+    dvec3 half(0.0);
+    for (int k = 0; k < 3; ++k) half += glm::abs(dvec3(to_view[k])) * double(surface.half[k]);
+    const dvec3 farthest = glm::abs(center) + half;
+    *at->bounds_o = box_between(center - half, center + half, std::max({farthest.x, farthest.y, farthest.z}));
+}
+
+/// Leads the ray through an instance that it passes.
+void pass_instance(const RTCIntersectFunctionNArguments* at) {
+    auto& context = *static_cast<RayContext*>(at->context);
+    const Tracer::Bvh::Instance& instance = context.bvh.instances[at->primID];
+    context.placement = instance.placement;
+    context.surface = context.bvh.scene.placements[instance.placement].surface.get();
+    const glm::dmat4x3& to_object = instance.view_to_object;
+    const dvec3 along = to_object * dvec4(context.direction, 0.0);
+    if (along == dvec3(0.0)) return;
+    context.local = ShearedRay(to_object * dvec4(context.origin, 1.0), along);
+    const double before = context.far_t;
+    instance.surface->lead(context);
+    if (context.far_t != before) {
+        const dvec3 size = glm::abs(context.direction);
+        RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) =
+            end_of_ray(context.far_t, std::max({size.x, size.y, size.z}));
+    }
 }
 
 }  // namespace
+
+RTCGeometry attach_boxes(RTCScene scene, std::size_t count, RTCBoundsFunction box, RTCIntersectFunctionN meet,
+                         const void* user) {
+    const RTCGeometry geometry = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
+    rtcSetGeometryUserData(geometry, const_cast<void*>(user));
+    rtcSetGeometryBoundsFunction(geometry, box, nullptr);
+    if (meet) rtcSetGeometryIntersectFunction(geometry, meet);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    return geometry;
+}
+
+RTCBounds box_between(const dvec3& lower, const dvec3& upper, double size) {
+    const vec3 low(lower - margin * size), high(upper + margin * size);
+    return {low.x, low.y, low.z, 0.0f, high.x, high.y, high.z, 0.0f};
+}
+
+RTCRayHit ray_through_boxes(const dvec3& from, const dvec3& along, double near_t, double far_t) {
+    const dvec3 size = glm::abs(along);
+    const double longest = std::max({size.x, size.y, size.z});
+    const vec3 begin(from), way(along / longest);
+    RTCRayHit ray{};
+    // Origin, near end; direction, time; far end, mask; id, flags.
+    ray.ray = {begin.x, begin.y, begin.z, -end_of_ray(-near_t, longest), way.x,
+               way.y,   way.z,   0.0f,    end_of_ray(far_t, longest),    ~0u,
+               0,       0};
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return ray;
+}
+
+float end_of_ray(double t, double longest) {
+    return std::nextafter(float(t * longest), std::numeric_limits<float>::infinity());
+}
 
 std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface) {
     const auto kept = surface.lasting_cache().get<std::unique_ptr<const SurfaceBvh>>(
@@ -19,66 +105,60 @@ std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface) {
     return {kept, kept->get()};
 }
 
-Tracer::Bvh::Bvh() : top(rtcNewScene(bvh_device())) { rtcSetSceneFlags(top.get(), bvh_flags); }
+Tracer::Bvh::Bvh(const Scene& of) : scene(of), top(rtcNewScene(bvh_device())) {}
 
-void Tracer::Bvh::add(const Scene& scene, Index placement) {
-    const Surface& surface = *scene.placements[placement].surface;
-    surfaces.push_back(bvh_of(surface));
-    const RTCGeometry instance = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, surfaces.back()->scene());
-    rtcSetGeometryTimeStepCount(instance, 1);
-    const mat4 transform(object_to_view[placement]);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &transform[0][0]);
-    rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(top.get(), instance, static_cast<unsigned>(placement_of_instance.size()));
-    rtcReleaseGeometry(instance);
-    placement_of_instance.push_back(placement);
-    any_one_sided |= surface.two_sided_triangles < surface.occluding_triangles;
-    versions.push_back(surface.version());
+void Tracer::Bvh::build(const Array<Index>& hiding) {
+    const auto surface_of = [&](Index placement) { return scene.placements[placement].surface.get(); };
+    for (const Index i : hiding) surfaces.push_back({surface_of(i), 0, nullptr});
+    std::ranges::sort(surfaces, {}, &Version::surface);
+    const auto [first, last] = std::ranges::unique(surfaces, {}, &Version::surface);
+    surfaces.erase(first, last);
+    parallel_for(surfaces.size(), 1, [&](std::size_t i) {
+        surfaces[i].bvh = bvh_of(*surfaces[i].surface);
+        surfaces[i].version = surfaces[i].surface->version();
+    });
+    instances.resize(hiding.size());
+    parallel_for(hiding.size(), 4096, [&](std::size_t i) {
+        const auto at = std::ranges::lower_bound(surfaces, surface_of(hiding[i]), {}, &Version::surface);
+        instances[i] = {hiding[i], at->bvh.get(), glm::dmat4x3(glm::inverse(object_to_view[hiding[i]]))};
+    });
+    attach_boxes(top.get(), instances.size(), box_of_instance, pass_instance, this);
+    build_bvh(top.get(), "scene");
 }
 
-void Tracer::Bvh::commit() { build_bvh(top.get(), "scene"); }
-
-std::optional<Hit> Tracer::Bvh::trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const {
-    RayContext context(scene, placement_of_instance, ray, ignore);
-    RTCRayHit found{embree_ray(ray), {}};
-    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    find_nearest(top.get(), found, context, ignore.placement != none || any_one_sided ? skip_ignored : nullptr);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return Hit{placement_of_instance[found.hit.instID[0]], found.hit.primID, found.ray.tfar, found.hit.u, found.hit.v};
+void Tracer::Bvh::lead(RayContext& context) const {
+    RTCRayHit ray = ray_through_boxes(context.origin, context.direction, context.near_t, context.far_t);
+    follow_ray(top.get(), ray, context);
 }
 
-RayContext::RayContext(const Scene& of, const Array<Index>& placements, const Ray& ray, const Ignore& skipped)
-    : scene(of),
-      placement_of_instance(placements),
+std::optional<Hit> Tracer::Bvh::trace(const Ray& ray, const Ignore& ignore) const {
+    Nearest nearest(*this, ray, ignore);
+    lead(nearest);
+    return nearest.found;
+}
+
+RayContext::RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skipped)
+    : bvh(of),
       ignore(skipped),
-      reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(ray.direction) : 0.0f) {
+      origin(ray.origin),
+      direction(ray.direction),
+      near_t(ray.near_t),
+      far_t(ray.far_t),
+      reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(direction) : 0.0) {
     init_context(*this);
 }
 
-bool RayContext::ignored(const RTCFilterFunctionNArguments& at) const {
-    const Index hit = placement(at);
-    const float before = 1.0f - RTCRayN_tfar(at.ray, 1, 0);
-    const Surface& surface = *scene.placements[hit].surface;
-    const Index triangle = RTCHitN_primID(at.hit, 1, 0);
-    if (hit == ignore.placement && std::abs(before) < reach_t &&
-        (before < 0.0f || ignore.is_own(surface.triangle_facet[triangle])))
+double RayContext::along_normal(Index triangle) const {
+    return glm::dot(mesh::area_vector(surface->positions, surface->triangles[triangle]), local.direction);
+}
+
+bool RayContext::ignored(Index triangle, double t) const {
+    const double before = 1.0 - t;
+    if (placement == ignore.placement && std::abs(before) < reach_t &&
+        (before < 0.0 || ignore.is_own(surface->triangle_facet[triangle])))
         return true;
-    if (triangle >= surface.two_sided_triangles && along_normal(at) > 0.0f) return true;
-    return ignore.holds(hit, surface, triangle);
-}
-
-float along_normal(const RTCFilterFunctionNArguments& at) {
-    return RTCHitN_Ng_x(at.hit, 1, 0) * RTCRayN_dir_x(at.ray, 1, 0) +
-           RTCHitN_Ng_y(at.hit, 1, 0) * RTCRayN_dir_y(at.ray, 1, 0) +
-           RTCHitN_Ng_z(at.hit, 1, 0) * RTCRayN_dir_z(at.ray, 1, 0);
-}
-
-RTCRay embree_ray(const Ray& ray) {
-    const vec3 &from = ray.origin, &along = ray.direction;
-    // Origin, near end; direction, time; far end, mask; id, flags.
-    return {from.x, from.y, from.z, ray.near_t, along.x, along.y, along.z, 0.0f, ray.far_t, ~0u, 0, 0};
+    if (triangle >= surface->two_sided_triangles && along_normal(triangle) > 0.0) return true;
+    return ignore.holds(placement, *surface, triangle);
 }
 
 }  // namespace fovea::scene

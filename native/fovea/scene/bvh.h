@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two-level BVH of Embree: one per surface, instanced in one per view. Only for scene/bvh*.cpp and the tracer.
+// Two levels of BVHs of Embree: one per surface, and one over the placements of a view. Only for scene/bvh*.cpp and the
+// tracer.
+//
+// Embree finds the boxes that a ray passes. Whether and where the ray meets a triangle is decided here, in double
+// precision; of equally near hits, by placement and triangle. So boxes need only be large enough, and what a ray meets
+// depends neither on how a BVH came to be, nor on the version of Embree and the instructions that it uses.
 #pragma once
 
 #include <mutex>
 
 #include <fovea/scene/bvh_embree.h>
+#include <fovea/scene/ray_triangle.h>
 #include <fovea/scene/tracer.h>
 
 namespace fovea::scene {
-
-/// Robust mode: no ray passes between two triangles that share a side.
-inline const RTCSceneFlags bvh_flags = filtered_scene | RTC_SCENE_FLAG_ROBUST;
 
 struct ReleaseScene {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -25,9 +28,20 @@ void check_bvh_device(const std::string& what);
 /// Builds a scene's BVH, polling the Cancel of the calling thread's scope, and checks the device. A scene whose build
 /// was cancelled is not usable.
 void build_bvh(RTCScene scene, const std::string& what);
-/// Makes a geometry use the first `vertices` and `count` entries of these arrays, which are borrowed.
-void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
-                     const Array<Triangle>& triangles, Index count);
+
+/// A geometry of `count` boxes, committed and attached to the scene, which owns it. `box` tells them, and `meet`, if
+/// given, what a ray that passes one does; both are handed `user`.
+RTCGeometry attach_boxes(RTCScene scene, std::size_t count, RTCBoundsFunction box, RTCIntersectFunctionN meet,
+                         const void* user);
+/// Box of what lies between `lower` and `upper`, larger by a share of `size` that exceeds what Embree's single
+/// precision errs by, for rays that begin within a few times `size`.
+RTCBounds box_between(const dvec3& lower, const dvec3& upper, double size);
+/// Embree's ray, of no hit. `along` is scaled to a longest component of 1, and t with it.
+RTCRayHit ray_through_boxes(const dvec3& from, const dvec3& along, double near_t, double far_t);
+/// Largest t of Embree's ray for a hit at `t` of one whose longest component is `longest`.
+float end_of_ray(double t, double longest);
+
+struct RayContext;
 
 /// BVH over the occluding triangles of a surface. Borrows the surface's arrays and is stored in its lasting cache.
 /// Built with Embree's default quality as long as the surface does not move, then in a mode that can be refitted. When
@@ -39,17 +53,30 @@ class SurfaceBvh {
 
     /// Updates the BVH to the surface's current positions. Affects existing tracers, too.
     void follow(const Surface& surface) const;
-    RTCScene scene() const { return scene_.get(); }
+    /// Leads the context's ray through the triangles; it is in object space.
+    void lead(RayContext& context) const;
 
    private:
-    void take_triangles(const Surface& surface) const;
+    /// What callbacks read: of the surface, and the space of boxes, in which all is within 1 of the origin.
+    struct Triangles {
+        const vec3* positions;
+        const Triangle* triangles;
+        dvec3 center;
+        double scale;
+    };
+    static void box_of(const RTCBoundsFunctionArguments* at);
+    static void meet(const RTCIntersectFunctionNArguments* at);
 
-    OwnedScene scene_;
-    RTCGeometry geometry_;  // owned by scene_
+    void take(const Surface& surface) const;
+    void build(const Surface& surface) const;
+
+    mutable Triangles triangles_;
+    mutable OwnedScene scene_;
+    mutable RTCGeometry geometry_ = nullptr;  // owned by scene_
     mutable std::mutex mutex_;
     mutable bool moves_ = false;  // follow() has found moved vertices before
     // surface version; hash of the triangles and of the arrays' addresses
-    mutable std::uint64_t version_ = 0, triangles_ = 0;
+    mutable std::uint64_t version_ = 0, hash_ = 0;
     mutable Array<Index> neighbors_;  // sampled triangles, in Morton order when built
     mutable double spread_ = 0.0;     // spread() of these when built
 };
@@ -58,39 +85,54 @@ class SurfaceBvh {
 std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface);
 
 struct Tracer::Bvh {
-    OwnedScene top;
-    Array<Index> placement_of_instance;
-    Array<std::uint64_t> versions;  // of the surfaces, per instance
-    Array<dmat4> object_to_view;    // per placement
-    std::vector<std::shared_ptr<const SurfaceBvh>> surfaces;
-    bool any_one_sided = false;  // rays pass through the backs of some triangles
-
-    Bvh();
-    void add(const Scene& scene, Index placement);
-    void commit();
-    std::optional<Hit> trace(const Scene& scene, const Ray& ray, const Ignore& ignore) const;
-};
-
-/// Context that Embree passes to filter functions.
-struct RayContext : QueryContext {
+    struct Instance {
+        Index placement;
+        const SurfaceBvh* surface;
+        glm::dmat4x3 view_to_object;
+    };
+    /// A surface, kept as long as the tracer, and its version when the tracer was made.
+    struct Version {
+        const Surface* surface;
+        std::uint64_t version;
+        std::shared_ptr<const SurfaceBvh> bvh;
+    };
     const Scene& scene;
-    const Array<Index>& placement_of_instance;
-    const Ignore& ignore;
-    float reach_t;  // ignore.reach as a share of the ray's length
+    OwnedScene top;
+    Array<dmat4> object_to_view;  // per placement
+    std::vector<Instance> instances;
+    std::vector<Version> surfaces;  // by address
 
-    RayContext(const Scene& scene, const Array<Index>& placements, const Ray& ray, const Ignore& ignore);
-    /// Placement that was hit; and whether the hit is ignored.
-    Index placement(const RTCFilterFunctionNArguments& at) const {
-        return placement_of_instance[RTCHitN_instID(at.hit, 1, 0, 0)];
-    }
-    bool ignored(const RTCFilterFunctionNArguments& at) const;
+    explicit Bvh(const Scene& of);
+    /// The placements `hiding` hide, and are all that rays meet.
+    void build(const Array<Index>& hiding);
+    void lead(RayContext& context) const;
+    /// The first of the hits that are not ignored.
+    std::optional<Hit> trace(const Ray& ray, const Ignore& ignore) const;
 };
 
-/// The ray's direction times the normal of what it hit: positive where it hits the back. Both in object space, where
-/// winding tells the sides apart.
-float along_normal(const RTCFilterFunctionNArguments& at);
+/// A ray on its way, as Embree hands it from box to box.
+struct RayContext : QueryContext {
+    const Tracer::Bvh& bvh;
+    const Ignore& ignore;
+    const dvec3 origin, direction;  // view space
+    const double near_t;
+    double far_t;          // hits beyond are of no interest
+    const double reach_t;  // ignore.reach as a share of the ray's length
 
-/// Converts to Embree's ray.
-RTCRay embree_ray(const Ray& ray);
+    Index placement = none;  // where the ray is: the placement, and the ray in object space
+    const Surface* surface = nullptr;
+    ShearedRay local;
+    double first_t = 0.0, longest = 1.0;  // ray parameter at the begin of Embree's ray, and its t per ray parameter
+
+    RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skipped);
+    virtual ~RayContext() = default;
+    /// The ray meets a triangle between near_t and far_t. May shorten the ray.
+    virtual void meet(Index triangle, const TriangleHit& hit) = 0;
+
+    /// The ray's direction times the normal of a triangle: positive where it meets the back. In object space, where
+    /// winding tells the sides apart.
+    double along_normal(Index triangle) const;
+    bool ignored(Index triangle, double t) const;
+};
 
 }  // namespace fovea::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Number of surfaces along a ray, counted in Embree's filter functions.
+// Number of surfaces along a ray, whichever way it passes boxes.
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include <fovea/scene/bvh.h>
@@ -16,16 +17,19 @@ struct Met {
 };
 
 bool before(const Met& a, const Met& b) {
-    return std::tie(a.hit.placement, a.body, a.leaves, a.hit.t) < std::tie(b.hit.placement, b.body, b.leaves, b.hit.t);
+    const auto order = [](const Met& m) {
+        return std::tie(m.hit.placement, m.body, m.leaves, m.hit.t, m.hit.triangle);
+    };
+    return order(a) < order(b);
 }
 
 /// Calls found(hit) for a maximal subset of the sorted hits whose distances differ by more than ray_margin. Adding hits
 /// never makes the subset smaller.
 template <typename Iterator, typename Found>
 void apart(Iterator begin, Iterator end, const Found& found) {
-    float last = -1.0f;
+    double last = -1.0;
     for (; begin != end; ++begin) {
-        if (begin->hit.t - last <= static_cast<float>(ray_margin)) continue;
+        if (begin->hit.t - last <= ray_margin) continue;
         last = begin->hit.t;
         found(begin->hit);
     }
@@ -55,30 +59,35 @@ void each_surface(const std::vector<Met>& met, const Found& found) {
 
 }  // namespace
 
-/// Collects all hits along the ray: the filter rejects each, so that traversal continues, until `most` surfaces are
-/// counted.
-struct Tracer::Count : RayContext {
-    const Tracer& tracer;
+/// Collects hits along the ray until `most` surfaces are counted, then only nearer ones: in the end there are all those
+/// up to where that many are met, in whichever order boxes were passed.
+struct Tracer::Count final : RayContext {
     const SceneBodies& bodies;
-    const Ray& ray;
-    int most, count = 0;
-    std::vector<Met> met;
+    const int most;
+    std::vector<Met> met, nearer;  // sorted
 
-    static void filter(const RTCFilterFunctionNArguments* at) {
-        auto& self = *static_cast<Count*>(at->context);
-        if (self.count < self.most && !self.ignored(*at)) self.add(*at);
-        if (self.count < self.most) at->valid[0] = 0;
+    Count(const Bvh& of, const Ray& ray, const Ignore& skipped, const SceneBodies& in, int at_most)
+        : RayContext(of, ray, skipped), bodies(in), most(at_most) {}
+
+    void meet(Index triangle, const TriangleHit& hit) override {
+        if (ignored(triangle, hit.t)) return;
+        const Bodies& of = *bodies[placement];
+        const Index body = of.of_facet[surface->triangle_facet[triangle]];
+        const Met made{{placement, triangle, hit.t}, body, of.solid[body] && along_normal(triangle) > 0.0};
+        met.insert(std::upper_bound(met.begin(), met.end(), made, before), made);
+        while (count(met) >= most) {
+            far_t = std::ranges::max(met, {}, [](const Met& m) { return m.hit.t; }).hit.t;
+            nearer.clear();
+            std::ranges::copy_if(met, std::back_inserter(nearer), [&](const Met& m) { return m.hit.t < far_t; });
+            if (count(nearer) < most) break;
+            met.swap(nearer);
+        }
     }
 
-    void add(const RTCFilterFunctionNArguments& at) {
-        const Hit hit{placement(at), RTCHitN_primID(at.hit, 1, 0), RTCRayN_tfar(at.ray, 1, 0)};
-        if (!tracer.surely_before(hit, ray)) return;
-        const Bodies& of = *bodies[hit.placement];
-        const Index body = of.of_facet[scene.placements[hit.placement].surface->triangle_facet[hit.triangle]];
-        const Met made{hit, body, of.solid[body] && along_normal(at) > 0.0f};
-        met.insert(std::upper_bound(met.begin(), met.end(), made, before), made);
-        count = 0;
-        each_surface(met, [&](const Hit&) { ++count; });
+    static int count(const std::vector<Met>& of) {
+        int surfaces = 0;
+        each_surface(of, [&](const Hit&) { ++surfaces; });
+        return surfaces;
     }
 };
 
@@ -87,10 +96,11 @@ void Tracer::surfaces_before(const vec3& point, const Ignore& ignore, int most, 
     surfaces.clear();
     const Ray ray = ray_to(point);
     if (most <= 0 || ray.far_t <= ray.near_t) return;
-    Count counted{{scene_, bvh_->placement_of_instance, ray, ignore}, *this, bodies, ray, most, 0, {}};
-    RTCRay made = embree_ray(ray);
-    find_any(bvh_->top.get(), made, counted, Count::filter);
-    each_surface(counted.met, [&](const Hit& hit) { surfaces.push_back(hit); });
+    Count counted(*bvh_, ray, ignore, bodies, most);
+    bvh_->lead(counted);
+    each_surface(counted.met, [&](const Hit& hit) {
+        if (int(surfaces.size()) < most) surfaces.push_back(hit);
+    });
 }
 
 }  // namespace fovea::scene

@@ -9,7 +9,7 @@
 namespace fovea::scene {
 namespace {
 
-/// Widens query radii, as the bounds of boxes are rounded.
+/// Widens query radii: bounds of boxes and distances are rounded.
 constexpr float wider = 1.0f + 1e-5f;
 
 /// Point of triangle abc nearest to p. Ericson, "Real-Time Collision Detection", 2005, 5.1.5.
@@ -37,20 +37,21 @@ dvec3 nearest_in_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const 
 }  // namespace
 
 struct NearestPoint::Bvh {
-    Array<vec3> positions;  // one spare entry at the end (Embree reads 16 bytes)
+    Array<vec3> positions;
     Array<Triangle> triangles;
     OwnedScene scene = nullptr;
 
-    void commit() {
-        positions.push_back(vec3(0.0f));
+    void build() {
         scene.reset(rtcNewScene(bvh_device()));
-        rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-        const RTCGeometry geometry = rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        share_triangles(geometry, positions, Index(positions.size() - 1), triangles, Index(triangles.size()));
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene.get(), geometry);
-        rtcReleaseGeometry(geometry);
+        attach_boxes(scene.get(), triangles.size(), box_of, nullptr, this);
         build_bvh(scene.get(), "nearest point");
+    }
+
+    static void box_of(const RTCBoundsFunctionArguments* at) {
+        const Bvh& of = *static_cast<const Bvh*>(at->geometryUserPtr);
+        const Triangle& t = of.triangles[at->primID];
+        const dvec3 a(of.positions[t.x]), b(of.positions[t.y]), c(of.positions[t.z]);
+        *at->bounds_o = box_between(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), 0.0);
     }
 
     /// State of one query.
@@ -80,7 +81,7 @@ struct NearestPoint::Bvh {
 
 NearestPoint::NearestPoint(Array<vec3> positions, Array<Triangle> triangles)
     : bvh_(new Bvh{std::move(positions), std::move(triangles)}) {
-    if (!bvh_->triangles.empty()) bvh_->commit();
+    if (!bvh_->triangles.empty()) bvh_->build();
 }
 
 NearestPoint::~NearestPoint() = default;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One BVH per surface, refitted or rebuilt when its vertices move.
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -18,9 +21,6 @@ namespace {
 /// Number of triangles sampled to judge a refitted BVH, and the factor by which their spread may grow before a rebuild.
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
-
-/// Compact whether it is refitted or not: Embree intersects triangles that it stores otherwise by other arithmetic.
-const RTCSceneFlags surface_flags = bvh_flags | RTC_SCENE_FLAG_COMPACT;
 
 /// Commits a scene as if no parallel loop called it. An Embree scene keeps the task group of its first commit, and that
 /// the context which it began in: the context of a loop ends with the loop, and cancelling anything later would walk
@@ -72,9 +72,9 @@ std::uint64_t hash_of_triangles(const Surface& surface) {
 RTCDevice bvh_device() {
     // Never released: Embree's threads may still run when statics are destroyed.
     static const RTCDevice shared = [] {
-        // Limited to AVX2 so that results do not depend on wider instruction sets: frames of one film are rendered on
-        // many machines.
-        const RTCDevice made = rtcNewDevice("max_isa=avx2");
+        // FOVEA_EMBREE: further options of Embree, for tests, as "max_isa=sse2".
+        const char* more = std::getenv("FOVEA_EMBREE");
+        const RTCDevice made = rtcNewDevice((std::string("ignore_config_files=1,") + (more ? more : "")).c_str());
         if (!made) throw std::bad_alloc();  // it needs nothing but memory to start
         return made;
     }();
@@ -107,51 +107,81 @@ void build_bvh(RTCScene scene, const std::string& what) {
     check_bvh_device(what);
 }
 
-void share_triangles(RTCGeometry geometry, const Array<vec3>& positions, Index vertices,
-                     const Array<Triangle>& triangles, Index count) {
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
-                               sizeof(vec3), vertices);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0,
-                               sizeof(Triangle), count);
+SurfaceBvh::SurfaceBvh(const Surface& surface) {
+    build(surface);
+    version_ = surface.version();
 }
 
-SurfaceBvh::SurfaceBvh(const Surface& surface)
-    : scene_(rtcNewScene(bvh_device())), geometry_(rtcNewGeometry(bvh_device(), RTC_GEOMETRY_TYPE_TRIANGLE)) {
-    take_triangles(surface);
-    enable_filters(geometry_);
-    rtcCommitGeometry(geometry_);
-    rtcAttachGeometry(scene_.get(), geometry_);
-    rtcReleaseGeometry(geometry_);
-    rtcSetSceneFlags(scene_.get(), surface_flags);
+void SurfaceBvh::build(const Surface& surface) const {
+    take(surface);
+    scene_.reset(rtcNewScene(bvh_device()));
+    if (moves_) {
+        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
+        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
+    }
+    geometry_ = attach_boxes(scene_.get(), surface.occluding_triangles, box_of, meet, &triangles_);
+    if (moves_) {
+        rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
+        rtcCommitGeometry(geometry_);
+    }
+    hash_ = hash_of_triangles(surface);
+    neighbors_ = neighbors(surface);
+    spread_ = spread(surface, neighbors_);
     build_bvh(scene_.get(), surface.name());
-    version_ = surface.version();
+}
+
+void SurfaceBvh::take(const Surface& surface) const {
+    triangles_ = {surface.positions.data(), surface.triangles.data(), dvec3(surface.center),
+                  1.0 / std::max(double(surface.radius), std::numeric_limits<double>::min())};
 }
 
 void SurfaceBvh::follow(const Surface& surface) const {
     const std::lock_guard lock(mutex_);
     if (version_ == surface.version()) return;
-    const bool same = moves_ && hash_of_triangles(surface) == triangles_;
-    if (same && spread(surface, neighbors_) <= worst_spread * spread_) {
-        rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
+    if (moves_ && hash_of_triangles(surface) == hash_ && spread(surface, neighbors_) <= worst_spread * spread_) {
+        take(surface);
+        rtcCommitGeometry(geometry_);
+        commit(scene_.get());  // while it waits there, the thread takes no task that waits for this lock
+        check_bvh_device(surface.name());
     } else {
-        rtcSetSceneFlags(scene_.get(), surface_flags | RTC_SCENE_FLAG_DYNAMIC);
-        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
-        rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
-        take_triangles(surface);  // for other triangles Embree rebuilds the BVH
         moves_ = true;
+        build(surface);
     }
-    rtcCommitGeometry(geometry_);
-    commit(scene_.get());  // while it waits there, the thread takes no task that waits for this lock
     version_ = surface.version();
-    check_bvh_device(surface.name());
 }
 
-void SurfaceBvh::take_triangles(const Surface& surface) const {
-    share_triangles(geometry_, surface.positions, surface.vertex_count(), surface.triangles,
-                    surface.occluding_triangles);
-    triangles_ = hash_of_triangles(surface);
-    neighbors_ = neighbors(surface);
-    spread_ = spread(surface, neighbors_);
+void SurfaceBvh::lead(RayContext& context) const {
+    // The ray begins where it can first meet the sphere around the surface.
+    const dvec3 along = context.local.direction, way = triangles_.center - context.local.origin;
+    const double longest = std::abs(along[context.local.z]), radius = 1.0 / triangles_.scale;
+    context.first_t = std::max(context.near_t, glm::dot(way, along) / glm::dot(along, along) - radius / longest);
+    context.longest = longest * triangles_.scale;
+    RTCRayHit ray = ray_through_boxes((context.first_t * along - way) * triangles_.scale, along * triangles_.scale, 0.0,
+                                      context.far_t - context.first_t);
+    follow_ray(scene_.get(), ray, context);
+}
+
+void SurfaceBvh::box_of(const RTCBoundsFunctionArguments* at) {
+    const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
+    const Triangle& t = of.triangles[at->primID];
+    const auto in_box = [&](Index vertex) { return (dvec3(of.positions[vertex]) - of.center) * of.scale; };
+    const dvec3 a = in_box(t.x), b = in_box(t.y), c = in_box(t.z);
+    *at->bounds_o = box_between(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), 1.0);
+}
+
+void SurfaceBvh::meet(const RTCIntersectFunctionNArguments* at) {
+    const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
+    auto& context = *static_cast<RayContext*>(at->context);
+    const Triangle& t = of.triangles[at->primID];
+    const vec3* p = of.positions;
+    TriangleHit hit;
+    if (!meets(context.local, p[t.x], p[t.y], p[t.z], hit)) return;
+    if (!(hit.t > context.near_t && hit.t <= context.far_t)) return;
+    const double before = context.far_t;
+    context.meet(at->primID, hit);
+    if (context.far_t != before)
+        RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) =
+            end_of_ray(context.far_t - context.first_t, context.longest);
 }
 
 }  // namespace fovea::scene

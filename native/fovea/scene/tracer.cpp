@@ -28,23 +28,16 @@ bool is_flat_and_convex(const Outline& quad) {
 }  // namespace
 
 Tracer::Tracer(const Scene& scene, const View& view)
-    : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>()) {
+    : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>(scene)) {
     bvh_->object_to_view.resize(scene.placements.size());
     Array<Index> hiding;
-    std::vector<const Surface*> surfaces;
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
         bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
         const bool hides = placement.usage & (usage_occlude | usage_holdout);
-        if (!hides || placement.surface->occluding_triangles == 0 || !in_frame(placement, view, 0.1)) continue;
-        hiding.push_back(i);
-        surfaces.push_back(placement.surface.get());
+        if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1)) hiding.push_back(i);
     }
-    std::ranges::sort(surfaces);
-    surfaces.erase(std::ranges::unique(surfaces).begin(), surfaces.end());
-    parallel_for(surfaces.size(), 1, [&](std::size_t i) { bvh_of(*surfaces[i]); });
-    for (const Index i : hiding) bvh_->add(scene, i);
-    bvh_->commit();
+    bvh_->build(hiding);
 }
 
 Tracer::~Tracer() = default;
@@ -59,37 +52,19 @@ Ray Tracer::ray_to(const vec3& point) const {
     return {vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z, static_cast<float>(1.0 - ray_margin)};
 }
 
-bool Tracer::surely_before(const Hit& hit, const Ray& ray) const {
-    // In single precision a large surface that contains the point, such as a floor, may be hit before the point: hits
-    // close to the end are recomputed.
-    constexpr float sure = 0.98f;
-    return hit.t < sure || plane_share(hit, ray) < ray.far_t;
-}
-
 std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) const {
-    Ray ray = ray_to(point);
+    const Ray ray = ray_to(point);
     if (ray.far_t <= ray.near_t) return {};
-    for (int tries = 0; tries < 8; ++tries) {
-        const auto hit = bvh_->trace(scene_, ray, ignore);
-        if (!hit || surely_before(*hit, ray)) return hit;
-        ray.near_t = std::nextafter(hit->t, 2.0f);
-    }
-    return {};
-}
-
-double Tracer::plane_share(const Hit& hit, const Ray& ray) const {
-    const auto corner = corners(hit.placement, hit.triangle);
-    const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-    return glm::dot(normal, corner[0] - dvec3(ray.origin)) / glm::dot(normal, dvec3(ray.direction));
+    return bvh_->trace(ray, ignore);
 }
 
 std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     if (view_.orthographic) {
         const float reach = std::max(std::abs(point.z), 1e-6f);
-        return bvh_->trace(scene_, {point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity}, ignore);
+        return bvh_->trace({point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity}, ignore);
     }
-    return bvh_->trace(scene_, {vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity}, ignore);
+    return bvh_->trace({vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity}, ignore);
 }
 
 std::optional<Hit> Tracer::seen(const dvec2& px) const {
@@ -97,17 +72,15 @@ std::optional<Hit> Tracer::seen(const dvec2& px) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const auto near_distance = static_cast<float>(view_.near_clip);
     if (view_.orthographic)
-        return bvh_->trace(scene_, {vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}, {});
+        return bvh_->trace({vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}, {});
     // Direction scaled so that t is the distance along -z.
-    return bvh_->trace(scene_, {vec3(0.0f), vec3(point / -point.z), near_distance, infinity}, {});
+    return bvh_->trace({vec3(0.0f), vec3(point / -point.z), near_distance, infinity}, {});
 }
 
 void Tracer::check_current() const {
-    for (std::size_t i = 0; i < bvh_->versions.size(); ++i) {
-        const Surface& surface = *scene_.placements[bvh_->placement_of_instance[i]].surface;
-        if (surface.version() != bvh_->versions[i])
-            check(false, surface.name() + ": moved after its tracer was made; make a new one");
-    }
+    for (const Bvh::Version& made : bvh_->surfaces)
+        if (made.surface->version() != made.version)
+            check(false, made.surface->name() + ": moved after its tracer was made; make a new one");
 }
 
 Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool contour) const {

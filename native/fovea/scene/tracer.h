@@ -62,7 +62,7 @@ struct Hit {
     Index placement;
     Index triangle;
     /// Ray parameter; for visibility rays, the share of the way from the eye to the target.
-    float t;
+    double t;
     /// Barycentric coordinates: weights of the triangle's second and third corner.
     float u = 0.0f, v = 0.0f;
 };
@@ -88,6 +88,8 @@ struct Ray {
 /// space. Const methods are thread-safe. The scene must outlive the tracer.
 class Tracer {
    public:
+    struct Bvh;
+
     /// Skips placements that do not occlude (holdouts do) or are outside the frame widened by 10 %.
     Tracer(const Scene& scene, const View& view);
     ~Tracer();
@@ -130,13 +132,8 @@ class Tracer {
     /// Ray from the eye, or from the near plane, to a point; empty (far_t <= near_t) if the point is before the near
     /// plane.
     Ray ray_to(const vec3& point) const;
-    /// Whether a hit is before the ray's end; recomputed in double precision if it is close to it.
-    bool surely_before(const Hit& hit, const Ray& ray) const;
-    /// Ray parameter of the intersection with the plane of the triangle that was hit, in double precision.
-    double plane_share(const Hit& hit, const Ray& ray) const;
-
     struct Count;
-    struct Bvh;
+
     const Scene& scene_;
     View view_;
     dmat4 clip_to_view_;
