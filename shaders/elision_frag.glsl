@@ -99,9 +99,9 @@ void main()
     line.at_ends[4 + k] = at_end(end.zw, k, near.y);
   }
   int rows = elision_rows(band, most_rows);
-  for (int j = 0; j < columns; j++) {
+  for (int j = 0; j < window_columns; j++) {
     for (int k = 0; k < rows; k++) {
-      crowding += window_pixel(elision_place(place, band, j, columns, k, rows, window_length), line);
+      crowding += window_pixel(elision_place(place, band, j, window_columns, k, rows, window_length), line);
     }
   }
 }

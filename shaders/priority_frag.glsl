@@ -14,5 +14,5 @@ void main()
     }
   }
   vec2 away = line_owner.xy * band_side(place);
-  texel = packed_texel(vec4(line_owner.z, band_ends_right(place) ? -coverage : coverage, away));
+  band_texel = packed_texel(vec4(line_owner.z, band_ends_right(place) ? -coverage : coverage, away));
 }

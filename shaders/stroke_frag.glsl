@@ -8,9 +8,9 @@ float ink_of(int pen_index)
     return 1.0;
   }
   if (style.w > 0.5) {
-    return anchored_stroke_ink(int(style.z), size, place.x, place.y, half_width, ends.z, style.x);
+    return anchored_stroke_ink(int(style.z), size, arc_place.x, arc_place.y, half_width, ends.z, style.x);
   }
-  return stroke_ink(int(style.z), size, place.x / style.x, place.y, half_width);
+  return stroke_ink(int(style.z), size, arc_place.x / style.x, arc_place.y, half_width);
 }
 
 void main()
@@ -18,21 +18,21 @@ void main()
   int pen_index = int(pen_number);
   vec4 color = fetch_row(pens, 4 * pen_index);
   bool round_cap = fetch_row(pens, 4 * pen_index + 1).y > 0.5;
-  float alpha = opacity * stroke_coverage(place.x, place.y, ends.x, ends.y, half_width, round_cap);
+  float alpha = opacity * stroke_coverage(arc_place.x, arc_place.y, ends.x, ends.y, half_width, round_cap);
   float ink_here = ink_of(pen_index);
   int other = int(color.w);
   if (other != pen_index) {
-    color = mix(color, fetch_row(pens, 4 * other), away.x);
-    ink_here = mix(ink_here, ink_of(other), away.y);
+    color = mix(color, fetch_row(pens, 4 * other), mixed.x);
+    ink_here = mix(ink_here, ink_of(other), mixed.y);
   }
-  if (away.z > 0.0) {
-    vec4 second = mix(fetch_row(pens, 4 * pen_index + 3), fetch_row(pens, 4 * other + 3), away.x);
-    color = mix(color, second, away.z);
+  if (mixed.z > 0.0) {
+    vec4 second = mix(fetch_row(pens, 4 * pen_index + 3), fetch_row(pens, 4 * other + 3), mixed.x);
+    color = mix(color, second, mixed.z);
   }
   alpha *= ink_here;
 #ifdef SPINE
   if (alpha > 0.0) {
-    alpha *= spine_visibility(clamp(place.x, ends.x, ends.y));
+    alpha *= spine_visibility(clamp(arc_place.x, ends.x, ends.y));
   }
 #endif
   line_color = vec4(color.xyz * alpha, alpha);

@@ -3,12 +3,12 @@
 void main()
 {
   gl_Position = vec4((px - image_origin) / image_size * 2.0 - 1.0, 0.0, 1.0);
-  place = arc.xy;
+  arc_place = arc.xy;
   ends = vec3(arc.zw, path_px);
   half_width = width_opacity.x;
   opacity = width_opacity.y;
   pen_number = float(pen);
-  away = mixes;
+  mixed = mixes;
 #ifdef SPINE
   spine = spine_range;
 #endif

@@ -23,7 +23,7 @@ class ElisionPass:
     def __init__(self, programs, elision, batch_samples):
         self._programs, self._border = programs, border_of(elision)
         self._window = {
-            "columns": elision.WINDOW_COLUMNS,
+            "window_columns": elision.WINDOW_COLUMNS,
             "most_rows": elision.MOST_WINDOW_ROWS,
             "window_length": elision.WINDOW_LENGTH_PX,
             "end_reach": elision.END_REACH,

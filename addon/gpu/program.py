@@ -1,38 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shader programs, assembled as shaders/programs.toml describes. Compiling needs a GPU context."""
 
-import tomllib
-from functools import cache
-from pathlib import Path
-
 import gpu
 import numpy as np
 
 from .. import native
+from . import manifest
 
 LIMITS = ("ROW_WIDTH", "OWNER_STRIDE")  # constants of the core that are defined for the shader sources
-_PACKAGE = Path(__file__).resolve().parents[1]
-
-
-@cache
-def _folder():
-    """Folder of the shaders: inside the installed extension, or beside it in a checkout."""
-    for folder in (_PACKAGE / "shaders", _PACKAGE.parent / "shaders"):
-        if (folder / "programs.toml").is_file():
-            return folder
-    raise FileNotFoundError(f"Fovea's shaders are missing from {_PACKAGE}; install the extension again")
-
-
-@cache
-def manifest():
-    """{program: description}, each merged over that of the program in its `like` entry."""
-    programs = tomllib.loads((_folder() / "programs.toml").read_text())
-    return {name: {**programs.get(said.get("like"), {}), **said} for name, said in programs.items()}
 
 
 def compile_program(name):
     """A new gpu.types.GPUShader of the named program; must not outlive the context it was created in."""
-    description = manifest()[name]
+    description = manifest.programs()[name]
     info = gpu.types.GPUShaderCreateInfo()
     for slot, (attribute, kind) in enumerate(description.get("inputs", {}).items()):
         info.vertex_in(slot, kind, attribute)
@@ -55,8 +35,8 @@ def compile_program(name):
         info.define(limit, str(getattr(native.load().AtlasBatch, limit)))
     if description.get("writes_depth"):
         _declare_depth(info)
-    info.vertex_source(_source(description["vertex"]))
-    info.fragment_source(_source(description["fragment"]))
+    info.vertex_source(manifest.source(description["vertex"]))
+    info.fragment_source(manifest.source(description["fragment"]))
     return gpu.shader.create_from_info(info)
 
 
@@ -67,10 +47,6 @@ def _declare_depth(info):
     elif gpu.platform.backend_type_get() != "OPENGL":
         return
     info.define("WRITES_DEPTH")
-
-
-def _source(files):
-    return "\n".join((_folder() / file).read_text() for file in files)
 
 
 class Programs:

@@ -20,10 +20,11 @@ float elision_foreign(vec3 figure, float other)
   return figure.x >= 0.0f && figure.x == other ? 1.0f - figure.y : 1.0f;
 }
 
-// Weight in [0, 1] with which another line can meet this one at an end `distance_px` away.
-float elision_near_end(vec4 band, float distance_px, float end_reach)
+// Weight in [0, 1] with which another line can meet this one at an end `distance_px` away; it falls to 0 at so many
+// half widths of the band.
+float elision_near_end(vec4 band, float distance_px, float half_widths)
 {
-  return 1.0f - smoothstep(0.5f * end_reach * band.x, end_reach * band.x, distance_px);
+  return 1.0f - smoothstep(0.5f * half_widths * band.x, half_widths * band.x, distance_px);
 }
 
 // `near` times the bilinear weight of pixel k of the four around an end, `off` pixels from the first of them:

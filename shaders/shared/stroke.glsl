@@ -58,14 +58,14 @@ float mean_stroke_ink(int first, ivec2 size, float v, float half_width_px)
 
 // For a texture anchored to its path: (repetitions along the whole path, weight) of the finer of two blended octaves;
 // the coarser one has half the repetitions. Repetitions are powers of two, so that in a zoom they stay in place or
-// split in two: 2^n with n = ceil(log2 level), for a path of `level` texture lengths. At the end of an octave only the
-// finer one is left, which is the coarser one of the next. Benard et al., "Self-Similar Line Artmaps", 2010. Paths
+// split in two: 2^n with n = ceil(log2 lengths), for a path of so many texture lengths. At the end of an octave only
+// the finer one is left, which is the coarser one of the next. Benard et al., "Self-Similar Line Artmaps", 2010. Paths
 // below a pixel count as one.
 vec2 stroke_octave(float path_px, float texture_length_px)
 {
-  float level = max(path_px, 1.0f) / texture_length_px;
-  float repeats = exp2(ceil(log2(level)));
-  return vec2(repeats, clamp(2.0f * level / repeats - 1.0f, 0.0f, 1.0f));
+  float lengths = max(path_px, 1.0f) / texture_length_px;
+  float repeats = exp2(ceil(log2(lengths)));
+  return vec2(repeats, clamp(2.0f * lengths / repeats - 1.0f, 0.0f, 1.0f));
 }
 
 // Ink of a texture anchored to a path of length path_px, u px from its middle. Two octaves are blended, and the
