@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Script for a child process: creates an OpenGL 4.3 context as Blender does in background mode, prints its renderer.
+"""Script for a child process: creates an OpenGL 4.3 context as Blender does in background mode, prints its renderer;
+with --kind the word hardware or software before it.
 
 Blender aborts if this fails, so it is tried in a separate process first. Exit code 0: usable.
 """
@@ -14,6 +15,12 @@ RENDERER = 0x1F01
 ATTRIBUTES = (0x3033, 0x0001, 0x3040, 0x0008, 0x3024, 8, 0x3023, 8, 0x3022, 8, 0x3038)  # pbuffer, OpenGL, RGB 8
 CORE_4_3 = (0x3098, 4, 0x30FB, 3, 0x30FD, 1, 0x3038)
 SURFACE = (0x3057, 1, 0x3056, 1, 0x3038)  # width and height 1 pixel
+
+SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software")  # in the names of renderers on the CPU
+
+
+def is_software(renderer):
+    return any(name in renderer.lower() for name in SOFTWARE)
 
 
 def _ints(values):
@@ -56,6 +63,8 @@ def renderer():
 
 if __name__ == "__main__":
     try:
-        print(renderer())
+        found = renderer()
+        kind = "software" if is_software(found) else "hardware"
+        print(*([kind, found] if sys.argv[1:] == ["--kind"] else [found]))
     except (OSError, AttributeError) as error:
         sys.exit(str(error))

@@ -16,9 +16,9 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..scene.own_preferences import own
+from .gl_probe import is_software
 
 SEEN = "FOVEA_GL_RENDERER"  # environment variable that passes the probe's result to child processes; empty: unusable
-SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software")
 
 _engine = None  # the registered engine class
 
@@ -77,7 +77,7 @@ def register(engine):
     _engine = engine
     renderer = gl_renderer()
     wanted = os.environ.get("FOVEA_BACKEND", "").lower() == "gpu"
-    hardware = renderer is not None and not any(name in renderer.lower() for name in SOFTWARE)
+    hardware = renderer is not None and not is_software(renderer)
     engine.bl_use_gpu_context = renderer is not None and (wanted or hardware)
     bpy.utils.register_class(engine)
     bpy.app.handlers.load_post.append(_file_loaded)

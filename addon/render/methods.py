@@ -6,7 +6,7 @@ import os
 from .. import native
 from ..gpu import viewport as gpu_viewport
 from ..scene.property_kinds import choice, whole_number
-from . import gpu_context
+from . import gpu_check, gpu_context
 
 AUTOMATIC = ("AUTO", "Automatic", "Exact in renders and on software OpenGL, Fast (Sampled) in other viewports", 0)
 LOOKS = ("probes", "depth_scale")
@@ -53,7 +53,8 @@ def choose(engine, settings, *, in_viewport):
 
     The environment variable FOVEA_BACKEND overrides the scene's setting. AUTO visibility is exact in renders, so that
     frames from different machines agree, and sampled in viewports with a hardware GPU. The backend is stored
-    in the engine, which lives as long as the context: through an animation, or while a viewport is open.
+    in the engine, which lives as long as the context: through an animation, or while a viewport is open; and so is the
+    `note` of gpu_check on a GPU that does not draw as it should, where the CPU draws.
     """
     wanted = os.environ.get("FOVEA_BACKEND", settings.backend).upper()
     usable = wanted != "CPU" and gpu_context.available()
@@ -61,10 +62,24 @@ def choose(engine, settings, *, in_viewport):
     name = "gpu" if usable and (wanted == "GPU" or hardware) else "cpu"
     if wanted == "GPU" and name == "cpu":
         engine.report({"INFO"}, "OpenGL cannot be used here: drawn by the CPU")
+    method = _method(settings, in_viewport and hardware)
+    engine.note = gpu_check.note(lambda: _kept(engine, "gpu"), method) if name == "gpu" else ""
+    if engine.note:
+        name, method = "cpu", _method(settings, False)
+    return _kept(engine, name), method
+
+
+def _method(settings, is_fast):
+    """Name of the visibility method. `is_fast`: AUTO is the fast one."""
+    automatic = "ATLAS" if is_fast else "EXACT"
+    return (automatic if settings.visibility == "AUTO" else settings.visibility).lower()
+
+
+def _kept(engine, name):
+    """The engine's backend, another one if it has not that name."""
     if engine.backend is None or engine.backend.name != name:
         engine.backend = _backend(name)
-    automatic = "ATLAS" if in_viewport and hardware else "EXACT"
-    return engine.backend, (automatic if settings.visibility == "AUTO" else settings.visibility).lower()
+    return engine.backend
 
 
 def _backend(name):

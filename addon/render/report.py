@@ -11,7 +11,7 @@ from ..scene import surfaces
 from ..scene.operator import Operator
 from ..scene.shapes import LABELS
 from ..style import freestyle
-from . import as_rendered, properties, reading, session, stage_labels
+from . import as_rendered, gpu_check, properties, reading, session, stage_labels
 
 TEXT = "Fovea Report"  # name of the text datablock
 NO_CAMERA = "The scene has no camera, so it cannot be rendered: this is what viewports show of it"
@@ -143,6 +143,7 @@ def report(read, depsgraph, note=""):
         "Left out, or looks wrong": skipped(read, depsgraph) or ["Nothing was left out"],
         "Transparency": list(transparency(read)),
         "Last picture": list(times(session.last_statistics())),
+        "GPU": list(gpu_check.lines()),
         "Shapes": list(grouped({name: f"drawn as {LABELS[shape]}: {why}" for name, (shape, why) in shapes.items()})),
         "Curvature": list(grouped(curvature)),
         "Memory": list(memory()),

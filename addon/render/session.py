@@ -22,8 +22,7 @@ from . import methods, near_frames, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
-_statistics = {}
-_remarked = set()  # remarks that were reported already
+_statistics, _remarked = {}, set()  # and remarks that were reported already
 
 PASSES = {  # besides Combined: number of channels, their names, type
     "Lines": (4, "RGBA", "COLOR"),
@@ -130,6 +129,7 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
     core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
+    report_once(engine, engine.note)
     asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
@@ -159,7 +159,7 @@ def _shown_lines(engine, depsgraph, backend, options, cancel):
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):
-        engine.update_stats("Fovea", f"Frame {depsgraph.scene.frame_current}: {stage_labels.label(stage)}")
+        stage_labels.show(engine, f"Frame {depsgraph.scene.frame_current}: {stage_labels.label(stage)}")
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
@@ -188,7 +188,7 @@ def watched(engine, cancel):
 
 def _progress(engine, share, text):
     engine.update_progress(share)
-    engine.update_stats("Fovea", stage_labels.label(text))
+    stage_labels.show(engine, stage_labels.label(text))
 
 
 def report_skipped(engine, built, remarks=()):
@@ -198,7 +198,7 @@ def report_skipped(engine, built, remarks=()):
 
 
 def report_once(engine, remark):
-    """Reports a remark, unless it is None or was reported before."""
+    """Reports a remark, unless it is None, empty, or was reported before."""
     if remark and remark not in _remarked:
         _remarked.add(remark)
         engine.report({"INFO"}, remark)

@@ -21,3 +21,9 @@ STAGES = {  # stages as the core and session.py name them -> labels
 
 def label(stage):
     return STAGES.get(stage, stage)
+
+
+def show(engine, text=""):
+    """Shows a text in the header of the picture, and the engine's `note`, if it has one."""
+    words = " | ".join(filter(None, (text, getattr(engine, "note", ""))))
+    engine.update_stats("Fovea" if words else "", words)

@@ -81,7 +81,7 @@ class Viewport:
         elif job is None or not job.draft or job.wait(job.started + PATIENCE - start):
             self._take(engine)
             if (before := self.wanted) is None:
-                engine.update_stats("", "")
+                stage_labels.show(engine)
             self._want(engine, context, depsgraph, view)
             self._draw(engine, depsgraph.scene.fovea_viewport.budget_ms, start + PATIENCE)
             if self.wanted is not before:
@@ -125,6 +125,7 @@ class Viewport:
         self.playing = context.screen.is_animation_playing
         scene = self.changes.read(engine, depsgraph, context.space_data)
         backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
+        session.report_once(engine, engine.note)
         options = pipeline.options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
         key = (scene.version, seen(view), options, backend.name)
         if self.wanted is None or self.wanted.key != key:
@@ -173,7 +174,7 @@ class Viewport:
             self.budget.note(made.quality, stages, cold=self._is_cold(made.wanted))
             self._warm = made.wanted.scene.gathered
             session.note_statistics(made.wanted.scene.gathered, made.image)
-            engine.update_stats("", "")
+            stage_labels.show(engine)
 
     def look_after(self, engine):
         """Timer callback between draws of the region: starts refinements and requests redraws. Returns whether to call
@@ -203,7 +204,7 @@ class Viewport:
         now = time.monotonic()
         if now > max(job.started, self._said_at) + WORD:
             share, text = job.told
-            engine.update_stats("Fovea", f"{stage_labels.label(text)} {100 * share:.0f}%")
+            stage_labels.show(engine, f"{stage_labels.label(text)} {100 * share:.0f}%")
             engine.tag_redraw()
             self._said_at = now
 

@@ -19,7 +19,7 @@ def draw(drawn, shapes=still_life.shapes):
     """The thumbnail of a Style: (SIZE, SIZE, 3) uint8 sRGB, bottom row first. `shapes`: the function of still_life that
     makes the scene. native.Unavailable without the native module."""
     core = native.load()
-    placed, sources = _scene(core, shapes)
+    placed, sources = scene_of(shapes)
     world_to_view, clip, near, far = still_life.view()
     size = OVERSIZE * SIZE
     seen = scene.seen(core, View(world_to_view, clip, size, size, False, near, far, size / HEIGHT))
@@ -40,8 +40,9 @@ def _look():
 
 
 @lru_cache(maxsize=2)
-def _scene(core, shapes):
+def scene_of(shapes):
     """(native Scene, native ColorSources) of the shapes that a function of still_life makes."""
+    core = native.load()
     surfaces, colors = [], []
     for shape in shapes():
         edges = core.PolygonEdges(shape.offsets, shape.corners)
