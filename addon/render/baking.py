@@ -4,6 +4,8 @@
 import bpy
 import numpy as np
 
+from ..scene import pencils
+
 # Point attributes: name -> type.
 NUMBERS = {"strength": "FLOAT", "opacity": "FLOAT", "radius": "FLOAT", "kinds": "INT", "invisibility": "INT"}
 
@@ -52,8 +54,7 @@ def _edges(size, closed):
 
 def grease_pencil(name, found, pens, frame):
     """Grease Pencil data from the arrays of `parts`: strokes on one layer at a frame, one material per pen."""
-    kept = bpy.data.grease_pencils_v3 if hasattr(bpy.data, "grease_pencils_v3") else bpy.data.grease_pencils
-    data = kept.new(name)
+    data = pencils.kept().new(name)
     used = np.unique(found["pen"])
     for pen in used:
         data.materials.append(_material(name, pens[pen]))

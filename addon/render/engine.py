@@ -15,6 +15,7 @@ class FoveaEngine(bpy.types.RenderEngine):
     bl_use_shading_nodes_custom = False
 
     backend = None  # created on first use
+    note = ""  # why it is not the GPU that draws, if that was tried
     viewport = None  # viewport.Viewport, the state of the viewport that this engine draws
 
     def update_render_passes(self, scene=None, renderlayer=None):

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from .. import native, pipeline
-from ..scene import camera
+from ..scene import camera, pencils
 from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import as_rendered, baking, drawn_lines, properties, reading, session
@@ -105,9 +105,12 @@ class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
             ("GREASE_PENCIL", "Grease Pencil", "Strokes with the pens' widths and colors, as the camera sees them"),
             ("MESH", "Mesh", "Vertices and edges"),
         ],
+        default="GREASE_PENCIL" if pencils.are_there() else "MESH",
     )
 
     def act(self, context):
+        if self.kind == "GREASE_PENCIL":
+            pencils.need("bake with the type Mesh")
         scene, (lines, chosen) = context.scene, as_rendered.look(context, _lines)
         made = baking.objects(lines, chosen, self.kind, scene.frame_current)
         if not made:
@@ -122,6 +125,8 @@ class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
         if self.kind == "GREASE_PENCIL" and scene.render.engine == ENGINE:
             _hide(context.view_layer, collection)
             told += ", hidden while Fovea draws the same lines: its eye and camera in the outliner show it"
+        if not pencils.are_there():
+            told += ", as meshes: strokes of Grease Pencil need Blender 4.3 or later"
         self.report({"INFO"}, told)
 
 

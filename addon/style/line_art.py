@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from .. import style
-from ..scene import camera
+from ..scene import camera, pencils
 from ..scene.line_kinds import definitions
 from ..scene.operator import Operator
 from . import line_art_usage, line_style_modifiers, style_data
@@ -45,8 +45,9 @@ WIDTHS = 0.25, 50.0  # limits of a width, in reference pixels
 
 
 def modifiers_of(scene):
-    """(object, modifier) of the Line Art modifiers that renders show."""
-    for obj in scene.objects:
+    """(object, modifier) of the Line Art modifiers that renders show; none before Blender 4.3, where Grease Pencil has
+    modifiers of its own kind."""
+    for obj in scene.objects if pencils.are_there() else ():
         if obj.type == "GREASEPENCIL" and not obj.hide_render:
             yield from ((obj, modifier) for modifier in obj.modifiers if _is_line_art(modifier))
 
@@ -180,6 +181,8 @@ class FOVEA_OT_match_line_art(Operator, bpy.types.Operator):
 
     @classmethod
     def hindrance(cls, context):
+        if not pencils.are_there():
+            return "Line Art can be matched in Blender 4.3 and later: before, its modifiers are of another kind"
         if not any(modifiers_of(context.scene)):
             return "The scene has no Line Art modifier that renders show: there is nothing to match"
         return None if definitions() else "Fovea's native module cannot be used in this Blender"

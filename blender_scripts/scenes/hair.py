@@ -50,6 +50,7 @@ def strands(count: int):
     along = np.linspace(0, 1, POINTS)[None, :, None]
     points = root[:, None] * (0.95 + 0.5 * along) - np.array([0, 0, 0.75]) * along**2
     points[..., 0] += (0.06 * np.sin(5 * along[..., 0] + 7 * angle[:, None])).astype(points.dtype)
+    stage.need((4, 3), "hair of curves that a script makes")
     data = bpy.data.hair_curves.new("Hair")
     data.add_curves([POINTS] * count)
     data.position_data.foreach_set("vector", points.astype(np.float32).ravel())
@@ -112,6 +113,7 @@ def text(body, fill, at):
 
 def ring(at):
     """A circle around the head, drawn in Grease Pencil."""
+    stage.need((4, 3), "a ring of Grease Pencil")
     kept = bpy.data.grease_pencils_v3 if hasattr(bpy.data, "grease_pencils_v3") else bpy.data.grease_pencils
     data = kept.new("Ring")
     red = bpy.data.materials.get("Red") or bpy.data.materials.new("Red")

@@ -7,6 +7,13 @@ import bpy
 from mathutils import Vector
 
 
+def need(version, what):
+    """ValueError where this Blender is older than `version`, (4, 3) for example, which has `what` first."""
+    if bpy.app.version < version:
+        since = ".".join(map(str, version))
+        raise ValueError(f"{what} needs Blender {since} or later, and this is {bpy.app.version_string}")
+
+
 def clear():
     """Removes all data instead of loading an empty file, which would disable add-ons."""
     blocks = [
