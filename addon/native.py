@@ -1,13 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads the native module from this folder, and explains why when it cannot be loaded."""
+"""Loads the native module from this folder, or from the wheel that Blender has installed with the extension; explains
+why when it cannot be loaded."""
 
 import importlib
+import importlib.util
 import os
+import platform
 import sys
+import tomllib
 from contextlib import contextmanager
 from pathlib import Path
 
 UNSET = 0xFFFFFFFF  # index value for "none"
+WHEEL = "fovea_native"  # the package of wheels
+PYTHONS = ("3.11", "3.13")  # for which there are wheels
+SYSTEMS = {"linux": "linux", "win32": "windows", "darwin": "macos"}
+MACHINES = {"x86_64": "x64", "amd64": "x64", "arm64": "arm64", "aarch64": "arm64"}
+BUILT_FOR = ("linux_x64", "windows_x64", "macos_arm64")  # as zips name them
 
 
 class Unavailable(RuntimeError):
@@ -32,7 +41,7 @@ def refusals():
 def load():
     """The native module, the same object every time. Unavailable if it cannot be used."""
     try:
-        module = importlib.import_module("._native", __package__)
+        module = _import()
     except ImportError as error:
         raise Unavailable(_explain(error)) from error
     # A process keeps the shared library it loaded first, even if another version is installed over it and the module
@@ -42,6 +51,16 @@ def load():
     if vars(module).get("notes", {"loaded_from": None}).setdefault("loaded_from", file) != file:
         raise Unavailable("Fovea has been updated while Blender was running; start Blender again")
     return module
+
+
+def _import():
+    """The module beside this file, in zips for one Blender; else that of the wheel, in those for several Pythons."""
+    try:
+        return importlib.import_module("._native", __package__)
+    except ModuleNotFoundError:
+        if importlib.util.find_spec(WHEEL) is None:
+            raise
+        return importlib.import_module(f"{WHEEL}._native")
 
 
 def cancelled():
@@ -70,9 +89,30 @@ def problem():
 def _explain(error):
     here = Path(__file__).parent
     python = f"Python {sys.version_info.major}.{sys.version_info.minor}"
-    found = sorted(path.name for pattern in ("_native*.so", "_native*.pyd") for path in here.glob(pattern))
+    wheel = importlib.util.find_spec(WHEEL)
+    folders = [here, *(Path(place) for place in wheel.submodule_search_locations or ())] if wheel else [here]
+    patterns = ("_native*.so", "_native*.pyd")
+    found = sorted(path.name for folder in folders for pattern in patterns for path in folder.glob(pattern))
     if not found:
-        return "Fovea's native module is missing from the extension; build or install the extension again"
+        return f"Fovea's native module is missing from the extension; {_zip_that_fits()}"
     if isinstance(error, ModuleNotFoundError):
-        return f"Fovea has no native module for {python}, only {', '.join(found)}; install the build for this Blender"
+        return f"Fovea has no native module for {python}, only {', '.join(found)}; {_zip_that_fits()}"
     return f"Fovea's native module does not load in this Blender ({python}): {error}"
+
+
+def _zip_that_fits():
+    """Which zip to install in this Blender: the end of a sentence."""
+    version = f"{sys.version_info.major}.{sys.version_info.minor}"
+    place = f"{SYSTEMS.get(sys.platform, sys.platform)}_{MACHINES.get(platform.machine().lower(), platform.machine())}"
+    if version in PYTHONS and place in BUILT_FOR:
+        return f"install {_name_of_zip(place)}"
+    return f"for {place} with Python {version} install the zip that `blender_scripts/fovea package` builds"
+
+
+def _name_of_zip(place):
+    """As Blender names the zip of a platform."""
+    try:
+        told = tomllib.loads((Path(__file__).parent / "blender_manifest.toml").read_text(encoding="utf-8"))
+    except OSError:
+        return f"the zip for {place}"
+    return f"{told['id']}-{told['version']}-{place}.zip"

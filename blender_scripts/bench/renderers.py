@@ -8,6 +8,7 @@ because frames take minutes. Runs inside Blender."""
 import math
 
 import bpy
+from scenes import stage
 
 CREASE = math.radians(30)  # between the normals of two faces
 LINES = ("contour", "crease", "border")
@@ -74,6 +75,7 @@ class LineArt:
     is_slow = False
 
     def __init__(self, scene):
+        stage.need((4, 3), "Line Art beside Fovea")
         pencils = "grease_pencils_v3" if hasattr(bpy.data, "grease_pencils_v3") else "grease_pencils"  # from 5.0 on
         drawing = getattr(bpy.data, pencils).new("Line Art")
         layer = drawing.layers.new("Lines")

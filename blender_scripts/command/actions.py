@@ -13,8 +13,9 @@ import ending
 import scenes
 
 from . import build as native
-from . import draw_options, output
+from . import draw_options, output, packages
 from . import package as extension
+from .standalone import toolchain
 from .target import PROJECT, SHARED, StepFailed, say, tail
 
 
@@ -27,7 +28,11 @@ def build(target, words):
 def package(target, words):
     parser = argparse.ArgumentParser("fovea package")
     parser.add_argument("-o", "--output", type=Path, help="copy the zip there: a folder or a file")
-    place = parser.parse_args(words).output
+    toolchain.add_platforms(parser)
+    options = parser.parse_args(words)
+    place = options.output
+    if platforms := toolchain.wanted_platforms(options):
+        return all_packages(target, platforms, place)
     if place:
         output.check(place / f"{extension.ID}.zip" if place.is_dir() else place)
     archive = extension.package(target)
@@ -36,6 +41,17 @@ def package(target, words):
         with output.written(place) as fresh:
             shutil.copy2(archive, fresh)
     print(place or archive)
+    return 0
+
+
+def all_packages(target, platforms, place):
+    """Writes the packages for platforms into a folder, which is `place` if that is given."""
+    folder = packages.write(target, platforms)
+    if place:
+        place.mkdir(parents=True, exist_ok=True)
+        shutil.copytree(folder, place, dirs_exist_ok=True)
+    for file in sorted(path for path in (place or folder).rglob("*") if path.is_file()):
+        print(file)
     return 0
 
 

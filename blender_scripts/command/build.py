@@ -4,6 +4,7 @@
 import os
 import shutil
 import sys
+from pathlib import Path
 
 from .target import PROJECT
 
@@ -19,7 +20,9 @@ def build(target, goal="_native", sanitize=False):
 
 
 def module(target):
-    """Builds the Python module; returns its path."""
+    """Path of the Python module: the target's self-contained one, or one that is built."""
+    if target.module:
+        return Path(target.module)
     folder = build(target)
     found = sorted(folder.glob("_native*.so"))
     if len(found) != 1:

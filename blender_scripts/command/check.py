@@ -13,7 +13,7 @@ from pathlib import Path
 from .target import PROJECT, say, tail
 
 CPP = ("native", "tests/native")  # folders of all C++ files
-RULES = ("tests/python/test_layering.py", "tests/python/test_licenses.py")  # tests that only read the sources
+RULES = [f"tests/python/test_{what}.py" for what in ("layering", "licenses", "shaders")]  # they only read the sources
 # A finding in the format of compilers and ruff: FILE:LINE:COLUMN: MESSAGE.
 PLACE = re.compile(r"(?P<file>[^\s:]+):\d+:\d+: (?!note: ).+")
 
@@ -63,7 +63,7 @@ def of_python():
     return [
         Check("lint of Python", [*lint, concise], PLACE, fix=[*lint, "--fix"]),
         Check("format of Python", [*form, "--check", concise], PLACE, files_alone=True, fix=form),
-        Check("rules of imports, includes and licenses", rules),
+        Check("rules of imports, includes, licenses and shaders", rules),
     ]
 
 

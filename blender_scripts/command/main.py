@@ -17,26 +17,27 @@ MODULES = ("check", "figures", "fuzz", "lines", "stub", "test")
 
 
 def main(words):
-    """words: NAME WORK CACHE BLENDER PYTHON_INCLUDE SUB-COMMAND ARGUMENTS..."""
+    """words: NAME WORK CACHE BLENDER PYTHON_INCLUDE MODULE SUB-COMMAND ARGUMENTS..."""
+    name, work, cache, blender, python_include, ready_module, subcommand, *rest = words
     for number in INTERRUPTS:
         signal.signal(number, interrupt)
     printed.watch()
-    work = Path(words[1])
+    work = Path(work)
     try:
         with temporary.folder(work / "tmp") as held:
-            target = Target(words[0], work, Path(words[2]), words[3], words[4], held)
-            module = importlib.import_module(f"command.{words[5] if words[5] in MODULES else 'actions'}")
-            status = getattr(module, words[5])(target, words[6:])
+            target = Target(name, work, Path(cache), blender, python_include, held, ready_module)
+            module = importlib.import_module(f"command.{subcommand if subcommand in MODULES else 'actions'}")
+            status = getattr(module, subcommand)(target, rest)
             sys.stdout.flush()
             return status
     except StepFailed as failure:
         say(str(failure))
     except MemoryError:
-        say(f"{words[5]}: memory is too small for this: take a simpler model, or a smaller --size")
+        say(f"{subcommand}: memory is too small for this: take a simpler model, or a smaller --size")
     except printed.Unprinted as reason:
-        say(f"{words[5]}: what it prints could not be written ({reason}): make room, or send it elsewhere")
+        say(f"{subcommand}: what it prints could not be written ({reason}): make room, or send it elsewhere")
     except (ValueError, OSError) as error:
-        say(f"{words[5]}: {error}")
+        say(f"{subcommand}: {error}")
     except KeyboardInterrupt:
         return 130  # blender_scripts/fovea says so
     with contextlib.suppress(printed.Unprinted):  # the error is told already

@@ -1,21 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The user's own Blender: queries its version and Python, and checks the prerequisites for building the module.
+# The user's own Blender: queries its version and Python; takes the self-contained module that fits, or checks the
+# prerequisites for building one.
 
-# use_own_blender PATH: sets target_name, blender, python and python_include, or `reason` and returns 1.
+modules_folder=$cache/standalone/modules # PLATFORM-PYTHON/_native.*, as `fovea standalone` leaves them
+
+# use_own_blender PATH: sets target_name, blender, python, python_include and module (a self-contained module that loads
+# there, or "": one is built), or `reason` and returns 1.
 use_own_blender() {
     blender=$1
+    version= python_version= module=
     [ -x "$blender" ] && [ ! -d "$blender" ] || { reason="$blender is no program" && return 1; }
-    version=$("$blender" --version 2>/dev/null | sed -n 's/^Blender \([0-9][0-9.]*\).*/\1/p' | head -n 1)
+    version=$("$blender" --version 2>/dev/null </dev/null | sed -n 's/^Blender \([0-9][0-9.]*\).*/\1/p' | head -n 1)
     is_new_enough "$version" || {
         reason="$blender is ${version:+Blender }${version:-no Blender}, and Fovea needs Blender 4.2 or later"
         return 1
     }
-    ask_for_python || { reason="$blender (Blender $version) does not say which Python it runs" && return 1; }
-    missing=$(missing_parts)
-    [ -z "$missing" ] || {
-        reason="Fovea's module cannot be built for $blender (Blender $version, Python $python_version), missing: $missing"
+    ask_blender || { reason="$blender (Blender $version) does not say which Python it runs" && return 1; }
+    [ -x "$python" ] || {
+        reason="$blender (Blender $version) runs the Python $python, which is no program of this machine: name a Blender that is not packed in a sandbox of its own"
         return 1
     }
+    [ -n "$module" ] || missing=$(missing_parts)
+    [ -n "$module" ] || [ -z "$missing" ] || { reason=$(why_no_module) && return 1; }
     target_name=own-$version-$(short_hash "$(readlink -f "$blender") $version")
 }
 
@@ -26,23 +32,51 @@ is_new_enough() {
     [ -n "$1" ] && { [ "$major" -gt 4 ] || { [ "$major" -eq 4 ] && [ "$minor" -ge 2 ]; }; }
 }
 
-ask_for_python() {
-    question='import sys, sysconfig
-print("python", *sys.version_info[:2], sys.executable, sysconfig.get_path("include"), sep="|")'
-    answer=$(HOME=$cache "$blender" -b --factory-startup --python-expr "$question" 2>/dev/null | grep '^python|') || return
-    python_version=$(echo "$answer" | cut -d '|' -f 2,3 | tr '|' .)
-    python=$(echo "$answer" | cut -d '|' -f 4)
+# Asks a Blender for its Python, and for the self-contained module that it can load. Its HOME is a folder for this alone.
+ask_blender() {
+    asked_home=$(mktemp -d) || return
+    answer=$(HOME=$asked_home "$blender" -b --factory-startup -P "$here/ask_blender.py" -- "$modules_folder" 2>/dev/null </dev/null |
+        sed -n 's/^fovea //p') || true
+    rm -rf "$asked_home"
+    python_version=$(told python)
+    python=$(told program)
+    module=$(told module)
     python_include=
-    for folder in "$(echo "$answer" | cut -d '|' -f 5)" "/usr/include/python$python_version" \
-        "/usr/local/include/python$python_version"; do
+    for folder in "$(told include)" "/usr/include/python$python_version" "/usr/local/include/python$python_version"; do
         [ -n "$python_include" ] || [ ! -e "$folder/Python.h" ] || python_include=$folder
     done
+    [ -n "$python_version" ]
+}
+
+# told WORD: what the Blender said of it.
+told() {
+    printf '%s\n' "$answer" | sed -n "s/^$1 //p" | head -n 1
+}
+
+# One sentence: why no self-contained module is used, what is missing to build one, and both remedies.
+why_no_module() {
+    tried=$(told tried)
+    refused=$(told refused)
+    if [ -n "$tried" ]; then
+        printf '%s' "$tried does not load in $blender (Blender $version, Python $python_version: ${refused:-it ends Blender})"
+    else
+        printf '%s' "there is no self-contained module for $blender (Blender $version, Python $python_version) in $modules_folder/$(told platform)"
+    fi
+    remedy=$(remedy_of "$(told platform)")
+    printf '%s\n' ", and none can be built, missing: $missing; $remedy, or install what is missing"
+}
+
+# remedy_of PLATFORM: how its self-contained module is made; official Blenders have one of two Pythons.
+remedy_of() {
+    case $1 in
+    *-cp311 | *-cp313) echo "make it with 'blender_scripts/fovea standalone $1'" ;;
+    *) echo "take an official Blender, as self-contained modules are for Python 3.11 and 3.13" ;;
+    esac
 }
 
 # Prints the missing prerequisites for building a module for that Blender, with their Debian packages.
 missing_parts() {
     {
-        [ -x "$python" ] || echo "Blender's Python program"
         [ -n "$python_include" ] || echo "the headers of Python $python_version (python$python_version-dev)"
         command -v cmake >/dev/null || echo "CMake (cmake)"
         command -v ninja >/dev/null || echo "Ninja (ninja-build)"

@@ -34,6 +34,7 @@ class Target:
     blender: str
     python_include: str  # folder of Python.h; "" if the interpreter reports it
     held: int | None = None  # descriptor of the lock on this run's temporary files (temporary.py)
+    module: str = ""  # a self-contained module that the Blender loads; "": one is built
 
     @property
     def is_suite(self):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The target of a sub-command: a Debian suite, or the user's own Blender.
 
-# choose_target [sid|trixie|/path/to/blender]: sets target_name, blender, python and python_include; sets up the suite.
+# choose_target [sid|trixie|/path/to/blender]: sets target_name, blender, python, python_include and module; sets up the suite.
 choose_target() {
     case ${1:-} in
     sid | trixie) use_suite "$1" ;;
@@ -16,6 +16,7 @@ use_suite() {
     blender=/usr/bin/blender
     python=/usr/bin/python3
     python_include=
+    module= # is built
     set_up_suite "$1"
 }
 
@@ -45,7 +46,7 @@ choose_blender_at_hand() {
 run_command() {
     work=$(work_folder)
     mkdir -p "$work/home"
-    set -- "$python" -B "$here/main.py" "$target_name" "$work" "$cache" "$blender" "$python_include" "$@"
+    set -- "$python" -B "$here/main.py" "$target_name" "$work" "$cache" "$blender" "$python_include" "$module" "$@"
     case $target_name in
     own-*) run_child "$@" ;;
     *) in_suite "$target_name" "$work" "$@" ;;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs all tests on one target: native, native under sanitizers, Python without Blender, inside Blender, in its window.
+"""Runs all tests on one target: native, native under sanitizers, Python without Blender, inside Blender, those that use
+a GPU by Vulkan, too, in its window.
 The tests of threads, under the thread sanitizer, and runs that are killed in a loop run only when named."""
 
 import os
@@ -53,7 +54,7 @@ def _part(target, part, report, words):
         _remember(target, f"{target.name}: {failure}")
         counts = Counter(failed=1)
     else:
-        with ThreadPoolExecutor(len(runs)) as pool:
+        with ThreadPoolExecutor(max(len(runs), 1)) as pool:
             counts = sum(pool.map(lambda run: _outcome(target, part, *run), runs), Counter())
     told = ", ".join(f"{counts[kind]} {kind}" for kind in ("passed", "failed", "skipped"))
     say(f"{target.name}: {part} tests: {told}")
@@ -126,6 +127,7 @@ def _python(target, report, words):
     # Import the staged package, because the checkout's folder has no native module.
     path = str(package.importable(target))
     environment = {"PYTHONPATH": path, "PYTHONSAFEPATH": "1", "FOVEA_BLENDER": target.blender}
+    environment["FOVEA_STANDALONE"] = str(target.cache / "standalone")
     return [("python tests", command, report, environment)]
 
 
@@ -134,6 +136,24 @@ def _blender(target, report, words):
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", TESTS / "blender" / "run.py"]
     command += ["--", "-v", f"--junitxml={report}", *words]
     return [("blender tests", command, report, {"FOVEA_REPORTS": str(target.work / "log")})]
+
+
+def _vulkan(target, report, words):
+    """The tests that use a GPU, once more by Vulkan, which Mesa's drivers of the suites have without a GPU. Blender has
+    it from 4.5 on; 4.3 crashes."""
+    if not target.is_suite or _version(target) < (4, 5):
+        say(f"{target.name}: no vulkan tests: they need a suite's Blender 4.5 or later")
+        return []
+    package.install(target)
+    command = [target.blender, "-b", "--gpu-backend", "vulkan", "--python-exit-code", "1"]
+    command += ["-P", TESTS / "blender" / "run.py", "--", "-v", f"--junitxml={report}", "-k", "gpu", *words]
+    return [("vulkan tests", command, report, {"FOVEA_REPORTS": str(target.work / "log")})]
+
+
+def _version(target):
+    """(major, minor) of the target's Blender."""
+    log = target.run("asking Blender for its version", [target.blender, "--version"])
+    return tuple(map(int, re.search(r"^Blender (\d+)\.(\d+)", log.read_text(), re.MULTILINE).groups()))
 
 
 def _window(target, report, words):
@@ -146,7 +166,7 @@ def _window(target, report, words):
 def _kills(target, report, words):
     package.install(target)
     command = [sys.executable, "-m", "pytest", TESTS / "long", "-v", f"--junitxml={report}", *words]
-    whole = [target.name, target.work, target.cache, target.blender, target.python_include]
+    whole = [target.name, target.work, target.cache, target.blender, target.python_include, target.module]
     return [("runs that are killed", command, report, {"FOVEA_TARGET": "\n".join(map(str, whole))})]
 
 
@@ -179,6 +199,7 @@ PARTS = {
     "native": _native,
     "python": _python,
     "blender": _blender,
+    "vulkan": _vulkan,
     "window": _window,
     "core": _core,
     "sanitize": _sanitize,

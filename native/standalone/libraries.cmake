@@ -4,6 +4,12 @@
 enable_language(C)
 find_package(Threads REQUIRED)
 
+if(WIN32)
+    # Windows 10 and later; constants of math.h and functions that are not part of C++, which the libraries use.
+    add_compile_definitions(_WIN32_WINNT=0x0A00 _USE_MATH_DEFINES NOMINMAX)
+    add_compile_options(-U__STRICT_ANSI__)
+endif()
+
 # Warnings of others are not ours, and nothing of theirs is exported.
 add_library(fovea_foreign INTERFACE)
 target_compile_options(fovea_foreign INTERFACE -w -ffp-contract=off)
@@ -23,6 +29,9 @@ target_compile_definitions(tbb PUBLIC __TBB_NO_IMPLICIT_LINKAGE PRIVATE __TBB_BU
                            # Its weak references would be bound to the allocator of the host program's own oneTBB.
                            __TBB_WEAK_SYMBOLS_PRESENT=0 __TBB_DYNAMIC_LOAD_ENABLED=0)
 target_link_libraries(tbb PUBLIC Threads::Threads PRIVATE ${CMAKE_DL_LIBS})
+if(APPLE)
+    target_compile_definitions(tbb PRIVATE _XOPEN_SOURCE) # for contexts, which are deprecated there
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(tbb PRIVATE -mrtm -mwaitpkg)
 endif()

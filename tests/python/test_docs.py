@@ -149,6 +149,14 @@ def test_readme_leads_to_every_page_of_the_documentation():
     assert linked >= {path.name for path in DOCS.glob("*.md")} - {"README.md"} | {"lines/README.md"}
 
 
+def test_readme_has_a_zip_for_each_system_and_says_where_none_has_been_run():
+    told = {cells[0]: cells[1:] for cells in rows(README.read_text(encoding="utf-8")) if "zip`" in cells[1]}
+    zips = " ".join(cells[0] for cells in told.values())
+    assert re.findall(r"VERSION-(\w+)\.zip", zips) == ["linux_x64", "windows_x64", "macos_arm64", "debian_SUITE"]
+    untried = [name for name, (_, tried) in told.items() if tried.startswith("not yet on")]
+    assert len(untried) == 2 and "Windows" in untried[0] and "macOS" in untried[1]
+
+
 @pytest.mark.parametrize("text", ["addon/docs/command_line.md", "blender_scripts/command/help.txt"])
 def test_every_option_of_draw_is_told(text, capsys):
     with pytest.raises(SystemExit):

@@ -34,7 +34,12 @@ def classes():
 def docstrings():
     """(name, docstring) of all functions and methods that are called by name."""
     owners = [core, *classes()]
-    members = [(f"{owner.__name__}.{name}", member) for owner in owners for name, member in stub.public(owner)]
+    # Python 3.11 describes what a static method is, not what it does.
+    members = [
+        (f"{owner.__name__}.{name}", getattr(member, "__func__", member))
+        for owner in owners
+        for name, member in stub.public(owner)
+    ]
     return [
         (name, m.__doc__) for name, m in members if callable(m) and " -> " in (m.__doc__ or "") and "__" not in name
     ]

@@ -10,7 +10,7 @@ HERE = Path(__file__).parents[2] / "blender_scripts" / "command"
 
 # Arguments: the folder of the scripts, the suites that cannot be set up, the user's number, what --on says.
 SCRIPT = """
-here=$1 broken=$2 user=$3
+here=$1 broken=$2 user=$3 cache=/nowhere
 for part in say own_blender target; do . "$here/$part.sh"; done
 set_up_suite() {
     echo "setting up $1"

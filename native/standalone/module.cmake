@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Python module from the headers in FOVEA_SOURCES, for each Python of FOVEA_PYTHONS ("3.11;3.13"), none of which need
+# be there: cp311/_native.so and so on. Sets `modules`, their targets.
+foreach(python ${FOVEA_PYTHONS})
+    string(REPLACE "." "" tag cp${python})
+    set(folder ${FOVEA_SOURCES}/python${python})
+    set(configured ${CMAKE_BINARY_DIR}/${tag}/include)
+    if(WIN32)
+        # Since 3.13 a file that is a header but for one line.
+        file(GLOB windows ${folder}/PC/pyconfig.h*)
+        configure_file(${windows} ${configured}/pyconfig.h COPYONLY)
+    else()
+        configure_file(${CMAKE_CURRENT_LIST_DIR}/pyconfig.h.in ${configured}/pyconfig.h COPYONLY)
+    endif()
+    add_library(_native_${tag} MODULE ${bindings})
+    target_include_directories(_native_${tag} SYSTEM PRIVATE ${FOVEA_SOURCES}/pybind11 ${configured} ${folder}/Include)
+    if(WIN32)
+        # Headers of 3.11 know by this alone that pointers have 64 bits; the library is made of them (build.py).
+        target_compile_definitions(_native_${tag} PRIVATE MS_WIN64=)
+        string(REPLACE cp "" number ${tag})
+        target_link_libraries(_native_${tag} PRIVATE ${CMAKE_BINARY_DIR}/${tag}/libpython${number}.a)
+    endif()
+    set_target_properties(_native_${tag} PROPERTIES PREFIX "" OUTPUT_NAME _native
+                          LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${tag})
+    list(APPEND modules _native_${tag})
+endforeach()
