@@ -28,7 +28,7 @@ def work(target, words):
     target.attempt("working", [sys.executable, "-c", "import time; print(1, flush=True); time.sleep(600)"])
 actions.work = work
 print("begun", flush=True)
-sys.exit(main.main(["test", sys.argv[2], sys.argv[2], "blender", "", "work"]))
+sys.exit(main.main(["test", sys.argv[2], sys.argv[2], "blender", "", "", "work"]))
 """
 
 

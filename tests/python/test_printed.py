@@ -16,7 +16,7 @@ def work(target, words):
     print({printed})
     {then}
 actions.work = work
-sys.exit(main.main(["test", sys.argv[2], sys.argv[2], "blender", "", "work"]))
+sys.exit(main.main(["test", sys.argv[2], sys.argv[2], "blender", "", "", "work"]))
 """
 LOST = "fovea: work: what it prints could not be written (No space left on device): make room, or send it elsewhere\n"
 
