@@ -20,17 +20,24 @@ test_targets() {
     [ "$failed" -eq 0 ]
 }
 
-# Runs what takes longer than all other tests, on the suite with a fixed compiler and clang-tidy: the tests of threads
-# under the thread sanitizer, runs that are killed in a loop, and the lint of all C++ files, which counts as one test.
+# Runs what takes longer than all other tests: on the suite with a fixed compiler and clang-tidy the tests of threads
+# under the thread sanitizer, runs that are killed in a loop, and the lint of all C++ files, which counts as one test; on
+# both suites Blender's tests with the self-contained module.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
-    [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie"
-    use_suite trixie || exit 1
-    for part in threads kills; do
-        test_target no "$(getconf _NPROCESSORS_ONLN)" "$part" || status=$?
+    [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie, and partly on sid"
+    use_suite sid || exit 1 # its Python's headers are needed
+    make_modules linux-x64-cp313 linux-x64-cp314 || fail "the self-contained modules could not be built"
+    for run in "sid standalone" "trixie standalone" "trixie threads" "trixie kills"; do
+        use_suite "${run% *}" || exit 1
+        test_target no "$(getconf _NPROCESSORS_ONLN)" "${run#* }" || status=$?
         add_counts
     done
     (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
+}
+
+make_modules() {
+    run_child python3 -B "$here/standalone/main.py" "$cache" "$@"
 }
 
 # Tests both suites in parallel. If the package archive of one is broken, the other is still tested.

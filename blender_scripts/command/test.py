@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs all tests on one target: native, native under sanitizers, Python without Blender, inside Blender, those that use
 a GPU by Vulkan, too, in its window.
-The tests of threads, under the thread sanitizer, and runs that are killed in a loop run only when named."""
+The tests of threads, under the thread sanitizer, runs that are killed in a loop, and Blender's tests with the
+self-contained module run only when named."""
 
+import dataclasses
 import os
 import re
 import shutil
@@ -163,6 +165,18 @@ def _window(target, report, words):
     return [("window tests", command, report, environment)]
 
 
+def _standalone(target, report, words):
+    """Blender's tests with the self-contained module for its Python, installed in a home of its own."""
+    name = f"linux-x64-cp{sys.version_info.major}{sys.version_info.minor}"
+    found = sorted((target.cache / "standalone" / "modules" / name).glob("_native.*"))
+    if not found:
+        raise StepFailed(f"no {name} is there: blender_scripts/fovea standalone {name} builds it")
+    own = dataclasses.replace(target, work=target.work / "standalone", module=str(found[0]))
+    own.home.mkdir(parents=True, exist_ok=True)
+    ((_, command, _, environment),) = _blender(own, report, words)
+    return [("blender tests with the self-contained module", command, report, environment | {"HOME": str(own.home)})]
+
+
 def _kills(target, report, words):
     package.install(target)
     command = [sys.executable, "-m", "pytest", TESTS / "long", "-v", f"--junitxml={report}", *words]
@@ -205,5 +219,6 @@ PARTS = {
     "sanitize": _sanitize,
     "threads": _threads,
     "kills": _kills,
+    "standalone": _standalone,
 }
-LONG = ("threads", "kills")  # parts that run only when named, because they take longer than all others
+LONG = ("threads", "kills", "standalone")  # parts that run only when named, because they take longer than all others

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Python module from the headers in FOVEA_SOURCES, for each Python of FOVEA_PYTHONS ("3.11;3.13"), none of which need
-# be there: cp311/_native.so and so on. Sets `modules`, their targets.
+# The Python module from the headers in FOVEA_SOURCES, or else FOVEA_PYTHON_HEADERS, for each Python of FOVEA_PYTHONS
+# ("3.11;3.13"), none of which need be there: cp311/_native.so and so on. Sets `modules`, their targets.
 foreach(python ${FOVEA_PYTHONS})
     string(REPLACE "." "" tag cp${python})
     set(folder ${FOVEA_SOURCES}/python${python})
+    if(NOT IS_DIRECTORY ${folder})
+        set(folder ${FOVEA_PYTHON_HEADERS}/python${python})
+    endif()
     set(configured ${CMAKE_BINARY_DIR}/${tag}/include)
     if(WIN32)
         # Since 3.13 a file that is a header but for one line.

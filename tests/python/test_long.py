@@ -17,6 +17,7 @@ for part in say target run_tests check; do . "$here/$part.sh"; done
 use_suite() { target_name=$1; }
 counts_file() { echo "$counted"; }
 work_folder() { echo /none; }
+make_modules() { echo "modules $*"; }
 test_target() { echo "test $target_name $3"; }
 check_on() { echo "check $*"; return "$tidy"; }
 test_targets "$@"
@@ -37,11 +38,12 @@ def long(tmp_path):
     return run
 
 
-def test_threads_and_the_lint_of_all_sources_are_run_and_counted(long):
-    ran = ["test trixie threads", "test trixie kills", "check trixie --tidy native tests/native"]
-    assert long() == (0, [*ran, "11 passed, 0 failed, 0 skipped"], "")
-    assert long(tidy=1) == (1, [*ran, "10 passed, 1 failed, 0 skipped"], "")
-    assert long(counts="4 1 0") == (1, [*ran, "9 passed, 2 failed, 0 skipped"], "")
+def test_threads_kills_self_contained_modules_and_the_lint_of_all_sources_are_run_and_counted(long):
+    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test sid standalone", "test trixie standalone"]
+    ran += ["test trixie threads", "test trixie kills", "check trixie --tidy native tests/native"]
+    assert long() == (0, [*ran, "21 passed, 0 failed, 0 skipped"], "")
+    assert long(tidy=1) == (1, [*ran, "20 passed, 1 failed, 0 skipped"], "")
+    assert long(counts="4 1 0") == (1, [*ran, "17 passed, 4 failed, 0 skipped"], "")
 
 
 def test_other_words_beside_it_are_refused(long):

@@ -47,6 +47,8 @@ def main(asked):
     draw = pipeline.draw
 
     def measured(placed, seen, style, backend, options, **watching):
+        if "snapshot" not in kept:  # the GPU is tried before the scene is read
+            return draw(placed, seen, style, backend, options, **watching)
         pipeline.draw = draw
         world = World(placed, kept["snapshot"].object_to_world)
         run(world, orbit(kept["view"], pivot, asked["frames"]), style, options, asked)

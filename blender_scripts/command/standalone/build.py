@@ -34,9 +34,27 @@ def tag(python):
 
 def names_of_python(target, platform, python):
     """Name -> whether it is data: what a Python has for modules, by its headers on this platform."""
-    headers = sources.unpacked(target.cache) / f"python{python}" / "Include"
-    include = [target.work / platform.name / tag(python) / "include", headers]
+    own = suites_headers(target)
+    headers = own.get(python, sources.unpacked(target.cache) / f"python{python}")
+    include = [target.work / platform.name / tag(python) / "include", headers / "Include"]
     return python_names.declared(target.work / "compilers" / platform.name / "cc", include)
+
+
+def suites_headers(target):
+    """Python -> the folder of its `Include`, of those of Debian suites that are set up. Copies, without the suite's
+    pyconfig.h, which its other headers would take before any other."""
+    found = {}
+    for python, suite in toolchain.SUITES.items():
+        headers = target.cache.parent / suite / "root" / "usr" / "include" / f"python{python}"
+        found[python] = target.work / "headers" / f"python{python}"
+        if not (headers / "Python.h").exists():
+            del found[python]
+        elif not (found[python] / "Include").exists():
+            fresh = found[python] / "fresh"
+            shutil.rmtree(fresh, ignore_errors=True)
+            shutil.copytree(headers, fresh, ignore=shutil.ignore_patterns("pyconfig.h"))
+            fresh.rename(found[python] / "Include")
+    return found
 
 
 def import_library(target, platform, python):
@@ -67,7 +85,9 @@ def _build(target, platform, goals):
     with target.lock():
         source = sources.unpacked(target.cache)
         tools = toolchain.wrappers(target.work / "compilers", source, target.cache / "zig", platform)
-        options = [*tools, *_options(platform, source)]
+        own = suites_headers(target) if platform.system == "Linux" else {}
+        options = [*tools, *_options(platform, source, (*toolchain.PYTHONS, *own))]
+        options += [f"-DFOVEA_PYTHON_HEADERS={target.work / 'headers'}"] if own else []
         _configure(target, platform, folder, options)
         if platform.system == "Windows":
             for python in toolchain.PYTHONS:
@@ -78,9 +98,9 @@ def _build(target, platform, goals):
     return folder
 
 
-def _options(platform, source):
+def _options(platform, source, pythons):
     options = ["-G", "Ninja", *platform.cmake_options, f"-DFOVEA_SOURCES={source}"]
-    options += ["-DCMAKE_BUILD_TYPE=Release", f"-DFOVEA_PYTHONS={';'.join(toolchain.PYTHONS)}"]
+    options += ["-DCMAKE_BUILD_TYPE=Release", f"-DFOVEA_PYTHONS={';'.join(pythons)}"]
     if shutil.which("ccache"):
         options += [f"-DCMAKE_{language}_COMPILER_LAUNCHER=ccache" for language in ("C", "CXX")]
     return options

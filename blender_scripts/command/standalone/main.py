@@ -72,13 +72,15 @@ def platforms_of(words):
 
 
 def chosen(names):
-    """Platform -> Pythons, of names such as linux-x64-cp311, or linux-x64 for all Pythons; all: every one; no names:
-    Linux'."""
+    """Platform -> Pythons, of names such as linux-x64-cp311, or linux-x64 for those of blender.org's Blenders; all: every
+    platform; no names: Linux'."""
     found = {}
     names = list(toolchain.PLATFORMS) if names == ["all"] else names
     for name in names or ("linux-x64",):
         platform, _, end = name.rpartition("-")
         by_tag = {build.tag(python): python for python in toolchain.PYTHONS}
+        if platform == "linux-x64":
+            by_tag |= {build.tag(python): python for python in toolchain.SUITES}
         if name in toolchain.PLATFORMS:
             found[name] = list(toolchain.PYTHONS)
         elif platform in toolchain.PLATFORMS and end in by_tag:
