@@ -61,6 +61,7 @@ class SurfaceBvh {
     struct Triangles {
         const vec3* positions;
         const Triangle* triangles;
+        const Index* patches;
         dvec3 center;
         double scale;
     };
@@ -71,6 +72,7 @@ class SurfaceBvh {
     void build(const Surface& surface) const;
 
     mutable Triangles triangles_;
+    mutable Array<Index> patches_;  // what has a box: a few adjacent triangles; first triangle of each, and the end
     mutable OwnedScene scene_;
     mutable RTCGeometry geometry_ = nullptr;  // owned by scene_
     mutable std::mutex mutex_;

@@ -13,6 +13,7 @@
 #include <fovea/base/fork_join.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/morton.h>
+#include <fovea/base/parallel.h>
 #include <fovea/scene/bvh.h>
 
 namespace fovea::scene {
@@ -21,6 +22,34 @@ namespace {
 /// Number of triangles sampled to judge a refitted BVH, and the factor by which their spread may grow before a rebuild.
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
+
+/// Largest number of triangles in a patch.
+constexpr Index most_in_patch = 4;
+
+/// Whether two triangles share a side.
+bool are_adjacent(const Triangle& a, const Triangle& b) {
+    int shared = 0;
+    for (int i = 0; i < 3; ++i) shared += a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
+    return shared >= 2;
+}
+
+/// Patches of the occluding triangles: each is consecutive triangles, of which each shares a side with one before it. The
+/// number of the first triangle of each patch, and at last that of all triangles.
+Array<Index> patches(const Surface& surface) {
+    const auto& triangles = surface.triangles;
+    const auto fill = [&](std::size_t begin, std::size_t end, std::vector<Index>& first) {
+        for (auto i = static_cast<Index>(begin); i < end; ++i) {
+            const auto belongs = [&](Index j) { return are_adjacent(triangles[j], triangles[i]); };
+            bool found = false;
+            if (i > begin && i - first.back() < most_in_patch)
+                for (Index j = first.back(); j < i && !found; ++j) found = belongs(j);
+            if (!found) first.push_back(i);
+        }
+    };
+    Array<Index> first = parallel_collect<Index>(surface.occluding_triangles, 1 << 14, fill);
+    first.push_back(surface.occluding_triangles);
+    return first;
+}
 
 /// Commits a scene as if no parallel loop called it. An Embree scene keeps the task group of its first commit, and that
 /// the context which it began in: the context of a loop ends with the loop, and cancelling anything later would walk
@@ -113,13 +142,14 @@ SurfaceBvh::SurfaceBvh(const Surface& surface) {
 }
 
 void SurfaceBvh::build(const Surface& surface) const {
+    patches_ = patches(surface);
     take(surface);
     scene_.reset(rtcNewScene(bvh_device()));
     if (moves_) {
         rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
         rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
     }
-    geometry_ = attach_boxes(scene_.get(), surface.occluding_triangles, box_of, meet, &triangles_);
+    geometry_ = attach_boxes(scene_.get(), patches_.size() - 1, box_of, meet, &triangles_);
     if (moves_) {
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
         rtcCommitGeometry(geometry_);
@@ -131,7 +161,7 @@ void SurfaceBvh::build(const Surface& surface) const {
 }
 
 void SurfaceBvh::take(const Surface& surface) const {
-    triangles_ = {surface.positions.data(), surface.triangles.data(), dvec3(surface.center),
+    triangles_ = {surface.positions.data(), surface.triangles.data(), patches_.data(), dvec3(surface.center),
                   1.0 / std::max(double(surface.radius), std::numeric_limits<double>::min())};
 }
 
@@ -163,22 +193,27 @@ void SurfaceBvh::lead(RayContext& context) const {
 
 void SurfaceBvh::box_of(const RTCBoundsFunctionArguments* at) {
     const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
-    const Triangle& t = of.triangles[at->primID];
-    const auto in_box = [&](Index vertex) { return (dvec3(of.positions[vertex]) - of.center) * of.scale; };
-    const dvec3 a = in_box(t.x), b = in_box(t.y), c = in_box(t.z);
-    *at->bounds_o = box_between(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), 1.0);
+    vec3 lower(std::numeric_limits<float>::infinity()), upper(-lower);
+    for (Index i = of.patches[at->primID]; i < of.patches[at->primID + 1]; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const vec3& corner = of.positions[of.triangles[i][k]];
+            lower = glm::min(lower, corner);
+            upper = glm::max(upper, corner);
+        }
+    *at->bounds_o = box_between((dvec3(lower) - of.center) * of.scale, (dvec3(upper) - of.center) * of.scale, 1.0);
 }
 
 void SurfaceBvh::meet(const RTCIntersectFunctionNArguments* at) {
     const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
     auto& context = *static_cast<RayContext*>(at->context);
-    const Triangle& t = of.triangles[at->primID];
-    const vec3* p = of.positions;
-    TriangleHit hit;
-    if (!meets(context.local, p[t.x], p[t.y], p[t.z], hit)) return;
-    if (!(hit.t > context.near_t && hit.t <= context.far_t)) return;
     const double before = context.far_t;
-    context.meet(at->primID, hit);
+    for (Index i = of.patches[at->primID]; i < of.patches[at->primID + 1]; ++i) {
+        const Triangle& t = of.triangles[i];
+        const vec3* p = of.positions;
+        TriangleHit hit;
+        if (!meets(context.local, p[t.x], p[t.y], p[t.z], hit)) continue;
+        if (hit.t > context.near_t && hit.t <= context.far_t) context.meet(i, hit);
+    }
     if (context.far_t != before)
         RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) =
             end_of_ray(context.far_t - context.first_t, context.longest);
