@@ -5,7 +5,7 @@ import os
 import shutil
 
 from ..target import PROJECT, StepFailed
-from . import python_names, sources, toolchain
+from . import linker, python_names, sources, toolchain
 
 
 def modules(target, platform, pythons=toolchain.PYTHONS):
@@ -68,6 +68,8 @@ def _build(target, platform, goals):
         source = sources.unpacked(target.cache)
         tools = toolchain.wrappers(target.work / "compilers", source, target.cache / "zig", platform)
         options = [*tools, *_options(platform, source)]
+        if platform.system == "Darwin":
+            options.append(linker.option(target, source, platform))
         _configure(target, platform, folder, options)
         if platform.system == "Windows":
             for python in toolchain.PYTHONS:
