@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The Python module from the headers in FOVEA_SOURCES, or else FOVEA_PYTHON_HEADERS, for each Python of FOVEA_PYTHONS
 # ("3.11;3.13"), none of which need be there: cp311/_native.so and so on. Sets `modules`, their targets.
+if(FOVEA_LINKER)
+    # In place of the compiler's own for macOS (linker.py says why), with its own words.
+    set(CMAKE_CXX_CREATE_SHARED_MODULE "${FOVEA_LINKER} -bundle -exported_symbol _PyInit__native \
+-undefined dynamic_lookup -dead_strip -S -x -o <TARGET> <OBJECTS> <LINK_LIBRARIES>")
+endif()
+
 foreach(python ${FOVEA_PYTHONS})
     string(REPLACE "." "" tag cp${python})
     set(folder ${FOVEA_SOURCES}/python${python})
@@ -24,6 +30,6 @@ foreach(python ${FOVEA_PYTHONS})
         target_link_libraries(_native_${tag} PRIVATE ${CMAKE_BINARY_DIR}/${tag}/libpython${number}.a)
     endif()
     set_target_properties(_native_${tag} PROPERTIES PREFIX "" OUTPUT_NAME _native
-                          LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${tag})
+                          LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${tag} LINK_DEPENDS "${FOVEA_LINKER}")
     list(APPEND modules _native_${tag})
 endforeach()

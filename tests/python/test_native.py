@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
 import pytest
@@ -47,7 +48,7 @@ def test_a_module_for_another_python(package):
 
 
 def test_a_module_that_does_not_load(package):
-    (package / "_native.abi3.so").write_bytes(b"not a library")
+    (package / f"_native{EXTENSION_SUFFIXES[-1]}").write_bytes(b"not a library")
     assert "does not load" in complaint()
 
 

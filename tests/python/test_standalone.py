@@ -92,14 +92,15 @@ def test_windows_modules_take_pythons_names_from_their_python_alone(monkeypatch)
     ]
 
 
-def test_macos_modules_are_signed_and_for_old_systems(monkeypatch):
+def test_macos_modules_are_signed_and_for_old_systems_and_use_what_is_their_own(monkeypatch):
     found = problems(
         monkeypatch, MACOS, exports={"_PyInit__native"}, imports={"_PyList_New": "", "_x": ""}, system="12.0",
-        libraries={"/usr/lib/libSystem.B.dylib", "/usr/lib/libc++.1.dylib"},
+        libraries={"/usr/lib/libSystem.B.dylib", "/usr/lib/libc++.1.dylib"}, replaceable={"__Znwm"},
     )  # fmt: skip
     assert [sentence.split(",")[0] for sentence in found] == [
         "it needs /usr/lib/libc++.1.dylib",
         "_x would be taken from whatever has it in Blender",
+        "it uses __Znwm of whichever library in Blender has it first",
         "it is for macOS 12.0",
         "it is not signed",
     ]

@@ -62,6 +62,8 @@ def _macos(module, _python):
     for name, library in sorted(module.imports.items()):
         if not library and not PYTHON.fullmatch(name.removeprefix("_")):
             yield f"{name} would be taken from whatever has it in Blender"
+    for name in sorted(module.replaceable):
+        yield f"it uses {name} of whichever library in Blender has it first"
     if _number(module.system or "0") > MACOS_SYSTEM:
         yield f"it is for macOS {module.system}, newer than {MACOS_SYSTEM[0]}.{MACOS_SYSTEM[1]}"
     if not module.is_signed:

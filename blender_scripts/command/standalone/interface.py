@@ -10,6 +10,7 @@ class Interface:
     libraries: set = field(default_factory=set)  # that the system loads with it
     imports: dict = field(default_factory=dict)  # symbol -> library, or version, that it is taken from; "": any
     exports: set = field(default_factory=set)
+    replaceable: set = field(default_factory=set)  # symbols of its own, in whose place the system may take others'
     system: str = ""  # the oldest system that it is for, if the file says so
     is_signed: bool = False
 
