@@ -7,6 +7,9 @@ test_targets() {
     if [ "${1:-}" = --long ]; then
         shift
         test_long "$@"
+    elif [ "${1:-}" = windows ]; then
+        shift
+        test_windows "$@"
     elif [ -n "$on${BLENDER:-}" ]; then
         choose_target "$on" || exit 1
         test_target yes "$(getconf _NPROCESSORS_ONLN)" "$@" || status=$?
@@ -22,7 +25,7 @@ test_targets() {
 
 # Runs what takes longer than all other tests: on the suite with a fixed compiler and clang-tidy the tests of threads
 # under the thread sanitizer, runs that are killed in a loop, and the lint of all C++ files, which counts as one test; on
-# both suites Blender's tests with the self-contained module.
+# both suites Blender's tests with the self-contained module; and what is built for Windows.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
     [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie, and partly on sid"
@@ -33,7 +36,17 @@ test_long() {
         test_target no "$(getconf _NPROCESSORS_ONLN)" "${run#* }" || status=$?
         add_counts
     done
+    test_windows
     (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
+}
+
+# Builds for Windows, and runs it by this machine's Wine.
+test_windows() {
+    [ -z "$on" ] || fail "test windows takes no --on: it runs what is built for Windows by this machine's Wine"
+    target_name=standalone
+    rm -f "$(counts_file)"
+    run_child python3 -B "$here/standalone/main.py" "$cache" --wine "$@" || status=$?
+    add_counts
 }
 
 make_modules() {

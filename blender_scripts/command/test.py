@@ -57,13 +57,13 @@ def _part(target, part, report, words):
         counts = Counter(failed=1)
     else:
         with ThreadPoolExecutor(max(len(runs), 1)) as pool:
-            counts = sum(pool.map(lambda run: _outcome(target, part, *run), runs), Counter())
+            counts = sum(pool.map(lambda run: outcome(target, part, *run), runs), Counter())
     told = ", ".join(f"{counts[kind]} {kind}" for kind in ("passed", "failed", "skipped"))
     say(f"{target.name}: {part} tests: {told}")
     return counts
 
 
-def _outcome(target, part, sentence, command, report, environment):
+def outcome(target, part, sentence, command, report, environment):
     """Runs a command of a part; returns its counts and prints failures."""
     start = time.time()
     log, status = target.attempt(sentence, command, **environment)

@@ -135,7 +135,7 @@ void bind_style(py::module_& parent) {
         "{parameter: value} of a line definition, checked. ValueError says what is wrong with it.");
     m.def(
         "file_bytes",
-        [](const py::bytes& path) { return py::bytes(bytes_of_file(std::string(path), style::largest + 3)); },
+        [](const py::bytes& path) { return py::bytes(bytes_of_file(file_of(std::string(path)), style::largest + 3)); },
         py::arg("path"),
         "The bytes of a style file; a byte order mark does not count. ValueError if it is none or too large.");
     m.attr("SCHEMA") = style::schema;

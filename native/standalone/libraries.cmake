@@ -29,13 +29,22 @@ target_compile_definitions(tbb PUBLIC __TBB_NO_IMPLICIT_LINKAGE PRIVATE __TBB_BU
                            # Its weak references would be bound to the allocator of the host program's own oneTBB.
                            __TBB_WEAK_SYMBOLS_PRESENT=0 __TBB_DYNAMIC_LOAD_ENABLED=0)
 target_link_libraries(tbb PUBLIC Threads::Threads PRIVATE ${CMAKE_DL_LIBS})
+if(WIN32)
+    # In place of its header of this guard, which hands out every function where it is built.
+    target_compile_definitions(tbb PRIVATE __TBB_detail__export_H TBB_EXPORT=)
+endif()
 if(APPLE)
     target_compile_definitions(tbb PRIVATE _XOPEN_SOURCE) # for contexts, which are deprecated there
 endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(tbb PRIVATE -mrtm -mwaitpkg)
 endif()
-add_library(TBB::tbb ALIAS tbb)
+add_library(fovea_tbb INTERFACE)
+target_link_libraries(fovea_tbb INTERFACE tbb)
+if(WIN32)
+    target_include_directories(fovea_tbb INTERFACE ${CMAKE_CURRENT_LIST_DIR}/windows)
+endif()
+add_library(TBB::tbb ALIAS fovea_tbb)
 
 # Embree
 include(${CMAKE_CURRENT_LIST_DIR}/embree.cmake)

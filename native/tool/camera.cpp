@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
 
 namespace fovea::tool {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 /// Rotation from model space to camera space: x right, y up, z towards the viewer.
 dmat3 turned(const Camera& camera, bool y_up) {
     const double a = glm::radians(camera.azimuth), e = glm::radians(camera.elevation);
-    const dvec3 right(std::cos(a), -std::sin(a), 0.0);
-    const dvec3 back(-std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e));
+    const dvec3 right(cosine(a), -sine(a), 0.0);
+    const dvec3 back(-sine(a) * cosine(e), -cosine(a) * cosine(e), sine(e));
     const dmat3 axes = glm::transpose(dmat3(right, glm::cross(back, right), back));
     return y_up ? axes * dmat3({1, 0, 0}, {0, 0, 1}, {0, -1, 0}) : axes;
 }

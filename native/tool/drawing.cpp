@@ -5,9 +5,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
+#include <tool/system.h>
 
 #include <fovea/base/check.h>
+#include <fovea/base/elementary.h>
+#include <fovea/base/files.h>
 #include <fovea/color/png.h>
 #include <fovea/style/json.h>
 #include <fovea/style/json_value.h>
@@ -17,24 +19,27 @@ namespace {
 
 std::uint8_t encoded(float linear) {
     const float x = std::clamp(linear, 0.0f, 1.0f);
-    const float srgb = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    const float srgb = x <= 0.0031308f ? 12.92f * x : 1.055f * float(power(x, 1.0 / 2.4)) - 0.055f;
     return static_cast<std::uint8_t>(std::lround(255.0f * srgb));
 }
 
 /// Writes a file, whole or not at all; throws std::invalid_argument, with the file and the cause.
 void write_whole(const std::string& bytes, const std::filesystem::path& file) {
+    std::error_code cause;
+    const auto hold = [&](bool holds) { check(holds, name_of(file) + " could not be written: " + cause_of(cause)); };
+    if (std::filesystem::is_directory(file, cause)) cause = std::make_error_code(std::errc::is_a_directory);
+    hold(cause != std::errc::is_a_directory);
     std::filesystem::path part = file;
-    part += "." + std::to_string(getpid()) + ".part";
-    std::FILE* stream = std::fopen(part.c_str(), "wb");
-    bool written = stream && std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size() &&
-                   std::fflush(stream) == 0 && fsync(fileno(stream)) == 0;
-    std::error_code cause(errno, std::generic_category());
+    part += "." + std::to_string(process_number()) + ".part";
+    std::FILE* stream = opened(part);
+    bool written = stream && std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size() && on_disk(stream);
+    cause = std::error_code(errno, std::generic_category());
     if (stream) written = std::fclose(stream) == 0 && written;
     if (written) std::filesystem::rename(part, file, cause);
     if (written && !cause) return;
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
-    throw std::invalid_argument(file.string() + " could not be written: " + cause.message());
+    hold(false);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <tool/statistics.h>
 
 #include <fovea/base/check.h>
+#include <fovea/base/files.h>
 #include <fovea/base/threads.h>
 
 int main(int count, char** words) {
@@ -32,7 +33,7 @@ int main(int count, char** words) {
         check(std::cout.good(), "the statistics could not be printed");
         return 0;
     } catch (const std::bad_alloc&) {
-        std::cerr << "fovea_tool: memory is too small for " << options.model.string()
+        std::cerr << "fovea_tool: memory is too small for " << base::name_of(options.model)
                   << ": simplify it, or lower --size\n";
     } catch (const std::exception& problem) {
         std::cerr << "fovea_tool: " << problem.what() << "\n";

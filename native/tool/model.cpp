@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <fovea/base/check.h>
+#include <fovea/base/files.h>
 #include <fovea/mesh/polygon_surface.h>
 
 namespace fovea::tool {
@@ -40,7 +41,7 @@ void refuse(const std::string& file, const char* unit, std::size_t place, const 
 }
 
 ModelBuilder::ModelBuilder(const std::string& file, const char* unit) : file_(file), unit_(unit) {
-    model_.name = std::filesystem::path(file).stem().string();
+    model_.name = name_of(file_of(file).stem());
 }
 
 void ModelBuilder::note(Broken& broken, std::size_t place, const std::string& what) const {

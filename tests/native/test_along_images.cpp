@@ -9,6 +9,7 @@
 #include <fovea/focus/focus.h>
 
 #include "drawing.h"
+#include "system_files.h"
 
 namespace fovea {
 using namespace draw;
@@ -42,9 +43,9 @@ TEST(Png, APictureComesBackAsATextureThatBeginsWithTheTopRow) {
     constexpr int width = 7, height = 5;
     std::vector<std::uint8_t> rgb;
     for (int i = 0; i < width * height; ++i) rgb.insert(rgb.end(), 3, std::uint8_t(7 * i));
-    const auto path = std::filesystem::temp_directory_path() / ("fovea-png-" + std::to_string(getpid()) + ".png");
+    const auto path = own_path("png");
     std::ofstream(path, std::ios::binary) << png_bytes(rgb, width, height);
-    const PenTexture read = read_texture(path.string());
+    const PenTexture read = read_texture(path);
     std::filesystem::remove(path);
     ASSERT_EQ(read.width, width);
     ASSERT_EQ(read.height, height);

@@ -6,12 +6,14 @@ from pathlib import Path
 
 import pytest
 from command import test
+from command.standalone import wine
+from command.target import StepFailed
 
 HERE = Path(test.__file__).parent
 
 # Arguments: the folder of the scripts, what tests of threads count, the status of clang-tidy, what --on says, words.
 SCRIPT = """
-here=$1 counted=$2 tidy=$3 on=$4 BLENDER= all_suites="sid trixie"
+here=$1 counted=$2 tidy=$3 on=$4 BLENDER= cache=/none all_suites="sid trixie"
 shift 4
 for part in say target run_tests check; do . "$here/$part.sh"; done
 use_suite() { target_name=$1; }
@@ -19,6 +21,8 @@ counts_file() { echo "$counted"; }
 work_folder() { echo /none; }
 make_modules() { echo "modules $*"; }
 test_target() { echo "test $target_name $3"; }
+cp "$counted" "$counted.kept"
+run_child() { cp "$counted.kept" "$counted" && echo "run ${3##*/} $5"; }
 check_on() { echo "check $*"; return "$tidy"; }
 test_targets "$@"
 """
@@ -38,12 +42,23 @@ def long(tmp_path):
     return run
 
 
-def test_threads_kills_self_contained_modules_and_the_lint_of_all_sources_are_run_and_counted(long):
+def test_threads_kills_self_contained_modules_windows_and_the_lint_of_all_sources_are_run_and_counted(long):
     ran = ["modules linux-x64-cp313 linux-x64-cp314", "test sid standalone", "test trixie standalone"]
-    ran += ["test trixie threads", "test trixie kills", "check trixie --tidy native tests/native"]
-    assert long() == (0, [*ran, "21 passed, 0 failed, 0 skipped"], "")
-    assert long(tidy=1) == (1, [*ran, "20 passed, 1 failed, 0 skipped"], "")
-    assert long(counts="4 1 0") == (1, [*ran, "17 passed, 4 failed, 0 skipped"], "")
+    ran += ["test trixie threads", "test trixie kills", "run main.py --wine", "check trixie --tidy native tests/native"]
+    assert long() == (0, [*ran, "26 passed, 0 failed, 0 skipped"], "")
+    assert long(tidy=1) == (1, [*ran, "25 passed, 1 failed, 0 skipped"], "")
+    assert long(counts="4 1 0") == (1, [*ran, "21 passed, 5 failed, 0 skipped"], "")
+
+
+def test_what_is_built_for_windows_runs_alone_and_without_a_suite(long):
+    assert long(words=("windows", "-k", "torus")) == (0, ["run main.py --wine", "5 passed, 0 failed, 0 skipped"], "")
+    assert "takes no --on" in long(words=("windows",), on="sid")[2]
+
+
+def test_without_wine_a_sentence_says_how_to_get_it(monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(StepFailed, match=r"wine is missing, .* \(apt-get install wine wine64\)"):
+        wine.program()
 
 
 def test_other_words_beside_it_are_refused(long):

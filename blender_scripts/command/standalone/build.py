@@ -73,7 +73,12 @@ def import_library(target, platform, python):
 
 def program(target, platform, name):
     """Builds a program (fovea_tests, fovea_tool); returns it."""
-    return _build(target, platform, [name]) / f"{name}{platform.program}"
+    _build(target, platform, [name])
+    return program_place(target, platform, name)
+
+
+def program_place(target, platform, name):
+    return target.work / platform.name / f"{name}{platform.program}"
 
 
 def _build(target, platform, goals):

@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from command import temporary
 from command.main import interrupt
-from command.standalone import build, checks, sources, toolchain, trial
+from command.standalone import build, checks, sources, toolchain, trial, wine
 from command.target import INTERRUPTS, PROJECT, StepFailed, Target, say
 
 
@@ -29,6 +29,8 @@ def main(words):
                 print(sources.unpacked(cache))
                 return 0
             status = build_all(target, chosen(options.modules))
+            if options.wine is not None:
+                status = max(status, wine.run(target, options.wine))
             return max(status, trial.run(target, options.test) if options.test is not None else 0)
     except (StepFailed, ValueError, OSError) as error:
         say(f"standalone: {error}")
@@ -56,9 +58,13 @@ def parse(words):
     parser.add_argument(
         "--test", metavar="NAMES", nargs="?", const="", help="run tests/python with this machine's Python"
     )
+    parser.add_argument("--wine", nargs=argparse.REMAINDER, help="what `fovea test windows` runs; words for pytest")
     parser.add_argument("--of-package", nargs=argparse.REMAINDER, help="the modules of what `fovea package` is to make")
     parser.add_argument("modules", nargs="*", metavar="MODULE", help="such as linux-x64 or linux-x64-cp311")
     options = parser.parse_args(words)
+    if options.wine is not None:
+        wine.program()
+        options.modules = [wine.WINDOWS.name]
     if options.of_package is not None:
         options.modules = platforms_of(options.of_package)
     return options

@@ -8,19 +8,19 @@
 
 namespace fovea::color {
 
-PenTexture read_texture(const std::string& path) {
+PenTexture read_texture(const std::filesystem::path& file) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
-    const std::string bytes = bytes_of_file(path, largest_texture);
+    const std::string bytes = bytes_of_file(file, largest_texture);
     bool done = png_image_begin_read_from_memory(&image, bytes.data(), bytes.size());
-    check(done, path + ": " + image.message);
+    check(done, name_of(file) + ": " + image.message);
     const bool fits = image.width <= largest_side && image.height <= largest_side;
     if (!fits) png_image_free(&image);
-    check(fits, path + ": it has more than " + std::to_string(largest_side) + " pixels along a side");
+    check(fits, name_of(file) + ": it has more than " + std::to_string(largest_side) + " pixels along a side");
     image.format = PNG_FORMAT_GRAY;
     std::vector<std::uint8_t> gray(PNG_IMAGE_SIZE(image));
     done = png_image_finish_read(&image, nullptr, gray.data(), 0, nullptr);
-    check(done, path + ": " + image.message);
+    check(done, name_of(file) + ": " + image.message);
     PenTexture texture{int(image.width), int(image.height), Array<float>(gray.size())};
     for (std::size_t i = 0; i < gray.size(); ++i) texture.ink[i] = static_cast<float>(gray[i]) / 255.0f;
     return texture;

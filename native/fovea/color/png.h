@@ -2,6 +2,7 @@
 // Reading and writing of PNG files.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <fovea/stroke/pen.h>
@@ -13,7 +14,7 @@ inline constexpr std::size_t largest_texture = 64u << 20;  ///< bytes of its fil
 
 /// Reads a PNG as gray: white is full ink. Throws std::invalid_argument, naming the file, when it cannot be read or is
 /// larger than the limits, which is known before its pixels are read.
-PenTexture read_texture(const std::string& path);
+PenTexture read_texture(const std::filesystem::path& file);
 
 /// The bytes of a PNG file of width x height pixels, sRGB, three values each, bottom row first (as in textures). Throws
 /// std::invalid_argument if the number of values does not match, or is 0.

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include <fovea/base/check.h>
+#include <fovea/base/files.h>
 #include <fovea/color/png.h>
 #include <fovea/style/json_value.h>
 
@@ -21,7 +22,7 @@ std::filesystem::path Assets::file(const char* kind, const std::string& name, co
     const auto whole = std::filesystem::weakly_canonical(path, problem);
     if (problem) return path;
     const auto inside = whole.lexically_relative(std::filesystem::weakly_canonical(folder_));
-    check(!inside.empty() && *inside.begin() != "..", path.string() + " leads out of its folder");
+    check(!inside.empty() && *inside.begin() != "..", name_of(path) + " leads out of its folder");
     return path;
 }
 
@@ -32,10 +33,10 @@ double Assets::size(const char* kind, const char* key, const std::string& name) 
     if (sizes.empty()) {
         const std::filesystem::path path = file(kind, kind, ".json");
         const style::JsonValue data = style::read_file(path, style::parse_json);
-        check(data.type == style::JsonValue::Type::object, path.string() + " must be a JSON object");
+        check(data.type == style::JsonValue::Type::object, name_of(path) + " must be a JSON object");
         for (std::size_t i = 0; i < data.keys.size(); ++i) {
             const style::JsonValue* number = data.items[i].at(key);
-            check(!number || number->number > 0.0, path.string() + ": " + data.keys[i] + " has no " + key + " above 0");
+            check(!number || number->number > 0.0, name_of(path) + ": " + data.keys[i] + " has no " + key + " above 0");
             sizes[data.keys[i]] = number ? number->number : 1.0;
         }
     }
@@ -52,12 +53,12 @@ std::shared_ptr<const Assets::Texture> Assets::texture(const std::string& name) 
     const double length = texture_length(name);
     const std::lock_guard lock(mutex_);
     auto& kept = textures_[name];
-    if (!kept) kept = std::make_shared<Texture>(read_texture(file("textures", name).string()), length);
+    if (!kept) kept = std::make_shared<Texture>(read_texture(file("textures", name)), length);
     return kept;
 }
 
 std::shared_ptr<const PaperTexture> Assets::sheet(const char* kind, const std::string& name) const {
-    const std::string path = file(kind, name).string();
+    const std::filesystem::path path = file(kind, name);
     const double tile_mm = size(kind, "tile_mm", name);
     const std::lock_guard lock(mutex_);
     auto& kept = sheets_[path];

@@ -43,7 +43,7 @@ class Assets {
     mutable std::mutex mutex_;
     mutable std::map<std::string, std::map<std::string, double>> sizes_;  ///< by kind
     mutable std::map<std::string, std::shared_ptr<const Texture>> textures_;
-    mutable std::map<std::string, std::shared_ptr<const PaperTexture>> sheets_;  ///< by file
+    mutable std::map<std::filesystem::path, std::shared_ptr<const PaperTexture>> sheets_;  ///< by file
 };
 
 }  // namespace fovea::draw

@@ -192,7 +192,7 @@ class Band {
 
 /// Hash of the place and the widths of a run's band, rounded.
 std::uint64_t hash_of_band(const ClippedPaths& clipped, const Runs& runs, const OwnBands& own, Index run) {
-    const auto rounded = [](float px) { return std::int64_t(std::lround(px / alike_px)); };
+    const auto rounded = [](float px) { return std::int64_t(std::llround(px / alike_px)); };
     const Index piece = runs.piece[run], last = clipped.pieces.end(piece) - 1;
     std::uint64_t hash = hash_numbers(rounded(float(runs.end_px[run] - runs.start_px[run])), own.runs.size(run),
                                       rounded(own.dot.empty() ? 0.0f : own.dot[run]));

@@ -61,7 +61,7 @@ auto read_file(const std::filesystem::path& file, const Parse& parse) {
     try {
         return parse(text);
     } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument(file.string() + ": " + problem.what());
+        throw std::invalid_argument(base::name_of(file) + ": " + problem.what());
     }
 }
 
