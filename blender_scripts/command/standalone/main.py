@@ -78,8 +78,8 @@ def platforms_of(words):
 
 
 def chosen(names):
-    """Platform -> Pythons, of names such as linux-x64-cp311, or linux-x64 for those of blender.org's Blenders; all: every
-    platform; no names: Linux'."""
+    """Platform -> Pythons, of names such as linux-x64-cp311, or linux-x64 for those of blender.org's Blenders; all: of
+    every platform; no names: Linux'."""
     found = {}
     names = list(toolchain.PLATFORMS) if names == ["all"] else names
     for name in names or ("linux-x64",):

@@ -18,8 +18,8 @@ PART = "windows"
 
 
 def run(target, words):
-    """Builds the programs, and runs them, and modules that are built; words: for pytest. Writes the counts to WORK/results/counts, as all parts
-    of `fovea test`; 0 if all pass."""
+    """Builds the programs and runs them, and modules that are built; words: for pytest. Writes the counts to
+    WORK/results/counts, as all parts of `fovea test`; 0 if all pass."""
     program()
     results = target.work / "results"
     shutil.rmtree(results, ignore_errors=True)
@@ -56,7 +56,18 @@ def pictures(target, results, words):
     """tests/windows."""
     report = results / "windows.xml"
     folder = PROJECT / "tests" / "windows"
-    words = [sys.executable, "-B", "-m", "pytest", "-v", "-p", "no:cacheprovider", folder, f"--junitxml={report}", *words]
+    words = [
+        sys.executable,
+        "-B",
+        "-m",
+        "pytest",
+        "-v",
+        "-p",
+        "no:cacheprovider",
+        folder,
+        f"--junitxml={report}",
+        *words,
+    ]
     place = {"FOVEA_STANDALONE": str(target.cache), "FOVEA_STANDALONE_WORK": str(target.work)}
     return "what Windows' programs draw and load", words, report, place
 
@@ -64,7 +75,9 @@ def pictures(target, results, words):
 def program():
     """Wine's program; StepFailed if there is none."""
     if not shutil.which("wine"):
-        raise StepFailed("wine is missing, which runs what is built for Windows: install it (apt-get install wine wine64)")
+        raise StepFailed(
+            "wine is missing, which runs what is built for Windows: install it (apt-get install wine wine64)"
+        )
     return "wine"
 
 

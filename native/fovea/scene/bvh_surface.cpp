@@ -33,8 +33,8 @@ bool are_adjacent(const Triangle& a, const Triangle& b) {
     return shared >= 2;
 }
 
-/// Patches of the occluding triangles: each is consecutive triangles, of which each shares a side with one before it. The
-/// number of the first triangle of each patch, and at last that of all triangles.
+/// Patches of the occluding triangles: each is consecutive triangles, of which each shares a side with one before it.
+/// The number of the first triangle of each patch, and at last that of all triangles.
 Array<Index> patches(const Surface& surface) {
     const auto& triangles = surface.triangles;
     const auto fill = [&](std::size_t begin, std::size_t end, std::vector<Index>& first) {
