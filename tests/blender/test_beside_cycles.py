@@ -20,7 +20,8 @@ def cycles_picture(path, meanwhile=None):
     render = bpy.context.scene.render
     render.engine, render.filepath = "CYCLES", str(path)
     render.resolution_x, render.resolution_y, render.resolution_percentage = 200, 120, 100
-    bpy.context.scene.cycles.device, bpy.context.scene.cycles.samples = "CPU", 48
+    cycles = bpy.context.scene.cycles
+    cycles.device, cycles.samples, cycles.use_denoising = "CPU", 48, False  # not every Cycles can denoise
     threads = [threading.Thread(target=meanwhile) for _ in range(AT_ONCE if meanwhile else 0)]
     for thread in threads:
         thread.start()
