@@ -101,6 +101,10 @@ add_library(glm::glm ALIAS fovea_glm)
 fovea_headers(json nlohmann_json)
 add_library(nlohmann_json::nlohmann_json ALIAS fovea_json)
 fovea_headers(cli11 cli11/include)
+if(WIN32)
+    # Before the parts of it that CLI11 includes: the one that libraries above are given.
+    target_compile_options(fovea_cli11 INTERFACE "SHELL:-include windows.h")
+endif()
 add_library(CLI11::CLI11 ALIAS fovea_cli11)
 
 if(FOVEA_TESTS)
